@@ -1,0 +1,74 @@
+"""The derivation: what a person would write on paper, as data.
+
+Speeds are named ``V_A`` (of point A), angular velocities ``omega_OBA`` (of a link).
+Every relation is a pair of formulas; the words for each rule, in each language,
+belong to whoever prints.
+"""
+
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import NamedTuple
+
+from ..algebra.formula import Formula
+from ..power.result import Result
+
+
+class Rule(StrEnum):
+    """The rule of mechanics that gives a relation."""
+
+    LEVER = "lever"
+    """Points of a link that turns about a pivot: V = ω·r, so speeds are as the arms."""
+    PROJECTION = "projection"
+    """Equal projections of the end velocities on the line of a rod."""
+    ROTATION = "rotation"
+    """The angular velocity of a link from the velocities of two of its points."""
+    BODY = "body"
+    """The velocity of a point of a link from another point's and the rotation."""
+    DYAD = "dyad"
+    """The velocity of a point from its projections on two rods."""
+    TOGETHER = "together"
+    """Relations that must be solved together."""
+    GUIDE = "guide"
+    """A point that moves along its guide."""
+
+
+class Equation(NamedTuple):
+    """``left = right``."""
+
+    left: Formula
+    right: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Step:
+    """One numbered step: the rule, the points and link it is applied to, what it gives.
+
+    ``subject`` are names of the drawing: for LEVER the pivot first, then the points;
+    for PROJECTION the two ends of the rod; for TOGETHER the links involved.
+    ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
+    """
+
+    rule: Rule
+    subject: tuple[str, ...]
+    relations: tuple[Equation, ...]
+    results: tuple[Equation, ...]
+
+
+@dataclass(frozen=True, slots=True)
+class PowerTerm:
+    """The power of one load: ``times · load · speed``; ``speed`` is signed along the load."""
+
+    load: str
+    point: str
+    times: Formula
+    speed: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Derivation:
+    """The velocity steps, the power equation (or several, at mobility m), the results."""
+
+    steps: tuple[Step, ...]
+    terms: tuple[PowerTerm, ...]
+    balances: tuple[Equation, ...]
+    results: tuple[Result, ...]

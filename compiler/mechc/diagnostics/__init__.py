@@ -1,0 +1,25 @@
+"""Errors and warnings: their type, their words (a module per stage), their rendering."""
+
+from .diagnostic import (
+    CATALOGUE,
+    Diagnostic,
+    MechcError,
+    Related,
+    Report,
+    Severity,
+    Words,
+    coded,
+    near_miss,
+)
+
+__all__ = [
+    "CATALOGUE",
+    "Diagnostic",
+    "MechcError",
+    "Related",
+    "Report",
+    "Severity",
+    "Words",
+    "coded",
+    "near_miss",
+]

@@ -1,0 +1,152 @@
+"""What an error or a warning is, and the register of all of them.
+
+An error is a value with a code and a name. Its words are made in one place: a
+function in one of this folder's modules (``syntax``, ``model``, …), decorated with
+:func:`coded`. The function's docstring is what ``mechc explain CODE`` prints, so it
+says what is wrong, why it matters, and shows how to mend it.
+"""
+
+from collections.abc import Callable, Iterable
+from dataclasses import dataclass, field
+from difflib import get_close_matches
+from enum import StrEnum
+from functools import wraps
+from inspect import cleandoc
+from typing import NamedTuple, ParamSpec
+
+from ..source import Source, Span
+
+
+class Severity(StrEnum):
+    """Whether output is withheld (``error``) or only remarked upon (``warning``)."""
+
+    ERROR = "error"
+    WARNING = "warning"
+
+
+class Related(NamedTuple):
+    """A second place that a diagnostic speaks of, and what stands there."""
+
+    span: Span
+    message: str
+
+
+class Words(NamedTuple):
+    """What a wording function returns: where, what was found and expected, one hint."""
+
+    span: Span | None
+    message: str
+    hint: str = ""
+    related: tuple[Related, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class Diagnostic:
+    """One error or warning.
+
+    ``code`` is ``E`` or ``W`` and three digits, whose first tells the stage:
+    1 syntax, 2 model, 3 pose, 4 kinematics, 5 power, 6 statics, 7 emission,
+    8 limits, 9 files. ``span`` is None only where no place in the file is meant.
+    """
+
+    code: str
+    name: str
+    span: Span | None
+    message: str
+    hint: str = ""
+    related: tuple[Related, ...] = ()
+
+    @property
+    def severity(self) -> Severity:
+        """Return the severity, which is the code's letter."""
+        return Severity.ERROR if self.code.startswith("E") else Severity.WARNING
+
+
+class Entry(NamedTuple):
+    """A kind of diagnostic in the catalogue: its name and its explanation."""
+
+    code: str
+    name: str
+    explanation: str
+
+
+CATALOGUE: dict[str, Entry] = {}
+"""Every kind of diagnostic by its code, filled by :func:`coded` as modules load."""
+
+P = ParamSpec("P")
+
+
+def coded(code: str) -> Callable[[Callable[P, Words]], Callable[P, Diagnostic]]:
+    """Register a wording function under a code; its name and docstring come along."""
+
+    def decorate(words: Callable[P, Words]) -> Callable[P, Diagnostic]:
+        name = words.__name__.replace("_", "-")
+        assert code not in CATALOGUE, f"{code} is taken"
+        assert words.__doc__, f"{code} has no explanation"
+        CATALOGUE[code] = Entry(code, name, cleandoc(words.__doc__))
+
+        @wraps(words)
+        def make(*args: P.args, **kwargs: P.kwargs) -> Diagnostic:
+            span, message, hint, related = words(*args, **kwargs)
+            return Diagnostic(code, name, span, message, hint, related)
+
+        return make
+
+    return decorate
+
+
+class MechcError(Exception):
+    """The one exception of the library: a description that cannot be compiled.
+
+    It carries every diagnostic found before the compiler had to stop, in the order
+    of the text, and the source they point into.
+    """
+
+    def __init__(self, diagnostics: Iterable[Diagnostic], source: Source | None = None) -> None:
+        self.diagnostics = tuple(diagnostics)
+        self.source = source
+        super().__init__("\n".join(f"{d.code}: {d.message}" for d in self.diagnostics))
+
+
+@dataclass(slots=True)
+class Report:
+    """Collects diagnostics while one description goes through the stages.
+
+    A stage adds all it finds and calls :meth:`stop_on_errors` where the next step
+    would need what is missing.
+    """
+
+    source: Source
+    diagnostics: list[Diagnostic] = field(default_factory=list)
+
+    def add(self, diagnostic: Diagnostic) -> None:
+        """Note a diagnostic, once."""
+        if diagnostic not in self.diagnostics:
+            self.diagnostics.append(diagnostic)
+
+    def fail(self, diagnostic: Diagnostic) -> MechcError:
+        """Note an error and return the exception to raise, with all that was found."""
+        self.add(diagnostic)
+        return MechcError(self.sorted(), self.source)
+
+    def stop_on_errors(self) -> None:
+        """Raise :class:`MechcError` if an error has been found."""
+        if any(d.severity is Severity.ERROR for d in self.diagnostics):
+            raise MechcError(self.sorted(), self.source)
+
+    def sorted(self) -> list[Diagnostic]:
+        """Return what was found in the order of the text, placeless ones last."""
+        far = len(self.source.text)
+        return sorted(self.diagnostics, key=lambda d: d.span.start if d.span else far)
+
+
+def near_miss(name: str, known: Iterable[str]) -> str:
+    """Return ``did you mean 'x'?`` for the nearest known name, or nothing when none is near.
+
+    >>> near_miss("alhpa", ["alpha", "beta"])
+    "did you mean 'alpha'?"
+    >>> near_miss("q", ["alpha", "beta"])
+    ''
+    """
+    close = get_close_matches(name, list(known), n=1, cutoff=0.7)
+    return f"did you mean {close[0]!r}?" if close else ""

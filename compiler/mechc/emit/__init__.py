@@ -1,0 +1,1 @@
+"""Targets: Python, C, LaTeX, JSON; each one object, found by name."""

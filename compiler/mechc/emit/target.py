@@ -1,0 +1,59 @@
+"""What a target is: one object that turns a compiled mechanism into files.
+
+Targets are found by name; third parties add theirs through the entry-point group
+``mechc.targets``, whose values are :class:`Target` objects.
+"""
+
+from typing import Literal, NamedTuple, Protocol
+
+from ..derivation.steps import Derivation
+from ..model.mechanism import Mechanism
+from ..routine.steps import Routine
+from ..statics.verdict import Verdict
+
+
+class Compiled(NamedTuple):
+    """Everything known of a mechanism after the last stage but emission."""
+
+    mechanism: Mechanism
+    derivation: Derivation
+    routine: Routine
+    verdict: Verdict
+    version: str
+    """The version of mechc, for the header of what is emitted."""
+
+
+class Options(NamedTuple):
+    """What a user may ask of a target; a target ignores what it has no use for."""
+
+    stem: str
+    """Name of the files without suffix (``clamp`` for ``clamp.c``, ``clamp.h``)."""
+    fragment: bool = False
+    language: Literal["en", "uk", "ru"] = "en"
+    single: bool = False
+    """One self-contained file (for standard output)."""
+
+
+class Emitted(NamedTuple):
+    """One file's name (no folder) and its text."""
+
+    name: str
+    text: str
+
+
+class Target(Protocol):
+    """A printer for formulas and a template for the file's shape, under one name."""
+
+    @property
+    def name(self) -> str:
+        """Return the name given to ``--emit``."""
+        ...
+
+    @property
+    def suffixes(self) -> tuple[str, ...]:
+        """Return the file suffixes that choose this target, the main one first."""
+        ...
+
+    def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
+        """Return the files; the first is the main one."""
+        ...

@@ -1,0 +1,6 @@
+"""The mechanism as a value: names resolved, units turned into SI, dimensions checked.
+
+Promises: every name in every formula is declared; definitions have no cycle; every
+formula has one dimension; every point of a joint, load or guide stands on a body, a
+pivot or a slider; at least one find or let is asked for.
+"""

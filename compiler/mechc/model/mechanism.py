@@ -1,0 +1,294 @@
+"""The mechanism: names resolved, quantities in SI, dimensions checked.
+
+Formulas in here mention parameters only (and, in lets and ties, loads and results);
+every definition is acyclic. Points are strings (``"A"``, ``"O1"``), and each link's
+points are in the order the user named them.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import Literal, NamedTuple
+
+from ..algebra.formula import Formula
+from ..source import Span
+from ..units import Dimension
+
+
+class Interval(NamedTuple):
+    """A range of a parameter, both ends constant formulas in SI."""
+
+    low: Formula
+    high: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """A quantity of the description.
+
+    ``value`` is None (declared by dimension only), a constant in SI, or a formula of
+    other parameters (a *dependent* parameter). ``unit`` is what the user wrote, for
+    output ('' when bare). ``low`` … ``high`` is the range of a free parameter.
+    """
+
+    name: str
+    dimension: Dimension
+    span: Span
+    value: Formula | None = None
+    range: Interval | None = None
+    unit: str = ""
+    label: str = ""
+    about: str = ""
+    dependent: bool = False
+
+
+# ---------------------------------------------------------------------- directions
+
+
+@dataclass(frozen=True, slots=True)
+class Absolute:
+    """A direction given as an angle, counter-clockwise from +x."""
+
+    angle: Formula
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Along:
+    """The direction from ``tail`` to ``head``, turned by ``quarter`` · 90° (0 … 3)."""
+
+    tail: str
+    head: str
+    quarter: int
+    span: Span
+
+
+Direction = Absolute | Along
+
+
+# ------------------------------------------------------------------ bodies, joints
+
+
+@dataclass(frozen=True, slots=True)
+class Link:
+    """A rigid body through two or more points; ``name`` is the points as written (``OBA``)."""
+
+    name: str
+    points: tuple[str, ...]
+    span: Span
+    label: str = ""
+
+
+@dataclass(frozen=True, slots=True)
+class Pivot:
+    """A point pinned to the ground."""
+
+    point: str
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Slider:
+    """A point guided by the ground; ``through`` is a point of the guide's line, if given."""
+
+    point: str
+    along: Direction
+    span: Span
+    through: str | None = None
+
+
+# ------------------------------------------------------------------------ geometry
+
+
+@dataclass(frozen=True, slots=True)
+class Arrow:
+    """A vector from ``tail`` to ``head``: what is given of its length and direction."""
+
+    tail: str
+    head: str
+    length: Formula | None
+    direction: Direction | None
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Offset:
+    """A vector from ``tail`` to ``head`` by its components.
+
+    ``tail`` is ``""`` for the origin of the plane: ``pivot O at (x, y)``.
+    """
+
+    tail: str
+    head: str
+    x: Formula
+    y: Formula
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Turn:
+    """The counter-clockwise angle at ``vertex`` from ``vertex→first`` to ``vertex→second``."""
+
+    first: str
+    vertex: str
+    second: str
+    angle: Formula
+    span: Span
+
+
+Geometry = Arrow | Offset | Turn
+
+
+# --------------------------------------------------------------------------- loads
+
+
+@dataclass(frozen=True, slots=True)
+class Force:
+    """A force on a point; ``tie`` is a formula linear in one other load, or None.
+
+    ``times`` multiplies the load wherever it acts.
+    """
+
+    name: str
+    point: str
+    along: Direction
+    span: Span
+    tie: Formula | None = None
+    times: Fraction = Fraction(1)
+    weight: bool = False
+
+
+@dataclass(frozen=True, slots=True)
+class Torque:
+    """A couple on a link, positive counter-clockwise."""
+
+    name: str
+    link: str
+    span: Span
+    tie: Formula | None = None
+    times: Fraction = Fraction(1)
+
+
+Load = Force | Torque
+"""A weight is a :class:`Force` with ``weight`` True and ``tie`` = m·g (a known load)."""
+
+
+@dataclass(frozen=True, slots=True)
+class Mirror:
+    """The description is the half on one side of a line; shared points lie on it."""
+
+    across: Direction
+    sharing: tuple[str, ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Copies:
+    """The description is one of ``number`` identical branches around the shared points' guide."""
+
+    number: Fraction
+    sharing: tuple[str, ...]
+    span: Span
+
+
+# --------------------------------------------------------------- what is asked for
+
+
+class Speed(NamedTuple):
+    """``V_D`` (kind ``point``) or ``omega_OB`` (kind ``link``; ``of`` is the link's name)."""
+
+    kind: Literal["point", "link"]
+    of: str
+
+
+@dataclass(frozen=True, slots=True)
+class LoadRatio:
+    """``P / F``."""
+
+    above: str
+    below: str
+
+
+@dataclass(frozen=True, slots=True)
+class LoadForm:
+    """``P`` as a linear form of all other loads."""
+
+    load: str
+
+
+@dataclass(frozen=True, slots=True)
+class SpeedRatio:
+    """``V_D / V_A``."""
+
+    above: Speed
+    below: Speed
+
+
+Target = LoadRatio | LoadForm | SpeedRatio
+
+
+@dataclass(frozen=True, slots=True)
+class Find:
+    """A result asked for. ``name`` is an identifier made up (``V_D_over_V_A``) where none was given."""
+
+    name: str
+    target: Target
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Let:
+    """A formula of the user's own; it may mention parameters, loads, finds and other lets."""
+
+    name: str
+    value: Formula
+    dimension: Dimension
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Require:
+    """A condition of use, ``left OP right``; a chain is split into its links."""
+
+    left: Formula
+    operator: Literal["<", "<=", ">", ">=", "=", "!="]
+    right: Formula
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Expect:
+    """What a book says of a result: a formula, or a number ``at`` given values.
+
+    ``tolerance`` is half a unit of the last digit written, in SI (0 for a formula).
+    """
+
+    subject: str
+    value: Formula
+    at: Mapping[str, Formula]
+    tolerance: Fraction
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Mechanism:
+    """A whole description, resolved and checked."""
+
+    name: str
+    title: str
+    source: str
+    span: Span
+    parameters: tuple[Parameter, ...] = ()
+    pivots: tuple[Pivot, ...] = ()
+    sliders: tuple[Slider, ...] = ()
+    links: tuple[Link, ...] = ()
+    geometry: tuple[Geometry, ...] = ()
+    loads: tuple[Load, ...] = ()
+    mirror: Mirror | None = None
+    copies: Copies | None = None
+    finds: tuple[Find, ...] = ()
+    lets: tuple[Let, ...] = ()
+    requires: tuple[Require, ...] = ()
+    expects: tuple[Expect, ...] = ()
+    spans: Mapping[str, Span] = field(default_factory=dict)
+    """Where each point was first named."""

@@ -1,0 +1,73 @@
+"""The pose: every vector and direction that kinematics and statics need, as algebra.
+
+A vector is a sum of ``length @ angle`` terms, never expanded into components:
+``((a, alpha - 90°),)`` for an arm, two terms for a Cartesian offset.
+"""
+
+import math
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.formula import Formula
+from ..algebra.product import Product
+from ..model.mechanism import Mechanism
+
+
+class Arm(NamedTuple):
+    """One term of a vector: a length (which may carry a sign) at a direction."""
+
+    length: Product
+    angle: Angle
+
+
+Vector = tuple[Arm, ...]
+"""A planar vector as a sum of arms; ``()`` is the zero vector."""
+
+
+class Definition(NamedTuple):
+    """A named intermediate: a dependent parameter that is not simply put in."""
+
+    name: str
+    formula: Formula
+
+
+@dataclass(frozen=True, slots=True)
+class Pose:
+    """A mechanism with its directions settled.
+
+    ``frames[link][point]`` is the vector from the link's first point to the point;
+    ``guides[point]`` the direction of a slider's guide; ``lines[force]`` the direction
+    of a force; ``axis`` the mirror line's direction. ``definitions`` give the named
+    intermediates in an order in which each uses only parameters and earlier ones.
+    ``placeholders`` are the made-up names of lengths that were not given (``len_BK``
+    for ``BK = @ …``), with a numeric value that follows from closure where a loop
+    fixes it, and which a result must not depend on. ``free`` are the names of the
+    independent parameters, in declared order.
+    """
+
+    mechanism: Mechanism
+    frames: Mapping[str, Mapping[str, Vector]]
+    guides: Mapping[str, Angle]
+    lines: Mapping[str, Angle]
+    axis: Angle | None
+    definitions: tuple[Definition, ...]
+    placeholders: Mapping[str, Product | None]
+    free: tuple[str, ...]
+
+    def vector(self, link: str, tail: str, head: str) -> Vector:
+        """Return the vector between two points of one link."""
+        frame = self.frames[link]
+        back = tuple(Arm(-arm.length, arm.angle) for arm in frame[tail])
+        return frame[head] + back
+
+
+def evaluate_vector(vector: Vector, values: Mapping[str, float]) -> tuple[float, float]:
+    """Return the components of a vector at numeric values of all its symbols."""
+    x = y = 0.0
+    for length, angle in vector:
+        size, turn = length.evaluate(values), angle.evaluate(values)
+        x += size * math.cos(turn)
+        y += size * math.sin(turn)
+    return x, y

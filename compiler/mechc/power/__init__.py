@@ -1,0 +1,1 @@
+"""Virtual power: Σ F·V = 0, solved for what was asked, and what follows from it."""

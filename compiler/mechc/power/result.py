@@ -1,0 +1,64 @@
+"""What is found: each result as a readable formula, and what follows from it.
+
+All formulas are in SI and radians and mention free parameters and the names in
+``where`` only.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import Literal, NamedTuple
+
+from ..algebra.formula import Formula
+from ..model.mechanism import Target
+from ..units import Dimension
+
+
+class Definition(NamedTuple):
+    """``name = formula``: an intermediate that a result mentions."""
+
+    name: str
+    formula: Formula
+
+
+class Vanishing(NamedTuple):
+    """A condition ``factor = 0`` under which a result is zero, or infinite.
+
+    ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None.
+    ``kind`` tells a dead centre from a load perpendicular to its point's velocity.
+    """
+
+    factor: Formula
+    at: tuple[str, Formula] | None
+    kind: Literal["output still", "drive locked", "perpendicular load", "other"]
+
+
+Trend = Literal["rises", "falls", "constant", "turns", "unknown"]
+
+
+@dataclass(frozen=True, slots=True)
+class Result:
+    """One ``find`` (or ``let``), solved.
+
+    ``formula`` is the whole result; for a load found as a linear form (``find P``)
+    ``coefficients`` gives the factor of every other load and ``formula`` their sum.
+    ``target`` is None for a let. ``proportional`` maps a parameter to the power in
+    which the result is proportional to it; ``swaps`` are pairs that may be exchanged;
+    ``trends`` say how it moves over each parameter's range (by a proof of the sign of
+    the derivative, never by sampling); ``derivatives`` are the partial ones.
+    ``loads`` are the loads (known forces) that the formula mentions.
+    """
+
+    name: str
+    target: Target | None
+    dimension: Dimension
+    formula: Formula
+    where: tuple[Definition, ...] = ()
+    coefficients: Mapping[str, Formula] | None = None
+    zeros: tuple[Vanishing, ...] = ()
+    poles: tuple[Vanishing, ...] = ()
+    proportional: Mapping[str, int] | None = None
+    independent: tuple[str, ...] = ()
+    swaps: tuple[tuple[str, str], ...] = ()
+    trends: Mapping[str, Trend] | None = None
+    derivatives: Mapping[str, Formula] | None = None
+    default: float | None = None

@@ -1,0 +1,42 @@
+"""What the referee says: k by virtual power against k by free bodies, pose by pose."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+
+class Trial(NamedTuple):
+    """One pose: the values, the result's name, both answers, and how far apart they may be.
+
+    ``error`` is relative to max(|power|, |statics|, tiny); ``condition`` estimates the
+    condition number of the equilibrium equations; the trial agrees when ``error`` is
+    below a fixed multiple of condition · eps.
+    """
+
+    result: str
+    values: Mapping[str, float]
+    power: float
+    statics: float
+    error: float
+    condition: float
+
+    @property
+    def agrees(self) -> bool:
+        """Return whether the two methods agree to within the pose's condition."""
+        return self.error <= max(1e4 * self.condition * 2.0**-52, 1e-12)
+
+
+class Verdict(NamedTuple):
+    """All trials of one compile (the default pose first), and what could not be tried."""
+
+    trials: tuple[Trial, ...]
+    remarks: tuple[str, ...] = ()
+
+    @property
+    def agrees(self) -> bool:
+        """Return whether every trial agrees."""
+        return all(t.agrees for t in self.trials)
+
+    @property
+    def worst(self) -> float:
+        """Return the largest relative error, 0 when nothing was tried."""
+        return max((t.error for t in self.trials), default=0.0)

@@ -1,0 +1,6 @@
+"""The two notations and the one tree between them.
+
+Promises: every node has the span of its text; sums and products are flat; nesting is
+at most 64; numbers have at most 40 digits; function names are canonical (``tan`` for
+``tg``); a construct of the language either stands in the tree or was reported.
+"""

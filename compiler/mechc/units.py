@@ -1,0 +1,121 @@
+"""Units and dimensions: one table, exact factors.
+
+Inside, everything is SI and radians; outside, the units the user wrote. The factor of
+an angle unit in degrees is a rational multiple of π, so :class:`Unit` keeps it apart:
+``deg`` has factor 1/180 and ``pi`` True.
+"""
+
+from fractions import Fraction
+from typing import NamedTuple
+
+
+class Dimension(NamedTuple):
+    """Exponents of length, mass, time and angle.
+
+    Angle is a dimension in sums, comparisons and function arguments; in products it is
+    a pure number, so a product never carries an angle exponent other than 0 or 1.
+
+    >>> FORCE
+    Dimension(length=1, mass=1, time=-2, angle=0)
+    """
+
+    length: int | Fraction = 0
+    mass: int | Fraction = 0
+    time: int | Fraction = 0
+    angle: int = 0
+
+
+NUMBER = Dimension()
+ANGLE = Dimension(angle=1)
+LENGTH = Dimension(1)
+MASS = Dimension(0, 1)
+TIME = Dimension(0, 0, 1)
+FORCE = Dimension(1, 1, -2)
+TORQUE = Dimension(2, 1, -2)
+PRESSURE = Dimension(-1, 1, -2)
+VELOCITY = Dimension(1, 0, -1)
+ACCELERATION = Dimension(1, 0, -2)
+STIFFNESS = Dimension(0, 1, -2)
+POWER = Dimension(2, 1, -3)
+FREQUENCY = Dimension(0, 0, -1)
+
+DIMENSIONS: dict[str, Dimension] = {
+    "number": NUMBER,
+    "angle": ANGLE,
+    "length": LENGTH,
+    "area": Dimension(2),
+    "volume": Dimension(3),
+    "mass": MASS,
+    "time": TIME,
+    "force": FORCE,
+    "torque": TORQUE,
+    "pressure": PRESSURE,
+    "velocity": VELOCITY,
+    "acceleration": ACCELERATION,
+    "stiffness": STIFFNESS,
+    "power": POWER,
+    "frequency": FREQUENCY,
+}
+"""The dimensions that a parameter may be declared with, by name."""
+
+
+class Unit(NamedTuple):
+    """A unit: its factor to SI, exact, times π when ``pi``, and its dimension."""
+
+    factor: Fraction
+    dimension: Dimension
+    pi: bool = False
+
+
+def _unit(factor: str | int, dimension: Dimension, pi: bool = False) -> Unit:
+    return Unit(Fraction(factor), dimension, pi)
+
+
+UNITS: dict[str, Unit] = {
+    "mm": _unit("1/1000", LENGTH),
+    "cm": _unit("1/100", LENGTH),
+    "dm": _unit("1/10", LENGTH),
+    "m": _unit(1, LENGTH),
+    "km": _unit(1000, LENGTH),
+    "um": _unit("1/1000000", LENGTH),
+    "in": _unit("0.0254", LENGTH),
+    "deg": _unit("1/180", ANGLE, pi=True),
+    "rad": _unit(1, ANGLE),
+    "mrad": _unit("1/1000", ANGLE),
+    "mm^2": _unit("1/1000000", Dimension(2)),
+    "cm^2": _unit("1/10000", Dimension(2)),
+    "m^2": _unit(1, Dimension(2)),
+    "N": _unit(1, FORCE),
+    "kN": _unit(1000, FORCE),
+    "MN": _unit(1000000, FORCE),
+    "kgf": _unit("9.80665", FORCE),
+    "N*m": _unit(1, TORQUE),
+    "N*mm": _unit("1/1000", TORQUE),
+    "kN*m": _unit(1000, TORQUE),
+    "g": _unit("1/1000", MASS),
+    "kg": _unit(1, MASS),
+    "t": _unit(1000, MASS),
+    "Pa": _unit(1, PRESSURE),
+    "kPa": _unit(1000, PRESSURE),
+    "MPa": _unit(1000000, PRESSURE),
+    "GPa": _unit(1000000000, PRESSURE),
+    "bar": _unit(100000, PRESSURE),
+    "N/mm^2": _unit(1000000, PRESSURE),
+    "s": _unit(1, TIME),
+    "ms": _unit("1/1000", TIME),
+    "min": _unit(60, TIME),
+    "m/s": _unit(1, VELOCITY),
+    "mm/s": _unit("1/1000", VELOCITY),
+    "m/s^2": _unit(1, ACCELERATION),
+    "mm/s^2": _unit("1/1000", ACCELERATION),
+    "N/m": _unit(1, STIFFNESS),
+    "N/mm": _unit(1000, STIFFNESS),
+    "kN/m": _unit(1000, STIFFNESS),
+    "rad/s": _unit(1, FREQUENCY),
+    "rpm": _unit("1/30", FREQUENCY, pi=True),
+    "Hz": _unit(1, FREQUENCY),
+    "W": _unit(1, POWER),
+    "kW": _unit(1000, POWER),
+    "J": _unit(1, TORQUE),
+}
+"""Every unit a number may carry, longest match first when read (``N*mm`` before ``N``)."""
