@@ -1,0 +1,105 @@
+"""The interpreter: a routine's steps on floats or NumPy arrays.
+
+It is the oracle: every target's code must give what it gives. It computes in the
+order that :mod:`.quotient` fixes and has no tricks of its own.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import reduce
+from typing import TypeAlias, assert_never
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .quotient import quotient_of
+from .steps import Function, Guard
+
+Array: TypeAlias = NDArray[np.float64]
+Value: TypeAlias = float | Array
+
+FUNCTIONS: Mapping[str, Callable[..., Array]] = {
+    "sin": np.sin,
+    "cos": np.cos,
+    "tan": np.tan,
+    "cot": lambda x: np.cos(x) / np.sin(x),
+    "sec": lambda x: 1.0 / np.cos(x),
+    "csc": lambda x: 1.0 / np.sin(x),
+    "asin": np.arcsin,
+    "acos": np.arccos,
+    "atan": np.arctan,
+    "atan2": np.arctan2,
+    "sqrt": np.sqrt,
+    "hypot": lambda *xs: reduce(np.hypot, xs),
+    "abs": np.abs,
+    "min": lambda *xs: reduce(np.minimum, xs),
+    "max": lambda *xs: reduce(np.maximum, xs),
+    "exp": np.exp,
+    "log": np.log,
+}
+"""Every function of the language on arrays."""
+
+_HOLDS: Mapping[str, Callable[[Array, Array], NDArray[np.bool_]]] = {
+    "<": np.less,
+    "<=": np.less_equal,
+    ">": np.greater,
+    ">=": np.greater_equal,
+    "=": np.equal,
+    "!=": np.not_equal,
+}
+
+
+def evaluate(function: Function, values: Mapping[str, Value]) -> Value:
+    """Return a function's output at values of its inputs, which broadcast as NumPy's do.
+
+    Values are SI and radians; names beyond the inputs are ignored. The output is a
+    float when all inputs are scalars. It is NaN where a guard fails or a step is not
+    defined, and infinite at a pole; no warning is raised for either.
+    """
+    scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in function.inputs}
+    with np.errstate(all="ignore"):
+        for step in function.steps:
+            scope[step.name] = compute(step.formula, scope)
+        result = compute(function.output, scope)
+        for guard in function.guards:
+            result = np.where(_holds(guard, scope), result, np.nan)
+    return result if np.ndim(result) else float(result)
+
+
+def _holds(guard: Guard, scope: Mapping[str, Array]) -> NDArray[np.bool_]:
+    return _HOLDS[guard.operator](compute(guard.left, scope), compute(guard.right, scope))
+
+
+def compute(formula: Formula, scope: Mapping[str, Array]) -> Array:
+    """Return a formula's value on arrays, in the order in which targets compute it."""
+    match formula:
+        case Number(value):
+            return np.asarray(value.numerator / value.denominator)
+        case Pi():
+            return np.asarray(np.pi)
+        case Symbol(name):
+            return scope[name]
+        case Sum(terms):
+            return reduce(np.add, (compute(t, scope) for t in terms))
+        case Product():
+            return _product(formula, scope)
+        case Power(base, Number(value)) if value == -1:
+            return 1.0 / compute(base, scope)
+        case Power(base, exponent):
+            return np.power(compute(base, scope), compute(exponent, scope))
+        case Call(function, arguments):
+            return FUNCTIONS[function](*(compute(a, scope) for a in arguments))
+        case _:
+            assert_never(formula)
+
+
+def _product(formula: Product, scope: Mapping[str, Array]) -> Array:
+    negative, above, below = quotient_of(formula)
+    result = _multiplied(above, scope)
+    if below:
+        result = np.divide(result, _multiplied(below, scope))
+    return np.negative(result) if negative else result
+
+
+def _multiplied(factors: tuple[Formula, ...], scope: Mapping[str, Array]) -> Array:
+    return reduce(np.multiply, (compute(f, scope) for f in factors), np.asarray(1.0))

@@ -1,0 +1,142 @@
+"""From results to straight-line programs, one function per ``find`` and ``let``."""
+
+from collections.abc import Mapping
+from typing import assert_never
+
+from ..algebra.formula import Formula, count_operations, evaluate, symbols
+from ..model.mechanism import (
+    Load,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Parameter,
+    Require,
+    Speed,
+    SpeedRatio,
+    Target,
+    Torque,
+)
+from ..power.result import Result
+from ..units import FORCE, TORQUE
+from .scope import Definitions, Scope, rename
+from .sharing import share
+from .steps import Function, Guard, Input, Routine, Step
+
+
+def program(mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
+    """Return the routine that computes every result.
+
+    Each function takes the parameters it depends on in declared order, then the loads
+    it depends on, all in SI. A ``require`` guards those functions whose inputs decide
+    it; one that needs more than a function is given is left to its caller.
+    Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
+    """
+    scope, inputs = Scope(mechanism, results), _inputs(mechanism)
+    functions = tuple(_function(result, scope, inputs) for result in results)
+    return Routine(mechanism.name, mechanism.title, mechanism.source, functions)
+
+
+def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Function:
+    used = _known(result, _free(result.name, [result.formula], scope), inputs)
+    requires = [r for r in scope.mechanism.requires if _decided(r, result.name, scope, used)]
+    sides = [side for r in requires for side in (r.left, r.right)]
+    definitions = scope.definitions(result.name, [result.formula, *sides])
+    formula = rename(result.formula, definitions.names)
+    steps, (output,) = share(definitions.formulas, [formula], [*inputs, *scope.results])
+    return Function(
+        name=result.name,
+        title=title(result.target),
+        inputs=used,
+        guards=tuple(_guard(r, definitions) for r in requires),
+        steps=steps,
+        output=output,
+        formula=formula,
+        where=tuple(Step(name, f) for name, f in definitions.formulas),
+        dimension=result.dimension,
+        operations=sum(count_operations(f) for f in (*(s.formula for s in steps), output)),
+    )
+
+
+def title(target: Target | None) -> str:
+    """Return what a result is, in words.
+
+    >>> title(LoadRatio("P", "F"))
+    'force ratio P/F'
+    """
+    match target:
+        case None:
+            return "formula of the description"
+        case LoadRatio(above, below):
+            return f"force ratio {above}/{below}"
+        case LoadForm(load):
+            return f"load {load} that balances the others"
+        case SpeedRatio(above, below):
+            return f"speed ratio {_speed(above)}/{_speed(below)}"
+        case _:
+            assert_never(target)
+
+
+def _speed(speed: Speed) -> str:
+    return f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}"
+
+
+# -------------------------------------------------------------------------- inputs
+
+
+def _inputs(mechanism: Mechanism) -> dict[str, Input]:
+    """Return all that a function may take: free parameters, then loads, in declared order."""
+    free = [_parameter(p) for p in mechanism.parameters if not p.dependent]
+    loads = [_load(load) for load in mechanism.loads if load.tie is None]
+    return {item.name: item for item in (*free, *loads)}
+
+
+def _parameter(parameter: Parameter) -> Input:
+    low, high = parameter.range or (None, None)
+    return Input(
+        parameter.name,
+        parameter.dimension,
+        parameter.unit,
+        _constant(parameter.value),
+        _constant(low),
+        _constant(high),
+        parameter.label,
+    )
+
+
+def _load(load: Load) -> Input:
+    if isinstance(load, Torque):
+        return Input(load.name, TORQUE, "N*m")
+    return Input(load.name, FORCE, "N")
+
+
+def _constant(formula: Formula | None) -> float | None:
+    return None if formula is None else evaluate(formula, {})
+
+
+def _free(owner: str, formulas: list[Formula], scope: Scope) -> frozenset[str]:
+    """Return the names that formulas and the definitions they need leave open."""
+    definitions = scope.definitions(owner, formulas)
+    defined = {name for name, _ in definitions.formulas}
+    parts = [*(rename(f, definitions.names) for f in formulas)]
+    parts += [formula for _, formula in definitions.formulas]
+    return frozenset[str]().union(*map(symbols, parts)) - defined
+
+
+def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) -> tuple[Input, ...]:
+    strangers = sorted(used - inputs.keys())
+    if strangers:
+        raise LookupError(f"nothing explains {', '.join(strangers)} in result {result.name}")
+    return tuple(item for name, item in inputs.items() if name in used)
+
+
+# -------------------------------------------------------------------------- guards
+
+
+def _decided(require: Require, owner: str, scope: Scope, used: tuple[Input, ...]) -> bool:
+    """Return whether a function's inputs decide a condition."""
+    return _free(owner, [require.left, require.right], scope) <= {i.name for i in used}
+
+
+def _guard(require: Require, definitions: Definitions) -> Guard:
+    left, right = (rename(side, definitions.names) for side in (require.left, require.right))
+    return Guard(left, require.operator, right)

@@ -1,0 +1,129 @@
+"""What the names in a result stand for: inputs, intermediates, other results.
+
+A result's own ``where`` comes first; then parameters, dependent ones by their formula;
+then other results (a let may use a find, and gives a load its value); then loads.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from ..algebra.formula import Formula, Symbol, substitute, symbols
+from ..model.mechanism import Mechanism
+from ..power.result import Result
+
+
+class Key(NamedTuple):
+    """A definition: its name, and the result in whose ``where`` it stands ('' for others)."""
+
+    owner: str
+    name: str
+
+
+class Definitions(NamedTuple):
+    """Definitions in an order in which each uses only inputs and earlier ones.
+
+    ``names`` tells under which name the formulas asked about find each one, as two
+    results may use one name for different things.
+    """
+
+    formulas: tuple[tuple[str, Formula], ...]
+    names: Mapping[str, str]
+
+
+class Scope:
+    """The names of one mechanism and its results."""
+
+    def __init__(self, mechanism: Mechanism, results: Iterable[Result]) -> None:
+        """Index every definition by the name it explains."""
+        self.mechanism = mechanism
+        self.results = {r.name: r for r in results}
+        self._where = {r.name: {d.name: d.formula for d in r.where} for r in self.results.values()}
+        self._anywhere = {n: owner for owner, names in self._where.items() for n in names}
+        self._ties = dict(_ties(mechanism))
+        self._given = {item.name for item in (*mechanism.parameters, *mechanism.loads)}
+
+    def find(self, owner: str, name: str) -> Key | None:
+        """Return what a name means in a result's formulas; None for an input."""
+        if name in self._where.get(owner, {}):
+            return Key(owner, name)
+        if name in self._ties:
+            return Key("", name)
+        if name in self.results and name != owner and not self._both_finds(owner, name):
+            return Key(name, "")
+        if name in self._anywhere and name not in self._given:
+            return Key(self._anywhere[name], name)
+        return None
+
+    def _both_finds(self, owner: str, name: str) -> bool:
+        """Return whether a find's name is, in another find, the load and not its solution."""
+        find = self.results.get(owner)
+        return find is not None and None not in (find.target, self.results[name].target)
+
+    def formula(self, key: Key) -> Formula:
+        """Return the formula of a definition."""
+        owner, name = key
+        if not name:
+            return self.results[owner].formula
+        return self._where[owner][name] if owner else self._ties[name]
+
+    def definitions(self, owner: str, formulas: Iterable[Formula]) -> Definitions:
+        """Return all that formulas of a result need, in order."""
+        chosen: dict[Key, str] = {}
+        found: dict[str, Formula] = {}
+        wanted = dict(pair for f in formulas for pair in self._keys(owner, f))
+        for key in self._needs_first(wanted.values()):
+            formula = self.formula(key)
+            names = {n: chosen[k] for n, k in self._keys(key.owner, formula)}
+            formula = rename(formula, names)
+            chosen[key] = _free_name(key, formula, found)
+            found[chosen[key]] = formula
+        return Definitions(tuple(found.items()), {n: chosen[k] for n, k in wanted.items()})
+
+    def _needs_first(self, wanted: Iterable[Key]) -> Iterator[Key]:
+        """Yield every definition reached, each after those that it uses."""
+        stack, open_, done = list(wanted)[::-1], set[Key](), set[Key]()
+        while stack:
+            key = stack[-1]
+            missing = [k for _, k in self._keys(key.owner, self.formula(key)) if k not in done]
+            if missing and key in open_:
+                raise LookupError(f"{key.name or key.owner} is defined by itself")
+            open_.add(key)
+            stack.extend(reversed(missing))
+            if not missing:
+                if stack.pop() not in done:
+                    yield key
+                done.add(key)
+
+    def _keys(self, owner: str, formula: Formula) -> Iterator[tuple[str, Key]]:
+        """Yield the defined names of a formula, those of ``where`` in its order."""
+        names = symbols(formula)
+        own = self._where.get(owner, {})
+        for name in [*(n for n in own if n in names), *sorted(names - own.keys())]:
+            key = self.find(owner, name)
+            if key is not None:
+                yield name, key
+
+
+def _ties(mechanism: Mechanism) -> Iterator[tuple[str, Formula]]:
+    for parameter in mechanism.parameters:
+        if parameter.dependent and parameter.value is not None:
+            yield parameter.name, parameter.value
+    for load in mechanism.loads:
+        if load.tie is not None:
+            yield load.name, load.tie
+
+
+def rename(formula: Formula, names: Mapping[str, str]) -> Formula:
+    """Return the formula with symbols renamed; itself where nothing changes."""
+    changed = {old: Symbol(new) for old, new in names.items() if old != new}
+    return substitute(formula, changed) if changed else formula
+
+
+def _free_name(key: Key, formula: Formula, found: Mapping[str, Formula]) -> str:
+    """Return the definition's name, altered where it already means something else."""
+    name = key.name or key.owner
+    number = 1
+    while found.get(name, formula) != formula:
+        number += 1
+        name = f"{key.name or key.owner}_{number}"
+    return name

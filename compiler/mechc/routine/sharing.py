@@ -1,0 +1,197 @@
+"""Steps from formulas: every part that is used twice is computed once, under a name.
+
+Names are taken from what the step is (``sin_alpha``, ``cos_alpha_plus_beta``) as long
+as that is short, and are numbered otherwise (``s1`` a sum, ``p1`` a product).
+"""
+
+from collections import Counter
+from collections.abc import Iterable, Sequence
+from fractions import Fraction
+from itertools import count
+from typing import NamedTuple, assert_never
+
+from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .steps import Step
+from .table import Apply, Entry, Leaf, Raised, Ratio, Scaled, Table, Terms, parts, tabulate
+
+LONGEST_LABEL = 24
+"""Characters of a step's name beyond which it is numbered instead."""
+
+
+class Shared(NamedTuple):
+    """The steps in order, and the formulas rewritten in terms of them."""
+
+    steps: tuple[Step, ...]
+    formulas: tuple[Formula, ...]
+
+
+def share(
+    definitions: Sequence[tuple[str, Formula]], results: Sequence[Formula], taken: Iterable[str]
+) -> Shared:
+    """Return definitions and shared parts as steps, and the results in terms of them.
+
+    Definitions keep their names and their order; a shared part stands just before the
+    first definition that uses it. ``taken`` are names no new step may have.
+
+    >>> x, sin = Symbol("x"), Call("sin", (Symbol("x"),))
+    >>> share([], [Sum((sin, Power(sin, Number(Fraction(2)))))], ["x"]).steps
+    (Step(name='sin_x', formula=Call(function='sin', arguments=(Symbol(name='x'),))),)
+    """
+    table, roots = tabulate([*(formula for _, formula in definitions), *results])
+    names = [name for name, _ in definitions]
+    writer = _Writer(table, _used_twice(table, roots), {*taken, *names})
+    for name, root in zip(names, roots, strict=False):
+        writer.define(name, root)
+    formulas = tuple(writer.write(root) for root in roots[len(names) :])
+    return Shared(tuple(writer.steps), formulas)
+
+
+def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
+    """Return the entries worth a name that the roots reach by more than one way."""
+    uses = Counter(roots)
+    for index in range(len(table.entries) - 1, -1, -1):
+        entry = table.entries[index]
+        ways = min(uses[index], 1) if _is_work(entry, table) else uses[index]
+        for part in parts(entry):
+            uses[part] += ways
+    constant = _constants(table)
+    return frozenset(
+        index
+        for index, number in uses.items()
+        if number > 1 and index not in constant and _is_work(table.entries[index], table)
+    )
+
+
+def _constants(table: Table) -> set[int]:
+    constant: set[int] = set()
+    for index, entry in enumerate(table.entries):
+        if isinstance(entry, Leaf):
+            known = not isinstance(entry.formula, Symbol)
+        else:
+            known = all(part in constant for part in parts(entry))
+        if known:
+            constant.add(index)
+    return constant
+
+
+def _is_work(entry: Entry, table: Table) -> bool:
+    """Return whether an entry is worth a step: no symbol, minus sign or multiple of a symbol."""
+    match entry:
+        case Leaf() | Scaled(Fraction(numerator=-1, denominator=1), _):
+            return False
+        case Scaled(_, part):
+            return not isinstance(table.entries[part], Leaf)
+        case _:
+            return True
+
+
+class _Writer:
+    """Turns entries back into formulas, naming the shared ones as it meets them."""
+
+    def __init__(self, table: Table, shared: frozenset[int], taken: set[str]) -> None:
+        self.table = table
+        self.shared = shared
+        self.taken = taken
+        self.steps: list[Step] = []
+        self._written: dict[int, Formula] = {}
+        self._labels: dict[int, str] = {}
+
+    def write(self, root: int) -> Formula:
+        """Return an entry's formula; the steps it needs are added on the way."""
+        stack = [root]
+        while stack:
+            index = stack[-1]
+            missing = [p for p in parts(self.table.entries[index]) if p not in self._written]
+            stack.extend(reversed(missing))
+            if not missing:
+                stack.pop()
+                self._finish(index)
+        return self._written[root]
+
+    def define(self, name: str, root: int) -> None:
+        """Add the step of a definition; what equals it is called by its name from then on."""
+        entry = self.table.entries[root]
+        for part in parts(entry):
+            self.write(part)
+        formula = self._written[root] if root in self._written else self._formula(entry)
+        self.steps.append(Step(name, formula))
+        if not isinstance(entry, Leaf):
+            self._written.setdefault(root, Symbol(name))
+            self._labels.setdefault(root, name)
+
+    def _finish(self, index: int) -> None:
+        if index in self._written:
+            return
+        entry = self.table.entries[index]
+        formula, label = self._formula(entry), self._label(entry)
+        if index in self.shared:
+            label = self._name(entry, label)
+            self.steps.append(Step(label, formula))
+            formula = Symbol(label)
+        self._written[index], self._labels[index] = formula, label
+
+    def _formula(self, entry: Entry) -> Formula:
+        match entry:
+            case Leaf(formula):
+                return formula
+            case Terms(terms):
+                return Sum(tuple(self._written[t] for t in terms))
+            case Scaled(coefficient, part):
+                return _flat([Number(coefficient), self._written[part]])
+            case Ratio(above, below):
+                upper = [self._written[f] for f in above]
+                return _flat([*upper, *(_inverse(self._written[f]) for f in below)])
+            case Apply(function, arguments):
+                return Call(function, tuple(self._written[a] for a in arguments))
+            case Raised(base, exponent):
+                return Power(self._written[base], self._written[exponent])
+            case _:
+                assert_never(entry)
+
+    def _name(self, entry: Entry, label: str) -> str:
+        if label in ("", *self.taken) or label[0].isdigit():
+            letter = {Terms: "s", Ratio: "p", Scaled: "p"}.get(type(entry), "t")
+            label = next(n for i in count(1) if (n := f"{letter}{i}") not in self.taken)
+        self.taken.add(label)
+        return label
+
+    def _label(self, entry: Entry) -> str:
+        """Return what an entry is in words, or '' where that would be long."""
+        words = self._words(entry)
+        return words if len(words) <= LONGEST_LABEL else ""
+
+    def _words(self, entry: Entry) -> str:
+        match entry:
+            case Leaf(Symbol(name)):
+                return name
+            case Leaf(Number(value)) if value.denominator == 1 and value >= 0:
+                return str(value)
+            case Apply(function, (argument,)) if self._labels[argument]:
+                return f"{function}_{self._labels[argument]}"
+            case Scaled(coefficient, part):
+                return self._scaled_words(coefficient, part)
+            case Terms(terms) if all(self._labels[t] for t in terms):
+                return "_plus_".join(self._labels[t] for t in terms).replace("plus_minus", "minus")
+            case _:
+                return ""
+
+    def _scaled_words(self, coefficient: Fraction, part: int) -> str:
+        sign, size = "minus_" if coefficient < 0 else "", abs(coefficient)
+        label = self._labels[part]
+        if self.table.entries[part] == Leaf(Pi()):
+            size, label = 180 * size, "deg"
+        if not label or size.denominator != 1:
+            return ""
+        return f"{sign}{'' if size == 1 else size}{label}"
+
+
+def _inverse(formula: Formula) -> Formula:
+    return Power(formula, Number(Fraction(-1)))
+
+
+def _flat(factors: Iterable[Formula]) -> Formula:
+    """Return a product of the factors; one that is a product itself joins in."""
+    flat: list[Formula] = []
+    for factor in factors:
+        flat.extend(factor.factors if isinstance(factor, Product) else (factor,))
+    return flat[0] if len(flat) == 1 else Product(tuple(flat))

@@ -1,0 +1,230 @@
+"""A table of expressions in which equal parts are one entry.
+
+A formula is lowered into the table part by part. What a machine has no name for is
+rewritten on the way (cot = cos/sin, x^3 = x·x·x); products are kept in the order in
+which they were written, and differ from their reordering in nothing but that order.
+An entry's parts stand before it, so a pass over the entries needs no recursion.
+"""
+
+from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, field
+from fractions import Fraction
+from typing import NamedTuple, assert_never
+
+from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, children
+
+
+class Leaf(NamedTuple):
+    """A number, π or a symbol."""
+
+    formula: Number | Pi | Symbol
+
+
+class Terms(NamedTuple):
+    """A sum."""
+
+    parts: tuple[int, ...]
+
+
+class Scaled(NamedTuple):
+    """A rational multiple of an entry that is itself without a coefficient."""
+
+    coefficient: Fraction
+    part: int
+
+
+class Ratio(NamedTuple):
+    """Factors above and below one fraction line; a factor may occur several times."""
+
+    above: tuple[int, ...]
+    below: tuple[int, ...]
+
+
+class Apply(NamedTuple):
+    """A function of entries."""
+
+    function: str
+    arguments: tuple[int, ...]
+
+
+class Raised(NamedTuple):
+    """A power whose exponent is not a small integer or a half."""
+
+    base: int
+    exponent: int
+
+
+Entry = Leaf | Terms | Scaled | Ratio | Apply | Raised
+
+
+class Factors(NamedTuple):
+    """A product taken apart."""
+
+    coefficient: Fraction
+    above: tuple[int, ...]
+    below: tuple[int, ...]
+
+    def inverse(self) -> "Factors":
+        """Return 1 / self."""
+        return Factors(1 / self.coefficient, self.below, self.above)
+
+
+_QUOTIENTS = {"tan": ("sin", "cos"), "cot": ("cos", "sin")}
+_RECIPROCALS = {"sec": "cos", "csc": "sin"}
+
+
+def parts(entry: Entry) -> tuple[int, ...]:
+    """Return the entries that an entry is made of, left to right."""
+    match entry:
+        case Leaf():
+            return ()
+        case Terms(terms):
+            return terms
+        case Scaled(_, part):
+            return (part,)
+        case Ratio(above, below):
+            return above + below
+        case Apply(_, arguments):
+            return arguments
+        case Raised(base, exponent):
+            return (base, exponent)
+        case _:
+            assert_never(entry)
+
+
+@dataclass(slots=True)
+class Table:
+    """The entries, and the arguments whose tangent is to be sine over cosine.
+
+    ``split`` holds arguments of which a sine or cosine is computed anyway, so that a
+    tangent costs one division.
+    """
+
+    split: frozenset[int] = frozenset()
+    entries: list[Entry] = field(default_factory=list)
+    _known: dict[object, int] = field(default_factory=dict)
+
+    def lower(self, formula: Formula) -> int:
+        """Return the entry of a formula, putting it and its parts into the table."""
+        done: list[int] = []
+        for node in _parts_first(formula):
+            size = len(children(node))
+            arguments = tuple(done[len(done) - size :])
+            del done[len(done) - size :]
+            done.append(self._lower_one(node, arguments))
+        return done[0]
+
+    def _lower_one(self, node: Formula, arguments: tuple[int, ...]) -> int:
+        match node:
+            case Number() | Pi() | Symbol():
+                return self._add(Leaf(node), node)
+            case Sum():
+                return self._add(Terms(arguments), (Sum, tuple(sorted(arguments))))
+            case Product():
+                return self._product(self._factors(a) for a in arguments)
+            case Power(_, Number(value)) if (2 * value).denominator == 1 and abs(value) <= 64:
+                return self._power(arguments[0], value)
+            case Power():
+                return self._add(Raised(*arguments), (Power, arguments))
+            case Call(function, _):
+                return self._call(function, arguments)
+            case _:
+                assert_never(node)
+
+    def _add(self, entry: Entry, key: object) -> int:
+        index = self._known.setdefault(key, len(self.entries))
+        if index == len(self.entries):
+            self.entries.append(entry)
+        return index
+
+    def _factors(self, index: int) -> Factors:
+        match self.entries[index]:
+            case Leaf(Number(value)):
+                return Factors(value, (), ())
+            case Scaled(coefficient, part):
+                return self._factors(part)._replace(coefficient=coefficient)
+            case Ratio(above, below):
+                return Factors(Fraction(1), above, below)
+            case _:
+                return Factors(Fraction(1), (index,), ())
+
+    def _product(self, factors: Iterable[Factors]) -> int:
+        coefficient, above, below = Fraction(1), list[int](), list[int]()
+        for factor in factors:
+            coefficient *= factor.coefficient
+            above += factor.above
+            below += factor.below
+        if coefficient == 0 or not (above or below):
+            return self._number(coefficient)
+        core = self._ratio(tuple(above), tuple(below))
+        if coefficient == 1:
+            return core
+        return self._add(Scaled(coefficient, core), (Scaled, coefficient, core))
+
+    def _ratio(self, above: tuple[int, ...], below: tuple[int, ...]) -> int:
+        if len(above) == 1 and not below:
+            return above[0]
+        return self._add(Ratio(above, below), (Ratio, tuple(sorted(above)), tuple(sorted(below))))
+
+    def _number(self, value: Fraction) -> int:
+        return self._add(Leaf(Number(value)), Number(value))
+
+    def _power(self, base: int, exponent: Fraction) -> int:
+        factors = self._factors(base)
+        if factors.coefficient == 0:
+            return self._add(Raised(base, self._number(exponent)), (Power, base, exponent))
+        if exponent.denominator == 1:
+            return self._product(self._raise(factors, int(exponent)))
+        root = self._factors(self._call("sqrt", (base,)))
+        whole = self._raise(factors, int(exponent))
+        return self._product([*whole, root if exponent > 0 else root.inverse()])
+
+    def _raise(self, factors: Factors, exponent: int) -> list[Factors]:
+        """Raise a product to an integer by squaring; the squares are entries, computed once."""
+        if exponent < 0:
+            return self._raise(factors.inverse(), -exponent)
+        if exponent < 4:
+            return [factors] * exponent
+        square = Factors(
+            factors.coefficient**2,
+            tuple(self._ratio((f, f), ()) for f in factors.above),
+            tuple(self._ratio((f, f), ()) for f in factors.below),
+        )
+        return self._raise(square, exponent // 2) + [factors] * (exponent % 2)
+
+    def _call(self, function: str, arguments: tuple[int, ...]) -> int:
+        if function == "cot" or (function == "tan" and arguments[0] in self.split):
+            above, below = _QUOTIENTS[function]
+            return self._ratio((self._call(above, arguments),), (self._call(below, arguments),))
+        if function in _RECIPROCALS:
+            return self._ratio((), (self._call(_RECIPROCALS[function], arguments),))
+        return self._add(Apply(function, arguments), (Apply, function, arguments))
+
+
+def _parts_first(formula: Formula) -> Iterator[Formula]:
+    """Yield all parts of a formula, each behind its own parts, left to right."""
+    stack, backwards = [formula], []
+    while stack:
+        node = stack.pop()
+        backwards.append(node)
+        stack.extend(children(node))
+    return reversed(backwards)
+
+
+def tabulate(formulas: Iterable[Formula]) -> tuple[Table, tuple[int, ...]]:
+    """Return one table of all formulas, and each formula's entry in it."""
+    listed, table = tuple(formulas), Table()
+    entries = tuple(table.lower(f) for f in listed)
+    if not any(isinstance(e, Apply) and e.function == "tan" for e in table.entries):
+        return table, entries
+    table.split = _circular(table)
+    return table, tuple(table.lower(f) for f in listed)
+
+
+def _circular(table: Table) -> frozenset[int]:
+    """Return the arguments whose sine or cosine is in the table."""
+    return frozenset(
+        e.arguments[0]
+        for e in table.entries
+        if isinstance(e, Apply) and e.function in ("sin", "cos")
+    )
