@@ -1,0 +1,184 @@
+"""The library's front: a description in, formulas, numbers and code out.
+
+All quantities that go in or come out as numbers are SI and radians.
+"""
+
+from collections.abc import Mapping
+from functools import cached_property
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .algebra.to_sympy import to_sympy
+from .check.poses import default_pose
+from .derivation.steps import Derivation
+from .diagnostics import Diagnostic, near_miss
+from .driver import Compilation, compile_source, emit, warnings
+from .emit import registry
+from .emit.target import Emitted, Options
+from .files import find, read
+from .power.result import Result
+from .source import Source
+
+if TYPE_CHECKING:
+    import sympy
+
+
+class SolvedMechanism:
+    """A mechanism whose power equation has been solved.
+
+    ``k = P/F`` is the ratio for which the loads *as directed in the description*, all
+    acting on the mechanism, balance: a positive k says that the arrows are right. The
+    solution has been compared with the equilibrium of every free body before it is
+    handed out.
+
+    >>> import mechc
+    >>> clamp = mechc.load("karpenko_fig9_packet_clamp")
+    >>> clamp.k
+    a*sin(alpha + beta)/(2*b*cos(alpha)*cos(beta))
+    >>> round(clamp.evaluate()["k"], 6)
+    0.067068
+    """
+
+    def __init__(self, compilation: Compilation) -> None:
+        self._compilation = compilation
+
+    @property
+    def name(self) -> str:
+        """The mechanism's name, an identifier."""
+        return self._compilation.mechanism.name
+
+    @property
+    def title(self) -> str:
+        """The title given in the description, '' where there is none."""
+        return self._compilation.mechanism.title
+
+    @cached_property
+    def results(self) -> Mapping[str, Result]:
+        """Every ``find`` and ``let`` by name, in order, with what follows from it.
+
+        A result has its formula, where it vanishes and where it is infinite, how it
+        moves with each parameter, its partial derivatives and its value at the default
+        pose.
+        """
+        return {r.name: r for r in self._compilation.balance.results}
+
+    @property
+    def k(self) -> "sympy.Expr":
+        """The result named ``k``, or the only one, as a sympy expression.
+
+        Raises AttributeError where there are several and none is called k.
+        """
+        if "k" in self.results:
+            return self["k"]
+        if len(self.results) == 1:
+            return self[next(iter(self.results))]
+        raise AttributeError(f"no result is called k; there are {', '.join(self.results)}")
+
+    def __getitem__(self, name: str) -> "sympy.Expr":
+        """Return a result by name as a sympy expression, in SI and radians."""
+        return to_sympy(self._result(name).formula)
+
+    @property
+    def where(self) -> dict[str, "sympy.Expr"]:
+        """The named intermediates that results mention, in order of definition."""
+        return {d.name: to_sympy(d.formula) for r in self.results.values() for d in r.where}
+
+    def _result(self, name: str) -> Result:
+        if name in self.results:
+            return self.results[name]
+        hint = near_miss(name, self.results) or f"there are {', '.join(self.results)}"
+        raise KeyError(f"no result is called {name!r}; {hint}")
+
+    @property
+    def derivation(self) -> Derivation:
+        """The derivation as data: velocity steps, the power equation, the results."""
+        return self._compilation.derivation
+
+    @property
+    def defaults(self) -> Mapping[str, float]:
+        """The parameters' values from the description, in SI and radians."""
+        return default_pose(self._compilation.mechanism)
+
+    @property
+    def warnings(self) -> list[Diagnostic]:
+        """What was remarked upon, in the order of the text."""
+        return warnings(self._compilation)
+
+    def evaluate(self, **values: Any) -> dict[str, Any]:
+        """Return every result at given values: floats, or arrays that broadcast together.
+
+        What is not given is taken from the description; a result that depends on a load
+        without a value is left out. SI and radians; NaN at poses that a ``require``
+        excludes. TypeError for a name that no result depends on.
+
+        >>> import mechc
+        >>> clamp = mechc.load("karpenko_fig9_packet_clamp")
+        >>> [round(float(k), 4) for k in clamp.evaluate(alpha=[0.1, 0.2])["k"]]
+        [0.0446, 0.0651]
+        """
+        from .routine.evaluate import evaluate
+
+        functions = self._compilation.routine.functions
+        known = {i.name for f in functions for i in f.inputs}
+        for unknown in values.keys() - known:
+            raise TypeError(f"no result depends on {unknown!r} {near_miss(unknown, known)}")
+        given = {**self.defaults, **values}
+        ready = (f for f in functions if all(i.name in given for i in f.inputs))
+        return {f.name: evaluate(f, given) for f in ready}
+
+    def emit(self, target: str, **options: Any) -> str:
+        """Return one self-contained file as text: ``python``, ``c``, ``latex`` or ``json``.
+
+        Options are those of the command line: ``fragment`` and ``language``.
+        """
+        return self.emit_files(target, single=True, **options)[0].text
+
+    def emit_files(self, target: str, **options: Any) -> tuple[Emitted, ...]:
+        """Return the files of a target by name, the main one first (``clamp.c``, ``clamp.h``)."""
+        asked = Options(**{"stem": self.name, **options})
+        return emit(self._compilation, registry.load(target), asked)
+
+    def _repr_latex_(self) -> str:
+        import sympy
+
+        lines = (f"{sympy.latex(sympy.Symbol(n))} = {sympy.latex(self[n])}" for n in self.results)
+        return "$\\displaystyle " + " \\\\ ".join(lines) + "$"
+
+    def __repr__(self) -> str:
+        """Return name and results in one line."""
+        return f"<{self.name}: {', '.join(self.results)}>"
+
+
+def load(path: str | Path) -> SolvedMechanism:
+    """Compile a file (``.mech``, ``.yaml``), or a mechanism of the library by its name.
+
+    Raises :class:`mechc.MechcError` with every diagnostic where the description is
+    wrong or there is no such file.
+
+    >>> import mechc
+    >>> mechc.load("karpenko_fig9_packet_clamp")
+    <karpenko_fig9_packet_clamp: k, delta, p>
+    """
+    return SolvedMechanism(compile_source(read(find(str(path)))))
+
+
+def loads(text: str, name: str = "<text>") -> SolvedMechanism:
+    """Compile a description given as text in either notation; ``name`` is for messages.
+
+    >>> import mechc
+    >>> lever = mechc.loads('''
+    ... mechanism lever
+    ... param a = 1 m
+    ... param b = 2 m
+    ... pivot O
+    ... link AOB
+    ... OA = a @ 180 deg
+    ... OB = b @ 0 deg
+    ... force P at B along -y
+    ... force F at A along -y
+    ... find k = P/F
+    ... ''')
+    >>> lever.k
+    a/b
+    """
+    return SolvedMechanism(compile_source(Source(name, text)))

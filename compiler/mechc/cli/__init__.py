@@ -1,0 +1,10 @@
+"""The command line. A command's module is imported when the command is used.
+
+Data goes to standard output, messages to standard error. Exit status: 0 done, 1 the
+description is wrong, 2 the command line is, 3 a file or the environment, 4 a limit,
+70 mechc itself.
+"""
+
+from .main import main
+
+__all__ = ["main"]

@@ -1,0 +1,89 @@
+"""``mechc check``: mistakes found, expectations proved or refuted, the second opinion."""
+
+from collections.abc import Iterator
+
+import click
+
+from ..algebra.formula import text
+from ..check.expectations import Finding
+from ..diagnostics import MechcError
+from ..driver import Compilation, complete, warnings
+from ..power.result import Result
+from ..statics.verdict import Verdict
+from ..syntax.settings import Settings
+from .inputs import begin, settings_option, stdin_option
+from .session import Command, session, session_options, status
+
+
+@click.command("check", cls=Command)
+@click.argument("files", nargs=-1, required=True, metavar="FILE|NAME|-...")
+@click.option("-v", "--verbose", is_flag=True, help="Show every pose of the second opinion.")
+@click.option("-q", "--quiet", is_flag=True, help="Print errors and warnings only.")
+@settings_option
+@stdin_option
+@session_options
+def command(
+    files: tuple[str, ...], verbose: bool, quiet: bool, settings: Settings, stdin_name: str
+) -> None:
+    """Find mistakes; prove or refute expectations.
+
+    Every `expect` is proved by algebra, or refuted by a pose with both numbers. Every
+    result is compared with the equilibrium of the free bodies at several poses.
+
+    \b
+    mechc check clamp.mech
+    mechc check --verbose packet_clamp
+    mechc check --format concise *.mech
+    """
+    worst = 0
+    for file in files:
+        try:
+            compilation = complete(begin(file, stdin_name, settings))
+        except MechcError as error:
+            session().show(error.diagnostics, error.source)
+            worst = max(worst, status(error.diagnostics))
+            continue
+        session().show(warnings(compilation), compilation.source)
+        if session().werror and warnings(compilation):
+            worst = max(worst, 1)
+        for line in () if quiet else report(compilation, verbose):
+            click.echo(line)
+    click.get_current_context().exit(worst)
+
+
+def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
+    """Yield what is known of a sound description, line by line."""
+    results = compilation.balance.results
+    yield f"{compilation.source.name}: {compilation.mechanism.name}"
+    for result in results:
+        yield from _of_result(result)
+    for finding in compilation.findings:
+        yield f"  {_of_finding(finding)}"
+    yield from _of_verdict(compilation.verdict, verbose)
+
+
+def _of_result(result: Result) -> Iterator[str]:
+    value = "" if result.default is None else f"  = {result.default:.9g}"
+    yield f"  {result.name} = {text(result.formula)}{value}"
+    for name, formula in result.where:
+        yield f"    where {name} = {text(formula)}"
+    if result.independent:
+        yield f"    does not depend on {', '.join(result.independent)}"
+
+
+def _of_finding(finding: Finding) -> str:
+    expect, outcome = finding.expect, finding.outcome
+    if outcome == "proved":
+        return f"expect {expect.subject} = {text(expect.value)}: proved"
+    at = ", ".join(f"{name} = {value:.9g}" for name, value in finding.at.items())
+    return f"expect {expect.subject} = {finding.expected:.9g} at {at}: agrees ({finding.found:.9g})"
+
+
+def _of_verdict(verdict: Verdict, verbose: bool) -> Iterator[str]:
+    number = len(verdict.trials)
+    yield f"  free bodies agree at {number} poses, worst relative difference {verdict.worst:.1e}"
+    yield from (f"    {remark}" for remark in verdict.remarks)
+    for trial in verdict.trials if verbose else ():
+        at = ", ".join(f"{name} = {value:.6g}" for name, value in trial.values.items())
+        yield f"    {trial.result}: power {trial.power:.15g}, statics {trial.statics:.15g}"
+        yield f"      difference {trial.error:.1e}, condition {trial.condition:.1e}, at {at}"

@@ -1,0 +1,28 @@
+"""``mechc derive``: the derivation, for the terminal."""
+
+import click
+
+from ..derivation.to_text import to_text
+from ..driver import complete, warnings
+from ..syntax.settings import Settings
+from .inputs import begin, description_argument, settings_option, stdin_option
+from .session import Command, session, session_options
+
+
+@click.command("derive", cls=Command)
+@description_argument
+@settings_option
+@stdin_option
+@session_options
+def command(file: str, settings: Settings, stdin_name: str) -> None:
+    """Print the derivation of k step by step.
+
+    Each velocity relation with the rule that gives it, the power equation, k, and where
+    it vanishes and blows up.
+
+    \b
+    mechc derive clamp.mech
+    """
+    compilation = complete(begin(file, stdin_name, settings))
+    session().accept(warnings(compilation), compilation.source)
+    click.echo(to_text(compilation.derivation), nl=False)

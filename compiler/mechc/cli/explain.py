@@ -1,0 +1,49 @@
+"""``mechc explain``: the long explanation of an error or a warning."""
+
+from importlib import import_module
+from pkgutil import walk_packages
+
+import click
+
+from .. import diagnostics
+from ..diagnostics import CATALOGUE, near_miss
+from .session import Command
+
+
+@click.command("explain", cls=Command)
+@click.argument("code", required=False)
+def command(code: str | None) -> None:
+    """Explain an error or a warning by its code or its name.
+
+    Without a code all are listed.
+
+    \b
+    mechc explain E203
+    mechc explain
+    """
+    load_all()
+    if code is None:
+        for known in sorted(CATALOGUE):
+            click.echo(f"{known}  {CATALOGUE[known].name}")
+    else:
+        click.echo(explanation(code))
+
+
+def explanation(code: str) -> str:
+    """Return heading and explanation of a code, in either case, or of a name."""
+    for entry in CATALOGUE.values():
+        if code.upper() == entry.code or code.lower() == entry.name:
+            return f"{entry.code}: {entry.name}\n\n{entry.explanation}"
+    hint = near_miss(code.upper(), CATALOGUE) or near_miss(
+        code, [e.name for e in CATALOGUE.values()]
+    )
+    raise click.BadParameter(
+        f"no error or warning is called {code!r}; {hint or '`mechc explain` lists them'}",
+        param_hint="CODE",
+    )
+
+
+def load_all() -> None:
+    """Import every wording module, which fills the catalogue."""
+    for module in walk_packages(diagnostics.__path__, f"{diagnostics.__name__}."):
+        import_module(module.name)

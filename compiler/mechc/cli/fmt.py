@@ -1,0 +1,119 @@
+"""``mechc fmt``: the usual layout, in place; or the other notation."""
+
+from collections.abc import Iterator
+from difflib import unified_diff
+from pathlib import Path
+from typing import Literal, NamedTuple
+
+import click
+
+from ..diagnostics import MechcError, Report
+from ..files import SUFFIXES, write_all
+from ..source import Source
+from ..syntax.notation import is_yaml, read
+from ..syntax.to_dsl import to_dsl
+from ..syntax.to_yaml import to_yaml
+from .inputs import source_of, stdin_option
+from .session import Command, session, session_options, status
+
+Notation = Literal["mech", "yaml"]
+
+
+class Formatted(NamedTuple):
+    """One file before and after; ``path`` is None for standard input."""
+
+    path: Path | None
+    source: Source
+    text: str
+
+    @property
+    def changed(self) -> bool:
+        """Return whether formatting changes anything."""
+        return self.text != self.source.text
+
+
+@click.command("fmt", cls=Command)
+@click.argument("files", nargs=-1, required=True, metavar="FILE|FOLDER|-...")
+@click.option("--check", is_flag=True, help="Write nothing; status 1 if a file would change.")
+@click.option("--diff", is_flag=True, help="Write nothing; print what would change, status 1.")
+@click.option("--to", type=click.Choice(["mech", "yaml"]), help="Print in the other notation.")
+@stdin_option
+@session_options
+def command(
+    files: tuple[str, ...], check: bool, diff: bool, to: Notation | None, stdin_name: str
+) -> None:
+    """Lay out descriptions in place; turn one notation into the other.
+
+    Comments are kept. With --to the result goes to standard output, and so does
+    standard input (-). A folder stands for the descriptions in it.
+
+    \b
+    mechc fmt clamp.mech
+    mechc fmt --diff .
+    mechc fmt --to yaml clamp.mech > clamp.yaml
+    """
+    worst, done = 0, []
+    for name in _expanded(files):
+        try:
+            done.append(_formatted(name, stdin_name, to))
+        except MechcError as error:
+            session().show(error.diagnostics, error.source)
+            worst = max(worst, status(error.diagnostics))
+    if check or diff:
+        worst = max([worst, *(_told(f, diff) for f in done)])
+    else:
+        _put(done, to)
+    click.get_current_context().exit(worst)
+
+
+def _expanded(names: tuple[str, ...]) -> Iterator[str]:
+    for name in names:
+        if Path(name).is_dir():
+            yield from sorted(str(p) for p in Path(name).rglob("*") if p.suffix in SUFFIXES)
+        else:
+            yield name
+
+
+def _formatted(name: str, stdin_name: str, to: Notation | None) -> Formatted:
+    source = source_of(name, stdin_name)
+    path = Path(name) if name != "-" and Path(name).exists() else None
+    return Formatted(path, source, layout(source, to))
+
+
+def layout(source: Source, to: Notation | None = None) -> str:
+    """Return the description in the usual layout, in its own notation or another.
+
+    The result is read again, and must be the same tree: nothing is lost by formatting.
+    """
+    tree = _tree(source)
+    yaml = is_yaml(source) if to is None else to == "yaml"
+    text = to_yaml(tree) if yaml else to_dsl(tree)
+    if _tree(Source("formatted.yaml" if yaml else "formatted.mech", text)) != tree:
+        raise RuntimeError(f"the layout of {source.name} would change its meaning")
+    return text
+
+
+def _tree(source: Source) -> object:
+    report = Report(source)
+    tree = read(source, report)
+    report.stop_on_errors()
+    return tree
+
+
+def _told(file: Formatted, diff: bool) -> int:
+    if file.changed and diff:
+        before, after = (t.splitlines(keepends=True) for t in (file.source.text, file.text))
+        click.echo(
+            "".join(unified_diff(before, after, file.source.name, file.source.name)), nl=False
+        )
+    elif file.changed:
+        click.echo(f"would change {file.source.name}", err=True)
+    return int(file.changed)
+
+
+def _put(files: list[Formatted], to: Notation | None) -> None:
+    """Print what was asked for on standard output; write the others where they changed."""
+    write_all({f.path: f.text for f in files if f.path and f.changed and not to})
+    for file in files:
+        if to or not file.path:
+            click.echo(file.text, nl=False)

@@ -1,0 +1,53 @@
+"""From a command line to an exit status, whatever happens on the way."""
+
+import os
+import platform
+import sys
+import traceback
+from collections.abc import Sequence
+
+import click
+
+from .. import __version__
+from .commands import mechc
+
+INTERRUPTED = 130
+INTERNAL = 70
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit status."""
+    try:
+        status = mechc.main(arguments, prog_name="mechc", standalone_mode=False)
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except (click.Abort, KeyboardInterrupt):
+        return INTERRUPTED
+    except BrokenPipeError:
+        return _hush()
+    except SystemExit as error:
+        return _hush() if error.code else 0
+    except Exception as error:
+        return _apologise(error)
+    return status if isinstance(status, int) else 0
+
+
+def _hush() -> int:
+    """Let Python's own flush at exit find a standard output that can be written."""
+    os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return 0
+
+
+def _apologise(error: Exception) -> int:
+    if os.environ.get("MECHC_TRACEBACK"):
+        traceback.print_exc()
+    version = f"mechc {__version__}, Python {platform.python_version()}, {platform.system()}"
+    click.echo(
+        f"mechc: internal error: {type(error).__name__}: {error}\n"
+        "This is a fault of mechc, not of the description. Nothing was written. Please report it\n"
+        f"with the description, the command and this line: {version}.\n"
+        "MECHC_TRACEBACK=1 in the environment shows where it happened.",
+        err=True,
+    )
+    return INTERNAL

@@ -1,0 +1,67 @@
+"""Where output goes: which target for which path, and which file under which name."""
+
+from collections.abc import Iterable
+from pathlib import Path
+from typing import NamedTuple
+
+import click
+
+from ..emit import registry
+from ..emit.target import Emitted
+
+
+class Output(NamedTuple):
+    """One ``-o``: the target, and a file, a folder, or None for standard output."""
+
+    target: str
+    path: Path | None
+    folder: bool = False
+
+    def stem(self, mechanism: str) -> str:
+        """Return the name of the files without suffix: the path's, or the mechanism's."""
+        return mechanism if self.path is None or self.folder else self.path.stem
+
+
+def outputs(paths: tuple[str, ...], target: str | None) -> list[Output]:
+    """Return the outputs asked for; a usage error where a format is missing or unknown."""
+    return [_output(path, target) for path in paths or ("-",)]
+
+
+def _output(path: str, target: str | None) -> Output:
+    if path == "-":
+        return Output(target or _choose("standard output has no suffix"), None)
+    if path.endswith("/") or Path(path).is_dir():
+        return Output(target or _choose(f"the folder {path!r} has no suffix"), Path(path), True)
+    suffix = Path(path).suffix
+    by_suffix = target or registry.by_suffix(suffix)
+    return Output(by_suffix or _choose(f"no format has the suffix {suffix!r}"), Path(path))
+
+
+def _choose(reason: str) -> str:
+    formats = ", ".join(registry.names())
+    raise click.UsageError(f"{reason}: choose a format with --emit, one of {formats}")
+
+
+def placed(output: Output, emitted: tuple[Emitted, ...]) -> dict[Path, str]:
+    """Return texts by path: the first at the path asked for, the others beside it."""
+    if output.path is None:
+        return {}
+    if output.folder:
+        return {output.path / name: text for name, text in emitted}
+    main, *others = emitted
+    if output.path.suffix in [Path(name).suffix for name, _ in others]:
+        return {output.path.with_name(name): text for name, text in emitted}
+    return {output.path: main.text} | {output.path.with_name(n): text for n, text in others}
+
+
+def makefile_rule(made: Iterable[Path], read: Path) -> str:
+    r"""Return a rule for make.
+
+    >>> makefile_rule([Path("k.c"), Path("k.h")], Path("my clamp.mech"))
+    'k.c k.h: my\\ clamp.mech\n'
+    """
+    return f"{' '.join(map(_escaped, made))}: {_escaped(read)}\n"
+
+
+def _escaped(path: Path) -> str:
+    return str(path).replace("$", "$$").replace("#", "\\#").replace(" ", "\\ ")

@@ -1,0 +1,64 @@
+"""Records as indented text, formulas in the notation of the language."""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import MISSING, Field, fields, is_dataclass
+from fractions import Fraction
+from typing import Any, get_args
+
+from ..algebra import formula as algebra
+from ..source import Span
+
+WIDTH = 96
+
+FORMULAS = get_args(algebra.Formula)
+
+
+def pretty(value: object, indent: str = "") -> str:
+    """Return a record of any stage as text, one field a line where it is long.
+
+    >>> from mechc.algebra.formula import Symbol, product
+    >>> pretty({"k": product([(Symbol("a"), 1), (Symbol("b"), -1)])})
+    "{'k': a/b}"
+    """
+    opening, parts, closing = _taken_apart(value)
+    if not parts:
+        return opening + closing
+    deeper = indent + "  "
+    shown = [name + pretty(part, deeper) for name, part in parts]
+    line = opening + ", ".join(shown) + closing
+    if len(indent) + len(line) <= WIDTH and "\n" not in line:
+        return line
+    body = "".join(f"\n{deeper}{part}," for part in shown)
+    return f"{opening}{body}\n{indent}{closing}"
+
+
+Parts = list[tuple[str, Any]]
+
+
+def _taken_apart(value: Any) -> tuple[str, Parts, str]:
+    """Return how a value opens, its parts with what stands before each, and how it closes."""
+    if isinstance(value, FORMULAS):
+        return algebra.text(value), [], ""
+    if callable(formula := getattr(value, "formula", None)):
+        return algebra.text(formula()), [], ""
+    if isinstance(value, Span | Fraction):
+        return str(value if isinstance(value, Fraction) else f"{value.start}:{value.end}"), [], ""
+    if is_dataclass(value):
+        parts = [(f"{f.name}=", getattr(value, f.name)) for f in _telling(value)]
+        return f"{type(value).__name__}(", parts, ")"
+    if isinstance(value, tuple) and hasattr(value, "_fields"):
+        parts = [(f"{name}=", getattr(value, name)) for name in value._fields]
+        return f"{type(value).__name__}(", parts, ")"
+    if isinstance(value, Mapping):
+        return "{", [(f"{key!r}: ", part) for key, part in value.items()], "}"
+    if isinstance(value, list | tuple | set | frozenset):
+        return "(", [("", part) for part in value], ")"
+    return str(value) if hasattr(value, "value") else repr(value), [], ""
+
+
+def _telling(value: Any) -> Iterator[Field[Any]]:
+    """Yield the fields that are not at their default."""
+    for item in fields(value):
+        usual = item.default_factory() if item.default_factory is not MISSING else item.default
+        if item.repr and (usual is MISSING or getattr(value, item.name) != usual):
+            yield item

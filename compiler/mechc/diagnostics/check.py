@@ -1,0 +1,58 @@
+"""Words for expectations that do not hold (E58x, W58x)."""
+
+from collections.abc import Mapping
+
+from ..source import Span
+from .diagnostic import Words, coded
+
+
+def _pose(at: Mapping[str, str]) -> str:
+    return ", ".join(f"{name} = {value}" for name, value in at.items()) or "every pose"
+
+
+@coded("E581")
+def expectation_refuted(
+    span: Span, subject: str, found: str, expected: str, at: Mapping[str, str]
+) -> Words:
+    """An ``expect`` does not hold: a pose was found where the two numbers differ.
+
+    ``expect`` states what a book or a colleague says of a result. It is proved equal by
+    algebra, or refuted by a pose, which is printed with both numbers::
+
+        expect k = 2*b/a*tan(alpha)                # a slip: the book has cot
+        expect k = 2*b/a*cot(alpha)
+
+    A number is compared within half a unit of the last digit written, so write as many
+    digits as the source gives::
+
+        expect k = 7.1407 at alpha = 35 deg
+    """
+    message = f"{subject} is {found} where {expected} is expected, at {_pose(at)}"
+    return Words(span, message, "mend the expectation, or the geometry it was written for")
+
+
+@coded("W581")
+def expectation_unproved(span: Span, subject: str, poses: int) -> Words:
+    """An ``expect`` agrees at every pose tried, but algebra did not prove it.
+
+    The two formulas may be equal only within the ranges of the parameters (a square root
+    whose sign is lost outside them), or be beyond what can be decided exactly. The
+    figures agree to twelve digits at each pose.
+    """
+    message = f"the formula for {subject} agrees at {poses} poses, but is not proved equal"
+    return Words(span, message, "write it in the same angles as the result to have it proved")
+
+
+@coded("E582")
+def expectation_without_pose(span: Span, subject: str, missing: str) -> Words:
+    """An ``expect`` of a number needs a value for every parameter.
+
+    A number can be compared at one pose only, and a parameter of the result has neither
+    a value of its own nor one after ``at``::
+
+        param alpha: angle
+        expect k = 7.1407                          # at which alpha?
+        expect k = 7.1407 at alpha = 35 deg
+    """
+    message = f"{subject} cannot be compared with a number: {missing} has no value"
+    return Words(span, message, f"add `at {missing} = …`")

@@ -1,0 +1,141 @@
+"""The compiler from text to emitted files: its stages, one line each.
+
+A :class:`Compilation` holds every stage's value. Each is made when it is first asked
+for, with those before it, so that ``fmt`` stops after syntax and ``show pose`` after
+the pose. A stage that finds errors ends the compilation with :class:`MechcError`.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import TypeVar
+
+from . import __version__
+from .check.expectations import Finding, compare
+from .derivation.from_balance import derive
+from .derivation.steps import Derivation
+from .diagnostics import Diagnostic, Report
+from .emit.target import Compiled, Emitted, Options, Target
+from .kinematics.from_pose import arrange
+from .kinematics.plan import Plan
+from .model.from_syntax import resolve
+from .model.mechanism import Mechanism
+from .pose.from_model import settle
+from .pose.pose import Pose
+from .power.balance import Balance
+from .power.from_plan import balance
+from .routine.from_results import program
+from .routine.steps import Routine
+from .source import Source
+from .statics.referee import judge
+from .statics.verdict import Verdict
+from .syntax import ast
+from .syntax.notation import read
+from .syntax.settings import Settings, put_in
+
+T = TypeVar("T")
+
+STAGES: Mapping[str, str] = {
+    "syntax": "tree",
+    "model": "mechanism",
+    "pose": "pose",
+    "kinematics": "plan",
+    "power": "balance",
+    "statics": "verdict",
+    "derivation": "derivation",
+    "routine": "routine",
+}
+"""The stages in order, and the attribute of :class:`Compilation` that holds each one's value."""
+
+
+@dataclass(frozen=True)
+class Compilation:
+    """One description on its way through the compiler; each stage runs when first asked for."""
+
+    source: Source
+    settings: Settings = field(default_factory=dict)
+    report: Report = field(init=False)
+
+    def __post_init__(self) -> None:
+        """Open the report that all stages write to."""
+        object.__setattr__(self, "report", Report(self.source))
+
+    @cached_property
+    def tree(self) -> ast.File:
+        """What was written, in either notation."""
+        return self._sound(put_in(read(self.source, self.report), self.settings))
+
+    @cached_property
+    def mechanism(self) -> Mechanism:
+        """Names resolved, quantities in SI, dimensions checked."""
+        return self._sound(resolve(self.tree, self.report))
+
+    @cached_property
+    def pose(self) -> Pose:
+        """Every direction, given or found by closing a loop."""
+        return self._sound(settle(self.mechanism, self.report))
+
+    @cached_property
+    def plan(self) -> Plan:
+        """The order in which velocities follow from one another."""
+        return self._sound(arrange(self.pose, self.report))
+
+    @cached_property
+    def balance(self) -> Balance:
+        """The power equation, solved for what was asked."""
+        return self._sound(balance(self.plan, self.report))
+
+    @cached_property
+    def verdict(self) -> Verdict:
+        """The second opinion: the results by equilibrium of the free bodies."""
+        return self._sound(judge(self.pose, self.balance.results, self.report))
+
+    @cached_property
+    def findings(self) -> tuple[Finding, ...]:
+        """What each ``expect`` came to."""
+        return self._sound(compare(self.mechanism, self.balance.results, self.report))
+
+    @cached_property
+    def derivation(self) -> Derivation:
+        """The derivation in steps, as on paper."""
+        return self._sound(derive(self.balance))
+
+    @cached_property
+    def routine(self) -> Routine:
+        """The straight-line program that all targets emit."""
+        return self._sound(program(self.mechanism, self.balance.results))
+
+    def _sound(self, value: T) -> T:
+        self.report.stop_on_errors()
+        return value
+
+
+def compile_source(source: Source, settings: Settings | None = None) -> Compilation:
+    """Return a compilation that has gone through every stage, second opinions included.
+
+    Raises :class:`MechcError` with all diagnostics of the stage that found errors.
+    """
+    return complete(Compilation(source, settings or {}))
+
+
+def complete(compilation: Compilation) -> Compilation:
+    """Run every stage that has not run yet."""
+    for value in (*STAGES.values(), "findings"):
+        getattr(compilation, value)
+    return compilation
+
+
+def emit(compilation: Compilation, target: Target, options: Options) -> tuple[Emitted, ...]:
+    """Return the files of one target; the first is the main one."""
+    return target.emit(compiled(compilation), options)
+
+
+def compiled(compilation: Compilation) -> Compiled:
+    """Return what a target reads, after every check."""
+    c = complete(compilation)
+    return Compiled(c.mechanism, c.derivation, c.routine, c.verdict, __version__)
+
+
+def warnings(compilation: Compilation) -> list[Diagnostic]:
+    """Return what was remarked upon so far, in the order of the text."""
+    return compilation.report.sorted()

@@ -1,0 +1,140 @@
+"""Files in and out: descriptions read with limits, outputs written whole or not at all."""
+
+import os
+import stat
+import sys
+from collections.abc import Iterable, Iterator, Mapping
+from contextlib import suppress
+from pathlib import Path
+from tempfile import mkstemp
+from typing import NamedTuple
+
+from .data import data
+from .diagnostics import MechcError, near_miss
+from .diagnostics import files as words
+from .diagnostics.syntax_limits import text_too_long
+from .source import Source, Span
+
+LARGEST = 1 << 20
+"""Bytes in the largest description that is read."""
+
+SUFFIXES = (".mech", ".yaml", ".yml")
+
+
+# ------------------------------------------------------------------------- reading
+
+
+def find(name: str) -> Path:
+    """Return the path of a description: a file of this name, or one of the library.
+
+    Raises :class:`MechcError` (E901) with the nearest name where there is neither.
+
+    >>> find("karpenko_fig9_packet_clamp").stem
+    'karpenko_fig9_packet_clamp'
+    """
+    path = Path(name)
+    if path.exists():
+        return path
+    shelf = library()
+    if name in shelf:
+        return shelf[name]
+    hint = near_miss(name, [*shelf, *_neighbours(path)]) or _holding(name, shelf)
+    raise MechcError([words.file_not_found(name, hint)])
+
+
+def library() -> dict[str, Path]:
+    """Return the mechanisms of the library: path by name, in alphabetical order."""
+    folder = data("library")
+    paths = (p for p in folder.rglob("*") if p.suffix in SUFFIXES)
+    return {p.stem: p for p in sorted(paths, key=lambda p: p.stem)}
+
+
+def _holding(name: str, shelf: Iterable[str]) -> str:
+    """Propose the mechanisms whose names hold this one."""
+    longer = [known for known in shelf if name in known]
+    return f"the library has {', '.join(longer[:5])}" if name and longer else ""
+
+
+def _neighbours(path: Path) -> list[str]:
+    with suppress(OSError):
+        return [str(path.with_name(p.name)) for p in path.parent.iterdir()]
+    return []
+
+
+def read(path: Path) -> Source:
+    """Return the text of a file; :class:`MechcError` (E801, E902, E903) where it is none."""
+    try:
+        with path.open("rb") as file:
+            return decode(file.read(LARGEST + 1), str(path))
+    except OSError as error:
+        raise MechcError([words.file_unreadable(str(path), reason(error))]) from None
+
+
+def read_stdin(name: str) -> Source:
+    """Return the text on standard input under a name for messages."""
+    return decode(sys.stdin.buffer.read(LARGEST + 1), name)
+
+
+def decode(content: bytes, name: str) -> Source:
+    """Return bytes as a source, a byte-order mark and Windows line ends put aside."""
+    if len(content) > LARGEST:
+        oversize = text_too_long(Span(0, 0), len(content), LARGEST)
+        raise MechcError([oversize], Source(name, ""))
+    try:
+        text = content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        raise MechcError([words.file_not_text(name, error.start)]) from None
+    return Source(name, text.replace("\r\n", "\n"))
+
+
+def reason(error: OSError) -> str:
+    """Return the operating system's words for an error, without the path."""
+    return (error.strerror or str(error)).lower()
+
+
+# ------------------------------------------------------------------------- writing
+
+
+class _Pending(NamedTuple):
+    temporary: Path
+    target: Path
+
+
+def write_all(files: Mapping[Path, str]) -> None:
+    """Write all files or none: each into a temporary file beside its place, then moved.
+
+    Raises :class:`MechcError` (E904) where one cannot be written; files of an earlier
+    run are then as they were. A device or a pipe (``/dev/stdout``) is written directly.
+    """
+    pending: list[_Pending] = []
+    try:
+        for path, text in files.items():
+            pending.extend(_prepare(path, text))
+        for temporary, target in pending:
+            temporary.replace(target)
+    except OSError as error:
+        raise MechcError([words.file_unwritable(str(path), reason(error))]) from None
+    finally:
+        for temporary, _ in pending:
+            temporary.unlink(missing_ok=True)
+
+
+def _prepare(path: Path, text: str) -> Iterator[_Pending]:
+    target = path.resolve()
+    if target.exists() and not target.is_file():
+        target.write_text(text, encoding="utf-8")
+        return
+    handle, name = mkstemp(prefix=f".{target.name}.", dir=target.parent)
+    yield _Pending(Path(name), target)
+    with open(handle, "w", encoding="utf-8", newline="\n") as file:
+        file.write(text)
+    Path(name).chmod(_mode(target))
+
+
+def _mode(target: Path) -> int:
+    """Return the permissions of the file replaced, or those a new file gets."""
+    if target.exists():
+        return stat.S_IMODE(target.stat().st_mode)
+    mask = os.umask(0)
+    os.umask(mask)
+    return 0o666 & ~mask
