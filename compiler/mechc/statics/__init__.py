@@ -1,1 +1,7 @@
-"""Equilibrium of every free body: the second opinion on k. Imports nothing of kinematics or power."""
+"""Equilibrium of every free body: the second opinion on k.
+
+It shares the mechanism and its pose with virtual power and nothing else. ``unfold`` puts
+the whole mechanism into numbers, ``free_bodies`` cuts it into links and pins and writes
+their sums of forces and moments, ``solve`` eliminates, ``answers`` asks for one ratio,
+and the ``referee`` compares at several poses drawn by ``poses``.
+"""

@@ -1,0 +1,58 @@
+"""Words for what the referee finds: equilibrium of the free bodies against virtual power."""
+
+from ..source import Span
+from .diagnostic import Words, coded
+
+REPORT_IT = "this is a bug in mechc, not in the description: please report it with this file"
+
+
+@coded("E601")
+def methods_disagree(span: Span, result: str, power: float, statics: float) -> Words:
+    """The two methods disagree.
+
+    Every result is computed twice: as a formula by virtual power, and in numbers from the
+    equilibrium of every link and pin, at the default pose and at three others. They differ
+    here by more than rounding explains, so one of the two is wrong and nothing is emitted.
+
+    There is nothing to mend in the description: this is a bug in mechc. Please report it,
+    with the file. ``mechc check --verbose`` shows the poses and both numbers.
+    """
+    found = f"virtual power gives {result} = {power!r}, equilibrium of the free bodies {statics!r}"
+    return Words(span, f"the two methods disagree: {found}; they should be equal", REPORT_IT)
+
+
+@coded("E602")
+def no_equilibrium(span: Span, result: str, reason: str) -> Words:
+    """Virtual power gives a result where equilibrium gives none.
+
+    A finite force ratio means that the loads can be balanced. At every pose that was tried
+    the sums of forces and moments on the links and pins have no solution, or leave the
+    load asked for open. One of the two methods has misread the mechanism, so nothing is
+    emitted.
+
+    This is a bug in mechc. Please report it, with the file.
+    """
+    message = f"{result} has a value by virtual power, but not by equilibrium: {reason}"
+    return Words(span, message, REPORT_IT)
+
+
+@coded("W601")
+def not_judged(span: Span, result: str, reason: str) -> Words:
+    """A result could not be checked by the equilibrium of the free bodies.
+
+    Each result is checked in numbers at the default pose and at poses drawn from the ranges
+    of the parameters. Here no pose was found at which it has a finite value: the default
+    pose breaks a ``require`` or is a dead centre, and so are all poses that were drawn.
+
+    Wrong: a range outside the condition of use ::
+
+        param alpha = 40 deg in 40 deg .. 80 deg
+        require alpha < 30 deg
+
+    Right: a range, and a default value, within it ::
+
+        param alpha = 20 deg in 5 deg .. 30 deg
+        require alpha < 30 deg
+    """
+    hint = "give the parameters values and ranges at which the mechanism can stand"
+    return Words(span, f"{result} was not checked against equilibrium: {reason}", hint)

@@ -1,0 +1,129 @@
+"""The equilibrium of every free body, written from what each joint transmits.
+
+Every link and every pin is cut free. A pin transmits a force in any direction, a guide one
+across its direction, a pivot any force of the ground; a rod without a couple of its own
+transmits a tension along itself and nothing else. So each pin gives two equations, forces
+in x and y, and each body of three or more pins (or with a couple) three: forces in x and
+y, and moments about its first point. A rod's three hold by themselves.
+
+Forces are in newtons, and positive as they act on the pin; a tension is positive.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from .unfold import Action, Assembly, Body, Couple, Plane, Push
+
+
+class Unknown(NamedTuple):
+    """A force to be found: what exerts it, on which pin (``""`` for a tension), which component."""
+
+    by: str
+    on: str
+    component: str
+
+
+@dataclass(frozen=True, slots=True)
+class System:
+    """Sums of forces and moments: ``rows · unknowns + Σ load · loads[load] = 0``.
+
+    Rows and columns are numbered; ``loads`` gives what one unit of each load adds to each
+    row's sum.
+    """
+
+    rows: tuple[Mapping[int, float], ...]
+    unknowns: tuple[Unknown, ...]
+    loads: Mapping[str, Mapping[int, float]]
+
+
+class _Sums:
+    """Rows in the making: a pair of rows for each pin, three for each body that needs them."""
+
+    def __init__(self) -> None:
+        self.rows: list[dict[int, float]] = []
+        self.unknowns: list[Unknown] = []
+        self.pins: dict[str, int] = {}
+        self.bodies: dict[str, int] = {}
+
+    def pin(self, point: str) -> int:
+        """Return the number of the pin's first row."""
+        if point not in self.pins:
+            self.pins[point] = self._more(2)
+        return self.pins[point]
+
+    def body(self, name: str) -> int:
+        """Return the number of the body's first row."""
+        if name not in self.bodies:
+            self.bodies[name] = self._more(3)
+        return self.bodies[name]
+
+    def force(self, unknown: Unknown, point: str, along: Plane) -> int:
+        """Let an unknown force act on a pin and return its column."""
+        column = len(self.unknowns)
+        self.unknowns.append(unknown)
+        self.act(column, self.pin(point), along)
+        return column
+
+    def act(self, column: int, row: int, along: Plane) -> None:
+        """Let an unknown force act on the pin or body whose rows begin here."""
+        self.rows[row][column] = along.x
+        self.rows[row + 1][column] = along.y
+
+    def _more(self, number: int) -> int:
+        self.rows.extend({} for _ in range(number))
+        return len(self.rows) - number
+
+
+def equilibrium(assembly: Assembly) -> System:
+    """Return the equations of every free body of an assembly."""
+    sums = _Sums()
+    actions = [a for several in assembly.loads.values() for a in several]
+    twisted = {a.body for a in actions if isinstance(a, Couple)}
+    for body in assembly.bodies:
+        if len(body.points) == 2 and body.name not in twisted:
+            _tension(sums, body)
+        else:
+            _pin_forces(sums, body)
+    for point in assembly.pivots:
+        sums.force(Unknown("ground", point, "x"), point, Plane(1.0, 0.0))
+        sums.force(Unknown("ground", point, "y"), point, Plane(0.0, 1.0))
+    for guide in assembly.guides:
+        sums.force(Unknown("guide", guide.point, "normal"), guide.point, guide.along.turned())
+    loads = {name: _load(sums, actions) for name, actions in assembly.loads.items()}
+    return System(tuple(sums.rows), tuple(sums.unknowns), loads)
+
+
+def _tension(sums: _Sums, rod: Body) -> None:
+    (tail, a), (head, b) = rod.points.items()
+    length = math.hypot(b.x - a.x, b.y - a.y)
+    along = Plane(b.x - a.x, b.y - a.y).times(1 / length) if length else Plane(0.0, 0.0)
+    column = sums.force(Unknown(rod.name, "", "tension"), tail, along)
+    sums.act(column, sums.pin(head), along.times(-1))
+
+
+def _pin_forces(sums: _Sums, body: Body) -> None:
+    first = sums.body(body.name)
+    for point, arm in body.points.items():
+        for component, along in (("x", Plane(1.0, 0.0)), ("y", Plane(0.0, 1.0))):
+            column = sums.force(Unknown(body.name, point, component), point, along)
+            sums.act(column, first, along.times(-1))
+            sums.rows[first + 2][column] = -arm.turned().dot(along)
+
+
+def _load(sums: _Sums, actions: tuple[Action, ...]) -> dict[int, float]:
+    row: dict[int, float] = {}
+    for place, amount in _places(sums, actions):
+        row[place] = row.get(place, 0.0) + amount
+    return row
+
+
+def _places(sums: _Sums, actions: tuple[Action, ...]) -> Iterator[tuple[int, float]]:
+    for action in actions:
+        match action:
+            case Push(point, force):
+                yield sums.pin(point), force.x
+                yield sums.pin(point) + 1, force.y
+            case Couple(name, moment):
+                yield sums.body(name) + 2, moment

@@ -1,0 +1,173 @@
+"""The referee: every result against the equilibrium of the free bodies, pose by pose.
+
+It judges at the default pose and at three random feasible ones. A disagreement is a bug
+in mechc, whatever was written: nothing may be emitted then.
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import NamedTuple, assert_never
+
+from ..algebra.formula import Formula, evaluate
+from ..diagnostics import Diagnostic, MechcError, Report
+from ..diagnostics.statics import methods_disagree, no_equilibrium, not_judged
+from ..model.mechanism import LoadForm, LoadRatio, Mechanism, SpeedRatio
+from ..pose.pose import Pose
+from ..power.result import Definition, Result
+from ..source import Span
+from .answers import Answer, load_coefficient, load_ratio
+from .poses import Replay, candidates
+from .speeds import has_sign, speed_ratio
+from .unfold import Unfolding
+from .verdict import Trial, Verdict
+
+POSES = 4
+"""How many poses a result is judged at: the default one and three more."""
+
+DRAWS = 40
+"""How many poses are drawn, at most, to find them."""
+
+SINGULAR = 1e9
+"""A pose whose condition is worse is within a hair of singular: another one is drawn."""
+
+
+TINY = 1e-300
+"""What an error is relative to where both answers are zero."""
+
+NO_VALUE = "virtual power gives no finite value"
+
+INTERNAL = ("methods-disagree", "no-equilibrium")
+
+
+class RefereeDisagrees(MechcError):
+    """Virtual power and statics give different answers: a bug in mechc, not in the description."""
+
+    def __init__(self, report: Report, verdict: Verdict) -> None:
+        super().__init__(report.sorted(), report.source)
+        self.verdict = verdict
+
+
+class Question(NamedTuple):
+    """What virtual power answers with a formula, and how statics is asked for the same."""
+
+    name: str
+    formula: Formula
+    where: tuple[Definition, ...]
+    ask: Callable[[Unfolding], Answer]
+    signed: Callable[[Unfolding], bool] = lambda _: True
+
+
+class Judged(NamedTuple):
+    """The trials of one question, and why other poses were passed over."""
+
+    trials: tuple[Trial, ...]
+    troubles: tuple[str, ...]
+
+
+def judge(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
+    """Return the verdict on all results that ask for a ratio or for a load.
+
+    Raises :class:`RefereeDisagrees` where the two methods differ by more than the
+    condition of the pose explains, or where virtual power has an answer at every pose
+    and equilibrium at none. A result that no pose can judge earns a warning.
+    """
+    poses = Replay(candidates(pose, DRAWS))
+    trials: list[Trial] = []
+    remarks: list[str] = []
+    for question in _questions(results, pose.mechanism):
+        found, troubles = _judge(question, (Unfolding(pose, values) for values in poses))
+        trials.extend(found)
+        if len(found) < POSES:
+            remarks.append(_remark(question.name, found, troubles))
+        if not found:
+            report.add(_unjudged(question.name, troubles, pose.mechanism.span))
+    verdict = Verdict(tuple(trials), tuple(remarks))
+    _stop_on_disagreement(verdict, pose.mechanism.span, report)
+    return verdict
+
+
+def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Question]:
+    given = {load.name for load in mechanism.loads if load.tie is not None}
+    given |= {let.name for let in mechanism.lets}
+    for result in results:
+        name, formula, where = result.name, result.formula, result.where
+        match target := result.target:
+            case LoadRatio(above, below):
+                yield Question(name, formula, where, partial(load_ratio, above=above, below=below))
+            case LoadForm(load):
+                yield from _coefficients(result, load, given)
+            case SpeedRatio():
+                ask, signed = partial(speed_ratio, target=target), partial(has_sign, target=target)
+                yield Question(name, formula, where, ask, signed)
+            case None:
+                pass
+            case _:
+                assert_never(target)
+
+
+def _coefficients(result: Result, load: str, given: set[str]) -> Iterator[Question]:
+    coefficients = result.coefficients or {}
+    known = given | coefficients.keys()
+    for other, formula in coefficients.items():
+        ask = partial(load_coefficient, load=load, other=other, known=known)
+        yield Question(f"{result.name}/{other}", formula, result.where, ask)
+
+
+def _judge(question: Question, poses: Iterator[Unfolding]) -> Judged:
+    """Try poses until enough of them give an answer by both methods."""
+    trials: list[Trial] = []
+    troubles: list[str] = []
+    for unfolding in poses:
+        trial = _try(question, unfolding)
+        if isinstance(trial, Trial):
+            trials.append(trial)
+        else:
+            troubles.append(trial)
+        if len(trials) == POSES:
+            break
+    return Judged(tuple(trials), tuple(troubles))
+
+
+def _try(question: Question, unfolding: Unfolding) -> Trial | str:
+    """Return both answers at one pose, or why it does not do."""
+    power = _evaluate(question, unfolding)
+    if not math.isfinite(power):
+        return NO_VALUE
+    answer = question.ask(unfolding)
+    if answer.trouble:
+        return answer.trouble
+    if power and answer.condition > SINGULAR:
+        return "the pose is within a hair of singular"
+    error = abs(power - answer.value) / max(abs(power), abs(answer.value), TINY)
+    values = dict(unfolding.values)
+    return Trial(question.name, values, power, answer.value, error, answer.condition)
+
+
+def _evaluate(question: Question, unfolding: Unfolding) -> float:
+    values = dict(unfolding.values)
+    for name, formula in question.where:
+        values[name] = evaluate(formula, values)
+    power = evaluate(question.formula, values)
+    return power if question.signed(unfolding) else abs(power)
+
+
+def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> str:
+    reason = troubles[-1] if troubles else "no more poses meet the conditions of use"
+    return f"{name} was judged at {len(trials)} of {POSES} poses: {reason}"
+
+
+def _unjudged(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
+    """Return a warning, or an error where only equilibrium failed, and at every pose."""
+    if troubles and NO_VALUE not in troubles:
+        return no_equilibrium(span, name, troubles[-1])
+    return not_judged(span, name, troubles[-1] if troubles else "no pose was found")
+
+
+def _stop_on_disagreement(verdict: Verdict, span: Span, report: Report) -> None:
+    for trial in verdict.trials:
+        if not trial.agrees:
+            report.add(methods_disagree(span, trial.result, trial.power, trial.statics))
+            break
+    if any(d.name in INTERNAL for d in report.diagnostics):
+        raise RefereeDisagrees(report, verdict)

@@ -1,0 +1,197 @@
+"""The whole mechanism at one pose, in numbers: both mirrored halves, one branch of copies.
+
+A *mirror* is unfolded: every body, joint and load off the line has a twin, its geometry
+reflected, so that the side forces on what the halves share cancel by themselves. What
+stands on shared points alone exists once. Of a load there only the part that is the same
+for both halves counts: a force along the line, no couple.
+
+*Copies* are an arrangement in space around an axis, which is the guide of the points that
+the branches share. By symmetry each of the n branches carries the n-th part of a load on
+a shared point or body, and gives the axis only a push along it, as the pushes across it
+cancel around the axis. In the plane of one branch a guide takes that cross part.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ..model.mechanism import Force, Load, Torque
+from ..pose.pose import Pose, evaluate_vector
+
+
+class Plane(NamedTuple):
+    """A planar vector in numbers: metres, newtons, or a unit direction."""
+
+    x: float
+    y: float
+
+    def turned(self) -> "Plane":
+        """Return the vector turned by +90°."""
+        return Plane(-self.y, self.x)
+
+    def times(self, factor: float) -> "Plane":
+        """Return the vector times a number."""
+        return Plane(self.x * factor, self.y * factor)
+
+    def dot(self, other: "Plane") -> float:
+        """Return the scalar product."""
+        return self.x * other.x + self.y * other.y
+
+
+class Body(NamedTuple):
+    """A rigid body: where its points are, seen from the first of them."""
+
+    name: str
+    points: Mapping[str, Plane]
+
+
+class Guide(NamedTuple):
+    """A point guided by the ground along a unit direction."""
+
+    point: str
+    along: Plane
+
+
+class Push(NamedTuple):
+    """A force on a point, per unit of its load."""
+
+    point: str
+    force: Plane
+
+
+class Couple(NamedTuple):
+    """A couple on a body, counter-clockwise, per unit of its load."""
+
+    body: str
+    moment: float
+
+
+Action = Push | Couple
+
+
+@dataclass(frozen=True, slots=True)
+class Assembly:
+    """Everything that equilibrium needs, in numbers."""
+
+    bodies: tuple[Body, ...]
+    pivots: tuple[str, ...]
+    guides: tuple[Guide, ...]
+    loads: Mapping[str, tuple[Action, ...]]
+
+
+def direction(angle: float) -> Plane:
+    """Return the unit vector at an angle in radians."""
+    return Plane(math.cos(angle), math.sin(angle))
+
+
+@dataclass(frozen=True, slots=True)
+class Unfolding:
+    """A pose at given values of its symbols, and the ways to its twin and its copies."""
+
+    pose: Pose
+    values: Mapping[str, float]
+
+    @property
+    def _axis(self) -> Plane | None:
+        axis = self.pose.axis
+        return None if axis is None else direction(axis.evaluate(self.values))
+
+    def _shared(self, name: str) -> bool:
+        mirror = self.pose.mechanism.mirror
+        return mirror is None or self._points(name) <= set(mirror.sharing)
+
+    def _points(self, name: str) -> set[str]:
+        """Return the points of a link, or the point itself."""
+        return set(self.pose.frames.get(name, (name,)))
+
+    def _parts(self, name: str) -> float:
+        """Return which part of a load there one branch of the copies takes."""
+        copies = self.pose.mechanism.copies
+        common = copies is not None and self._points(name) <= set(copies.sharing)
+        return 1 / float(copies.number) if copies is not None and common else 1.0
+
+    def _reflected(self, vector: Plane) -> Plane:
+        axis = self._axis
+        assert axis is not None
+        along, across = axis.times(axis.dot(vector)), axis.turned().times(axis.turned().dot(vector))
+        return Plane(along.x - across.x, along.y - across.y)
+
+    def _twin(self, point: str) -> str:
+        return point if self._shared(point) else f"{point}'"
+
+    def count(self, name: str) -> float:
+        """Return how many times over a load on a point or link does its work."""
+        return self._parts(name) * (1 if self._shared(name) else 2)
+
+    def direction_of_guide(self, point: str) -> Plane:
+        """Return the unit direction of a slider's guide."""
+        return direction(self.pose.guides[point].evaluate(self.values))
+
+    def arm(self, link: str, tail: str, head: str) -> Plane:
+        """Return the vector between two points of a link."""
+        return Plane(*evaluate_vector(self.pose.vector(link, tail, head), self.values))
+
+    def push(self, point: str, force: Plane) -> tuple[Action, ...]:
+        """Return what a force on a point puts on the whole assembly."""
+        share = force.times(self._parts(point))
+        if not self._shared(point):
+            return (Push(point, share), Push(self._twin(point), self._reflected(share)))
+        axis = self._axis
+        return (Push(point, share if axis is None else axis.times(axis.dot(share))),)
+
+    def couple(self, link: str, moment: float) -> tuple[Action, ...]:
+        """Return what a couple on a link puts on the whole assembly."""
+        share = moment * self._parts(link)
+        if not self._shared(link):
+            return (Couple(link, share), Couple(f"{link}'", -share))
+        return (Couple(link, share),) if self._axis is None else ()
+
+    def _actions(self, load: Load) -> tuple[Action, ...]:
+        match load:
+            case Force(name, point):
+                line = direction(self.pose.lines[name].evaluate(self.values))
+                return self.push(point, line.times(float(load.times)))
+            case Torque(_, link):
+                return self.couple(link, float(load.times))
+
+    def _bodies(self) -> Iterator[Body]:
+        for link in self.pose.mechanism.links:
+            frame = self.pose.frames[link.name]
+            points = {p: Plane(*evaluate_vector(frame[p], self.values)) for p in link.points}
+            yield Body(link.name, points)
+            if not self._shared(link.name):
+                twins = {self._twin(p): self._reflected(v) for p, v in points.items()}
+                yield Body(f"{link.name}'", twins)
+
+    def _pivots(self) -> Iterator[str]:
+        for pivot in self.pose.mechanism.pivots:
+            yield from dict.fromkeys((pivot.point, self._twin(pivot.point)))
+
+    def _guides(self) -> Iterator[Guide]:
+        for slider in self.pose.mechanism.sliders:
+            along = self.direction_of_guide(slider.point)
+            yield Guide(slider.point, along)
+            if not self._shared(slider.point):
+                yield Guide(self._twin(slider.point), self._reflected(along))
+        yield from self._guides_by_symmetry()
+
+    def _guides_by_symmetry(self) -> Iterator[Guide]:
+        copies, guides = self.pose.mechanism.copies, self.pose.guides
+        if copies is None:
+            return
+        axis = next((self.direction_of_guide(p) for p in copies.sharing if p in guides), None)
+        fixed = {p.point for p in self.pose.mechanism.pivots}
+        for point in copies.sharing:
+            if axis is not None and point not in guides and point not in fixed:
+                yield Guide(point, axis)
+
+    def assembly(self, *more: tuple[str, tuple[Action, ...]]) -> Assembly:
+        """Return the unfolded mechanism with its own loads and ``more`` named ones."""
+        loads = {load.name: self._actions(load) for load in self.pose.mechanism.loads}
+        return Assembly(
+            tuple(self._bodies()),
+            tuple(self._pivots()),
+            tuple(self._guides()),
+            {**loads, **dict(more)},
+        )

@@ -1,0 +1,347 @@
+import math
+from fractions import Fraction
+from random import Random
+
+import pytest
+
+from by_hand import HERE, angle_of, build, force, geometries, in_numbers, result, torque
+from mechc.algebra import formula
+from mechc.diagnostics import Report
+from mechc.model import mechanism as model
+from mechc.model.mechanism import LoadForm, LoadRatio, Speed, SpeedRatio
+from mechc.power.result import Result
+from mechc.source import Source
+from mechc.statics.answers import load_ratio
+from mechc.statics.free_bodies import equilibrium
+from mechc.statics.poses import candidates, settle
+from mechc.statics.referee import RefereeDisagrees, judge
+from mechc.statics.solve import factor
+from mechc.statics.speeds import speed_ratio
+from mechc.statics.to_text import to_text
+from mechc.statics.unfold import Unfolding
+from mechc.units import ANGLE, LENGTH, NUMBER
+
+
+def report():
+    return Report(Source("by_hand.mech", "x"))
+
+
+def ratio(pose, above="P", below="F"):
+    answer = load_ratio(Unfolding(pose, {}), above, below)
+    assert not answer.trouble, answer.trouble
+    return answer.value
+
+
+def lever(**more):
+    points = {"O": (0, 0), "A": (2, 0), "B": (-3, 0)}
+    loads = [force("P", "A"), force("F", "B")]
+    return build(points, ["AOB"], "O", {}, loads, {"P": -90, "F": -90}, **more)
+
+
+# -------------------------------------------------------------------- hand cases
+
+
+def test_a_lever_balances_by_its_arms():
+    assert ratio(lever()) == pytest.approx(1.5, rel=1e-14)
+
+
+def test_a_torque_balances_a_force_by_its_arm():
+    points = {"O": (0, 0), "A": (0.3, 0.4)}
+    pose = build(points, ["OA"], "O", {}, [torque("M", "OA"), force("F", "A")], {"F": 0})
+    assert ratio(pose, "M", "F") == pytest.approx(0.4, rel=1e-14)
+
+
+@pytest.mark.parametrize("phi", [0.3, 1.1, 2.0])
+def test_a_slider_crank(phi):
+    r, rod = 0.1, 0.35
+    beta = math.asin(r * math.sin(phi) / rod)
+    points = {"O": (0, 0), "A": (r * math.cos(phi), r * math.sin(phi))}
+    points["B"] = (points["A"][0] + rod * math.cos(beta), 0)
+    loads = [torque("M", "OA"), force("F", "B")]
+    pose = build(points, ["OA", "AB"], "O", {"B": 0}, loads, {"F": 180})
+    expected = -r * math.sin(phi + beta) / math.cos(beta)
+    assert ratio(pose, "M", "F") == pytest.approx(expected, rel=1e-13)
+
+
+@pytest.mark.parametrize("phi", [0.4, 1.2, 2.5])
+def test_the_speed_of_a_slider_crank(phi):
+    r, rod = 0.1, 0.35
+    beta = math.asin(r * math.sin(phi) / rod)
+    points = {"O": (0, 0), "A": (r * math.cos(phi), r * math.sin(phi))}
+    points["B"] = (points["A"][0] + rod * math.cos(beta), 0)
+    pose = Unfolding(build(points, ["OA", "AB"], "O", {"B": 0}, [], {}), {})
+    crank, piston = Speed("link", "OA"), Speed("point", "B")
+    expected = -r * math.sin(phi + beta) / math.cos(beta)
+    assert speed_ratio(pose, SpeedRatio(piston, crank)).value == pytest.approx(expected, rel=1e-13)
+    assert speed_ratio(pose, SpeedRatio(crank, piston)).value == pytest.approx(1 / expected)
+    pin = speed_ratio(pose, SpeedRatio(Speed("point", "A"), crank))
+    assert pin.value == pytest.approx(r, rel=1e-13)
+
+
+def test_a_floating_point_has_a_magnitude_of_speed_only():
+    points = {"A": (0, 3), "B": (4, 0), "C": (2, 1.5)}
+    pose = Unfolding(build(points, ["ACB"], "", {"A": 90, "B": 0}, [], {}), {})
+    middle, end = Speed("point", "C"), Speed("point", "B")
+    # The midpoint of a ladder of length 5 runs on a circle of radius 5/2 about the corner.
+    assert speed_ratio(pose, SpeedRatio(middle, end)).value == pytest.approx(2.5 / 3)
+    assert speed_ratio(pose, SpeedRatio(end, middle)).value == pytest.approx(3 / 2.5)
+
+
+def test_times_multiplies_a_load():
+    points = {"O": (0, 0), "A": (2, 0), "B": (-3, 0)}
+    loads = [force("P", "A", times=2), force("F", "B", times=Fraction(1, 2))]
+    pose = build(points, ["AOB"], "O", {}, loads, {"P": -90, "F": -90})
+    assert ratio(pose) == pytest.approx(1.5 / 4)
+
+
+def test_a_tied_load_follows_the_load_it_is_tied_to():
+    points = {"O": (0, 0), "A": (2, 0), "B": (-3, 1)}
+    tie = formula.product([(formula.number(Fraction(1, 5)), 1), (formula.Symbol("F"), 1)])
+    loads = [force("P", "A"), force("F", "B"), force("T", "B", tie=tie)]
+    pose = build(points, ["AOB"], "O", {}, loads, {"P": -90, "F": -90, "T": 180})
+    assert ratio(pose) == pytest.approx((3 + 0.2) / 2)
+    assert ratio(pose, "P", "T") == pytest.approx((3 + 0.2) / 2 * 5)
+    assert ratio(pose, "T", "F") == pytest.approx(0.2)
+
+
+def toggle(**more):
+    """The right half of a toggle press: lever OBA, rod BK, ram K on the line x = 0."""
+    a, b, alpha, beta = 0.1, 0.25, math.radians(12), math.radians(7)
+    arm = alpha - math.pi / 2
+    points = {"O": (0, 0), "B": (a * math.cos(arm), a * math.sin(arm))}
+    points["A"] = (b * math.cos(arm), b * math.sin(arm))
+    rod = -math.pi / 2 - beta
+    length = points["B"][0] / -math.cos(rod)
+    points["K"] = (0, points["B"][1] + length * math.sin(rod))
+    loads = [force("P", "A"), force("F", "K")]
+    k = a * math.sin(alpha + beta) / (2 * b * math.cos(alpha) * math.cos(beta))
+    guides = more.pop("guides", {"K": 90})
+    more = {"mirror": "K", "axis": 90, **more}
+    return build(points, ["OBA", "BK"], "O", guides, loads, {"P": 180, "F": 90}, **more), k
+
+
+def test_both_halves_of_a_mirror_share_a_load():
+    pose, k = toggle()
+    assert ratio(pose) == pytest.approx(k, rel=1e-13)
+
+
+def test_side_forces_of_mirrored_halves_cancel_without_a_guide():
+    pose, k = toggle(guides={})
+    assert ratio(pose) == pytest.approx(k, rel=1e-13)
+
+
+def test_three_copies_share_a_load_in_three_parts():
+    single, k = toggle(mirror=None, axis=None)
+    assert ratio(single) == pytest.approx(2 * k)
+    copied, _ = toggle(mirror=None, axis=None, copies=(3, "K"))
+    assert ratio(copied) == pytest.approx(2 * k / 3)
+
+
+def test_a_redundant_parallel_branch_is_accepted():
+    points = {"O": (0, 0), "A": (0, 1), "C": (1, 0), "B": (1, 1), "E": (2, 0), "D": (2, 1)}
+    loads = [torque("M", "OA"), force("F", "D")]
+    pose = build(points, ["OA", "CB", "ED", "ABD"], "OCE", {}, loads, {"F": 180})
+    assert ratio(pose, "M", "F") == pytest.approx(-1)
+
+
+def double_pendulum():
+    points = {"O": (0, 0), "A": (1, 0), "B": (2, 0.5)}
+    loads = [force("P", "A"), force("F", "B")]
+    return build(points, ["OA", "AB"], "O", {}, loads, {"P": 90, "F": 90})
+
+
+def test_equilibrium_that_cannot_be_is_said_to_be_so():
+    pose = double_pendulum()
+    answer = load_ratio(Unfolding(pose, {}), "P", "F")
+    assert math.isnan(answer.value)
+    assert "balance" in answer.trouble
+
+
+@pytest.mark.parametrize("geometry", geometries(), ids=lambda g: g["id"])
+def test_the_geometries_of_the_seeds(geometry):
+    points, value, k = in_numbers(geometry)
+    loads, lines = [force("P", geometry["drive"]["point"], geometry["drive"]["mult"])], {}
+    lines["P"] = angle_of(geometry["drive"]["dir"], value)[0]
+    parts = []
+    for i, load in enumerate(geometry["loads"]):
+        angle, size = angle_of(load["dir"], value)
+        tie = None if i == 0 else formula.Symbol("F0")
+        loads.append(force(f"F{i}", load["point"], load["mult"], tie))
+        lines[f"F{i}"] = angle
+        parts.append(size)
+    guides = {p: angle_of(d, value)[0] for p, d in geometry["sliders"]}
+    pose = build(points, geometry["bodies"], geometry["ground"], guides, loads, lines)
+    assert ratio(pose, "P", "F0") * parts[0] == pytest.approx(k, rel=1e-12)
+
+
+# ------------------------------------------------------------------- the referee
+
+
+def test_the_referee_agrees_with_a_right_formula():
+    pose, k = toggle()
+    verdict = judge(pose, (result("k", LoadRatio("P", "F"), k),), report())
+    assert verdict.agrees
+    assert len(verdict.trials) == 4
+    assert verdict.worst < 1e-13
+    assert "agree: worst relative error" in to_text(verdict)
+
+
+@pytest.mark.parametrize("wrong", [1 + 1e-9, -1, 2, 0])
+def test_the_referee_stops_a_wrong_formula(wrong):
+    pose, k = toggle()
+    with pytest.raises(RefereeDisagrees) as caught:
+        judge(pose, (result("k", LoadRatio("P", "F"), k * wrong),), report())
+    assert [d.code for d in caught.value.diagnostics] == ["E601"]
+    assert "disagrees" in to_text(caught.value.verdict)
+
+
+def test_the_referee_checks_every_coefficient_of_a_linear_form():
+    points = {"O": (0, 0), "A": (2, 0), "B": (-3, 0), "C": (1, 1)}
+    loads = [force("P", "A"), force("F", "B"), force("Q", "C")]
+    pose = build(points, ["AOBC"], "O", {}, loads, {"P": -90, "F": -90, "Q": 0})
+    right = {"F": formula.number(Fraction(3, 2)), "Q": formula.number(Fraction(-1, 2))}
+    whole = Result("P", LoadForm("P"), NUMBER, formula.ZERO, coefficients=right)
+    verdict = judge(pose, (whole,), report())
+    assert {t.result for t in verdict.trials} == {"P/F", "P/Q"}
+    wrong = Result(
+        "P", LoadForm("P"), NUMBER, formula.ZERO, coefficients={**right, "Q": formula.ONE}
+    )
+    with pytest.raises(RefereeDisagrees, match="P/Q"):
+        judge(pose, (wrong,), report())
+
+
+def test_the_referee_balances_as_many_loads_as_there_are_freedoms():
+    # An equalising beam: P pulls at its middle, F and Q at its ends.
+    points = {"A": (-1, 0), "M": (0, 0), "B": (2, 0)}
+    loads = [force("P", "M"), force("F", "A"), force("Q", "B")]
+    pose = build(points, ["AMB"], "", {"M": 90}, loads, {"P": 90, "F": -90, "Q": -90})
+    assert ratio(pose) == pytest.approx(1.5)
+
+
+def test_a_load_that_does_no_work_is_left_alone():
+    points = {"O": (0, 0), "A": (2, 0), "B": (-3, 0)}
+    loads = [force("P", "A"), force("F", "B"), force("Q", "B")]
+    pose = build(points, ["AOB"], "O", {}, loads, {"P": -90, "F": -90, "Q": 0})
+    assert ratio(pose) == pytest.approx(1.5)
+
+
+def test_a_result_that_equilibrium_does_not_know_is_a_bug():
+    pose = double_pendulum()
+    with pytest.raises(RefereeDisagrees) as caught:
+        judge(pose, (result("k", LoadRatio("P", "F"), 1),), report())
+    assert [d.code for d in caught.value.diagnostics] == ["E602"]
+
+
+def test_a_result_without_a_finite_value_earns_a_warning():
+    nowhere = Result("k", LoadRatio("P", "F"), NUMBER, formula.Call("log", (formula.ZERO,)))
+    asked = report()
+    verdict = judge(lever(), (nowhere,), asked)
+    assert not verdict.trials
+    assert [d.code for d in asked.diagnostics] == ["W601"]
+    assert "Nothing was tried." in to_text(verdict)
+
+
+def test_a_pose_that_breaks_a_condition_is_not_drawn():
+    alpha = formula.Symbol("alpha")
+    parameter = model.Parameter("alpha", ANGLE, HERE, formula.degrees(20))
+    spread = model.Interval(formula.degrees(1), formula.degrees(89))
+    parameter = model.Parameter("alpha", ANGLE, HERE, formula.degrees(20), spread)
+    limit = model.Require(alpha, "<", formula.degrees(30), HERE)
+    pose = lever(parameters=(parameter,), requires=(limit,))
+    pose = type(pose)(**{**_fields(pose), "free": ("alpha",)})
+    drawn = [values["alpha"] for values in candidates(pose, 40)]
+    assert drawn[0] == pytest.approx(math.radians(20))
+    assert 3 <= len(drawn) < 40
+    assert max(drawn) < math.radians(30)
+    assert drawn == [values["alpha"] for values in candidates(pose, 40)]
+
+
+def test_parameters_without_a_value_are_drawn_and_dependent_ones_follow():
+    a = model.Parameter("a", LENGTH, HERE)
+    twice = formula.product([(formula.number(2), 1), (formula.Symbol("a"), 1)])
+    b = model.Parameter("b", LENGTH, HERE, twice, dependent=True)
+    pose = lever(parameters=(a, b))
+    pose = type(pose)(**{**_fields(pose), "free": ("a",)})
+    for values in candidates(pose, 5):
+        assert 0.5 <= values["a"] <= 2
+        assert values["b"] == 2 * values["a"]
+    assert settle(pose, {"a": math.nan}, Random(1)) is None
+
+
+def _fields(pose):
+    return {name: getattr(pose, name) for name in pose.__slots__}
+
+
+# ------------------------------------------------------------------ the equations
+
+
+def test_cutting_free_gives_two_equations_a_pin_and_three_a_body():
+    pose, _ = toggle(mirror=None, axis=None)
+    system = equilibrium(Unfolding(pose, {}).assembly())
+    assert len(system.rows) == 4 * 2 + 3
+    assert len(system.unknowns) == 1 + 3 * 2 + 2 + 1
+
+
+def test_elimination_solves_what_dense_elimination_solves():
+    numpy = pytest.importorskip("numpy")
+    dice = Random(7)
+    for size in (1, 3, 10, 40):
+        dense = numpy.zeros((size, size))
+        for i in range(size):
+            for j in {i, *(dice.randrange(size) for _ in range(3))}:
+                dense[i, j] = dice.uniform(-1, 1) * 10 ** dice.uniform(-3, 3)
+        right = {i: dice.uniform(-1, 1) for i in range(size)}
+        rows = [{j: v for j, v in enumerate(row) if v} for row in dense.tolist()]
+        found = factor(rows, size).solve(right)
+        expected = numpy.linalg.solve(dense, [right[i] for i in range(size)])
+        condition = numpy.linalg.cond(dense)
+        assert numpy.allclose(found, expected, rtol=1e-15 * condition, atol=0)
+
+
+def test_the_adjoint_gives_the_influence_of_each_row():
+    dice = Random(3)
+    rows = [{j: dice.uniform(-1, 1) for j in range(6)} for _ in range(6)]
+    factors = factor(rows, 6)
+    before = factors.solve({0: 1.0, 3: 2.0})[4]
+    shares = factors.adjoint(4)
+    for i in range(6):
+        right = {0: 1.0, 3: 2.0}
+        right[i] = right.get(i, 0.0) + 1.0
+        after = factors.solve(right)[4]
+        assert after - before == pytest.approx(shares[i] * factors.scales[i])
+
+
+def test_an_unknown_that_nothing_fixes_is_not_determined():
+    factors = factor([{0: 1.0, 1: 1.0}, {2: 1.0}, {0: 2.0, 1: 2.0}], 3)
+    assert not factors.determined(0)
+    assert not factors.determined(1)
+    assert factors.determined(2)
+    assert factors.gap(factors.solve({0: 1.0, 2: 2.0}), {0: 1.0, 2: 2.0}) < 1e-15
+    assert factors.gap(factors.solve({0: 1.0, 2: 3.0}), {0: 1.0, 2: 3.0}) > 0.1
+
+
+@pytest.mark.parametrize("stages", [16, 64])
+def test_the_cost_of_a_chain_is_linear(stages):
+    """Count additions, not seconds: a scissor of n stages takes a fixed number per stage."""
+    pose = scissor(stages)
+    system = equilibrium(Unfolding(pose, {}).assembly())
+    entries = sum(map(len, system.rows))
+    assert len(factor(system.rows, len(system.unknowns)).steps) < 2 * entries
+
+
+def scissor(stages):
+    points, bodies = {}, []
+    for i in range(stages + 1):
+        points[f"A{i}"], points[f"B{i}"] = (2.0 * i, 0.0), (2.0 * i, 1.5)
+    for i in range(stages):
+        points[f"C{i}"] = (2.0 * i + 1, 0.75)
+        bodies.append([f"A{i}", f"C{i}", f"B{i + 1}"])
+        bodies.append([f"B{i}", f"C{i}", f"A{i + 1}"])
+    loads = [force("P", "B0"), force("F", f"A{stages}")]
+    guides = {"B0": 90, f"A{stages}": 0}
+    return build(points, bodies, ["A0"], guides, loads, {"P": -90, "F": 180})
+
+
+def test_a_long_scissor_still_has_its_ratio():
+    # x = n·w, w² + h² = const: dx/dh = −n·h/w.
+    assert ratio(scissor(64)) == pytest.approx(64 * 1.5 / 2, rel=1e-9)
