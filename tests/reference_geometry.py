@@ -1,0 +1,247 @@
+"""A second reading of a description, for tests only: numbers instead of algebra.
+
+It shares nothing with the compiler but the syntax tree and the table of units. Every
+link gets the coordinates of its points in a frame of its own; a mirrored mechanism is
+unfolded into both halves.
+"""
+
+import cmath
+import math
+import random
+import re
+from collections.abc import Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple, TypeVar
+
+from mechc.syntax import ast
+from mechc.units import UNITS
+
+Values = dict[str, float]
+S = TypeVar("S", bound=ast.Statement)
+
+FUNCTIONS = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "cot": lambda x: 1 / math.tan(x),
+    "asin": math.asin,
+    "sqrt": math.sqrt,
+}
+
+
+def evaluate(node: ast.Expr, values: Mapping[str, float]) -> float:
+    """Return the value of an expression in SI and radians."""
+    match node:
+        case ast.Number(digits, unit):
+            return float(Fraction(digits)) * _factor(unit)
+        case ast.Symbol(name):
+            return math.pi if name == "pi" else values[name]
+        case ast.Sum(terms):
+            return math.fsum(sign * evaluate(term, values) for sign, term in terms)
+        case ast.Product(factors):
+            return math.prod(evaluate(factor, values) ** sign for sign, factor in factors)
+        case ast.Power(base, exponent):
+            return float(evaluate(base, values) ** evaluate(exponent, values))
+        case ast.Call(function, arguments):
+            return FUNCTIONS[function](*(evaluate(a, values) for a in arguments))
+
+
+def _factor(name: str) -> float:
+    if not name:
+        return 1.0
+    unit = UNITS[name]
+    return float(unit.factor) * (math.pi if unit.pi else 1.0)
+
+
+def every(file: ast.File, kind: type[S]) -> list[S]:
+    """Return all statements of one kind."""
+    return [s for s in file.statements if isinstance(s, kind)]
+
+
+def defaults(file: ast.File) -> Values:
+    """Return the values of the parameters that have one, in the order of the file."""
+    values: Values = {}
+    for p in every(file, ast.Param):
+        if p.value is not None:
+            values[p.name.text] = evaluate(p.value, values)
+    return values
+
+
+def points_of(name: str) -> tuple[str, ...]:
+    """Split ``O1AB'`` into its points."""
+    return tuple(re.findall(r"[A-Z][0-9]*'*", name))
+
+
+# ----------------------------------------------------------------- arms and frames
+
+
+@dataclass
+class Arms:
+    """What is given of the vectors between points: length and angle, each way round."""
+
+    lengths: dict[tuple[str, str], float]
+    angles: dict[tuple[str, str], float]
+
+    def set_length(self, tail: str, head: str, length: float) -> None:
+        self.lengths[tail, head] = self.lengths[head, tail] = length
+
+    def set_angle(self, tail: str, head: str, angle: float) -> None:
+        self.angles[tail, head], self.angles[head, tail] = angle, angle + math.pi
+
+    def vector(self, tail: str, head: str) -> complex:
+        return cmath.rect(self.lengths[tail, head], self.angles[tail, head])
+
+
+def arms_of(file: ast.File, values: Values) -> Arms:
+    """Return the given lengths and angles; a given turn is taken from the other arm."""
+    arms = Arms({}, {})
+    for v in every(file, ast.Vector):
+        _take_vector(v, values, arms)
+    for t in every(file, ast.Turn):
+        _take_turn(t, values, arms)
+    return arms
+
+
+def _take_vector(vector: ast.Vector, values: Values, arms: Arms) -> None:
+    tail, head = points_of(vector.points.text)
+    match vector.value:
+        case ast.Polar(length, direction):
+            if length is not None:
+                arms.set_length(tail, head, evaluate(length, values))
+            if direction is not None:
+                arms.set_angle(tail, head, angle_of(direction, values, arms))
+        case ast.Cartesian(x, y):
+            size, turn = cmath.polar(complex(evaluate(x, values), evaluate(y, values)))
+            arms.set_length(tail, head, size)
+            arms.set_angle(tail, head, turn)
+
+
+def _take_turn(turn: ast.Turn, values: Values, arms: Arms) -> None:
+    first, vertex, second = points_of(turn.points.text)
+    by = evaluate(turn.angle, values)
+    if (vertex, first) in arms.angles:
+        arms.set_angle(vertex, second, arms.angles[vertex, first] + by)
+    else:
+        arms.set_angle(vertex, first, arms.angles[vertex, second] - by)
+
+
+def angle_of(direction: ast.Direction, values: Values, arms: Arms) -> float:
+    """Return a direction as an angle from +x, in radians."""
+    match direction:
+        case ast.Axis(axis, sign):
+            return (math.pi / 2 if axis == "y" else 0.0) + (0.0 if sign > 0 else math.pi)
+        case ast.Toward(points, sign, perp):
+            tail, head = points_of(points.text)
+            quarter = (math.pi / 2 if perp else 0.0) + (0.0 if sign > 0 else math.pi)
+            return arms.angles[tail, head] + quarter
+        case _:
+            return evaluate(direction, values)
+
+
+def frame(points: tuple[str, ...], arms: Arms, guess: random.Random) -> dict[str, complex]:
+    """Return the points of a link from its first one.
+
+    A length that is not given is guessed: it must not matter.
+    """
+    placed = {points[0]: 0j}
+    while len(placed) < len(points):
+        tail, head = next(
+            (t, h) for t in placed for h in points if h not in placed and (t, h) in arms.angles
+        )
+        if (tail, head) not in arms.lengths:
+            arms.set_length(tail, head, guess.uniform(0.5, 2.0))
+        placed[head] = placed[tail] + arms.vector(tail, head)
+    return placed
+
+
+# ------------------------------------------------------------ the whole mechanism
+
+
+class Action(NamedTuple):
+    """A load of one name: a force at a point (unit vector) or a couple on a link."""
+
+    name: str
+    at: str
+    direction: complex | None
+    times: float
+
+
+@dataclass
+class Assembly:
+    """Links with coordinates, pins to the ground, guides and loads, all numbers."""
+
+    links: dict[str, dict[str, complex]]
+    pivots: set[str]
+    guides: dict[str, complex]
+    actions: list[Action]
+
+
+def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
+    """Return the mechanism as numbers, unfolded where it is mirrored."""
+    arms, guess = arms_of(file, values), random.Random(seed)
+    half = Assembly(
+        {s.points.text: frame(points_of(s.points.text), arms, guess) for s in every(file, ast.Link)},
+        {s.point.text for s in every(file, ast.Pivot)},
+        {
+            s.point.text: cmath.rect(1, angle_of(s.along, values, arms))
+            for s in every(file, ast.Slider)
+        },
+        _actions(file, values, arms),
+    )
+    for m in every(file, ast.Mirror):
+        axis = cmath.rect(1, angle_of(m.across, values, arms))
+        _unfold(half, axis, {name.text for name in m.sharing})
+    for c in every(file, ast.Copies):
+        _multiply(half, evaluate(c.number, values), {name.text for name in c.sharing})
+    return half
+
+
+def _actions(file: ast.File, values: Values, arms: Arms) -> list[Action]:
+    down = [angle_of(g.along, values, arms) for g in every(file, ast.Gravity)] or [-math.pi / 2]
+    found = []
+    for s in file.statements:
+        times = getattr(s, "times", None)
+        size = 1.0 if times is None else evaluate(times, values)
+        match s:
+            case ast.Force(name=name, point=point, along=along):
+                turn = angle_of(along, values, arms)
+                found.append(Action(name.text, point.text, cmath.rect(1, turn), size))
+            case ast.Weight(name=name, point=point):
+                found.append(Action(name.text, point.text, cmath.rect(1, down[0]), size))
+            case ast.Torque(name=name, link=link):
+                found.append(Action(name.text, _owner(file, link.text), None, size))
+    return found
+
+
+def _owner(file: ast.File, part: str) -> str:
+    wanted = set(points_of(part))
+    links = [s.points.text for s in every(file, ast.Link)]
+    return next(name for name in links if wanted <= set(points_of(name)))
+
+
+def _unfold(half: Assembly, axis: complex, shared: set[str]) -> None:
+    def twin(point: str) -> str:
+        return point if point in shared else point + "'"
+
+    def reflect(vector: complex) -> complex:
+        return axis * axis * vector.conjugate()
+
+    for name, points in list(half.links.items()):
+        if not set(points) <= shared:
+            half.links[name + "'"] = {twin(p): reflect(v) for p, v in points.items()}
+    half.pivots |= {twin(p) for p in half.pivots}
+    half.guides |= {twin(p): reflect(v) for p, v in half.guides.items() if p not in shared}
+    half.guides |= dict.fromkeys(shared - half.pivots - half.guides.keys(), axis)
+    for load in list(half.actions):
+        if load.direction is None:
+            half.actions.append(Action(load.name, load.at + "'", None, -load.times))
+        elif load.at not in shared:
+            half.actions.append(load._replace(at=twin(load.at), direction=reflect(load.direction)))
+
+
+def _multiply(branch: Assembly, number: float, shared: set[str]) -> None:
+    branch.actions[:] = [
+        load if load.at in shared else load._replace(times=load.times * number)
+        for load in branch.actions
+    ]

@@ -1,0 +1,187 @@
+"""A second way from a description to its results, for tests only.
+
+Every rigid body has three velocity unknowns; pins, guides and the ground are rows of
+one matrix; its null space by singular values is the motion. The loads are those for
+which no motion has power. Nothing here is algebra, and nothing is taken in an order.
+"""
+
+from collections.abc import Iterator
+
+import numpy as np
+import numpy.typing as npt
+from reference_geometry import (
+    Action,
+    Assembly,
+    Values,
+    assemble,
+    defaults,
+    evaluate,
+    every,
+    points_of,
+)
+
+from mechc.syntax import ast
+
+Array = npt.NDArray[np.float64]
+
+GRAVITY = 9.80665
+TOLERANCE = 1e-9
+
+
+class Motion:
+    """All motions of an assembly: a basis of velocities that its joints allow."""
+
+    def __init__(self, assembly: Assembly) -> None:
+        self.assembly = assembly
+        self.column = {name: 3 * i for i, name in enumerate(assembly.links)}
+        self.size = 3 * len(self.column)
+        self.basis = null_space(np.array(list(self._rows())))
+
+    def velocity(self, point: str, link: str | None = None) -> Array:
+        """Return the 2-row matrix that gives a point's velocity from the unknowns."""
+        links = self.assembly.links
+        name = link or next(n for n, points in links.items() if point in points)
+        arm, at = links[name][point], self.column[name]
+        matrix = np.zeros((2, self.size))
+        matrix[0, at], matrix[0, at + 2] = 1, -arm.imag
+        matrix[1, at + 1], matrix[1, at + 2] = 1, arm.real
+        return matrix
+
+    def turning(self, link: str) -> Array:
+        """Return the row that gives a link's angular velocity."""
+        row = np.zeros(self.size)
+        row[self.column[link] + 2] = 1
+        return row
+
+    def _rows(self) -> Iterator[Array]:
+        first: dict[str, str] = {}
+        for name, points in self.assembly.links.items():
+            for point in points:
+                home = first.setdefault(point, name)
+                if home != name:
+                    yield from self.velocity(point, name) - self.velocity(point, home)
+        for point in self.assembly.pivots & first.keys():
+            yield from self.velocity(point)
+        for point, along in self.assembly.guides.items():
+            yield np.array([-along.imag, along.real]) @ self.velocity(point)
+
+    def power(self, load: Action) -> Array:
+        """Return the power of one unit of a load in each basic motion."""
+        if load.direction is None:
+            return load.times * self.turning(load.at) @ self.basis
+        line = np.array([load.direction.real, load.direction.imag])
+        return load.times * line @ self.velocity(load.at) @ self.basis
+
+
+def null_space(matrix: Array) -> Array:
+    """Return an orthonormal basis of the null space, one column each."""
+    _, sizes, rows = np.linalg.svd(matrix)
+    rank = int((sizes > TOLERANCE * sizes[0]).sum())
+    return np.asarray(rows[rank:].T)
+
+
+# ------------------------------------------------------------------------- results
+
+
+def results(file: ast.File, at: Values | None = None, seed: int = 1) -> Values:
+    """Return every ``find`` and ``let`` of a description, by name, in SI.
+
+    ``at`` replaces default values; ``seed`` chooses the lengths that are not given.
+    An unnamed ``find`` goes by the name of the load it asks for.
+    """
+    values = defaults(file) | (at or {})
+    motion = Motion(assemble(file, values, seed))
+    known = _known_loads(file, values)
+    for item in file.statements:
+        if isinstance(item, ast.Find):
+            name, value = _found(file, item, motion, values | known)
+            values[name] = value
+        elif isinstance(item, ast.Let) and _computable(item.value, values | known):
+            values[item.name.text] = evaluate(item.value, values | known)
+    return values
+
+
+def _computable(node: ast.Expr, values: Values) -> bool:
+    try:
+        evaluate(node, values)
+    except KeyError:
+        return False
+    return True
+
+
+def _known_loads(file: ast.File, values: Values) -> Values:
+    g = values.get("g", GRAVITY)
+    return {w.name.text: evaluate(w.mass, values) * g for w in every(file, ast.Weight)}
+
+
+def _found(file: ast.File, find: ast.Find, motion: Motion, values: Values) -> tuple[str, float]:
+    columns = _power_columns(file, motion, values)
+    match find.target:
+        case ast.Symbol(load):
+            return load, _balancing(load, columns, values)
+        case ast.Product(((1, ast.Symbol(above)), (-1, ast.Symbol(below)))):
+            name = find.name.text if find.name else f"{above}/{below}"
+            if above in columns:
+                return name, _load_ratio(above, below, columns)
+            return name, _speed(above, motion) / _speed(below, motion)
+        case _:
+            raise AssertionError("a find of the library is a load or a ratio")
+
+
+def _power_columns(file: ast.File, motion: Motion, values: Values) -> dict[str, Array]:
+    """Return the power of each free load in each motion, tied loads with their masters."""
+    ties = {f.name.text: f.tie for f in every(file, ast.Force) if f.tie is not None}
+    columns: dict[str, Array] = {}
+    for load in motion.assembly.actions:
+        name, factor = load.name, 1.0
+        if name in ties:
+            name, factor = _master(ties[name], {a.name for a in motion.assembly.actions}, values)
+        empty = np.zeros(motion.basis.shape[1])
+        columns[name] = columns.get(name, empty) + factor * motion.power(load)
+    return columns
+
+
+def _master(tie: ast.Expr, loads: set[str], values: Values) -> tuple[str, float]:
+    for name in loads:
+        at_one, at_two = ({**values, name: value} for value in (1.0, 2.0))
+        if _computable(tie, at_one) and evaluate(tie, at_one) != evaluate(tie, at_two):
+            return name, evaluate(tie, at_one)
+    raise AssertionError("a tie names one load")
+
+
+def _load_ratio(above: str, below: str, columns: dict[str, Array]) -> float:
+    names = list(columns)
+    balanced = null_space(np.column_stack([columns[name] for name in names]))
+    top, bottom = balanced[names.index(above)], balanced[names.index(below)]
+    ratios = top / bottom
+    assert np.allclose(ratios, ratios[0], rtol=1e-7), "the ratio depends on other loads"
+    return float(ratios[0])
+
+
+def _balancing(load: str, columns: dict[str, Array], values: Values) -> float:
+    others = sum(columns[name] * values[name] for name in columns if name != load)
+    solution, *_ = np.linalg.lstsq(columns[load][:, None], -others, rcond=None)
+    return float(solution[0])
+
+
+def _speed(name: str, motion: Motion) -> float:
+    """Return ``V_A`` or ``omega_AB``, signed as the language says, in the only motion."""
+    assert motion.basis.shape[1] == 1, "speeds are asked of one motion"
+    kind, points = name.split("_", 1)
+    if kind == "omega":
+        wanted = set(points_of(points))
+        link = next(n for n, at in motion.assembly.links.items() if wanted <= set(at))
+        return float((motion.turning(link) @ motion.basis)[0])
+    vx, vy = (motion.velocity(points) @ motion.basis)[:, 0]
+    if points in motion.assembly.guides:
+        along = motion.assembly.guides[points]
+        return float(vx * along.real + vy * along.imag)
+    return float(np.hypot(vx, vy)) * _sense(points, motion)
+
+
+def _sense(point: str, motion: Motion) -> float:
+    """Return the sign of the rotation that carries a point about a pivot; +1 without one."""
+    for name, points in motion.assembly.links.items():
+        if point in points and motion.assembly.pivots & points.keys():
+            return float(np.sign((motion.turning(name) @ motion.basis)[0]))
+    return 1.0
