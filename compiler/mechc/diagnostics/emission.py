@@ -1,0 +1,56 @@
+"""Words for what can go wrong when files are written (E7xx, W7xx)."""
+
+from .diagnostic import Words, coded
+
+
+@coded("E701")
+def unspeakable_file_name(stem: str) -> Words:
+    r"""A name that a C source cannot include.
+
+    The source names its header in ``#include "NAME.h"``, where C has no way to write a
+    quotation mark, a backslash or a line break.
+
+    Wrong: ``mechc compile clamp.mech -o 'my"clamp.c'``
+    Right: ``mechc compile clamp.mech -o my_clamp.c``
+    """
+    return Words(
+        None,
+        f"the file name {stem!r} cannot stand in a C #include: expected no quotation mark,"
+        " backslash or line break",
+        "choose another name for the output",
+    )
+
+
+@coded("W701")
+def broken_target(name: str, origin: str, reason: str) -> Words:
+    """A target of another package that does not load.
+
+    Packages add targets through the entry-point group ``mechc.targets``; each entry
+    must name an object with ``name``, ``suffixes`` and ``emit``. One that fails to
+    import, or lacks these, is left out, and all other targets work.
+
+    Wrong: ``[project.entry-points."mechc.targets"]  excel = "gone.module:TARGET"``
+    Right: ``[project.entry-points."mechc.targets"]  excel = "mechc_excel:TARGET"``
+    """
+    return Words(
+        None,
+        f"the target {name!r} ({origin}) is left out: expected an emitter, found {reason}",
+        "update or remove the package that provides it",
+    )
+
+
+@coded("W702")
+def second_target(name: str, origin: str) -> Words:
+    """Two targets under one name.
+
+    A name given to ``--emit`` must mean one thing. The built-in target comes first,
+    then the one found first; the other is left out.
+
+    Wrong: a package that registers a target ``python``
+    Right: a package that registers a target ``python_jax``
+    """
+    return Words(
+        None,
+        f"the target {name!r} ({origin}) is left out: expected a new name, found one in use",
+        "rename the target in the package that provides it",
+    )

@@ -1,0 +1,120 @@
+"""What headers and comments say of a mechanism and its functions, in plain words.
+
+Text of the user's goes through :func:`one_line` first: it may hold anything.
+"""
+
+import math
+from collections.abc import Iterable
+from unicodedata import category
+
+from ..algebra.formula import text
+from ..model.mechanism import Mechanism
+from ..routine.steps import Function, Input
+from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension
+
+_SI = {
+    NUMBER: "",
+    ANGLE: "rad",
+    DIMENSIONS["length"]: "m",
+    DIMENSIONS["area"]: "m^2",
+    DIMENSIONS["volume"]: "m^3",
+    DIMENSIONS["mass"]: "kg",
+    DIMENSIONS["time"]: "s",
+    DIMENSIONS["force"]: "N",
+    DIMENSIONS["torque"]: "N*m",
+    DIMENSIONS["pressure"]: "Pa",
+    DIMENSIONS["velocity"]: "m/s",
+    DIMENSIONS["acceleration"]: "m/s^2",
+    DIMENSIONS["stiffness"]: "N/m",
+    DIMENSIONS["power"]: "W",
+    DIMENSIONS["frequency"]: "1/s",
+}
+
+
+def one_line(words: str) -> str:
+    r"""Return the text on one line, without control, format and private characters.
+
+    >>> one_line("a\nb\u202ec")
+    'a b c'
+    """
+    plain = "".join(" " if category(c)[0] in "CZ" else c for c in words)
+    return " ".join(plain.split())
+
+
+def si_unit(dimension: Dimension) -> str:
+    """Return the SI unit of a dimension, '' for a bare number.
+
+    >>> si_unit(Dimension(length=1, mass=1, time=-2)), si_unit(Dimension(length=4))
+    ('N', 'm^4')
+    """
+    if dimension in _SI:
+        return _SI[dimension]
+    bases = zip(("m", "kg", "s", "rad"), dimension, strict=True)
+    return "*".join(f"{base}^{size}" if size != 1 else base for base, size in bases if size)
+
+
+def dimension_name(dimension: Dimension) -> str:
+    """Return a dimension's name in the language, or its SI unit where it has none."""
+    names = {d: name for name, d in DIMENSIONS.items()}
+    return names.get(dimension) or si_unit(dimension)
+
+
+def in_user_unit(value: float, item: Input) -> str:
+    """Return an SI value in the unit the user wrote.
+
+    >>> in_user_unit(0.1, Input("a", DIMENSIONS["length"], "mm"))
+    '100 mm'
+    """
+    unit = UNITS.get(item.unit)
+    if unit is None:
+        return f"{value:.6g} {si_unit(item.dimension)}".strip()
+    factor = float(unit.factor) * (math.pi if unit.pi else 1.0)
+    return f"{value / factor:.6g} {item.unit}"
+
+
+def input_words(item: Input, name: str = "") -> str:
+    """Return one line on an input: SI unit, label, default and range as the user wrote them.
+
+    ``name`` is what the target calls it.
+
+    >>> input_words(Input("a", ANGLE, "deg", math.pi / 6, 0.0, math.pi / 4))
+    'rad; 30 deg, in 0 deg .. 45 deg'
+    """
+    parts = [
+        one_line(item.label),
+        f"{item.name} in the formula" if name not in ("", item.name) else "",
+        "" if item.default is None else in_user_unit(item.default, item),
+        _range_words(item),
+    ]
+    words = ", ".join(part for part in parts if part)
+    unit = si_unit(item.dimension) or "number"
+    return f"{unit}; {words}" if words else unit
+
+
+def _range_words(item: Input) -> str:
+    if item.low is None or item.high is None:
+        return ""
+    return f"in {in_user_unit(item.low, item)} .. {in_user_unit(item.high, item)}"
+
+
+def formula_lines(function: Function) -> list[str]:
+    """Return the result as a reader writes it: ``k = …`` and the intermediates it mentions."""
+    where = [f"where {step.name} = {text(step.formula)}" for step in function.where]
+    return [f"{function.name} = {text(function.formula)}", *where]
+
+
+def condition_lines(function: Function) -> list[str]:
+    """Return the conditions outside which the function gives NaN."""
+    return [f"{text(g.left)} {g.operator} {text(g.right)}" for g in function.guards]
+
+
+def unchecked(mechanism: Mechanism, functions: Iterable[Function]) -> list[str]:
+    """Return the conditions of use that no function can check from its inputs."""
+    checked = {line for f in functions for line in condition_lines(f)}
+    lines = [f"{text(r.left)} {r.operator} {text(r.right)}" for r in mechanism.requires]
+    return [line for line in dict.fromkeys(lines) if line not in checked]
+
+
+def heading(mechanism: Mechanism) -> str:
+    """Return the title of a mechanism, its name where it has none."""
+    return one_line(mechanism.title) or one_line(mechanism.name)

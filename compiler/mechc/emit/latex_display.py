@@ -1,0 +1,163 @@
+r"""Displayed equations that never run off the page.
+
+A right-hand side that no line holds is broken between the terms of its sum; a sum
+inside a fraction gets a name (``Z_1``) and is defined below; a product of very many
+factors is continued on the next line.
+"""
+
+from collections.abc import Iterator, Set
+from itertools import count
+from typing import NamedTuple
+
+from ..algebra.formula import (
+    Formula,
+    Product,
+    Sum,
+    Symbol,
+    children,
+    rebuild,
+    symbols,
+)
+from ..algebra.layout import is_angle
+from .latex_notation import Notation
+from .latex_printer import Box, box, plain, row, signed
+
+LINE = 38.0
+"""Room in a line, in em: A4 with margins of 25 mm at 11 pt, less some air."""
+
+_INDENT = 2.0
+
+
+class Line(NamedTuple):
+    """One equation to display: its left side as it stands, its right side as a formula."""
+
+    left: Box
+    right: Formula
+    angle: bool = False
+
+
+def display(lines: tuple[Line, ...], style: Notation, where: str, boxed: bool = False) -> str:
+    """Return the equations as displays; ``where`` is the word before names made up here."""
+    taken = frozenset().union(*(symbols(line.right) for line in lines))
+    names = _Names(_fresh(taken))
+    rows = [(line.left, _fitted(line, style, names)) for line in lines]
+    whole = _environment(rows, boxed)
+    told = 0
+    made: list[tuple[Box, list[Box]]] = []
+    while told < len(names.given):
+        formula, symbol = list(names.given.items())[told]
+        left = box(symbol, style)
+        made.append((left, _fitted(Line(left, formula), style, names)))
+        told += 1
+    return f"{whole}\n{where}\n{_environment(made)}" if made else whole
+
+
+class _Names:
+    """The names made up within one display, by the sum that each stands for."""
+
+    def __init__(self, fresh: Iterator[Symbol]) -> None:
+        self.given: dict[Formula, Symbol] = {}
+        self._fresh = fresh
+
+    def name(self, formula: Formula) -> Symbol:
+        """Return the name of a sum, a new one when it has none."""
+        if formula not in self.given:
+            self.given[formula] = next(self._fresh)
+        return self.given[formula]
+
+
+def _fresh(taken: Set[str]) -> Iterator[Symbol]:
+    return (Symbol(name) for i in count(1) if (name := f"Z_{i}") not in taken)
+
+
+def _environment(rows: list[tuple[Box, list[Box]]], boxed: bool = False) -> str:
+    """Return rows of equations aligned at the equals sign."""
+    if len(rows) == 1 and len(rows[0][1]) == 1:
+        left, (right,) = rows[0]
+        equation = f"{left.tex}={right.tex}"
+        return "\\[\n" + (rf"\boxed{{{equation}}}" if boxed else equation) + "\n\\]"
+    text = "\\\\\n".join(_aligned(left, parts) for left, parts in rows)
+    return f"\\begin{{align*}}\n{text}\n\\end{{align*}}"
+
+
+def _aligned(left: Box, parts: list[Box]) -> str:
+    first, *others = parts
+    continued = "".join(f"\\\\\n&\\quad{{}}{part.tex}" for part in others)
+    return f"{left.tex}&={first.tex}{continued}"
+
+
+def _fitted(line: Line, style: Notation, names: _Names) -> list[Box]:
+    """Return the right side as the lines that it takes."""
+    room = max(LINE - line.left.width - _INDENT, LINE / 2)
+    whole = box(line.right, style, line.angle)
+    if whole.width <= room:
+        return [whole]
+    if not isinstance(line.right, Sum):
+        return _factor_lines(_named(line.right, room, style, names), room, style)
+    terms = [_term(term, room, style, names) for term in line.right.terms]
+    angle = line.angle or is_angle(line.right, style.angles)
+    return _pack([signed(t, style, i == 0, angle) for i, t in enumerate(terms)], room)
+
+
+def _pack(pieces: list[Box], room: float) -> list[Box]:
+    """Fill lines with pieces, first come first served."""
+    lines: list[list[Box]] = [[]]
+    for piece in pieces:
+        if lines[-1] and sum(p.width for p in lines[-1]) + piece.width > room:
+            lines.append([])
+        lines[-1].append(piece)
+    return [row(line) for line in lines]
+
+
+def _named(formula: Formula, room: float, style: Notation, names: _Names) -> Formula:
+    """Name inner sums, the widest first, until the formula fits or none is left."""
+    while box(formula, style).width > room:
+        inner = [s for s in _inner_sums(formula) if not is_angle(s, style.angles)]
+        if not inner:
+            break
+        widest = max(inner, key=lambda s: box(s, style).width)
+        formula = _replace(formula, widest, names.name(widest))
+    return formula
+
+
+def _term(term: Formula, room: float, style: Notation, names: _Names) -> Formula:
+    """Return a term that fits a line of its own, under a name where nothing else helps."""
+    shorter = _named(term, room, style, names)
+    return shorter if box(shorter, style).width <= room else names.name(shorter)
+
+
+def _inner_sums(formula: Formula) -> Iterator[Sum]:
+    """Yield the outermost sums strictly inside a formula."""
+    for part in children(formula):
+        if isinstance(part, Sum):
+            yield part
+        else:
+            yield from _inner_sums(part)
+
+
+def _replace(formula: Formula, old: Formula, new: Formula) -> Formula:
+    if formula == old:
+        return new
+    parts = children(formula)
+    return rebuild(formula, tuple(_replace(p, old, new) for p in parts)) if parts else formula
+
+
+def _factor_lines(formula: Formula, room: float, style: Notation) -> list[Box]:
+    """Continue a product of many factors on further lines."""
+    if not isinstance(formula, Product) or box(formula, style).width <= room:
+        return [box(formula, style)]
+    chunks: list[list[Formula]] = [[]]
+    for factor in formula.factors:
+        if chunks[-1] and _width((*chunks[-1], factor), style) > room:
+            chunks.append([])
+        chunks[-1].append(factor)
+    boxes = [box(_joined(chunk), style) for chunk in chunks]
+    return [boxes[0], *(row((plain(r"\times "), b)) for b in boxes[1:])]
+
+
+def _joined(factors: list[Formula]) -> Formula:
+    return factors[0] if len(factors) == 1 else Product(tuple(factors))
+
+
+def _width(factors: tuple[Formula, ...], style: Notation) -> float:
+    return box(_joined(list(factors)), style).width

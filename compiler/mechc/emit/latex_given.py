@@ -1,0 +1,164 @@
+"""The report's first part: what was given, as tables and sentences."""
+
+from collections.abc import Iterable
+from typing import NamedTuple, assert_never
+
+from ..algebra.formula import number
+from ..derivation.wording import enumeration
+from ..model.mechanism import (
+    Absolute,
+    Arrow,
+    Direction,
+    Force,
+    Geometry,
+    Load,
+    Mechanism,
+    Offset,
+    Parameter,
+    Torque,
+    Turn,
+)
+from ..words.table import Words
+from .latex_notation import Notation, name, points
+from .latex_printer import latex
+from .latex_quantity import quantity
+from .latex_text import escape
+
+
+class ParameterRow(NamedTuple):
+    """A line of the table of parameters, ready for LaTeX."""
+
+    symbol: str
+    label: str
+    value: str
+    range: str
+
+
+class VectorRow(NamedTuple):
+    """A line of the table of the geometry, ready for LaTeX."""
+
+    vector: str
+    length: str
+    direction: str
+
+
+def math(tex: str) -> str:
+    """Return inline mathematics."""
+    return f"${tex}$"
+
+
+def parameter_row(parameter: Parameter, words: Words, style: Notation) -> ParameterRow:
+    """Return a parameter's symbol, label, value and range with the user's units."""
+    label = "; ".join(t for t in (parameter.label, parameter.about) if t)
+    return ParameterRow(
+        math(name(parameter.name, style)),
+        escape(label),
+        _value(parameter, words, style),
+        _range(parameter, words, style),
+    )
+
+
+def _value(parameter: Parameter, words: Words, style: Notation) -> str:
+    if parameter.value is None:
+        return words.any_value
+    if parameter.dependent:
+        return math(latex(parameter.value, style, parameter.name in style.angles))
+    return math(quantity(parameter.value, parameter.dimension, parameter.unit, words, style))
+
+
+def _range(parameter: Parameter, words: Words, style: Notation) -> str:
+    if parameter.range is None:
+        return ""
+    low, high = (
+        quantity(end, parameter.dimension, parameter.unit, words, style) for end in parameter.range
+    )
+    return math(rf"{low}\ \ldots\ {high}")
+
+
+def direction(given: Direction, style: Notation) -> str:
+    r"""Return a direction as mathematics: an angle, or along or square to a vector."""
+    if isinstance(given, Absolute):
+        return latex(given.angle, style, angle=True)
+    ends = (given.tail, given.head) if given.quarter < 2 else (given.head, given.tail)
+    vector = rf"\overrightarrow{{{''.join(map(points, ends))}}}"
+    return rf"\perp {vector}" if given.quarter % 2 else rf"\parallel {vector}"
+
+
+def vector_row(entry: Geometry, style: Notation) -> VectorRow:
+    """Return one entry of the geometry."""
+    match entry:
+        case Arrow(tail, head, length, line):
+            along = math(direction(line, style)) if line else ""
+            size = math(latex(length, style)) if length else ""
+            return VectorRow(_vector(tail, head), size, along)
+        case Offset(tail, head, x, y):
+            pair = math(rf"({latex(x, style)};\ {latex(y, style)})")
+            return VectorRow(_vector(tail, head), pair, "")
+        case Turn(first, vertex, second, angle):
+            corner = rf"\angle {''.join(map(points, (first, vertex, second)))}"
+            return VectorRow(math(corner), "", math(latex(angle, style, angle=True)))
+        case _:
+            assert_never(entry)
+
+
+def _vector(tail: str, head: str) -> str:
+    return math(points(tail) + points(head) if tail else points(head))
+
+
+def scheme(mechanism: Mechanism, words: Words, style: Notation) -> tuple[str, ...]:
+    """Return the mechanism in sentences: joints, links, loads, symmetry."""
+    sentences = [*_joints(mechanism, words, style), *_links(mechanism, words)]
+    sentences += (_load(load, words, style) for load in mechanism.loads)
+    sentences += _symmetry(mechanism, words, style)
+    return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
+
+
+def _joints(mechanism: Mechanism, words: Words, style: Notation) -> list[str]:
+    pivots = _listed((p.point for p in mechanism.pivots), words)
+    sentences = [words.pivots.format(points=pivots)] if pivots else []
+    for slider in mechanism.sliders:
+        along = math(direction(slider.along, style))
+        sentences.append(words.slider.format(point=math(points(slider.point)), direction=along))
+    return sentences
+
+
+def _links(mechanism: Mechanism, words: Words) -> list[str]:
+    rods = _listed((link.name for link in mechanism.links if len(link.points) == 2), words)
+    bodies = _listed((link.name for link in mechanism.links if len(link.points) > 2), words)
+    said = ((words.rods, rods), (words.bodies, bodies))
+    return [template.format(links=links) for template, links in said if links]
+
+
+def _listed(names: Iterable[str], words: Words) -> str:
+    spelled = [math(points(n)) for n in names]
+    return enumeration(spelled, words) if spelled else ""
+
+
+def _load(load: Load, words: Words, style: Notation) -> str:
+    symbol = name(load.name, style)
+    if load.times != 1:
+        symbol = rf"{latex(number(load.times), style)}\,{symbol}"
+    tie = rf", ${name(load.name, style)}={latex(load.tie, style)}$" if load.tie else ""
+    match load:
+        case Force(_, point, along):
+            template = words.weight if load.weight else words.force
+            where = math(direction(along, style))
+            said = template.format(load=math(symbol), point=math(points(point)), direction=where)
+        case Torque(_, link):
+            said = words.torque.format(load=math(symbol), link=math(points(link)))
+        case _:
+            assert_never(load)
+    return said + tie
+
+
+def _symmetry(mechanism: Mechanism, words: Words, style: Notation) -> list[str]:
+    sentences = []
+    if mechanism.mirror:
+        across = math(direction(mechanism.mirror.across, style))
+        shared = _listed(mechanism.mirror.sharing, words)
+        sentences.append(words.mirror.format(direction=across, points=shared))
+    if mechanism.copies:
+        count = math(latex(number(mechanism.copies.number), style))
+        shared = _listed(mechanism.copies.sharing, words)
+        sentences.append(words.copies.format(number=count, points=shared))
+    return sentences

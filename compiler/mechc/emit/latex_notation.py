@@ -1,0 +1,133 @@
+r"""What differs between languages in a formula, and names as LaTeX.
+
+English books write tan and cot and a decimal point, Ukrainian and Russian ones tg and
+ctg and a decimal comma; φ is ``\phi`` in the first and ``\varphi`` in the others.
+"""
+
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass, field
+from typing import Literal
+
+from ..algebra.names import GREEK, Point, split_name, split_points
+
+Language = Literal["en", "uk", "ru"]
+
+_COMMON = {
+    "sin": r"\sin",
+    "cos": r"\cos",
+    "sec": r"\sec",
+    "csc": r"\csc",
+    "asin": r"\arcsin",
+    "acos": r"\arccos",
+    "atan2": r"\operatorname{arctan2}",
+    "min": r"\min",
+    "max": r"\max",
+    "exp": r"\exp",
+    "log": r"\ln",
+}
+_WESTERN = _COMMON | {"tan": r"\tan", "cot": r"\cot", "atan": r"\arctan"}
+_EASTERN = _COMMON | {
+    "tan": r"\operatorname{tg}",
+    "cot": r"\operatorname{ctg}",
+    "csc": r"\operatorname{cosec}",
+    "atan": r"\operatorname{arctg}",
+    "atan2": r"\operatorname{arctg2}",
+}
+
+
+@dataclass(frozen=True, slots=True)
+class Notation:
+    """How functions, decimals and names are written, and which names are angles.
+
+    ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`).
+    """
+
+    functions: Mapping[str, str]
+    decimal: str
+    phi: str
+    angles: frozenset[str] = frozenset()
+    spellings: Mapping[str, str] = field(default_factory=dict)
+
+
+def notation(language: Language) -> Notation:
+    """Return the notation of a language's books."""
+    if language == "en":
+        return Notation(_WESTERN, ".", r"\phi")
+    return Notation(_EASTERN, "{,}", r"\varphi")
+
+
+def name(symbol: str, style: Notation) -> str:
+    r"""Return a quantity's name as LaTeX.
+
+    >>> [name(s, notation("uk")) for s in ("alpha_1", "l_A", "phi", "eff", "omega_O1B")]
+    ['\\alpha_{1}', 'l_A', '\\varphi', '\\mathrm{eff}', '\\omega_{O_{1}B}']
+    """
+    return style.spellings.get(symbol) or _by_rule(symbol, style)
+
+
+def _by_rule(symbol: str, style: Notation) -> str:
+    if symbol.startswith("len_"):
+        return points(symbol.removeprefix("len_"))
+    head, primes, indices = split_name(symbol)
+    letter = _letter(head, style) + primes
+    if not indices:
+        return letter
+    index = ",".join(_index(i, style) for i in indices)
+    return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"
+
+
+def _letter(head: str, style: Notation) -> str:
+    match head:
+        case "phi":
+            return style.phi
+        case "epsilon":
+            return r"\varepsilon"
+        case "omicron":
+            return "o"
+        case _ if head in GREEK:
+            return f"\\{head}"
+        case _ if len(head) == 1:
+            return head
+        case _:
+            return _word("mathrm", head)
+
+
+def _word(alphabet: str, word: str) -> str:
+    letters = word.replace("_", r"\_")
+    return rf"\{alphabet}{{{letters}}}"
+
+
+def _index(index: str, style: Notation) -> str:
+    if split_points(index):
+        return points(index)
+    stem, primes, numbers = split_name(index)
+    if index.isdigit():
+        return index
+    return _letter(stem, style) + primes + "".join(f"_{{{n}}}" for n in numbers)
+
+
+def points(names: str) -> str:
+    """Return a point, vector or link as LaTeX mathematics.
+
+    >>> points("O1B'")
+    "O_{1}B'"
+    """
+    return "".join(map(_point, split_points(names))) or rf"\mathrm{{{names}}}"
+
+
+def _point(point: Point) -> str:
+    number = f"_{{{point.number}}}" if point.number else ""
+    return point.letter + number + point.primes
+
+
+def spellings(names: Iterable[str], style: Notation) -> dict[str, str]:
+    r"""Return spellings letter by letter for names that the rules would write alike.
+
+    >>> sorted(spellings(["alpha1", "alpha_1", "b"], notation("en")).values())
+    ['\\mathit{alpha1}', '\\mathit{alpha\\_1}']
+    """
+    ruled: dict[str, list[str]] = {}
+    for symbol in dict.fromkeys(names):
+        ruled.setdefault(_by_rule(symbol, style), []).append(symbol)
+    alike = [symbol for group in ruled.values() if len(group) > 1 for symbol in group]
+    return {symbol: _word("mathit", symbol) for symbol in alike}

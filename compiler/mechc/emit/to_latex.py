@@ -1,0 +1,166 @@
+r"""LaTeX: the report of a mechanism, a document by itself or a fragment to ``\input``.
+
+A fragment needs amsmath, array, booktabs and longtable, and in Ukrainian and Russian a
+host document with Cyrillic fonts.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+from pathlib import Path
+from typing import NamedTuple
+
+from jinja2 import Environment, FileSystemLoader, StrictUndefined
+
+from ..algebra.formula import symbols
+from ..algebra.layout import is_angle
+from ..derivation.steps import Derivation, Equation, Step
+from ..derivation.wording import as_ratio, sentence, solved
+from ..units import ANGLE
+from ..words import en, ru, uk
+from ..words.table import Words
+from .latex_display import Line, display
+from .latex_given import ParameterRow, VectorRow, math, parameter_row, scheme, vector_row
+from .latex_notation import Notation, notation, points, spellings
+from .latex_printer import box
+from .latex_results import ResultBlock, check, conditions, numbers, result_block
+from .latex_text import escape, has_cyrillic
+from .target import Compiled, Emitted, Options
+
+_WORDS = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
+
+
+class StepBlock(NamedTuple):
+    """One step of the derivation, ready for LaTeX."""
+
+    sentence: str
+    relations: str
+    results: str
+
+
+class Report(NamedTuple):
+    """All that the body's template prints."""
+
+    words: Words
+    made_by: str
+    section: str
+    conventions: str
+    title: str
+    source: str
+    parameters: tuple[ParameterRow, ...]
+    scheme: tuple[str, ...]
+    vectors: tuple[VectorRow, ...]
+    steps: tuple[StepBlock, ...]
+    several: str
+    balances: str
+    results: tuple[ResultBlock, ...]
+    conditions: str
+    numbers: tuple[str, ...]
+    check: str
+    remarks: tuple[str, ...]
+
+
+class Latex:
+    """The target ``latex``."""
+
+    name = "latex"
+    suffixes = (".tex",)
+
+    def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
+        """Return one ``.tex`` file."""
+        words = _WORDS[options.language]
+        style = _style(compiled, notation(options.language))
+        report = _report(compiled, words, style, options.fragment)
+        body = _TEMPLATES.get_template("report_body.tex.jinja").render(report._asdict())
+        text = body if options.fragment else _document(body, words, options)
+        return (Emitted(f"{options.stem}.tex", text),)
+
+
+TARGET = Latex()
+
+_TEMPLATES = Environment(
+    loader=FileSystemLoader(Path(__file__).parent / "templates"),
+    undefined=StrictUndefined,
+    block_start_string="<%",
+    block_end_string="%>",
+    variable_start_string="<<",
+    variable_end_string=">>",
+    comment_start_string="<#",
+    comment_end_string="#>",
+    trim_blocks=True,
+    lstrip_blocks=True,
+    keep_trailing_newline=True,
+    autoescape=False,
+)
+
+
+def _document(body: str, words: Words, options: Options) -> str:
+    """Return the body within a preamble that loads no more than it needs."""
+    eastern = options.language != "en"
+    return _TEMPLATES.get_template("report.tex.jinja").render(
+        body=body, babel=words.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
+    )
+
+
+def _style(compiled: Compiled, style: Notation) -> Notation:
+    """Return the notation with this mechanism's angles and its names told apart."""
+    angles = {p.name for p in compiled.mechanism.parameters if p.dimension == ANGLE}
+    for result in compiled.derivation.results:
+        for definition in result.where:
+            if is_angle(definition.formula, angles):
+                angles.add(definition.name)
+    known = replace(style, angles=frozenset(angles))
+    return replace(known, spellings=spellings(_names(compiled), known))
+
+
+def _names(compiled: Compiled) -> Iterator[str]:
+    mechanism = compiled.mechanism
+    yield from (p.name for p in mechanism.parameters)
+    yield from dict.fromkeys(load.name for load in mechanism.loads)
+    for result in compiled.derivation.results:
+        yield result.name
+        yield from (d.name for d in result.where)
+        yield from sorted(symbols(result.formula))
+
+
+def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -> Report:
+    mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
+    return Report(
+        words=words,
+        made_by=words.made_by.format(version=compiled.version),
+        conventions=words.conventions.format(x="$x$"),
+        section="subsection" if fragment else "section",
+        title=escape(mechanism.title or mechanism.name),
+        source=escape(mechanism.source),
+        parameters=tuple(parameter_row(p, words, style) for p in mechanism.parameters),
+        scheme=scheme(mechanism, words, style),
+        vectors=tuple(vector_row(entry, style) for entry in mechanism.geometry),
+        steps=tuple(_step(step, words, style) for step in derivation.steps),
+        several=_several(derivation, words),
+        balances=_equations(derivation.balances, words, style),
+        results=tuple(result_block(r, words, style) for r in derivation.results),
+        conditions=conditions(mechanism.requires, style),
+        numbers=numbers(derivation.results, words, style),
+        check=check(verdict, words, style),
+        remarks=tuple(map(escape, verdict.remarks)),
+    )
+
+
+def _step(step: Step, words: Words, style: Notation) -> StepBlock:
+    return StepBlock(
+        sentence(step, words, lambda s: math(points(s))),
+        _equations(step.relations, words, style),
+        _equations(solved(step), words, style),
+    )
+
+
+def _equations(equations: tuple[Equation, ...], words: Words, style: Notation) -> str:
+    if not equations:
+        return ""
+    ratios = (as_ratio(e) for e in equations)
+    lines = tuple(Line(box(e.left, style), e.right) for e in ratios)
+    return display(lines, style, words.where)
+
+
+def _several(derivation: Derivation, words: Words) -> str:
+    count = len(derivation.balances)
+    return words.several.format(count=count) if count > 1 else ""
