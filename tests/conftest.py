@@ -1,0 +1,42 @@
+"""What the whole suite shares: goldens with ``--update``, and no text that runs."""
+
+from collections.abc import Callable
+from difflib import unified_diff
+from pathlib import Path
+from typing import NoReturn
+
+import pytest
+
+GOLDEN = Path(__file__).parent / "golden"
+
+
+def pytest_addoption(parser: pytest.Parser) -> None:
+    parser.addoption("--update", action="store_true", help="accept what the goldens have become")
+
+
+@pytest.fixture
+def golden(request: pytest.FixtureRequest) -> Callable[[str, str], None]:
+    """Compare a text with ``golden/NAME``, or write it there under ``--update``."""
+
+    def compare(name: str, found: str) -> None:
+        path = GOLDEN / name
+        if request.config.getoption("--update"):
+            path.parent.mkdir(parents=True, exist_ok=True)
+            path.write_text(found, encoding="utf-8", newline="\n")
+        expected = path.read_text(encoding="utf-8") if path.exists() else ""
+        if found != expected:
+            lines = [text.splitlines() for text in (expected, found)]
+            pytest.fail("\n".join(unified_diff(*lines, "golden", "found", lineterm="")))
+
+    return compare
+
+
+@pytest.fixture(scope="session", autouse=True)
+def sympy_reads_no_text() -> None:
+    """Make sympy's string parser raise: text given to it would be executed."""
+    from sympy.parsing import sympy_parser
+
+    def refuse(*_: object, **__: object) -> NoReturn:
+        raise AssertionError("a string reached sympy's parser")
+
+    sympy_parser.parse_expr = refuse
