@@ -21,13 +21,28 @@ def unspeakable_file_name(stem: str) -> Words:
     )
 
 
-@coded("W701")
+@coded("E702")
 def broken_target(name: str, origin: str, reason: str) -> Words:
-    """A target of another package that does not load.
+    """A target of another package that was asked for and does not load.
 
     Packages add targets through the entry-point group ``mechc.targets``; each entry
-    must name an object with ``name``, ``suffixes`` and ``emit``. One that fails to
-    import, or lacks these, is left out, and all other targets work.
+    must name an object with ``name``, ``suffixes`` and ``emit``.
+
+    Wrong: ``[project.entry-points."mechc.targets"]  excel = "gone.module:TARGET"``
+    Right: ``[project.entry-points."mechc.targets"]  excel = "mechc_excel:TARGET"``
+    """
+    return Words(
+        None,
+        f"the target {name!r} ({origin}) does not load: expected an emitter, found {reason}",
+        "update or remove the package that provides it",
+    )
+
+
+@coded("W701")
+def left_out_target(name: str, origin: str, reason: str) -> Words:
+    """A target of another package that does not load, though it was not asked for.
+
+    It is left out and all others work; see E702 for what an entry must name.
 
     Wrong: ``[project.entry-points."mechc.targets"]  excel = "gone.module:TARGET"``
     Right: ``[project.entry-points."mechc.targets"]  excel = "mechc_excel:TARGET"``
@@ -36,21 +51,4 @@ def broken_target(name: str, origin: str, reason: str) -> Words:
         None,
         f"the target {name!r} ({origin}) is left out: expected an emitter, found {reason}",
         "update or remove the package that provides it",
-    )
-
-
-@coded("W702")
-def second_target(name: str, origin: str) -> Words:
-    """Two targets under one name.
-
-    A name given to ``--emit`` must mean one thing. The built-in target comes first,
-    then the one found first; the other is left out.
-
-    Wrong: a package that registers a target ``python``
-    Right: a package that registers a target ``python_jax``
-    """
-    return Words(
-        None,
-        f"the target {name!r} ({origin}) is left out: expected a new name, found one in use",
-        "rename the target in the package that provides it",
     )

@@ -1,94 +1,108 @@
-"""All targets by name: the built-in ones, then those of other packages.
+"""Targets by name and by file suffix, loaded when they are used.
 
-Nothing of a built-in target is imported before it emits.
+A target of mechc itself is one line of :data:`BUILT_IN`. Other packages offer theirs
+through the entry-point group ``mechc.targets``; those are looked for only when a name
+or a suffix is none of our own, so that finding a target costs nothing otherwise.
 """
 
-from collections.abc import Iterator
-from dataclasses import dataclass
-from functools import cached_property
 from importlib import import_module
 from importlib.metadata import EntryPoint, entry_points
+from typing import NamedTuple, cast
 
-from ..diagnostics.diagnostic import Report
-from ..diagnostics.emission import broken_target, second_target
-from .target import Compiled, Emitted, Options, Target
+from ..diagnostics.diagnostic import MechcError, Report
+from ..diagnostics.emission import broken_target, left_out_target
+from .target import Target
 
 GROUP = "mechc.targets"
 """The entry-point group in which packages register their targets."""
 
 
-@dataclass(frozen=True)
-class BuiltIn:
-    """A target of mechc's own, by the module that holds its ``TARGET``."""
+class Place(NamedTuple):
+    """The module whose ``TARGET`` it is, and the suffixes that choose it."""
 
-    name: str
-    suffixes: tuple[str, ...]
     module: str
-
-    @cached_property
-    def _target(self) -> Target:
-        target: Target = import_module(self.module, __package__).TARGET
-        return target
-
-    def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
-        """Return the files of the target itself."""
-        return self._target.emit(compiled, options)
+    suffixes: tuple[str, ...]
 
 
-BUILT_IN = (
-    BuiltIn("python", (".py",), ".to_python"),
-    BuiltIn("c", (".c", ".h"), ".to_c"),
-    BuiltIn("latex", (".tex",), ".to_latex"),
-    BuiltIn("json", (".json",), ".to_json"),
-)
+BUILT_IN = {
+    "latex": Place("mechc.emit.to_latex", (".tex",)),
+    "python": Place("mechc.emit.to_python", (".py",)),
+    "c": Place("mechc.emit.to_c", (".c", ".h")),
+    "json": Place("mechc.emit.to_json", (".json",)),
+}
+"""Our own targets, which no other package can replace."""
+
+
+def names() -> tuple[str, ...]:
+    """Return the name of every target, ours first.
+
+    >>> names()[:4]
+    ('latex', 'python', 'c', 'json')
+    """
+    return (*BUILT_IN, *_foreign())
+
+
+def load(name: str) -> Target:
+    """Return a target by its name; LookupError where there is none.
+
+    Raises :class:`MechcError` (E702) where another package's target does not load.
+    """
+    if name in BUILT_IN:
+        return cast(Target, import_module(BUILT_IN[name].module).TARGET)
+    if name not in (foreign := _foreign()):
+        raise LookupError(name)
+    target = _try(foreign[name])
+    if isinstance(target, str):
+        raise MechcError([broken_target(name, foreign[name].value, target)])
+    return target
+
+
+def by_suffix(suffix: str, report: Report | None = None) -> str | None:
+    """Return the name of the target that a file suffix chooses, or None.
+
+    >>> by_suffix(".h")
+    'c'
+    """
+    for name, place in BUILT_IN.items():
+        if suffix in place.suffixes:
+            return name
+    return next((n for n, t in _loaded(report).items() if suffix in t.suffixes), None)
 
 
 def targets(report: Report | None = None) -> dict[str, Target]:
-    """Return every target by name, built-in ones first.
+    """Return every target by name, ours first, all loaded.
 
-    A target of another package that does not load, or whose name is in use, is left
-    out with a warning in the report.
-
-    >>> list(targets())[:4]
-    ['python', 'c', 'latex', 'json']
+    One of another package that does not load is left out with a warning (W701).
     """
-    found: dict[str, Target] = {target.name: target for target in BUILT_IN}
-    for entry in _foreign():
-        target = _load(entry, report)
-        if target is not None and entry.name not in found:
-            found[entry.name] = target
-        elif target is not None and report is not None:
-            report.add(second_target(entry.name, entry.value))
+    return {name: load(name) for name in BUILT_IN} | _loaded(report)
+
+
+def _loaded(report: Report | None) -> dict[str, Target]:
+    """Return the targets of other packages that load."""
+    found: dict[str, Target] = {}
+    for name, entry in _foreign().items():
+        target = _try(entry)
+        if not isinstance(target, str):
+            found[name] = target
+        elif report is not None:
+            report.add(left_out_target(name, entry.value, target))
     return found
 
 
-def by_suffix(suffix: str, report: Report | None = None) -> Target | None:
-    """Return the target that a file's suffix (``.c``) chooses, or None.
-
-    >>> by_suffix(".h").name
-    'c'
-    """
-    for target in BUILT_IN:
-        if suffix in target.suffixes:
-            return target
-    return next((t for t in targets(report).values() if suffix in t.suffixes), None)
-
-
-def _foreign() -> Iterator[EntryPoint]:
-    """Yield the entries of other packages, in a fixed order."""
-    own = {(t.name, f"mechc.emit{t.module}:TARGET") for t in BUILT_IN}
+def _foreign() -> dict[str, EntryPoint]:
+    """Return the entries of other packages; of two under one name the first by its value."""
+    found: dict[str, EntryPoint] = {}
     for entry in sorted(entry_points(group=GROUP), key=lambda e: (e.name, e.value)):
-        if (entry.name, entry.value) not in own:
-            yield entry
+        if entry.name not in BUILT_IN:
+            found.setdefault(entry.name, entry)
+    return found
 
 
-def _load(entry: EntryPoint, report: Report | None) -> Target | None:
+def _try(entry: EntryPoint) -> Target | str:
+    """Return the target, or what is wrong with it: a stranger's module may raise anything."""
     try:
         target = entry.load()
-        missing = [f for f in ("name", "suffixes", "emit") if not hasattr(target, f)]
-        reason = f"an object without {', '.join(missing)}" if missing else ""
-    except Exception as error:  # whatever a stranger's module raises as it loads
-        target, reason = None, f"{type(error).__name__}: {error}"
-    if reason and report is not None:
-        report.add(broken_target(entry.name, entry.value, reason))
-    return None if reason else target
+    except Exception as error:
+        return f"{type(error).__name__}: {error}"
+    missing = [part for part in ("name", "suffixes", "emit") if not hasattr(target, part)]
+    return f"an object without {', '.join(missing)}" if missing else cast(Target, target)
