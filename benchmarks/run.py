@@ -1,0 +1,148 @@
+"""Measure mechc against its peers and against itself: ``python benchmarks/run.py [--quick]``.
+
+Every figure is a ratio of times taken in turns in one run, a fitted exponent or a
+count, so that it means the same on another machine.
+"""
+
+import argparse
+import random
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from pathlib import Path
+
+import peers
+import sympy
+from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
+from measure import exponent, medians, table, timed
+
+from mechc.algebra.to_sympy import to_sympy
+from mechc.diagnostics import Report
+from mechc.driver import Compilation, compile_source, emit
+from mechc.emit import registry
+from mechc.emit.target import Options
+from mechc.files import library, read
+from mechc.kinematics.from_pose import arrange
+from mechc.model.from_syntax import resolve
+from mechc.pose.from_model import settle
+from mechc.power.balance import Balance
+from mechc.power.from_plan import balance
+from mechc.source import Source
+from mechc.syntax import ast
+
+CHAINS: dict[str, Callable[[int], str]] = {
+    "scissor, equal stages": scissor,
+    "scissor, different stages": uneven_scissor,
+    "chain of four-bars": four_bar_chain,
+    "chain of couplers": coupler_chain,
+}
+
+
+def main() -> None:
+    """Run every comparison and print its table."""
+    options = argparse.ArgumentParser(description=__doc__)
+    options.add_argument("--quick", action="store_true", help="fewer rounds, shorter chains")
+    quick = options.parse_args().quick
+    lengths()
+    cold_start(rounds=3 if quick else 15)
+    derivation(rounds=2 if quick else 9)
+    growth((4, 8, 16) if quick else (4, 8, 16, 32, 64), rounds=1 if quick else 3)
+
+
+# --------------------------------------------------------------- (a) the whole process
+
+
+def cold_start(rounds: int, name: str = "karpenko_fig9_packet_clamp") -> None:
+    """Time whole processes, from the shell's start to the file, against ``import sympy``."""
+    with tempfile.TemporaryDirectory() as folder:
+        commands = {"import sympy": [sys.executable, "-c", "import sympy"]}
+        for target in ("latex", "python", "c"):
+            commands[f"compile to {target}"] = [
+                *(sys.executable, "-m", "mechc", "compile", name),
+                *("--emit", target, "-o", str(Path(folder) / f"k.{target}")),
+            ]
+        times = medians({n: _process(c) for n, c in commands.items()}, rounds)
+    unit = times["import sympy"]
+    rows = [(n, t / unit) for n, t in times.items()]
+    table("Cold start, whole process; import sympy = 1", ("process", "ratio"), rows)
+
+
+def _process(command: list[str]) -> Callable[[], object]:
+    return lambda: subprocess.run(command, check=True, capture_output=True)
+
+
+# ------------------------------------------------------------------ (b) k alone, warm
+
+
+def derivation(rounds: int) -> None:
+    """Time k from a parsed description against Kane's method and ``simplify``."""
+    rows = []
+    for name, peer in (("four_bar", peers.four_bar), ("stephenson_six_bar", peers.stephenson)):
+        source = read(library()[name])
+        tree = Compilation(source).tree
+        _agree(name, peer())
+        times = medians({"mechc": lambda: solve(tree, source), "peer": peer}, rounds)
+        own = to_sympy(solve(tree, source).results[0].formula)
+        ratio = times["peer"] / times["mechc"]
+        rows.append((name, ratio, sympy.count_ops(own), sympy.count_ops(peer())))
+    heading = ("mechanism", "times faster", "operations", "peer's")
+    table("k from the parsed text against Kane + simplify", heading, rows)
+
+
+def solve(tree: ast.File, source: Source) -> Balance:
+    """Return the solved power equation of a parsed description."""
+    report = Report(source)
+    return balance(arrange(settle(resolve(tree, report), report), report), report)
+
+
+def _agree(name: str, k: sympy.Expr) -> None:
+    own = to_sympy(compile_source(read(library()[name])).balance.results[0].formula)
+    chance = random.Random(3)
+    symbols = own.free_symbols | k.free_symbols
+    values = {s: chance.uniform(0.5, 1.5) for s in sorted(symbols, key=str)}
+    one, two = float(own.subs(values)), float(k.subs(values))
+    assert abs(one - two) < 1e-9 * abs(one), f"the peer computes another k for {name}"
+
+
+# ------------------------------------------------------------------------ (c) growth
+
+
+def growth(sizes: tuple[int, ...], rounds: int) -> None:
+    """Fit how compile time and the size of emitted C grow with the number of stages."""
+    rows = []
+    for title, chain in CHAINS.items():
+        texts = {n: Source(f"chain_{n}.mech", chain(n)) for n in sizes}
+        times = [min(timed(lambda n=n: compile_source(texts[n])) for _ in range(rounds)) for n in sizes]
+        code = [_bytes_of_c(texts[n]) for n in sizes]
+        per_stage = times[-1] / times[0] / (sizes[-1] / sizes[0])
+        rows.append((title, exponent(sizes, times), per_stage, exponent(sizes, code)))
+    heading = ("chain", "time exponent", "time per stage, last/first", "size exponent")
+    table(f"Growth from {sizes[0]} to {sizes[-1]} stages", heading, rows)
+
+
+def _bytes_of_c(source: Source) -> float:
+    files = emit(compile_source(source), registry.load("c"), Options("chain"))
+    return float(sum(len(file.text) for file in files if file.name.endswith(".c")))
+
+
+# ------------------------------------------------------------------------ (d) lengths
+
+
+def lengths() -> None:
+    """Count the operations of every first result of the library, and of its printed form."""
+    rows = []
+    for name, path in library().items():
+        compilation = compile_source(read(path))
+        result, *_ = compilation.balance.results
+        printed = [
+            sympy.count_ops(to_sympy(e.value))
+            for e in compilation.mechanism.expects
+            if e.subject == result.name and not e.at
+        ]
+        rows.append((name, sympy.count_ops(to_sympy(result.formula)), min(printed)))
+    table("Operations in k", ("mechanism", "own", "printed"), rows)
+
+
+if __name__ == "__main__":
+    main()
