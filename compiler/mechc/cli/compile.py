@@ -94,9 +94,9 @@ def _deliver(
     made: list[tuple[Output, tuple[Emitted, ...]]], deps: Path | None, read: Path | None
 ) -> None:
     """Write all files, or none; then print what goes to standard output."""
-    files = {
-        path: text for output, emitted in made for path, text in placed(output, emitted).items()
-    }
+    files: dict[Path, str] = {}
+    for output, emitted in made:
+        files |= placed(output, emitted)
     if read and any(path.resolve() == read.resolve() for path in files):
         raise click.UsageError(f"the output would overwrite the description {str(read)!r}")
     if deps and read:

@@ -34,9 +34,8 @@ def explanation(code: str) -> str:
     for entry in CATALOGUE.values():
         if code.upper() == entry.code or code.lower() == entry.name:
             return f"{entry.code}: {entry.name}\n\n{entry.explanation}"
-    hint = near_miss(code.upper(), CATALOGUE) or near_miss(
-        code, [e.name for e in CATALOGUE.values()]
-    )
+    names = [entry.name for entry in CATALOGUE.values()]
+    hint = near_miss(code.upper(), CATALOGUE) or near_miss(code.lower(), names)
     raise click.BadParameter(
         f"no error or warning is called {code!r}; {hint or '`mechc explain` lists them'}",
         param_hint="CODE",

@@ -102,10 +102,9 @@ def _tree(source: Source) -> object:
 
 def _told(file: Formatted, diff: bool) -> int:
     if file.changed and diff:
+        name = file.source.name
         before, after = (t.splitlines(keepends=True) for t in (file.source.text, file.text))
-        click.echo(
-            "".join(unified_diff(before, after, file.source.name, file.source.name)), nl=False
-        )
+        click.echo("".join(unified_diff(before, after, name, name)), nl=False)
     elif file.changed:
         click.echo(f"would change {file.source.name}", err=True)
     return int(file.changed)

@@ -54,9 +54,9 @@ def _json(row: Row) -> str:
 
 
 def table(rows: list[Row]) -> Iterator[str]:
-    """Yield a heading and the rows in columns.
+    r"""Yield a heading and the rows in columns.
 
-    >>> print(*table([Row("jack", "Scissor jack", "a book", "k = tan(alpha)")]), sep="\\n")
+    >>> print(*table([Row("jack", "Scissor jack", "a book", "k = tan(alpha)")]), sep="\n")
     NAME  TITLE         SOURCE  RESULT
     jack  Scissor jack  a book  k = tan(alpha)
     """

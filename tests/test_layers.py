@@ -1,0 +1,111 @@
+"""Imports point down only, and across stages only to the other stage's data."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+PACKAGE = Path(__file__).parents[1] / "compiler" / "mechc"
+
+BASE = ["source", "units", "diagnostics", "data", "files", "words", "algebra"]
+STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check"]
+OUTPUT = ["derivation", "routine", "emit"]
+TOP = ["driver", "api", "cli", "__main__"]
+ORDER = BASE + STAGES + OUTPUT + TOP
+DATA = {
+    "syntax.ast",
+    "model.mechanism",
+    "pose.pose",
+    "kinematics.graph",
+    "kinematics.plan",
+    "power.balance",
+    "power.result",
+    "statics.verdict",
+    "derivation.steps",
+    "routine.steps",
+    "emit.target",
+}
+"""What one stage may know of another; the driver and what is above it know all."""
+
+VOCABULARY = {"syntax.words", "derivation.wording", "routine.quotient"}
+"""Small functions on a stage's words or data, which lead to no other stage."""
+
+LATE = {("api.py", "routine.evaluate"), ("api.py", "sympy"), ("algebra/to_sympy.py", "sympy")}
+"""Imports inside a function: only where numbers or sympy expressions are asked for."""
+
+
+def modules() -> list[Path]:
+    return sorted(PACKAGE.rglob("*.py"))
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(PACKAGE).as_posix()
+
+
+def imported(path: Path, tree: ast.AST) -> Iterator[tuple[str, ast.stmt]]:
+    """Yield every module imported, mechc's own by their path below the package."""
+    package = path.relative_to(PACKAGE).parts[:-1]
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, node) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = list(package[: len(package) + 1 - node.level]) if node.level else []
+            stem = [*base, *(node.module.split(".") if node.module else [])]
+            for alias in node.names:
+                whole = PACKAGE.joinpath(*stem, alias.name)
+                is_module = whole.is_dir() or whole.with_suffix(".py").is_file()
+                yield ".".join([*stem, alias.name] if is_module else stem), node
+
+
+def own(path: Path) -> Iterator[str]:
+    """Yield the modules of mechc that a module imports."""
+    for name, node in imported(path, ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.level and name:
+            yield name
+
+
+def stage(name: str) -> str:
+    return name.split(".")[0].split("/")[0]
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_imports_point_down(path: Path) -> None:
+    here = stage(name_of(path))
+    if here == "__init__":
+        return
+    for name in own(path):
+        assert ORDER.index(stage(name)) <= ORDER.index(here), f"{here} imports {name}"
+        if here not in TOP and stage(name) not in [*BASE, here]:
+            assert name in DATA | VOCABULARY, f"{here} imports {name}, which is no data module"
+
+
+def test_statics_is_a_second_opinion() -> None:
+    for path in (PACKAGE / "statics").glob("*.py"):
+        for name in own(path):
+            assert stage(name) != "kinematics"
+            assert stage(name) != "power" or name == "power.result", f"{path.name}: {name}"
+
+
+def test_no_import_hides_in_a_function() -> None:
+    for path in modules():
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for function in ast.walk(tree):
+            if isinstance(function, ast.FunctionDef):
+                for name, _ in imported(path, function):
+                    assert (name_of(path), name) in LATE
+
+
+def test_no_import_cycle() -> None:
+    graph = {name_of(p)[:-3].replace("/", "."): set(own(p)) for p in modules()}
+    done: set[str] = set()
+    while ready := [
+        m for m, needs in graph.items() if m not in done and needs & graph.keys() <= done
+    ]:
+        done.update(ready)
+    assert done == graph.keys(), f"cycle among {sorted(graph.keys() - done)}"
+
+
+def test_every_folder_says_what_it_promises() -> None:
+    for path in PACKAGE.rglob("__init__.py"):
+        assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))), path

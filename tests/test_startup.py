@@ -1,0 +1,60 @@
+"""The usual commands start without the heavy libraries."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+CLAMP = str(ROOT / "examples" / "clamp.mech")
+HEAVY = {"sympy", "numpy", "scipy", "matplotlib", "mpmath"}
+STAGES = {"mechc.driver", "mechc.model", "mechc.kinematics", "lark", "yaml", "jinja2"}
+
+
+def imports(*code: str) -> set[str]:
+    """Return every module that a fresh interpreter imports, packages and modules of mechc."""
+    run = subprocess.run(
+        [sys.executable, "-X", "importtime", *code],
+        env={**os.environ, "PYTHONPATH": str(ROOT / "compiler")},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return set(re.findall(r"import time:.*\|\s+(\S+)", run.stderr))
+
+
+def test_importing_the_package_is_free() -> None:
+    found = imports("-c", "import mechc; mechc.__version__")
+    assert not found & (HEAVY | STAGES | {"click"})
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["compile", "-h"]])
+def test_help_does_not_compute(arguments: list[str]) -> None:
+    assert not imports("-m", "mechc", *arguments) & HEAVY
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"]])
+def test_help_does_not_import_the_compiler(arguments: list[str]) -> None:
+    assert not imports("-m", "mechc", *arguments) & STAGES
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["fmt", "--diff", CLAMP],
+        ["check", CLAMP],
+        ["derive", CLAMP],
+        ["compile", CLAMP, "--emit", "latex"],
+        ["compile", CLAMP, "--emit", "c"],
+        ["compile", CLAMP, "--emit", "python"],
+        ["compile", CLAMP, "--emit", "json"],
+    ],
+    ids=" ".join,
+)
+def test_compiling_needs_neither_sympy_nor_numpy(arguments: list[str]) -> None:
+    found = imports("-m", "mechc", *arguments)
+    assert "mechc.syntax.notation" in found
+    assert not found & HEAVY
