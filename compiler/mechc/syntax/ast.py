@@ -99,7 +99,7 @@ class Axis:
 
 @dataclass(frozen=True, slots=True)
 class Toward:
-    """``AB``, ``-AB``, ``perp AB`` or ``-perp AB``: from A to B, back, turned by +90 deg, by −90 deg."""
+    """``AB``, ``-AB``, ``perp AB`` or ``-perp AB``: from A to B, back, turned by ±90 deg."""
 
     points: Name
     sign: int
@@ -153,7 +153,7 @@ class Heading(Statement):
     """``mechanism NAME "Title"``; the title is '' where there is none."""
 
     name: Name
-    title: str
+    title: str = ""
 
 
 @dataclass(frozen=True, slots=True)
@@ -383,7 +383,10 @@ class Copies(Statement):
 
 @dataclass(frozen=True, slots=True)
 class PinFriction(Statement):
-    """``friction pins f diameter d [journal|coulomb]`` (point None) or ``friction pin A f diameter d on AB``."""
+    """``friction pins f diameter d [journal|coulomb]``, or ``friction pin A f diameter d on AB``.
+
+    ``point`` is None for all pins.
+    """
 
     point: Name | None
     coefficient: Expr

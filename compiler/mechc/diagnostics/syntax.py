@@ -1,0 +1,244 @@
+"""The words of errors in the text itself, in either notation (E1xx).
+
+Those of YAML's shape are in :mod:`.syntax_yaml`, those of size in :mod:`.syntax_limits`.
+"""
+
+from collections.abc import Iterable
+
+from ..source import Span
+from .diagnostic import Related, Words, coded, near_miss
+
+
+def listed(words: Iterable[str], last: str = "or") -> str:
+    """Join words as in speech.
+
+    >>> listed(["a name", "'('", "a number"])
+    "a name, '(' or a number"
+    """
+    *front, final = words
+    return f"{', '.join(front)} {last} {final}" if front else final
+
+
+@coded("E101")
+def unexpected_text(span: Span, found: str, expected: list[str], hint: str = "") -> Words:
+    """A statement has the wrong word or sign at this place.
+
+    Each statement has one order of words, and the message lists what may stand at
+    the marked place.
+
+        slider K 90 deg          # wrong: 'along' is missing
+        slider K along 90 deg    # right
+    """
+    return Words(span, f"found {found}, expected {listed(expected)}", hint)
+
+
+@coded("E102")
+def unknown_statement(span: Span, word: str, known: Iterable[str], hint: str = "") -> Words:
+    """A line begins with a word that no statement begins with.
+
+    Every line of a description is one statement: it begins with the statement's word
+    (``param``, ``pivot``, ``link`` …) or is a vector between two points (``AB = …``).
+
+        pivott O      # wrong
+        pivot  O      # right
+        a = 40 mm     # wrong: a parameter is declared
+        param a = 40 mm
+    """
+    known = list(known)
+    message = f"no statement begins with '{word}'"
+    return Words(span, message, hint or near_miss(word, known) or f"statements: {', '.join(known)}")
+
+
+@coded("E103")
+def unknown_unit(span: Span, unit: str, known: Iterable[str]) -> Words:
+    """The word behind a number is no unit.
+
+    A unit follows its number directly or after a space; a compound unit has no spaces
+    inside. A product with a parameter is written with ``*``.
+
+        param l = 40 milimeter   # wrong
+        param l = 40 mm          # right
+        let s = 2 l              # wrong: l is a parameter
+        let s = 2*l              # right
+    """
+    product = f"a product is written with '*', as in 2*{unit}" if unit.isalnum() else ""
+    hint = near_miss(unit, known) or product or "a compound unit has no spaces, as in 2 m/s^2"
+    return Words(span, f"'{unit}' behind a number is not a unit", hint)
+
+
+@coded("E104")
+def unknown_function(span: Span, name: str, known: Iterable[str]) -> Words:
+    """A name before a bracket is no function of the language.
+
+    The functions are sin cos tan cot sec csc asin acos atan atan2 sqrt hypot abs min max
+    exp log; tg, ctg, cosec, arcsin, arccos, arctan, arctg and ln are read as their twins.
+    A product with a bracket needs its sign.
+
+        let k = sinn(alpha)      # wrong
+        let k = sin(alpha)       # right
+        let s = a(1 + e)         # wrong
+        let s = a*(1 + e)        # right
+    """
+    known = list(known)
+    hint = near_miss(name, known) or f"for a product write {name}*(…)"
+    return Words(span, f"'{name}' is not a function", hint)
+
+
+@coded("E105")
+def wrong_argument_count(span: Span, name: str, found: int, expected: str) -> Words:
+    """A function has too few or too many arguments.
+
+    let r = atan2(y)         # wrong
+    let r = atan2(y, x)      # right: first y, then x
+    """
+    return Words(span, f"{name} takes {expected}, found {found}")
+
+
+@coded("E106")
+def reserved_word(span: Span, word: str) -> Words:
+    """A word of the language was taken as a name.
+
+    The words that statements are made of, the functions and ``pi`` are reserved, so
+    that a line reads one way only.
+
+        param at = 40 mm         # wrong
+        param a_t = 40 mm        # right
+    """
+    hint = f"choose another name, say {word}_1"
+    return Words(span, f"'{word}' is a word of the language and cannot be a name", hint)
+
+
+@coded("E107")
+def unclosed_bracket(span: Span, bracket: str) -> Words:
+    """A bracket is opened and never closed, or closed and never opened.
+
+    let k = 2*(a + b         # wrong
+    let k = 2*(a + b)        # right
+    """
+    match bracket:
+        case ")":
+            return Words(span, "this ')' closes nothing", "remove it, or open a '(' before it")
+        case _:
+            return Words(span, "this '(' is never closed", "add a ')'")
+
+
+@coded("E108")
+def unfinished_statement(span: Span, expected: list[str]) -> Words:
+    """A statement ends before it is complete.
+
+    force P at A             # wrong: in which direction?
+    force P at A along x     # right
+    """
+    return Words(span, f"the statement ends here, expected {listed(expected)}")
+
+
+@coded("E109")
+def missing_equals(span: Span, found: str) -> Words:
+    """An ``=`` is missing between a name and its value.
+
+    param a 40 mm            # wrong
+    param a = 40 mm          # right
+    """
+    return Words(span, f"found {found}, expected '=' and a value", "write NAME = VALUE")
+
+
+@coded("E110")
+def not_a_point(span: Span, text: str, expected: str) -> Words:
+    """A point's name was expected.
+
+    A point is a capital letter with optional digits or primes: A, B2, O1, K'. A link is
+    named by its points written together: OBA.
+
+        pivot o                  # wrong
+        pivot O                  # right
+    """
+    hint = "a point is a capital letter with optional digits or primes: A, B2, K'"
+    return Words(span, f"found '{text}', expected {expected}", hint)
+
+
+@coded("E111")
+def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Words:
+    """A link, a line or an angle is named by another number of points.
+
+    telescope ABC            # wrong: it has two ends
+    telescope AB             # right
+    angle AB = 30 deg        # wrong: an angle is at the middle one of three
+    angle ABC = 30 deg       # right
+    """
+    points = "1 point" if found == 1 else f"{found} points"
+    return Words(span, f"'{text}' names {points}, expected {expected}")
+
+
+@coded("E112")
+def unexpected_character(span: Span, character: str, hint: str) -> Words:
+    """A character that the language does not have.
+
+    Names are written in Latin letters, digits and underscores; operators are
+    ``+ - * / ^``; degrees are ``deg``.
+
+        param α = 12°            # wrong
+        param alpha = 12 deg     # right
+    """
+    return Words(span, f"unexpected character '{character}'", hint)
+
+
+@coded("E113")
+def unclosed_text(span: Span) -> Words:
+    """A text in quotes does not end on its line.
+
+    source "Karpenko 2023    # wrong
+    source "Karpenko 2023"   # right
+    """
+    return Words(span, "this text is not closed", 'end it with "')
+
+
+@coded("E114")
+def stated_twice(span: Span, what: str, first: Span) -> Words:
+    """Something that can be said only once is said twice.
+
+    One description has one ``mechanism`` line, one ``source``, one ``mirror``,
+    ``copies``, ``gravity``, ``motion`` and ``efficiency``.
+    """
+    related = (Related(first, "first stated here"),)
+    return Words(span, f"'{what}' is stated twice", "remove one of the two", related)
+
+
+@coded("E115")
+def unknown_version(span: Span, number: str) -> Words:
+    """The first line names a version of the language that this compiler does not know.
+
+    mechc 7                  # wrong, today
+    mechc 1                  # right
+    """
+    return Words(span, f"found language version {number}, expected 1", "write 'mechc 1'")
+
+
+@coded("E116")
+def version_not_first(span: Span) -> Words:
+    """The language version must be known before anything else is read.
+
+    ``mechc 1`` is the first statement of a file, or it is left out.
+    """
+    return Words(span, "'mechc' is not the first statement", "move it to the top")
+
+
+@coded("E117")
+def empty_parameter(span: Span, name: str) -> Words:
+    """A parameter has neither a value nor a dimension nor a range.
+
+    param a                  # wrong: a length? an angle?
+    param a = 40 mm          # right
+    param a: length          # right: a length without a value
+    """
+    hint = f"write 'param {name} = 40 mm' or 'param {name}: length'"
+    return Words(span, f"parameter '{name}' has no value and no dimension", hint)
+
+
+@coded("E118")
+def not_a_name(span: Span, text: str, expected: str) -> Words:
+    """A name was expected: a letter, then letters, digits, underscores or primes.
+
+    params: {2a: 40 mm}      # wrong
+    params: {a2: 40 mm}      # right
+    """
+    return Words(span, f"found '{text}', expected {expected}")

@@ -1,0 +1,51 @@
+"""The words of errors about size, found while reading the text (E81x)."""
+
+from ..source import Span
+from .diagnostic import Words, coded
+
+
+@coded("E811")
+def text_too_long(span: Span, length: int, limit: int) -> Words:
+    """The file is longer than any description written by hand or by a sensible program."""
+    return Words(span, f"the text has {length} characters, expected at most {limit}")
+
+
+@coded("E812")
+def nested_too_deep(span: Span, limit: int) -> Words:
+    """Brackets, powers of powers or repeated signs are nested too deep.
+
+    Name a part of the expression with ``let`` and use the name.
+    """
+    hint = "name a part of it with 'let'"
+    return Words(span, f"nested deeper than {limit} levels", hint)
+
+
+@coded("E813")
+def number_too_long(span: Span, limit: int) -> Words:
+    """A number has more digits than any measured value.
+
+    Numbers are kept exactly as typed, so their length is limited.
+    """
+    return Words(span, f"a number of more than {limit} digits", "a double holds 17")
+
+
+@coded("E814")
+def exponent_too_large(span: Span, exponent: str, limit: int) -> Words:
+    """A power or a decimal exponent is too large to compute with.
+
+    let k = a^1000           # wrong
+    param c = 1e400          # wrong
+    """
+    return Words(span, f"found the exponent {exponent}, expected at most {limit}")
+
+
+@coded("E815")
+def yaml_too_large(span: Span, what: str, limit: int) -> Words:
+    """The YAML text nests deeper, or has more values, than a description needs."""
+    return Words(span, f"the YAML text has more than {limit} {what}")
+
+
+@coded("E816")
+def too_many_errors(span: Span, limit: int) -> Words:
+    """Reading stopped after so many errors; mend the first ones and try again."""
+    return Words(span, f"more than {limit} errors: the rest of the text was not read")

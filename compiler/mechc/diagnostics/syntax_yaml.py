@@ -1,0 +1,107 @@
+"""The words of errors in the shape of a YAML description (E12x, E13x)."""
+
+from collections.abc import Iterable
+
+from ..source import Span
+from .diagnostic import Related, Words, coded, near_miss
+from .syntax import listed
+
+
+@coded("E120")
+def not_yaml(span: Span, problem: str, hint: str = "") -> Words:
+    """The text is not well-formed YAML.
+
+    Check the indentation and the brackets near the marked place. Two habits bite: a
+    value may not begin with ``@`` or ``*``, and a colon inside a text needs quotes.
+
+        geometry:
+          BK: @ -90 deg          # wrong
+          BK: {angle: -90 deg}   # right
+    """
+    return Words(span, f"not well-formed YAML: {problem}", hint)
+
+
+@coded("E121")
+def duplicate_key(span: Span, key: str, first: Span) -> Words:
+    """A key stands twice in one mapping; which of the two is meant?"""
+    related = (Related(first, "first used here"),)
+    return Words(span, f"the key '{key}' stands twice", "remove or rename one of the two", related)
+
+
+@coded("E122")
+def alias_refused(span: Span, what: str) -> Words:
+    """YAML's anchors and aliases are not part of the language.
+
+    A small file of aliases can stand for an enormous one, and a reader cannot see what
+    it says. Write the value where it is used, or name it as a parameter.
+
+        a: &size 40 mm           # wrong
+        b: *size
+        a: 40 mm                 # right
+        b: a
+    """
+    hint = "name the value as a parameter; a value that begins with * or & needs quotes"
+    return Words(span, f"found {what}, which descriptions do not have", hint)
+
+
+@coded("E123")
+def tag_refused(span: Span, tag: str) -> Words:
+    """YAML's tags are not part of the language: a description never constructs objects.
+
+    a: !!float 40            # wrong
+    a: 40                    # right
+    """
+    return Words(span, f"found the tag '{tag}', which descriptions do not have", "remove it")
+
+
+@coded("E124")
+def wrong_shape(span: Span, found: str, expected: str, hint: str = "") -> Words:
+    """A mapping, a list or a plain value stands where another of them is expected.
+
+    pivots: {x: [O]}         # wrong
+    pivots: [O]              # right
+    """
+    return Words(span, f"found {found}, expected {expected}", hint)
+
+
+@coded("E125")
+def unknown_key(span: Span, key: str, place: str, allowed: Iterable[str]) -> Words:
+    """A key that this place does not have.
+
+    forces: {P: {on: A, along: 0 deg}}   # wrong
+    forces: {P: {at: A, along: 0 deg}}   # right
+    """
+    allowed = list(allowed)
+    keys = f"allowed here: {', '.join(allowed)}"
+    hint = "; ".join(filter(None, (near_miss(key, allowed), keys)))
+    return Words(span, f"unknown key '{key}' in {place}", hint)
+
+
+@coded("E126")
+def missing_key(span: Span, keys: Iterable[str], place: str) -> Words:
+    """A key without which the entry has no meaning is not there.
+
+    forces: {P: {at: A}}                 # wrong: in which direction?
+    forces: {P: {at: A, along: 0 deg}}   # right
+    """
+    missing = listed([f"'{key}'" for key in keys], "and")
+    return Words(span, f"{place} lacks {missing}")
+
+
+@coded("E127")
+def round_brackets(span: Span) -> Words:
+    """A pair of coordinates is written in round brackets inside YAML's braces.
+
+    In flow style YAML cuts ``{O: (x, y)}`` at the comma into two keys. Coordinates are
+    a list.
+
+        pivots: {O: (0, 10 mm)}  # wrong
+        pivots: {O: [0, 10 mm]}  # right
+    """
+    return Words(span, "a pair in round brackets is cut at its comma", "write [x, y]")
+
+
+@coded("E128")
+def one_document(span: Span) -> Words:
+    """A file holds one description, so ``---`` may stand only at its top."""
+    return Words(span, "a second YAML document begins here", "put it into a file of its own")

@@ -1,0 +1,50 @@
+"""The line notation (``.mech``) to the syntax tree."""
+
+from dataclasses import replace
+
+from ..diagnostics import Report
+from ..source import Source
+from . import ast
+from .fault import Fault, check_length, note
+from .lines import Line, lines
+from .once import check_once
+from .parse import parse as parse_line
+from .spans import span_of
+from .tokens import tokens
+
+
+def parse(source: Source, report: Report) -> ast.File:
+    """Return the tree of a ``.mech`` text.
+
+    Errors go to the report, as many as there are statements with one; a statement with
+    an error is not in the tree. Raises :class:`MechcError` only for a text that is too
+    long or has too many errors.
+
+    >>> source = Source("a.mech", "pivot O  # left pin")
+    >>> parse(source, Report(source)).statements
+    (Pivot(span=Span(start=0, end=7), comments=(), remark='left pin', point=Name(text='O', ...
+    """
+    check_length(source, report)
+    statements: list[ast.Statement] = []
+    trailing: tuple[str, ...] = ()
+    for line in lines(tokens(source.text)):
+        if not line.tokens:
+            trailing = line.comments
+            continue
+        try:
+            statements += statements_of(line)
+        except Fault as fault:
+            note(fault.diagnostic, report)
+    check_once(statements, report)
+    return ast.File(tuple(statements), trailing)
+
+
+def statements_of(line: Line) -> list[ast.Statement]:
+    """Return the statements of a line: one, or several behind one ``find``."""
+    span = span_of(line.tokens[0]).to(span_of(line.tokens[-1]))
+    made = parse_line(line.tokens, "statement", span.end)
+    several = made if isinstance(made, tuple) else (made,)
+    found = [replace(node, span=span) for node in several]
+    found[0] = replace(found[0], comments=line.comments)
+    found[-1] = replace(found[-1], remark=line.remark)
+    return found

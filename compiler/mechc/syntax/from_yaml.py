@@ -1,0 +1,154 @@
+"""The YAML notation to the syntax tree.
+
+Every scalar is read as text, with the grammar of the line notation: YAML's own numbers
+and truth values (``010`` is 8, ``1e3`` a text, ``no`` false) never come into play.
+
+The statements stand in the order of the text, section by section.
+"""
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+from ..diagnostics import Report, syntax_yaml
+from ..source import Source, Span
+from . import ast
+from .fault import Fault, check_length, note
+from .layout import BESIDE, BY_NAME, Section, Shape
+from .once import check_once
+from .yaml_comments import comments, with_comments
+from .yaml_entries import several, statements
+from .yaml_nodes import Listing, Mapping, Node, Scalar, compose
+from .yaml_values import described, values
+
+Item = tuple[Scalar | None, Node]
+
+
+def parse(source: Source, report: Report) -> ast.File:
+    """Return the tree of a YAML text.
+
+    Errors go to the report; an entry with an error is not in the tree. Raises
+    :class:`MechcError` where the text is no YAML at all, or far too large.
+
+    >>> source = Source("a.yaml", "pivots: [O]  # left pin")
+    >>> parse(source, Report(source)).statements
+    (Pivot(span=Span(start=9, end=10), comments=(), remark='left pin', point=Name(text='O', ...
+    """
+    check_length(source, report)
+    root = compose(report)
+    found_statements = list(read_root(root, report)) if root else []
+    check_once(found_statements, report)
+    return with_comments(found_statements, comments(root, source), source)
+
+
+def read_root(root: Node, report: Report) -> Iterator[ast.Statement]:
+    """Yield the statements of all sections."""
+    if not isinstance(root, Mapping):
+        if not (isinstance(root, Scalar) and root.empty):
+            expected = "a mapping with keys such as mechanism, params, links"
+            note(syntax_yaml.wrong_shape(root.span, described(root), expected), report)
+        return
+    for name, value in root.entries:
+        if name.text in BY_NAME:
+            yield from read_section(BY_NAME[name.text], name, value, root, report)
+        elif name.text not in BESIDE:
+            allowed = [*BY_NAME, *BESIDE]
+            note(syntax_yaml.unknown_key(name.span, name.text, "the description", allowed), report)
+        elif BESIDE[name.text].name not in {key.text for key, _ in root.entries}:
+            lacking = [BESIDE[name.text].name]
+            note(syntax_yaml.missing_key(name.span, lacking, f"'{name.text}'"), report)
+
+
+def read_section(
+    section: Section, name: Scalar, value: Node, root: Mapping, report: Report
+) -> Iterator[ast.Statement]:
+    """Yield the statements of a section; an entry with an error is reported and left out."""
+    for subject, entry in items(section, name, value, report):
+        try:
+            for one in several(entry, section):
+                yield from told(section, name, subject, one, root, report.source)
+        except Fault as fault:
+            note(fault.diagnostic, report)
+
+
+def told(
+    section: Section,
+    name: Scalar,
+    subject: Scalar | None,
+    value: Node,
+    root: Mapping,
+    source: Source,
+) -> Iterator[ast.Statement]:
+    """Yield the statements of one entry, with what stands beside the section."""
+    for statement in statements(section, subject, value, source):
+        if section.shape is not Shape.ONE:
+            yield statement
+            continue
+        beside = {
+            field: found
+            for key, other in root.entries
+            for wanted in section.beside
+            if key.text == wanted.name
+            for field, found in values(wanted, other, source).items()
+        }
+        yield replace(statement, span=name.span.to(value.span), **beside)
+
+
+def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterator[Item]:
+    """Yield the entries of a section with what names them, by the section's shape."""
+    if isinstance(value, Scalar) and value.empty and section.shape is not Shape.ONE:
+        return
+    match section.shape, value:
+        case Shape.ONE, _:
+            yield None, value
+        case ((Shape.NAMED | Shape.BARE | Shape.EITHER), Mapping(entries=entries)):
+            yield from whole(entries, report)
+        case ((Shape.LISTED | Shape.EITHER), Listing(items=listed)):
+            yield from ((None, item) for item in listed)
+        case Shape.BARE, Listing(items=listed):
+            yield from bare_items(listed, report)
+        case Shape.BARE, Scalar():
+            yield from bare_items((value,), report)
+        case ((Shape.LISTED | Shape.EITHER), Scalar()):
+            yield None, value
+        case _:
+            note(
+                syntax_yaml.wrong_shape(value.span, described(value), expected_shape(section)),
+                report,
+            )
+
+
+def expected_shape(section: Section) -> str:
+    """Say what a section is."""
+    match section.shape:
+        case Shape.LISTED:
+            return f"a list ({section.name}: [{{…}}, {{…}}])"
+        case Shape.EITHER | Shape.BARE:
+            return "a list or a mapping"
+        case Shape.ONE | Shape.NAMED:
+            return f"a mapping ({section.name}: {{…: …}})"
+
+
+def bare_items(listed: tuple[Node, ...], report: Report) -> Iterator[Item]:
+    """Yield names standing alone in a list, or with a value of their own."""
+    for item in listed:
+        match item:
+            case Mapping(entries=entries):
+                yield from whole(entries, report)
+            case Scalar(span=span):
+                yield item, Scalar("", Span(span.end, span.end))
+            case Listing():
+                note(syntax_yaml.wrong_shape(item.span, "a list", "a name"), report)
+
+
+def whole(entries: tuple[tuple[Scalar, Node], ...], report: Report) -> Iterator[Item]:
+    """Yield entries, unless flow style has cut a pair in round brackets in two."""
+    cut = False
+    for name, value in entries:
+        if cut and name.text.endswith(")"):
+            cut = False
+            continue
+        cut = isinstance(value, Scalar) and value.text.startswith("(") and ")" not in value.text
+        if cut:
+            note(syntax_yaml.round_brackets(value.span), report)
+        else:
+            yield name, value

@@ -1,0 +1,369 @@
+"""The layout of a YAML description: one table from which reader, printer and schema are made.
+
+A section is a key at the top. Its entries become statements of the tree; an entry says
+which node it makes, what its key names, what a plain value means, and which keys its
+mapping form has. Adding a construct to YAML is adding an entry here.
+"""
+
+from enum import Enum, auto
+from typing import NamedTuple
+
+from . import ast
+
+
+class Kind(Enum):
+    """What a value is, and so how it is read, printed and described in the schema."""
+
+    NAME = auto()
+    POINT = auto()
+    POINTS = auto()
+    ROD = auto()
+    CORNER = auto()
+    BODY = auto()
+    PIN = auto()  # a point, or the word 'pins' for all of them
+    PAIR = auto()  # [A, B]
+    SHARED = auto()  # [K, L]
+    EXPRESSION = auto()
+    DIRECTION = auto()
+    VECTOR = auto()  # l @ alpha, {length: l, angle: alpha} or [x, y]
+    CARTESIAN = auto()  # [x, y]
+    PLACE = auto()  # a point or [x, y]
+    RANGE = auto()
+    RESULT = auto()
+    CONDITION = auto()
+    EXPECTATION = auto()
+    DIMENSION = auto()
+    TEXT = auto()
+    WORD = auto()
+    FLAG = auto()
+    VERSION = auto()
+
+
+class Key(NamedTuple):
+    """A key of a mapping, or a plain value: its kind and the fields of the node it fills."""
+
+    name: str
+    kind: Kind
+    fields: tuple[str, ...]
+    required: bool = False
+    words: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()
+
+
+class Entry(NamedTuple):
+    """One statement: the node, what names it, its plain value, its keys.
+
+    ``others`` are keys that are points themselves: ``{O1: r1, O2: r2}``; each fills two
+    fields, with the point and with the value.
+    """
+
+    node: type[ast.Statement]
+    subject: Key | None = None
+    short: Key | None = None
+    keys: tuple[Key, ...] = ()
+    others: tuple[Key, ...] = ()
+
+
+class Shape(Enum):
+    """How the entries of a section stand."""
+
+    ONE = auto()  # gravity: -y
+    NAMED = auto()  # params: {a: 40 mm}
+    BARE = auto()  # pivots: [O, C], or {O: [x, y]}
+    LISTED = auto()  # springs: [{…}, {…}]
+    EITHER = auto()  # find: {k: P/F}, or [P, V_D/V_A]
+
+
+class Section(NamedTuple):
+    """A key at the top of a description; ``beside`` are further keys at the top."""
+
+    name: str
+    about: str
+    shape: Shape
+    entries: tuple[Entry, ...]
+    beside: tuple[Key, ...] = ()
+
+
+def key(name: str, kind: Kind, *fields: str, required: bool = True) -> Key:
+    """Return a key that fills the field of its own name unless others are given."""
+    return Key(name, kind, fields or (name,), required)
+
+
+def optional(name: str, kind: Kind, *fields: str, needs: tuple[str, ...] = ()) -> Key:
+    """Return a key that may be left out; it may need others beside it."""
+    return Key(name, kind, fields or (name,), needs=needs)
+
+
+def word(name: str, field: str, *words: str, needs: tuple[str, ...] = ()) -> Key:
+    """Return an optional key whose value is one of a few words."""
+    return Key(name, Kind.WORD, (field,), False, words, needs)
+
+
+def plain(kind: Kind, *fields: str, words: tuple[str, ...] = ()) -> Key:
+    """Return what a plain value stands for."""
+    return Key("", kind, fields, True, words)
+
+
+NAMED = key("name", Kind.NAME)
+AT_POINT = key("point", Kind.POINT)
+TIMES = optional("times", Kind.EXPRESSION)
+TIE = optional("is", Kind.EXPRESSION, "tie")
+BETWEEN = key("between", Kind.PAIR, "first", "second")
+SHARING = optional("sharing", Kind.SHARED)
+WHEELS = (
+    Key("", Kind.EXPRESSION, ("first", "first_radius")),
+    Key("", Kind.EXPRESSION, ("second", "second_radius")),
+)
+PIN_FRICTION = (
+    key("f", Kind.EXPRESSION, "coefficient"),
+    key("diameter", Kind.EXPRESSION),
+    word("pin_law", "law", "journal", "coulomb"),
+    optional("link", Kind.POINTS),
+)
+GUIDE_FRICTION = (
+    key("guide", Kind.EXPRESSION, "coefficient"),
+    optional("length", Kind.EXPRESSION, needs=("overhang",)),
+    optional("overhang", Kind.EXPRESSION, needs=("length",)),
+    word("guide_law", "law", "couple", "linear", "edges", needs=("length",)),
+)
+ROLLER_FRICTION = (
+    key("roller", Kind.EXPRESSION, "coefficient"),
+    key("axle", Kind.EXPRESSION),
+    key("wheel", Kind.EXPRESSION),
+)
+FRICTION = (
+    Entry(ast.PinFriction, key("point", Kind.PIN), keys=PIN_FRICTION),
+    Entry(ast.GuideFriction, AT_POINT, keys=GUIDE_FRICTION),
+    Entry(ast.RollerFriction, AT_POINT, keys=ROLLER_FRICTION),
+    Entry(ast.ContactFriction, AT_POINT, keys=(key("contact", Kind.EXPRESSION, "coefficient"),)),
+)
+PARAM_KEYS = (
+    optional("value", Kind.EXPRESSION),
+    optional("range", Kind.RANGE, "low", "high"),
+    optional("dimension", Kind.DIMENSION),
+    optional("label", Kind.TEXT),
+    optional("about", Kind.TEXT),
+)
+
+
+def one(name: str, about: str, node: type[ast.Statement], short: Key, *beside: Key) -> Section:
+    """Return a section that is one plain value."""
+    return Section(name, about, Shape.ONE, (Entry(node, None, short),), beside)
+
+
+def named(name: str, about: str, *entries: Entry) -> Section:
+    """Return a section that maps names or points to entries."""
+    return Section(name, about, Shape.NAMED, entries)
+
+
+def bare(name: str, about: str, entry: Entry) -> Section:
+    """Return a section of names or points, each perhaps with a value."""
+    return Section(name, about, Shape.BARE, (entry,))
+
+
+def listed(name: str, about: str, entry: Entry) -> Section:
+    """Return a section that is a list of entries without names."""
+    return Section(name, about, Shape.LISTED, (entry,))
+
+
+SECTIONS: tuple[Section, ...] = (
+    one("mechc", "version of the language", ast.Version, plain(Kind.VERSION, "number")),
+    one(
+        "mechanism",
+        "name of the mechanism; generated functions are called after it",
+        ast.Heading,
+        plain(Kind.NAME, "name"),
+        optional("title", Kind.TEXT),
+    ),
+    one("source", "where it comes from", ast.SourceNote, plain(Kind.TEXT, "text")),
+    named(
+        "params",
+        "parameters: a value with its unit, a range, a dimension",
+        Entry(ast.Param, NAMED, plain(Kind.EXPRESSION, "value"), PARAM_KEYS),
+    ),
+    bare(
+        "drive",
+        "the driving coordinate and its stroke",
+        Entry(ast.Drive, NAMED, plain(Kind.RANGE, "low", "high")),
+    ),
+    bare(
+        "pivots",
+        "pins fixed to the ground",
+        Entry(ast.Pivot, AT_POINT, plain(Kind.CARTESIAN, "at")),
+    ),
+    named(
+        "sliders",
+        "points guided by the ground along a direction",
+        Entry(
+            ast.Slider,
+            AT_POINT,
+            plain(Kind.DIRECTION, "along"),
+            (key("along", Kind.DIRECTION), optional("through", Kind.PLACE)),
+        ),
+    ),
+    bare(
+        "links",
+        "rigid bodies by their points",
+        Entry(ast.Link, key("points", Kind.POINTS), plain(Kind.TEXT, "label")),
+    ),
+    named(
+        "slides",
+        "bodies that only translate",
+        Entry(ast.Slide, key("points", Kind.BODY), plain(Kind.DIRECTION, "along")),
+    ),
+    named(
+        "slots",
+        "pins that slide along a line of a link",
+        Entry(ast.Slot, AT_POINT, plain(Kind.ROD, "line")),
+    ),
+    bare(
+        "telescopes",
+        "two-part links of variable length",
+        Entry(ast.Telescope, key("points", Kind.ROD)),
+    ),
+    listed(
+        "gears",
+        "pairs of meshing gears: pivot and radius of each",
+        Entry(ast.Gear, keys=(optional("inner", Kind.FLAG),), others=WHEELS),
+    ),
+    listed(
+        "racks",
+        "a slider's rack on a pivot's gear",
+        Entry(
+            ast.Rack,
+            keys=(key("radius", Kind.EXPRESSION),),
+            others=(Key("", Kind.POINT, ("point", "pivot")),),
+        ),
+    ),
+    named(
+        "contacts",
+        "points that touch a line of another link",
+        Entry(
+            ast.Contact,
+            AT_POINT,
+            keys=(key("with", Kind.ROD, "line"), key("normal", Kind.DIRECTION)),
+        ),
+    ),
+    listed(
+        "belts",
+        "belts or chains: pivot and radius of each wheel",
+        Entry(ast.Belt, keys=(optional("crossed", Kind.FLAG),), others=WHEELS),
+    ),
+    named(
+        "screws",
+        "sliders moved by a turning link",
+        Entry(
+            ast.Screw,
+            AT_POINT,
+            keys=(key("pitch", Kind.EXPRESSION), key("link", Kind.POINTS)),
+        ),
+    ),
+    named(
+        "geometry",
+        "vectors between two points, angles at the middle one of three",
+        Entry(ast.Vector, key("points", Kind.ROD), plain(Kind.VECTOR, "value")),
+        Entry(ast.Turn, key("points", Kind.CORNER), plain(Kind.EXPRESSION, "angle")),
+    ),
+    named(
+        "assembly",
+        "which closure is meant at the default pose",
+        Entry(
+            ast.Assembly,
+            key("points", Kind.BODY),
+            plain(Kind.WORD, "mode", words=("cw", "ccw", "forward", "back")),
+        ),
+    ),
+    Section(
+        "mirror",
+        "the description is one half",
+        Shape.ONE,
+        (Entry(ast.Mirror, keys=(key("across", Kind.DIRECTION), SHARING)),),
+    ),
+    Section(
+        "copies",
+        "identical branches around an axis",
+        Shape.ONE,
+        (Entry(ast.Copies, keys=(key("n", Kind.EXPRESSION, "number"), SHARING)),),
+    ),
+    named(
+        "forces",
+        "forces on points",
+        Entry(
+            ast.Force,
+            NAMED,
+            keys=(
+                key("at", Kind.POINT, "point"),
+                key("along", Kind.DIRECTION),
+                TIE,
+                TIMES,
+            ),
+        ),
+    ),
+    named(
+        "torques",
+        "couples on links, positive counter-clockwise",
+        Entry(ast.Torque, NAMED, keys=(key("link", Kind.POINTS), TIE, TIMES)),
+    ),
+    named(
+        "actuators",
+        "pairs of forces that push two points apart",
+        Entry(ast.Actuator, NAMED, keys=(BETWEEN, TIMES)),
+    ),
+    listed(
+        "springs",
+        "springs between two points",
+        Entry(
+            ast.Spring,
+            keys=(BETWEEN, key("rate", Kind.EXPRESSION), key("free", Kind.EXPRESSION), TIMES),
+        ),
+    ),
+    named(
+        "weights",
+        "weights of masses",
+        Entry(
+            ast.Weight,
+            NAMED,
+            keys=(key("mass", Kind.EXPRESSION), key("at", Kind.POINT, "point"), TIMES),
+        ),
+    ),
+    one("gravity", "direction of gravity", ast.Gravity, plain(Kind.DIRECTION, "along")),
+    named("friction", "friction at pins, guides, rollers and contacts", *FRICTION),
+    one(
+        "motion",
+        "which way it moves",
+        ast.Motion,
+        plain(Kind.WORD, "sense", words=("tightening", "releasing")),
+    ),
+    one(
+        "efficiency",
+        "overrides friction by one number",
+        ast.Efficiency,
+        plain(Kind.EXPRESSION, "value"),
+    ),
+    named(
+        "let",
+        "formulas of one's own",
+        Entry(ast.Let, NAMED, plain(Kind.EXPRESSION, "value")),
+    ),
+    Section(
+        "find",
+        "what to derive",
+        Shape.EITHER,
+        (Entry(ast.Find, NAMED, plain(Kind.RESULT, "target", "name", "on")),),
+    ),
+    listed(
+        "require",
+        "conditions of use",
+        Entry(ast.Require, short=plain(Kind.CONDITION, "operands", "operators")),
+    ),
+    listed(
+        "expect",
+        "what a book or a colleague says",
+        Entry(ast.Expect, short=plain(Kind.EXPECTATION, "subject", "value", "at")),
+    ),
+)
+
+BY_NAME = {section.name: section for section in SECTIONS}
+BESIDE = {beside.name: section for section in SECTIONS for beside in section.beside}
+ORDER = {entry.node: n for n, section in enumerate(SECTIONS) for entry in section.entries}
+"""The place of each node's section: YAML has an order of sections, not of statements."""

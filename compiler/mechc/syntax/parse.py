@@ -1,0 +1,148 @@
+"""One logical line, or one YAML scalar, to its node, with the words for what went wrong."""
+
+from collections.abc import Sequence
+
+from lark import Token, UnexpectedToken
+
+from ..diagnostics import Diagnostic, syntax
+from ..source import Span
+from .fault import Fault
+from .grammar import Start, accepted, keywords, reading, spelling, statement_words
+from .spans import span_of
+from .tokens import check
+from .words import FUNCTIONS, TWINS, points_of
+
+NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DRIVE", "MECHANISM"})
+"""After these words a name is given."""
+
+OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
+OPERATORS = frozenset({"PLUS", "MINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
+
+HUMAN = {
+    "NAME": "a name",
+    "NUMBER": "a number",
+    "STRING": 'a text in "quotes"',
+    "COMPARISON": "a comparison",
+    "$END": "the end",
+    "LEFT": "'('",
+    "RIGHT": "')'",
+}
+
+
+def parse(line: Sequence[Token], start: Start, end: int) -> object:
+    """Return what the tokens mean; ``end`` is where more was expected if they are too few.
+
+    Raises :class:`Fault` with the first thing that does not fit.
+    """
+    check(line)
+    if start == "statement" and line[0].type == "NAME" and not points_of(line[0]):
+        raise Fault(unknown_statement(line))
+    at = reading(start)
+    for position, token in enumerate(line):
+        try:
+            at.feed_token(token)
+        except UnexpectedToken:
+            raise Fault(unexpected(line, position, accepted(at), start)) from None
+    try:
+        return at.feed_token(Token("$END", "", start_pos=end, end_pos=end))
+    except UnexpectedToken:
+        raise Fault(unfinished(line, accepted(at), end, start)) from None
+
+
+def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start) -> Diagnostic:
+    """Return the error about a statement that ends too early."""
+    opened = [token for token in line if token.type == "LEFT"]
+    if "RIGHT" in allowed and opened:
+        return syntax.unclosed_bracket(span_of(innermost_open(line)), "(")
+    if start == "statement" and len(line) == 1 and line[0].type == "NAME":
+        return unknown_statement(line)
+    return syntax.unfinished_statement(Span(end, end), expected_words(allowed))
+
+
+def innermost_open(line: Sequence[Token]) -> Token:
+    """Return the last bracket that is still open."""
+    still: list[Token] = []
+    for token in line:
+        if token.type == "LEFT":
+            still.append(token)
+        elif token.type == "RIGHT":
+            still.pop()
+    return still[-1]
+
+
+def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: Start) -> Diagnostic:
+    """Return the error about a token that does not fit, as exact as can be told."""
+    token = line[position]
+    before = line[position - 1] if position else None
+    span, text = span_of(token), str(token)
+    if start == "statement" and begins_wrongly(line, position):
+        return unknown_statement(line)
+    if before is not None and before.type in NAMING and text in keywords():
+        return syntax.reserved_word(span, text)
+    if token.type == "RIGHT" and "RIGHT" not in allowed and before and before.type != "LEFT":
+        return syntax.unclosed_bracket(span, ")")
+    if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
+        return syntax.missing_equals(span, described(token))
+    hint = hint_for(token, before, allowed)
+    return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
+
+
+def begins_wrongly(line: Sequence[Token], position: int) -> bool:
+    """Tell whether the line begins with a word that is neither a statement's nor a vector."""
+    return position == 0 or (position == 1 and line[0].type == "NAME")
+
+
+def unknown_statement(line: Sequence[Token]) -> Diagnostic:
+    """Return the error about a line whose first word begins no statement."""
+    word = str(line[0])
+    assigned = len(line) > 1 and line[1].type == "EQUAL"
+    hint = f"a parameter is declared: param {word} = …" if assigned else ""
+    if len(points_of(word)) > 1:
+        hint = f"a vector is written {word} = length @ direction"
+    return syntax.unknown_statement(span_of(line[0]), word, statement_words(), hint)
+
+
+def described(token: Token) -> str:
+    """Say what was found."""
+    match token.type:
+        case "NUMBER":
+            return f"the number {token}"
+        case "STRING":
+            return f"the text {token}"
+        case "NAME":
+            return f"the name '{token}'"
+        case _ if str(token) in keywords():
+            return f"the word '{token}'"
+        case _:
+            return f"'{token}'"
+
+
+def expected_words(allowed: set[str]) -> list[str]:
+    """Say what may stand here: an operand in two words, operators in one."""
+    words: list[str] = []
+    rest = set(allowed)
+    if rest >= OPERAND:
+        words.append("an expression")
+        rest -= OPERAND | {"PLUS", "MINUS"}
+    elif rest & OPERATORS:
+        words.append("an operator")
+        rest -= OPERATORS | {"LEFT"}
+    signs = sorted(rest - HUMAN.keys(), key=lambda name: spelling().get(name, name))
+    words += [HUMAN[name] for name in HUMAN if name in rest]
+    return words + [f"'{spelling()[name]}'" for name in signs if name in spelling()]
+
+
+def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
+    """Return a hint for the slips that are made most."""
+    text, previous = str(token), str(before or "")
+    if text == "*" and previous == "*":
+        return "a power is written with '^'"
+    if previous in FUNCTIONS or previous in TWINS:
+        return f"a function needs brackets: {previous}({text})"
+    if token.type in ("NAME", "LEFT") and before is not None and before.type in ("NAME", "RIGHT"):
+        return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
+    if text == "," and before is not None and before.type == "NUMBER":
+        return "decimals are written with a point"
+    if text in keywords() and "NAME" in allowed:
+        return f"'{text}' is a word of the language and cannot be a name"
+    return ""

@@ -1,0 +1,138 @@
+"""Expressions, directions and vectors as text, with no bracket that is not needed."""
+
+from enum import IntEnum
+from typing import assert_never
+
+from . import ast
+
+
+class Binds(IntEnum):
+    """How tightly a node holds its parts together."""
+
+    SUM = 0
+    PRODUCT = 1
+    POWER = 2
+    ATOM = 3
+
+
+def binding(node: ast.Expr) -> Binds:
+    """Return how tightly a node binds; ``(5 mm)^2`` is not 5 mm²."""
+    match node:
+        case ast.Sum():
+            return Binds.SUM
+        case ast.Product():
+            return Binds.PRODUCT
+        case ast.Power():
+            return Binds.POWER
+        case ast.Number(unit=unit):
+            return Binds.POWER if unit else Binds.ATOM
+        case ast.Symbol() | ast.Call():
+            return Binds.ATOM
+        case _:
+            assert_never(node)
+
+
+def expression(node: ast.Expr, least: Binds = Binds.SUM) -> str:
+    """Return the text of an expression, in brackets if it binds less than ``least``."""
+    inside = bare(node)
+    return inside if binding(node) >= least else f"({inside})"
+
+
+def bare(node: ast.Expr) -> str:
+    """Return the text of an expression without brackets around it."""
+    match node:
+        case ast.Number(digits=digits, unit=unit):
+            return f"{digits} {unit}" if unit else digits
+        case ast.Symbol(name=name):
+            return name
+        case ast.Sum(terms=terms):
+            return sum_text(terms)
+        case ast.Product(factors=factors):
+            return product_text(factors)
+        case ast.Power(base=base, exponent=exponent):
+            return f"{expression(base, Binds.ATOM)}^{exponent_text(exponent)}"
+        case ast.Call(function=function, arguments=arguments):
+            return f"{function}({', '.join(map(expression, arguments))})"
+        case _:
+            assert_never(node)
+
+
+def sum_text(terms: tuple[tuple[int, ast.Expr], ...]) -> str:
+    """Return ``-a + b - c``."""
+    (first_sign, first), *rest = terms
+    parts = [("-" if first_sign < 0 else "") + expression(first, Binds.PRODUCT)]
+    for sign, term in rest:
+        parts.append("-" if sign < 0 else "+")
+        parts.append(expression(term, Binds.PRODUCT))
+    return " ".join(parts)
+
+
+def product_text(factors: tuple[tuple[int, ast.Expr], ...]) -> str:
+    """Return ``a*b/c``; with spaces where ``5 N*m`` would be read as a unit."""
+    (first_sign, first), *rest = factors
+    parts = ["1/" if first_sign < 0 else "", expression(first, Binds.POWER)]
+    apart = any(isinstance(part, ast.Number) and part.unit for _, part in factors[:-1])
+    for sign, factor in rest:
+        operator = "/" if sign < 0 else "*"
+        parts.append(f" {operator} " if apart else operator)
+        parts.append(expression(factor, Binds.POWER))
+    return "".join(parts)
+
+
+def exponent_text(exponent: ast.Expr) -> str:
+    """Return an exponent; ``a^-2`` needs no brackets."""
+    match exponent:
+        case ast.Sum(terms=((-1, operand),)) if binding(operand) >= Binds.POWER:
+            return f"-{expression(operand)}"
+        case _:
+            return expression(exponent, Binds.POWER)
+
+
+def direction(node: ast.Direction) -> str:
+    """Return the text of a direction."""
+    match node:
+        case ast.Axis(axis=axis, sign=sign):
+            return axis if sign > 0 else f"-{axis}"
+        case ast.Toward(points=points, sign=sign, perp=perp):
+            return f"{'-' if sign < 0 else ''}{'perp ' if perp else ''}{points.text}"
+        case _:
+            return expression(node)
+
+
+def vector(node: ast.Polar | ast.Cartesian) -> str:
+    """Return the text of a vector: ``length @ direction``, either alone, or ``(x, y)``."""
+    match node:
+        case ast.Cartesian(x=x, y=y):
+            return f"({expression(x)}, {expression(y)})"
+        case ast.Polar(length=length, direction=towards):
+            left = [expression(length)] if length is not None else []
+            right = ["@", direction(towards)] if towards is not None else []
+            return " ".join(left + right)
+        case _:
+            assert_never(node)
+
+
+def range_of(low: ast.Expr, high: ast.Expr) -> str:
+    """Return ``low .. high``."""
+    return f"{expression(low)} .. {expression(high)}"
+
+
+def result(found: ast.Find) -> str:
+    """Return ``k = P/F`` or ``R_B on AB``."""
+    name = f"{found.name.text} = " if found.name else ""
+    on = f" on {found.on.text}" if found.on else ""
+    return f"{name}{expression(found.target)}{on}"
+
+
+def condition(required: ast.Require) -> str:
+    """Return ``a < b < c``."""
+    first, *rest = map(expression, required.operands)
+    pairs = zip(required.operators, rest, strict=True)
+    return " ".join([first, *(f"{operator} {operand}" for operator, operand in pairs)])
+
+
+def expectation(expected: ast.Expect) -> str:
+    """Return ``k = 7.1 at alpha = 35 deg``."""
+    settings = ", ".join(f"{name.text} = {expression(value)}" for name, value in expected.at)
+    at = f" at {settings}" if settings else ""
+    return f"{expression(expected.subject)} = {expression(expected.value)}{at}"

@@ -1,0 +1,179 @@
+"""The syntax tree to the line notation, one canonical text for each tree.
+
+Statements keep their order; a blank line stands where the subject changes; ``=`` signs
+and remarks are aligned within such a paragraph. The comments of a statement stand above it.
+"""
+
+import re
+from collections.abc import Sequence
+from itertools import groupby
+from typing import Any
+
+from . import ast, text
+
+# A part in [ ] is left out where its field is empty; | is where a paragraph aligns.
+LINES: dict[type[ast.Statement], str] = {
+    ast.Version: "mechc {number}",
+    ast.Heading: "mechanism {name}[ {title}]",
+    ast.SourceNote: "source {text}",
+    ast.Param: "param {name}[: {dimension}][|= {value}][ in {low} .. {high}][ as {label}]"
+    "[ about {about}]",
+    ast.Drive: "drive {name}[ from {low} to {high}]",
+    ast.Pivot: "pivot {point}[ at {at}]",
+    ast.Slider: "slider {point} along {along}[ through {through}]",
+    ast.Link: "link {points}[ {label}]",
+    ast.Slide: "slide {points} along {along}",
+    ast.Slot: "slot {point} in {line}",
+    ast.Telescope: "telescope {points}",
+    ast.Gear: "gear {first} {first_radius}, {second} {second_radius}[ {inner}]",
+    ast.Rack: "rack {point} on {pivot} {radius}",
+    ast.Contact: "contact {point} on {line} normal {normal}",
+    ast.Belt: "belt {first} {first_radius}, {second} {second_radius}[ {crossed}]",
+    ast.Screw: "screw {point} pitch {pitch} on {link}",
+    ast.Vector: "{points}|= {value}",
+    ast.Turn: "angle {points}|= {angle}",
+    ast.Assembly: "assembly {points} {mode}",
+    ast.Mirror: "mirror across {across}[ sharing {sharing}]",
+    ast.Copies: "copies {number}[ sharing {sharing}]",
+    ast.Force: "force {name}[ = {tie}] at {point} along {along}[ times {times}]",
+    ast.Torque: "torque {name}[ = {tie}] on {link}[ times {times}]",
+    ast.Actuator: "actuator {name} between {first} and {second}[ times {times}]",
+    ast.Spring: "spring {rate} between {first} and {second} free {free}[ times {times}]",
+    ast.Weight: "weight {name} mass {mass} at {point}[ times {times}]",
+    ast.Gravity: "gravity along {along}",
+    ast.GuideFriction: "friction slider {point} {coefficient}[ guide {length} overhang {overhang}]"
+    "[ {law}]",
+    ast.RollerFriction: "friction roller {point} {coefficient} axle {axle} wheel {wheel}",
+    ast.ContactFriction: "friction contact {point} {coefficient}",
+    ast.Motion: "motion {sense}",
+    ast.Efficiency: "efficiency {value}",
+    ast.Let: "let {name}|= {value}",
+}
+
+ALL_PINS = "friction pins {coefficient} diameter {diameter}[ {law}]"
+ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {link}]"
+
+QUOTED = frozenset({"title", "text", "label", "about"})
+
+TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw)
+FRICTIONS = (ast.PinFriction, ast.GuideFriction, ast.RollerFriction, ast.ContactFriction)
+
+SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
+    (ast.Version, ast.Heading, ast.SourceNote),
+    (ast.Param, ast.Drive),
+    (*(ast.Pivot, ast.Slider, ast.Link, ast.Slide, ast.Slot, ast.Telescope), *TRANSMISSIONS),
+    (ast.Vector, ast.Turn, ast.Assembly),
+    (ast.Mirror, ast.Copies),
+    (ast.Force, ast.Torque, ast.Actuator, ast.Spring, ast.Weight, ast.Gravity),
+    (*FRICTIONS, ast.Motion, ast.Efficiency),
+    (ast.Let, ast.Find, ast.Require, ast.Expect),
+)
+SUBJECT = {node: number for number, nodes in enumerate(SUBJECTS) for node in nodes}
+
+OPTIONAL = re.compile(r"\[([^\]]*)\]")
+FIELD = re.compile(r"\{(\w+)\}")
+
+
+def to_dsl(file: ast.File) -> str:
+    r"""Return the canonical ``.mech`` text of a description.
+
+    >>> from mechc.diagnostics import Report
+    >>> from mechc.source import Source
+    >>> from mechc.syntax.from_dsl import parse
+    >>> source = Source("a.mech", "let   k=(a+b) # sum")
+    >>> to_dsl(parse(source, Report(source)))
+    'let k = a + b  # sum\n'
+    """
+    paragraphs = [
+        paragraph(list(group))
+        for _, group in groupby(file.statements, key=lambda node: SUBJECT[type(node)])
+    ]
+    if file.trailing:
+        paragraphs.append([commented(comment) for comment in file.trailing])
+    return "\n".join("".join(f"{line}\n" for line in lines) for lines in paragraphs)
+
+
+def paragraph(statements: Sequence[ast.Statement]) -> list[str]:
+    """Return the lines of statements on one subject, aligned."""
+    rows = aligned([line(statement) for statement in statements])
+    remarked = [row for row, node in zip(rows, statements, strict=True) if node.remark]
+    column = max(map(len, remarked), default=0)
+    lines: list[str] = []
+    for row, statement in zip(rows, statements, strict=True):
+        lines += [commented(comment) for comment in statement.comments]
+        lines.append(f"{row:{column}}  # {statement.remark}" if statement.remark else row)
+    return lines
+
+
+def commented(comment: str) -> str:
+    """Return a comment line."""
+    return f"# {comment}".rstrip()
+
+
+def aligned(rows: list[str]) -> list[str]:
+    """Bring the first ``|`` of all rows that have one to the same column, as a space."""
+    column = max((row.index("\t") for row in rows if "\t" in row), default=0)
+    return [
+        f"{left:{column}} {right}" if tab else left
+        for left, tab, right in (row.partition("\t") for row in rows)
+    ]
+
+
+def line(statement: ast.Statement) -> str:
+    """Return the text of one statement, a tab where it may be aligned."""
+    match statement:
+        case ast.Find():
+            return f"find {text.result(statement)}"
+        case ast.Require():
+            return f"require {text.condition(statement)}"
+        case ast.Expect():
+            return f"expect {text.expectation(statement)}"
+        case ast.PinFriction(point=point):
+            return filled(ONE_PIN if point else ALL_PINS, statement)
+        case _:
+            return filled(LINES[type(statement)], statement)
+
+
+def filled(template: str, statement: ast.Statement) -> str:
+    """Fill a template of :data:`LINES` with the statement's fields."""
+
+    def present(optional: re.Match[str]) -> str:
+        names = FIELD.findall(optional[1])
+        return optional[1] if all(given(getattr(statement, name)) for name in names) else ""
+
+    def field(name: re.Match[str]) -> str:
+        return written(name[1], getattr(statement, name[1]))
+
+    return FIELD.sub(field, OPTIONAL.sub(present, template).replace("|", "\t"))
+
+
+def given(value: object) -> bool:
+    """Tell whether a field was written: not None, '', () or False."""
+    return value is not None and value != "" and value != () and value is not False
+
+
+def written(field: str, value: Any) -> str:
+    """Return a field's value as it stands in a line."""
+    match value:
+        case True:
+            return field
+        case str():
+            return quoted(value) if field in QUOTED else value
+        case tuple():
+            return " ".join(name.text for name in value)
+        case ast.Name(text=name):
+            return name
+        case ast.Polar() | ast.Cartesian():
+            return text.vector(value)
+        case _:
+            return text.direction(value)
+
+
+def quoted(value: str) -> str:
+    r"""Return a text in quotes; :func:`mechc.syntax.tree.unquoted` takes them off again.
+
+    >>> quoted('a "b"')
+    '"a \\"b\\""'
+    """
+    escaped = value.replace("\\", "\\\\").replace('"', '\\"').replace("\n", "\\n")
+    return f'"{escaped}"'

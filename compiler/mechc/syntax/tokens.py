@@ -1,0 +1,178 @@
+"""Text to tokens: units joined to their numbers, strange characters and long numbers refused.
+
+A token's ``start_pos`` and ``end_pos`` are offsets into the user's text. For a scalar of
+YAML they differ from those in the scalar's value, so the caller passes the ``places``.
+"""
+
+import re
+from collections.abc import Callable, Iterable, Iterator
+
+from lark import Token
+
+from ..diagnostics import Diagnostic, syntax, syntax_limits
+from ..source import Span
+from ..units import UNITS
+from . import limits
+from .fault import Fault
+from .grammar import keywords, lexed
+from .spans import span_of
+from .words import split_quantity
+
+Places = Callable[[int], int]
+
+# Longest first, and no unit ends in the middle of a word: in 5 N*mass the unit is N.
+UNIT = re.compile(
+    "(?:" + "|".join(re.escape(u) for u in sorted(UNITS, key=len, reverse=True)) + r")(?![\w'])"
+)
+
+LOOKALIKES = {
+    "−": "the minus sign is '-'",
+    "–": "the minus sign is '-'",
+    "·": "a product is written with '*'",
+    "×": "a product is written with '*'",
+    "÷": "a quotient is written with '/'",
+    "°": "degrees are written 'deg', as in 40 deg",
+    "²": "a square is written '^2'",
+    "³": "a cube is written '^3'",
+    "√": "a root is written sqrt(…)",
+    "≤": "write '<='",
+    "≥": "write '>='",
+    "≠": "write '!='",
+    "…": "a range is written with two dots",
+    "'": "a text stands in double quotes",
+    "“": "a text stands in plain double quotes",
+    "„": "a text stands in plain double quotes",
+    "«": "a text stands in plain double quotes",
+    "’": "a prime is written with '",
+    "′": "a prime is written with '",
+    "[": "lists are for YAML; here repeat the statement",
+    "{": "mappings are for YAML",
+    ";": "statements end with their line",
+    "π": "write pi",
+}
+
+
+def tokens(text: str, places: Places | None = None) -> list[Token]:
+    """Return the tokens of a text, with comments and line ends, units joined to numbers."""
+    found = list(with_units(text, list(lexed(text))))
+    return [moved(token, places) for token in found] if places else found
+
+
+def moved(token: Token, places: Places) -> Token:
+    """Return a token with its place in the user's text."""
+    start, end = span_of(token)
+    return Token(
+        token.type, str(token), start_pos=places(start), end_pos=places(max(start, end - 1)) + 1
+    )
+
+
+def with_units(text: str, found: list[Token]) -> Iterator[Token]:
+    """Join each number with the unit behind it."""
+    end = 0
+    for token in found:
+        start, stop = span_of(token)
+        if start < end:
+            continue
+        unit = unit_behind(text, stop) if token.type == "NUMBER" else None
+        if unit is None:
+            yield token
+        else:
+            end = unit.end()
+            yield Token("NUMBER", f"{token} {unit[0]}", start_pos=start, end_pos=end)
+
+
+def unit_behind(text: str, at: int) -> re.Match[str] | None:
+    """Return the longest unit that begins here or after blanks; a keyword is none."""
+    while text[at : at + 1] in (" ", "\t"):
+        at += 1
+    unit = UNIT.match(text, at)
+    return unit if unit and unit[0] not in keywords() else None
+
+
+def check(line: Iterable[Token]) -> None:
+    """Refuse what the grammar cannot speak of: strange characters, sizes, glued units."""
+    before: Token | None = None
+    for token in line:
+        if token.type == "STRANGE":
+            raise Fault(strange(token))
+        if token.type == "NUMBER":
+            check_number(token)
+        if before is not None and before.type == "NUMBER":
+            check_unit(before, token)
+        before = token
+    check_nesting(line)
+
+
+def strange(token: Token) -> Diagnostic:
+    """Return the error about a character outside the language."""
+    span, character = span_of(token), str(token)
+    if character.startswith('"'):
+        return syntax.unclosed_text(span)
+    hint = LOOKALIKES.get(character, "")
+    if not hint and character.isalpha():
+        hint = f"names are written in Latin letters; this is {script(character)}"
+    return syntax.unexpected_character(Span(span.start, span.start + 1), character, hint)
+
+
+def script(character: str) -> str:
+    """Say which alphabet a letter is from; look-alikes are hard to see.
+
+    >>> script("А"), script("α"), script("é")
+    ('a Cyrillic letter', 'a Greek letter: write its name, as in alpha', 'another letter')
+    """
+    if "\u0400" <= character <= "\u04ff":
+        return "a Cyrillic letter"
+    if "\u0370" <= character <= "\u03ff":
+        return "a Greek letter: write its name, as in alpha"
+    return "another letter"
+
+
+def check_number(token: Token) -> None:
+    """Refuse numbers that are too long or too large to keep exactly."""
+    digits, _ = split_quantity(token)
+    mantissa, _, exponent = digits.lower().partition("e")
+    if sum(c.isdigit() for c in mantissa) > limits.DIGITS:
+        raise Fault(syntax_limits.number_too_long(span_of(token), limits.DIGITS))
+    power = exponent.lstrip("+-0")
+    if len(power) > 3 or int(power or 0) > limits.DECIMAL_EXPONENT:
+        limit = limits.DECIMAL_EXPONENT
+        raise Fault(syntax_limits.exponent_too_large(span_of(token), exponent[:8], limit))
+
+
+def check_unit(number: Token, behind: Token) -> None:
+    """Refuse a word behind a number that is no unit, and ``5 mm^7`` (is the unit cubed?)."""
+    _, unit = split_quantity(number)
+    if behind.type == "NAME":
+        raise Fault(syntax.unknown_unit(span_of(behind), str(behind), UNITS))
+    if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
+        span = Span(span_of(number).end - len(unit), span_of(behind).end)
+        raise Fault(syntax.unknown_unit(span, f"{unit}^", UNITS))
+
+
+def check_nesting(line: Iterable[Token]) -> None:
+    """Refuse brackets, powers of powers and repeated signs that nest too deep."""
+    depths, operand = [0], False
+    for token in line:
+        depths, operand = nested(depths, operand, token)
+        if len(depths) + sum(depths) > limits.NESTING + 1:
+            raise Fault(syntax_limits.nested_too_deep(span_of(token), limits.NESTING))
+
+
+def nested(depths: list[int], operand: bool, token: Token) -> tuple[list[int], bool]:
+    """Follow one token: ``depths`` has, for each open bracket, the powers and signs in it.
+
+    ``operand`` tells whether an operand has just ended, so that a minus is a difference.
+    """
+    match token.type:
+        case "LEFT":
+            return [*depths, 0], False
+        case "RIGHT":
+            return depths[:-1] or [0], True
+        case "CIRCUMFLEX":
+            return [*depths[:-1], depths[-1] + 1], False
+        case "MINUS" if not operand:
+            return [*depths[:-1], depths[-1] + 1], False
+        case "NAME" | "NUMBER":
+            return depths, True
+        case _:
+            return [*depths[:-1], 0], False

@@ -1,0 +1,282 @@
+"""What the LALR parser builds at each rule: one entry per name in the grammar.
+
+Most statements have their fields in the order in which the words stand in the line, so
+the node's class is the entry; the others have a small function. Their span, comments and
+remark come from the reader of the line.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import partial
+from typing import Any, Literal, cast
+
+from lark import Token
+
+from ..diagnostics import syntax
+from . import ast, expressions
+from .fault import Fault
+from .spans import NOWHERE, span_of
+
+Made = Callable[..., object]
+Ends = tuple[ast.Expr, ast.Expr]
+Wheel = tuple[ast.Name, ast.Expr, ast.Name, ast.Expr]
+
+
+def unquoted(token: Token | None) -> str:
+    r"""Return the text between the quotes; ``\n`` is a line end, ``\"`` a quote.
+
+    >>> unquoted(Token("STRING", r'"a \"b\" c"'))
+    'a "b" c'
+    """
+    parts = str(token or '""')[1:-1].split("\\\\")
+    return "\\".join(part.replace("\\n", "\n").replace("\\", "") for part in parts)
+
+
+def version(number: Token) -> ast.Version:
+    """Return ``mechc 1``, the only version so far."""
+    if number != "1":
+        raise Fault(syntax.unknown_version(span_of(number), str(number)))
+    return ast.Version(NOWHERE, str(number))
+
+
+def heading(name: ast.Name, title: Token | None) -> ast.Heading:
+    """Return ``mechanism NAME "Title"``."""
+    return ast.Heading(NOWHERE, name, unquoted(title))
+
+
+def param(
+    name: ast.Name,
+    dimension: ast.Name | None,
+    value: ast.Expr | None,
+    ends: Ends | None,
+    label: Token | None,
+    about: Token | None,
+) -> ast.Param:
+    """Return a parameter, which has a value or a dimension or at least a range."""
+    if dimension is None and value is None and ends is None:
+        raise Fault(syntax.empty_parameter(name.span, name.text))
+    low, high = ends or (None, None)
+    texts = unquoted(label), unquoted(about)
+    return ast.Param(NOWHERE, name, value, low, high, dimension, *texts)
+
+
+def link(points: ast.Name, label: Token | None) -> ast.Link:
+    """Return ``link OBA "handle"``."""
+    return ast.Link(NOWHERE, points, unquoted(label))
+
+
+def gear(*wheels_and_inner: Any) -> ast.Gear:
+    """Return ``gear O1 r1, O2 r2 inner``."""
+    *wheels, inner = wheels_and_inner
+    return ast.Gear(NOWHERE, *cast(Wheel, tuple(wheels)), inner=inner is not None)
+
+
+def belt(*wheels_and_crossed: Any) -> ast.Belt:
+    """Return ``belt O1 r1, O2 r2 crossed``."""
+    *wheels, crossed = wheels_and_crossed
+    return ast.Belt(NOWHERE, *cast(Wheel, tuple(wheels)), crossed=crossed is not None)
+
+
+def assembly(points: ast.Name, mode: Token) -> ast.Assembly:
+    """Return ``assembly ABC ccw``."""
+    return ast.Assembly(NOWHERE, points, cast(Any, str(mode)))
+
+
+def mirror(across: ast.Direction, sharing: tuple[ast.Name, ...] | None) -> ast.Mirror:
+    """Return ``mirror across θ sharing K``."""
+    return ast.Mirror(NOWHERE, across, sharing or ())
+
+
+def copies(number: ast.Expr, sharing: tuple[ast.Name, ...] | None) -> ast.Copies:
+    """Return ``copies n sharing A``."""
+    return ast.Copies(NOWHERE, number, sharing or ())
+
+
+def force(
+    name: ast.Name,
+    tie: ast.Expr | None,
+    point: ast.Name,
+    along: ast.Direction,
+    times: ast.Expr | None,
+) -> ast.Force:
+    """Return ``force P = tie at A along θ times n``."""
+    return ast.Force(NOWHERE, name, point, along, tie, times)
+
+
+def torque(
+    name: ast.Name, tie: ast.Expr | None, points: ast.Name, times: ast.Expr | None
+) -> ast.Torque:
+    """Return ``torque M = tie on OA times n``."""
+    return ast.Torque(NOWHERE, name, points, tie, times)
+
+
+def law(token: Token | None) -> Any:
+    """Return a law of friction by its word, '' where none was given."""
+    return str(token or "")
+
+
+def friction_pins(
+    coefficient: ast.Expr, diameter: ast.Expr, named: Token | None
+) -> ast.PinFriction:
+    """Return ``friction pins f diameter d``."""
+    return ast.PinFriction(NOWHERE, None, coefficient, diameter, law(named))
+
+
+def friction_pin(
+    point: ast.Name,
+    coefficient: ast.Expr,
+    diameter: ast.Expr,
+    named: Token | None,
+    link: ast.Name | None,
+) -> ast.PinFriction:
+    """Return ``friction pin A f diameter d on AB``."""
+    return ast.PinFriction(NOWHERE, point, coefficient, diameter, law(named), link)
+
+
+def friction_guide(
+    point: ast.Name,
+    coefficient: ast.Expr,
+    length: ast.Expr | None = None,
+    overhang: ast.Expr | None = None,
+    named: Token | None = None,
+) -> ast.GuideFriction:
+    """Return ``friction slider K mu guide s overhang l couple``."""
+    return ast.GuideFriction(NOWHERE, point, coefficient, length, overhang, law(named))
+
+
+def motion(sense: Token) -> ast.Motion:
+    """Return ``motion tightening`` or its reverse."""
+    return ast.Motion(NOWHERE, cast(Literal["tightening", "releasing"], str(sense)))
+
+
+def unnamed_result(target: ast.Expr, on: ast.Name | None) -> ast.Find:
+    """Return ``find P`` or ``find R_B on AB``."""
+    return ast.Find(target.span.to((on or target).span), target, None, on)
+
+
+def named_result(name: ast.Name, target: ast.Expr, on: ast.Name | None) -> ast.Find:
+    """Return ``find k = P / F``."""
+    return ast.Find(name.span.to((on or target).span), target, name, on)
+
+
+def require(condition: tuple[Any, Any]) -> ast.Require:
+    """Return ``require a < b < c``."""
+    return ast.Require(NOWHERE, *condition)
+
+
+def expectation(subject: ast.Expr, value: ast.Expr, *at: Any) -> ast.Expect:
+    """Return ``k = 7.1 at alpha = 35 deg``."""
+    settings = tuple(setting for setting in at if setting is not None)
+    return ast.Expect(NOWHERE, subject, value, settings)
+
+
+def name(token: Token) -> ast.Name:
+    """Return a name that the user gives or uses."""
+    return expressions.new_name(str(token), span_of(token))
+
+
+def dimension(token: Token) -> ast.Name:
+    """Return the name of a dimension; some are words of the language too."""
+    return ast.Name(str(token), span_of(token))
+
+
+def points(kind: str, token: Token) -> ast.Name:
+    """Return a name made of points."""
+    return expressions.point_name(kind, str(token), span_of(token))
+
+
+def tupled(*parts: Any) -> tuple[Any, ...]:
+    """Return the parts of a rule as a tuple."""
+    return parts
+
+
+def itself(part: Any) -> Any:
+    """Return the only part of a rule."""
+    return part
+
+
+def grouped(left: Token, inside: ast.Expr, right: Token) -> ast.Expr:
+    """Return what stands in brackets; the tree itself tells where they are needed."""
+    return inside
+
+
+IN_ORDER: Mapping[str, type[ast.Statement]] = {
+    "source_note": ast.SourceNote,
+    "drive": ast.Drive,
+    "pivot": ast.Pivot,
+    "slider": ast.Slider,
+    "slide": ast.Slide,
+    "slot": ast.Slot,
+    "telescope": ast.Telescope,
+    "rack": ast.Rack,
+    "contact": ast.Contact,
+    "screw": ast.Screw,
+    "geometry": ast.Vector,
+    "turn": ast.Turn,
+    "actuator": ast.Actuator,
+    "spring": ast.Spring,
+    "weight": ast.Weight,
+    "gravity": ast.Gravity,
+    "friction_roller": ast.RollerFriction,
+    "friction_contact": ast.ContactFriction,
+    "efficiency": ast.Efficiency,
+    "let": ast.Let,
+}
+
+WITH_A_FUNCTION: Mapping[str, Made] = {
+    "version": version,
+    "heading": heading,
+    "param": param,
+    "link": link,
+    "gear": gear,
+    "belt": belt,
+    "assembly": assembly,
+    "mirror": mirror,
+    "copies": copies,
+    "force": force,
+    "torque": torque,
+    "friction_pins": friction_pins,
+    "friction_pin": friction_pin,
+    "friction_guide": friction_guide,
+    "motion": motion,
+    "finds": tupled,
+    "require": require,
+    "expect": itself,
+}
+
+PARTS: Mapping[str, Made] = {
+    "unnamed_result": unnamed_result,
+    "named_result": named_result,
+    "condition": expressions.chain,
+    "expectation": expectation,
+    "setting": tupled,
+    "range": tupled,
+    "shared": tupled,
+    "name": name,
+    "dimension": dimension,
+    "polar": expressions.polar,
+    "bearing": expressions.bearing,
+    "cartesian": expressions.cartesian,
+    "heading_of": expressions.direction_of,
+    "perpendicular": expressions.perpendicular,
+    "sum": expressions.sum_of,
+    "product": expressions.product_of,
+    "negative": expressions.negative,
+    "power": expressions.power,
+    "number": expressions.number,
+    "symbol": expressions.symbol,
+    "call": expressions.call,
+    "grouped": grouped,
+    "between": itself,
+}
+
+
+def rules() -> dict[str, Made]:
+    """Return what to build, by the names in the grammar."""
+    made: dict[str, Made] = {
+        rule: partial(node, NOWHERE) for rule, node in IN_ORDER.items() if rule != "source_note"
+    }
+    made["source_note"] = lambda token: ast.SourceNote(NOWHERE, unquoted(token))
+    made |= WITH_A_FUNCTION
+    made |= PARTS
+    made |= {kind: partial(points, kind) for kind in expressions.COUNTED}
+    return made

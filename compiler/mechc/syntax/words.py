@@ -1,0 +1,85 @@
+"""Functions, their twins, and the shape of names: what both notations agree on."""
+
+import re
+from typing import NamedTuple
+
+
+class Arity(NamedTuple):
+    """How many arguments a function takes; ``most`` None means any number."""
+
+    least: int
+    most: int | None
+
+
+ONE, TWO, SEVERAL = Arity(1, 1), Arity(2, 2), Arity(2, None)
+
+FUNCTIONS: dict[str, Arity] = {
+    "sin": ONE,
+    "cos": ONE,
+    "tan": ONE,
+    "cot": ONE,
+    "sec": ONE,
+    "csc": ONE,
+    "asin": ONE,
+    "acos": ONE,
+    "atan": ONE,
+    "atan2": TWO,
+    "sqrt": ONE,
+    "hypot": SEVERAL,
+    "abs": ONE,
+    "min": SEVERAL,
+    "max": SEVERAL,
+    "exp": ONE,
+    "log": ONE,
+}
+"""The functions of the language by their canonical names."""
+
+TWINS = {
+    "tg": "tan",
+    "ctg": "cot",
+    "cosec": "csc",
+    "arcsin": "asin",
+    "arccos": "acos",
+    "arctan": "atan",
+    "arctg": "atan",
+    "arctan2": "atan2",
+    "ln": "log",
+}
+"""Other spellings, read as the function on the right."""
+
+CONSTANTS = frozenset({"pi"})
+
+POINT = re.compile(r"[A-Z][0-9]*'*")
+POINTS = re.compile(r"(?:[A-Z][0-9]*'*)+")
+NAME = re.compile(r"[A-Za-z][A-Za-z0-9_']*")
+QUANTITY = re.compile(r"([\d.]+(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
+
+
+def points_of(text: str) -> tuple[str, ...]:
+    """Split a word into its points; empty if it is not made of points.
+
+    >>> points_of("O1B2K'"), points_of("crank")
+    (('O1', 'B2', "K'"), ())
+    """
+    return tuple(POINT.findall(text)) if POINTS.fullmatch(text) else ()
+
+
+def split_quantity(text: str) -> tuple[str, str]:
+    """Return the digits and the unit of a number as it was read.
+
+    >>> split_quantity("1e-3 N*m"), split_quantity("90")
+    (('1e-3', 'N*m'), ('90', ''))
+    """
+    match = QUANTITY.fullmatch(text)
+    assert match is not None
+    return match[1], match[2]
+
+
+def counted(arity: Arity) -> str:
+    """Say how many arguments a function takes.
+
+    >>> counted(ONE), counted(SEVERAL)
+    ('1 argument', '2 arguments or more')
+    """
+    words = "1 argument" if arity.least == 1 else f"{arity.least} arguments"
+    return words if arity.most is not None else f"{words} or more"

@@ -1,0 +1,88 @@
+"""Comments of a YAML text: found between its scalars and given to the statements.
+
+A comment behind a statement is its remark; one on a line of its own, or behind the name
+of a section, stands above the next statement; what is left stands at the end.
+"""
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+
+from ..source import Source
+from . import ast
+from .yaml_nodes import Listing, Mapping, Node, Scalar
+
+COMMENT = re.compile(r"(?:(?<=\s)|(?<![\s\S]))#([^\n]*)")
+
+
+class Comment(NamedTuple):
+    """A comment, where it begins, and whether it has its line for itself."""
+
+    at: int
+    text: str
+    alone: bool
+
+
+def comments(root: Node | None, source: Source) -> Iterator[Comment]:
+    """Yield the comments of a text, in order."""
+    text = source.text
+    taken = sorted(scalar_spans(root)) if root else []
+    spans = iter(taken)
+    start, end = next(spans, (len(text), len(text)))
+    at = 0
+    while found := COMMENT.search(text, at):
+        while end <= found.start():
+            start, end = next(spans, (len(text) + 1, len(text) + 1))
+        if start <= found.start():
+            at = end
+            continue
+        before = text[text.rfind("\n", 0, found.start()) + 1 : found.start()]
+        alone = not before.strip().strip("\ufeff")
+        yield Comment(found.start(), found[1].removeprefix(" ").rstrip(), alone)
+        at = found.end()
+
+
+def scalar_spans(node: Node) -> Iterator[tuple[int, int]]:
+    """Yield the places of all scalars: a ``#`` inside one is no comment."""
+    match node:
+        case Scalar(span=span):
+            yield span
+        case Listing(items=items):
+            for item in items:
+                yield from scalar_spans(item)
+        case Mapping(entries=entries):
+            for key, value in entries:
+                yield key.span
+                yield from scalar_spans(value)
+
+
+def with_comments(
+    statements: Sequence[ast.Statement], found: Iterator[Comment], source: Source
+) -> ast.File:
+    """Give every comment to its statement; the statements are in the order of the text."""
+    above: list[list[str]] = [[] for _ in range(len(statements) + 1)]
+    remarks: list[list[str]] = [[] for _ in statements]
+    following = 0
+    for comment in found:
+        while following < len(statements) and statements[following].span.start < comment.at:
+            following += 1
+        last = following - 1
+        inside = last >= 0 and comment.at < statements[last].span.end
+        if comment.alone:
+            above[last if inside else following].append(comment.text)
+        elif inside or (last >= 0 and same_line(statements[last], comment, source)):
+            remarks[last].append(comment.text)
+        else:
+            above[following].append(comment.text)
+    told = zip(statements, above, remarks, strict=False)
+    return ast.File(
+        tuple(replace(s, comments=tuple(a), remark=" ".join(r)) for s, a, r in told),
+        tuple(above[-1]),
+    )
+
+
+def same_line(statement: ast.Statement, comment: Comment, source: Source) -> bool:
+    """Tell whether a comment stands on the line where a statement ends."""
+    ends = source.position(max(statement.span.start, statement.span.end - 1)).line
+    return ends == source.position(comment.at).line

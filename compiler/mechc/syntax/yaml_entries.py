@@ -1,0 +1,174 @@
+"""One entry of a YAML section to one or more statements, as the layout says."""
+
+from collections.abc import Iterable, Iterator
+from typing import Any
+
+from ..diagnostics import syntax, syntax_yaml
+from ..source import Source, Span
+from . import ast
+from .fault import Fault
+from .layout import Entry, Key, Kind, Section, Shape
+from .words import points_of
+from .yaml_nodes import Listing, Mapping, Node, Scalar
+from .yaml_values import described, values
+
+Pair = tuple[Scalar, Node]
+Chosen = tuple[Entry, list[Pair] | None]
+"""An entry and its keys; None where the value is a plain one."""
+
+
+def statements(
+    section: Section, subject: Scalar | None, value: Node, source: Source
+) -> Iterator[ast.Statement]:
+    """Yield what an entry states: one statement, or several kinds of friction at one point."""
+    where = subject.text if subject else section.name
+    span = subject.span.to(value.span) if subject else value.span
+    for entry, pairs in chosen(section, subject, value, where):
+        if pairs is None:
+            fields = plain_fields(entry, value, source)
+        else:
+            fields = mapping_fields(entry, pairs, value.span, where, source)
+        yield made(entry, span, with_subject(fields, entry, subject, source))
+
+
+def made(entry: Entry, span: Span, fields: dict[str, Any]) -> ast.Statement:
+    """Return the node, after the checks that the line notation makes in its grammar."""
+    node = entry.node(span, **fields)
+    if isinstance(node, ast.Param) and not (node.value or node.dimension or node.low):
+        raise Fault(syntax.empty_parameter(node.name.span, node.name.text))
+    return node
+
+
+def chosen(section: Section, subject: Scalar | None, value: Node, where: str) -> list[Chosen]:
+    """Return the entries that the keys speak of, each with its keys and values."""
+    if len(section.entries) > 1 and not section.entries[0].short:
+        return by_keys(section, table(value, where, section), where)
+    entry = section.entries[0]
+    if len(section.entries) > 1 and subject and len(points_of(subject.text)) == 3:
+        entry = section.entries[1]
+    if isinstance(value, Mapping) and (entry.keys or entry.others):
+        return [(entry, list(value.entries))]
+    return [(entry, None)]
+
+
+def table(value: Node, where: str, section: Section) -> Mapping:
+    """Return a mapping; refuse anything else, naming the keys that it would have."""
+    if isinstance(value, Mapping):
+        return value
+    keys = [key.name for entry in section.entries for key in entry.keys]
+    expected = f"a mapping with keys of {', '.join(keys)}"
+    raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected))
+
+
+def by_keys(section: Section, value: Mapping, where: str) -> list[Chosen]:
+    """Share the keys out among the entries whose first key is there."""
+    given = {name.text for name, _ in value.entries}
+    present = [entry for entry in section.entries if entry.keys[0].name in given]
+    allowed = [key.name for entry in section.entries for key in entry.keys]
+    for name, _ in value.entries:
+        if name.text not in allowed:
+            raise Fault(syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", allowed))
+        owner = next(e for e in section.entries if name.text in {key.name for key in e.keys})
+        if owner not in present:
+            lacking = [owner.keys[0].name]
+            raise Fault(syntax_yaml.missing_key(name.span, lacking, f"'{where}'"))
+    if not present:
+        raise Fault(syntax_yaml.missing_key(value.span, [section.entries[0].keys[0].name], where))
+    return [(entry, owned(entry, value.entries)) for entry in present]
+
+
+def owned(entry: Entry, pairs: Iterable[Pair]) -> list[Pair]:
+    """Return the keys that belong to an entry."""
+    names = {key.name for key in entry.keys}
+    return [pair for pair in pairs if pair[0].text in names]
+
+
+def with_subject(
+    fields: dict[str, Any], entry: Entry, subject: Scalar | None, source: Source
+) -> dict[str, Any]:
+    """Return the fields with those that the key of the entry fills; a name is given once."""
+    if entry.subject is None or subject is None:
+        return fields
+    inner = fields.get("name")
+    if isinstance(inner, ast.Name):
+        expected = [f"what '{subject.text}' is, without a second name"]
+        raise Fault(syntax.unexpected_text(inner.span, f"the name '{inner.text}'", expected))
+    return fields | values(entry.subject, subject, source)
+
+
+def plain_fields(entry: Entry, value: Node, source: Source) -> dict[str, Any]:
+    """Return the fields of an entry without keys of its own: ``K: 90 deg``."""
+    short = entry.short
+    if short is None:
+        return {} if empty(value) and not needs_keys(entry) else refused(entry, value)
+    if empty(value) and all(optional_field(entry, field) for field in short.fields):
+        return {}
+    return values(short, value, source)
+
+
+def needs_keys(entry: Entry) -> bool:
+    """Tell whether an entry means nothing without its mapping form."""
+    return bool(entry.others) or any(key.required for key in entry.keys)
+
+
+def optional_field(entry: Entry, field: str) -> bool:
+    """Tell whether the node can do without a field."""
+    fields = entry.node.__dataclass_fields__
+    return fields[field].default is None or fields[field].default == ""
+
+
+def empty(value: Node) -> bool:
+    """Tell whether nothing was written."""
+    return isinstance(value, Scalar) and value.empty
+
+
+def refused(entry: Entry, value: Node) -> dict[str, Any]:
+    """Refuse a plain value where only a mapping has a meaning."""
+    keys = ", ".join(key.name for key in entry.keys)
+    expected = f"a mapping with {keys}" if keys else "nothing behind it"
+    raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected))
+
+
+def mapping_fields(
+    entry: Entry, pairs: list[Pair], span: Span, where: str, source: Source
+) -> dict[str, Any]:
+    """Return the fields that the keys of a mapping fill."""
+    known = {key.name: key for key in entry.keys}
+    fields: dict[str, Any] = {}
+    spare = list(entry.others)
+    for name, value in pairs:
+        if name.text in known:
+            fields |= values(known[name.text], value, source)
+        elif spare and points_of(name.text):
+            fields |= other_fields(spare.pop(0), name, value, source)
+        else:
+            raise Fault(syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", known))
+    check_keys(entry, {name.text for name, _ in pairs}, spare, span, where)
+    return fields
+
+
+def other_fields(key: Key, name: Scalar, value: Node, source: Source) -> dict[str, Any]:
+    """Return the two fields of ``O1: r1``: the point and what belongs to it."""
+    point = Key("", Kind.POINT, key.fields[:1])
+    return values(point, name, source) | values(key._replace(fields=key.fields[1:]), value, source)
+
+
+def check_keys(entry: Entry, given: set[str], spare: list[Key], span: Span, where: str) -> None:
+    """Refuse an entry that lacks a key, or has one that needs another."""
+    if not given and not needs_keys(entry):
+        return
+    lacking = [key.name for key in entry.keys if key.required and key.name not in given]
+    lacking += ["POINT"] * len(spare)
+    for key in entry.keys:
+        if key.name in given:
+            lacking += [needed for needed in key.needs if needed not in given]
+    if lacking:
+        raise Fault(syntax_yaml.missing_key(span, dict.fromkeys(lacking), f"'{where}'"))
+
+
+def several(value: Node, section: Section) -> tuple[Node, ...]:
+    """Return the values of a key: a list stands for several, unless it is ``[x, y]``."""
+    short = section.entries[0].short
+    coordinates = short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN)
+    listed = section.shape is Shape.NAMED and not coordinates
+    return value.items if listed and isinstance(value, Listing) else (value,)

@@ -1,0 +1,177 @@
+"""YAML text to nodes with places, refusing what a description never needs.
+
+PyYAML's events are read, not its objects: they keep positions, duplicate keys and the
+text of every scalar. Depth and number are counted while reading, before any recursion.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field
+
+import yaml
+
+from ..diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_yaml
+from ..source import Span
+from . import limits
+from .fault import note
+
+
+@dataclass(frozen=True, slots=True)
+class Scalar:
+    """A single value as text; ``quoted`` tells whether it may not stand for 'nothing'."""
+
+    text: str
+    span: Span
+    quoted: bool = False
+
+    @property
+    def empty(self) -> bool:
+        """Tell whether nothing was written."""
+        return not self.quoted and self.text in ("", "~", "null")
+
+
+@dataclass(frozen=True, slots=True)
+class Listing:
+    """A list."""
+
+    items: tuple["Node", ...]
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Mapping:
+    """A mapping; its keys are scalars, in the order of the text, doubles included."""
+
+    entries: tuple[tuple[Scalar, "Node"], ...]
+    span: Span
+
+
+Node = Scalar | Listing | Mapping
+
+
+@dataclass(slots=True)
+class Open:
+    """A list or mapping whose end has not been read yet."""
+
+    event: yaml.SequenceStartEvent | yaml.MappingStartEvent
+    children: list[Node] = field(default_factory=list)
+
+
+def compose(report: Report) -> Node | None:
+    """Return the document's root, or None if it is empty.
+
+    Raises :class:`MechcError`: after an error in YAML's own syntax nothing can be trusted.
+    """
+    roots: list[Node] = []
+    stack: list[Open] = []
+    for count, event in enumerate(events(report)):
+        if count > limits.YAML_NODES:
+            raise too_large(event, "values", limits.YAML_NODES, report)
+        refuse_foreign(event, report)
+        match event:
+            case yaml.SequenceStartEvent() | yaml.MappingStartEvent():
+                stack.append(Open(event))
+                if len(stack) > limits.YAML_DEPTH:
+                    raise too_large(event, "levels", limits.YAML_DEPTH, report)
+            case yaml.DocumentStartEvent() if roots:
+                raise report.fail(syntax_yaml.one_document(span_of(event)))
+            case yaml.ScalarEvent() | yaml.SequenceEndEvent() | yaml.MappingEndEvent():
+                node = closed(stack.pop(), event, report) if ends(event) else scalar(event)
+                (stack[-1].children if stack else roots).append(node)
+    return roots[0] if roots else None
+
+
+def ends(event: yaml.Event) -> bool:
+    """Tell whether an event closes a list or a mapping."""
+    return isinstance(event, yaml.CollectionEndEvent)
+
+
+def events(report: Report) -> Iterator[yaml.Event]:
+    """Return PyYAML's events; its errors become ours."""
+    try:
+        yield from yaml.parse(report.source.text, Loader=yaml.SafeLoader)
+    except yaml.MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        at = mark.index if mark else 0
+        raise report.fail(not_yaml(at, error.problem or "", report.source.text)) from None
+    except yaml.reader.ReaderError as error:
+        character = report.source.text[error.position : error.position + 1]
+        problem = f"the character {character!r} is not allowed"
+        raise report.fail(not_yaml(error.position, problem, report.source.text)) from None
+    except (ValueError, OverflowError):
+        # PyYAML passes on what chr() and int() say of absurd escapes and versions.
+        raise report.fail(not_yaml(0, "an escape or a directive is out of range", "")) from None
+
+
+def not_yaml(at: int, problem: str, text: str) -> Diagnostic:
+    """Return the error about text that is no YAML, with a hint for the known habits."""
+    found = text[at : at + 1]
+    hint = ""
+    if found == "@":
+        hint = "a value cannot begin with '@': write {angle: …}"
+    elif found == "`" or found == "%":
+        hint = f"a value that begins with {found} needs quotes"
+    elif found == "\t":
+        hint = "YAML is indented with spaces"
+    elif "mapping values" in problem:
+        hint = "a text with ': ' inside needs quotes"
+    return syntax_yaml.not_yaml(Span(at, min(at + 1, len(text)) if text else at), problem, hint)
+
+
+def refuse_foreign(event: yaml.Event, report: Report) -> None:
+    """Refuse aliases, anchors and tags."""
+    if isinstance(event, yaml.AliasEvent):
+        raise report.fail(syntax_yaml.alias_refused(span_of(event), f"the alias '*{event.anchor}'"))
+    if getattr(event, "anchor", None):
+        name = getattr(event, "anchor", "")
+        raise report.fail(syntax_yaml.alias_refused(span_of(event), f"the anchor '&{name}'"))
+    tag = getattr(event, "tag", None)
+    if tag and not isinstance(event, yaml.DocumentStartEvent):
+        raise report.fail(syntax_yaml.tag_refused(span_of(event), tag))
+
+
+def too_large(event: yaml.Event, what: str, limit: int, report: Report) -> MechcError:
+    """Return the error that stops the reading of a text too deep or too long."""
+    return report.fail(syntax_limits.yaml_too_large(span_of(event), what, limit))
+
+
+def span_of(event: yaml.Event) -> Span:
+    """Return the place of an event."""
+    assert event.start_mark is not None
+    assert event.end_mark is not None
+    return Span(event.start_mark.index, event.end_mark.index)
+
+
+def scalar(event: yaml.Event) -> Scalar:
+    """Return the node of a scalar."""
+    assert isinstance(event, yaml.ScalarEvent)
+    return Scalar(event.value, span_of(event), quoted=bool(event.style))
+
+
+def closed(opened: Open, event: yaml.Event, report: Report) -> Node:
+    """Return a list or mapping whose end was read.
+
+    In block style YAML's end mark lies before the next entry; the last child's end is
+    what people see as the end.
+    """
+    start = span_of(opened.event)
+    last = opened.children[-1].span.end if opened.children else start.end
+    span = Span(start.start, span_of(event).end if opened.event.flow_style else last)
+    if isinstance(opened.event, yaml.SequenceStartEvent):
+        return Listing(tuple(opened.children), span)
+    keys, values = opened.children[::2], opened.children[1::2]
+    return Mapping(tuple(pairs(keys, values, report)), span)
+
+
+def pairs(keys: list[Node], values: list[Node], report: Report) -> Iterator[tuple[Scalar, Node]]:
+    """Return keys with values; a key that stands twice keeps its first value."""
+    first: dict[str, Scalar] = {}
+    for name, value in zip(keys, values, strict=True):
+        if not isinstance(name, Scalar):
+            found = "a list or mapping as a key"
+            note(syntax_yaml.wrong_shape(name.span, found, "a name as a key"), report)
+        elif name.text in first:
+            span = first[name.text].span
+            note(syntax_yaml.duplicate_key(name.span, name.text, span), report)
+        else:
+            first[name.text] = name
+            yield name, value

@@ -1,0 +1,257 @@
+"""What one YAML value means, by its kind: the fields of the node that it fills."""
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from ..diagnostics import Diagnostic, syntax, syntax_yaml
+from ..source import Source, Span
+from . import ast, expressions
+from . import parse as parser
+from .fault import Fault
+from .grammar import Start, keywords
+from .layout import Key, Kind
+from .spans import span_of
+from .tokens import tokens
+from .words import NAME
+from .yaml_nodes import Listing, Node, Scalar
+from .yaml_nodes import Mapping as Table
+from .yaml_places import places
+
+Fields = tuple[Any, ...]
+
+
+def values(key: Key, node: Node, source: Source) -> dict[str, Any]:
+    """Return the fields that a value fills. Raises :class:`Fault` if it does not fit."""
+    if key.kind is Kind.WORD:
+        return dict(zip(key.fields, (one_of(key.words, node),), strict=True))
+    found = READERS[key.kind](node, source)
+    return dict(zip(key.fields, found, strict=True))
+
+
+def described(node: Node) -> str:
+    """Say what was found."""
+    match node:
+        case Table():
+            return "a mapping"
+        case Listing():
+            return "a list"
+        case Scalar(empty=True):
+            return "nothing"
+        case Scalar(text=text):
+            return f"'{text if len(text) < 40 else text[:40] + '…'}'"
+
+
+def scalar_of(node: Node, expected: str) -> Scalar:
+    """Return a plain value; refuse lists, mappings and nothing."""
+    if isinstance(node, Scalar) and not node.empty:
+        return node
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected))
+
+
+def parsed(start: Start, expected: str, node: Node, source: Source) -> Any:
+    """Read a scalar with the project's own grammar, as the line notation would."""
+    scalar = scalar_of(node, expected)
+    at = places(scalar, source)
+    end = (at[-1] + 1) if at else scalar.span.start
+    found = tokens(scalar.text, lambda i: at[i] if i < len(at) else end)
+    line = [token for token in found if token.type != "NEWLINE"]
+    for token in line:
+        if token.type == "COMMENT":
+            span = span_of(token)
+            raise Fault(syntax.unexpected_character(Span(span.start, span.start + 1), "#", ""))
+    return parser.parse(line, start, end)
+
+
+def expression(node: Node, source: Source) -> Fields:
+    """Read an expression."""
+    return (parsed("expression", "an expression", node, source),)
+
+
+def direction(node: Node, source: Source) -> Fields:
+    """Read a direction."""
+    return (parsed("direction", "a direction", node, source),)
+
+
+def vector(node: Node, source: Source) -> Fields:
+    """Read ``l @ alpha``, ``{length: l, angle: alpha}`` or ``[x, y]``."""
+    match node:
+        case Listing():
+            return cartesian(node, source)
+        case Table(entries=entries):
+            return (polar(node, {k.text: (k, v) for k, v in entries}, source),)
+        case _:
+            expected = "a length, length @ direction, {length: …, angle: …} or [x, y]"
+            return (parsed("vector", expected, node, source),)
+
+
+def polar(node: Table, entries: Mapping[str, tuple[Scalar, Node]], source: Source) -> ast.Polar:
+    """Read ``{length: l, angle: alpha}``, either alone."""
+    for name, (key, _) in entries.items():
+        if name not in ("length", "angle"):
+            raise Fault(syntax_yaml.unknown_key(key.span, name, "a vector", ["length", "angle"]))
+    if not entries:
+        raise Fault(syntax_yaml.missing_key(node.span, ["length", "angle"], "the vector"))
+    length = expression(entries["length"][1], source)[0] if "length" in entries else None
+    angle = direction(entries["angle"][1], source)[0] if "angle" in entries else None
+    return ast.Polar(length, angle, node.span)
+
+
+def cartesian(node: Node, source: Source) -> Fields:
+    """Read ``[x, y]``."""
+    match node:
+        case Listing(items=(x, y)):
+            ends = expression(x, source)[0], expression(y, source)[0]
+            return (ast.Cartesian(*ends, node.span),)
+        case Scalar(empty=False):
+            value = parsed("vector", "[x, y]", node, source)
+            if isinstance(value, ast.Cartesian):
+                return (value,)
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "coordinates [x, y]"))
+
+
+def place(node: Node, source: Source) -> Fields:
+    """Read a point or ``[x, y]``."""
+    if isinstance(node, Scalar) and not node.text.startswith("("):
+        return (point_name("point", node),)
+    return cartesian(node, source)
+
+
+def point_name(kind: str, node: Node) -> ast.Name:
+    """Read a name made of points."""
+    scalar = scalar_of(node, expressions.COUNTED[kind][2])
+    return expressions.point_name(kind, scalar.text, scalar.span)
+
+
+def name(node: Node, source: Source) -> Fields:
+    """Read a name that the user gives."""
+    scalar = scalar_of(node, "a name")
+    return (name_of(scalar.text, scalar.span),)
+
+
+def name_of(text: str, span: Span) -> ast.Name:
+    """Return a name that the user gives; it is a letter with letters, digits, underscores."""
+    if not NAME.fullmatch(text):
+        expected = "a name of Latin letters, digits and underscores"
+        raise Fault(syntax.not_a_name(span, text, expected))
+    if text in keywords():
+        raise Fault(syntax.reserved_word(span, text))
+    return expressions.new_name(text, span)
+
+
+def dimension(node: Node, source: Source) -> Fields:
+    """Read the name of a dimension."""
+    scalar = scalar_of(node, "a dimension such as length or angle")
+    if not NAME.fullmatch(scalar.text):
+        expected = "a dimension such as length or angle"
+        raise Fault(syntax.not_a_name(scalar.span, scalar.text, expected))
+    return (ast.Name(scalar.text, scalar.span),)
+
+
+def pair(node: Node, source: Source) -> Fields:
+    """Read ``[A, B]``."""
+    match node:
+        case Listing(items=(first, second)):
+            return point_name("point", first), point_name("point", second)
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "two points [A, B]"))
+
+
+def shared(node: Node, source: Source) -> Fields:
+    """Read ``[K, L]``; a single point needs no brackets."""
+    items = node.items if isinstance(node, Listing) else (node,)
+    return (tuple(point_name("point", item) for item in items),)
+
+
+def pin(node: Node, source: Source) -> Fields:
+    """Read a point, or ``pins`` for all of them."""
+    if isinstance(node, Scalar) and node.text == "pins":
+        return (None,)
+    return (point_name("point", node),)
+
+
+def range_of(node: Node, source: Source) -> Fields:
+    """Read ``low .. high``."""
+    low, high = parsed("range", "a range LOW .. HIGH", node, source)
+    return low, high
+
+
+def result(node: Node, source: Source) -> Fields:
+    """Read ``k = P/F`` or ``R_B on AB``."""
+    found = parsed("result", "what to find", node, source)
+    return found.target, found.name, found.on
+
+
+def condition(node: Node, source: Source) -> Fields:
+    """Read ``a < b < c``."""
+    operands, operators = parsed("condition", "a condition such as a < b", node, source)
+    return operands, operators
+
+
+def expectation(node: Node, source: Source) -> Fields:
+    """Read ``k = 7.1 at alpha = 35 deg``."""
+    found = parsed("expectation", "an expectation such as k = 7.1", node, source)
+    return found.subject, found.value, found.at
+
+
+def text_of(node: Node, source: Source) -> Fields:
+    """Read a text."""
+    if isinstance(node, Scalar):
+        return ("" if node.empty else node.text,)
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "a text"))
+
+
+def one_of(words: tuple[str, ...], node: Node) -> str:
+    """Read one of a few words."""
+    scalar = scalar_of(node, syntax.listed(f"'{word}'" for word in words))
+    if scalar.text not in words:
+        raise Fault(wrong_word(scalar, words))
+    return scalar.text
+
+
+def wrong_word(scalar: Scalar, words: tuple[str, ...]) -> Diagnostic:
+    """Return the error about a word that is none of those that may stand here."""
+    expected = [f"'{word}'" for word in words]
+    return syntax.unexpected_text(scalar.span, f"'{scalar.text}'", expected)
+
+
+def flag(node: Node, source: Source) -> Fields:
+    """Read ``true`` or ``false``."""
+    return (one_of(("true", "false"), node) == "true",)
+
+
+def version(node: Node, source: Source) -> Fields:
+    """Read the version of the language."""
+    scalar = scalar_of(node, "a version")
+    if scalar.text != "1":
+        raise Fault(syntax.unknown_version(scalar.span, scalar.text))
+    return (scalar.text,)
+
+
+def points_as(kind: str) -> Callable[[Node, Source], Fields]:
+    """Return the reader of names made of so many points."""
+    return lambda node, source: (point_name(kind, node),)
+
+
+READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
+    Kind.NAME: name,
+    Kind.POINT: points_as("point"),
+    Kind.POINTS: points_as("points"),
+    Kind.ROD: points_as("rod"),
+    Kind.CORNER: points_as("corner"),
+    Kind.BODY: points_as("body"),
+    Kind.PIN: pin,
+    Kind.PAIR: pair,
+    Kind.SHARED: shared,
+    Kind.EXPRESSION: expression,
+    Kind.DIRECTION: direction,
+    Kind.VECTOR: vector,
+    Kind.CARTESIAN: cartesian,
+    Kind.PLACE: place,
+    Kind.RANGE: range_of,
+    Kind.RESULT: result,
+    Kind.CONDITION: condition,
+    Kind.EXPECTATION: expectation,
+    Kind.DIMENSION: dimension,
+    Kind.TEXT: text_of,
+    Kind.FLAG: flag,
+    Kind.VERSION: version,
+}
