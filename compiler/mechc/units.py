@@ -24,6 +24,22 @@ class Dimension(NamedTuple):
     time: int | Fraction = 0
     angle: int = 0
 
+    def scaled(self, exponent: int | Fraction) -> "Dimension":
+        """Return the dimension of a power; an angle's is that of a pure number.
+
+        >>> LENGTH.scaled(2)
+        Dimension(length=2, mass=0, time=0, angle=0)
+        """
+        return Dimension(self.length * exponent, self.mass * exponent, self.time * exponent)
+
+    def joined(self, other: "Dimension") -> "Dimension":
+        """Return the dimension of a product, where angles are pure numbers.
+
+        >>> FORCE.joined(LENGTH) == TORQUE
+        True
+        """
+        return Dimension(self.length + other.length, self.mass + other.mass, self.time + other.time)
+
 
 NUMBER = Dimension()
 ANGLE = Dimension(angle=1)
@@ -59,6 +75,59 @@ DIMENSIONS: dict[str, Dimension] = {
 """The dimensions that a parameter may be declared with, by name."""
 
 
+USUAL_UNITS: dict[Dimension, str] = {
+    ANGLE: "deg",
+    LENGTH: "mm",
+    DIMENSIONS["area"]: "mm^2",
+    DIMENSIONS["volume"]: "mm^3",
+    MASS: "kg",
+    TIME: "s",
+    FORCE: "N",
+    TORQUE: "N*m",
+    PRESSURE: "MPa",
+    VELOCITY: "m/s",
+    ACCELERATION: "m/s^2",
+    STIFFNESS: "N/mm",
+    POWER: "W",
+    FREQUENCY: "rad/s",
+}
+"""A unit that people use for each named dimension, for messages."""
+
+
+def described(dimension: Dimension) -> str:
+    """Return the dimension in words for a message.
+
+    >>> described(LENGTH), described(ANGLE), described(NUMBER)
+    ('a length (mm)', 'an angle (deg)', 'a pure number')
+    >>> described(Dimension(-1))
+    'a quantity in 1/m'
+    """
+    if dimension == NUMBER:
+        return "a pure number"
+    for name, known in DIMENSIONS.items():
+        if known == dimension:
+            return f"{'an' if name[0] in 'aeiou' else 'a'} {name} ({USUAL_UNITS[known]})"
+    return f"a quantity in {base_units(dimension)}"
+
+
+def base_units(dimension: Dimension) -> str:
+    """Return a dimension in SI base units.
+
+    >>> base_units(FORCE)
+    'kg*m/s^2'
+    """
+    powers = (("kg", dimension.mass), ("m", dimension.length), ("s", dimension.time))
+    above = [_raised(unit, e) for unit, e in powers if e > 0]
+    below = [_raised(unit, -e) for unit, e in powers if e < 0]
+    return "/".join(["*".join(above) or "1", *below])
+
+
+def _raised(unit: str, exponent: int | Fraction) -> str:
+    if exponent == 1:
+        return unit
+    return f"{unit}^{exponent}" if Fraction(exponent).denominator == 1 else f"{unit}^({exponent})"
+
+
 class Unit(NamedTuple):
     """A unit: its factor to SI, exact, times π when ``pi``, and its dimension."""
 
@@ -78,19 +147,25 @@ UNITS: dict[str, Unit] = {
     "m": _unit(1, LENGTH),
     "km": _unit(1000, LENGTH),
     "um": _unit("1/1000000", LENGTH),
-    "in": _unit("0.0254", LENGTH),
     "deg": _unit("1/180", ANGLE, pi=True),
     "rad": _unit(1, ANGLE),
     "mrad": _unit("1/1000", ANGLE),
+    "rev": _unit(2, ANGLE, pi=True),
     "mm^2": _unit("1/1000000", Dimension(2)),
     "cm^2": _unit("1/10000", Dimension(2)),
     "m^2": _unit(1, Dimension(2)),
+    "mm^3": _unit("1/1000000000", Dimension(3)),
+    "cm^3": _unit("1/1000000", Dimension(3)),
+    "m^3": _unit(1, Dimension(3)),
     "N": _unit(1, FORCE),
+    "daN": _unit(10, FORCE),
     "kN": _unit(1000, FORCE),
     "MN": _unit(1000000, FORCE),
     "kgf": _unit("9.80665", FORCE),
     "N*m": _unit(1, TORQUE),
     "N*mm": _unit("1/1000", TORQUE),
+    "N*cm": _unit("1/100", TORQUE),
+    "kgf*m": _unit("9.80665", TORQUE),
     "kN*m": _unit(1000, TORQUE),
     "g": _unit("1/1000", MASS),
     "kg": _unit(1, MASS),
@@ -111,6 +186,7 @@ UNITS: dict[str, Unit] = {
     "N/m": _unit(1, STIFFNESS),
     "N/mm": _unit(1000, STIFFNESS),
     "kN/m": _unit(1000, STIFFNESS),
+    "deg/s": _unit("1/180", FREQUENCY, pi=True),
     "rad/s": _unit(1, FREQUENCY),
     "rpm": _unit("1/30", FREQUENCY, pi=True),
     "Hz": _unit(1, FREQUENCY),

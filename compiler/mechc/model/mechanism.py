@@ -229,7 +229,7 @@ Target = LoadRatio | LoadForm | SpeedRatio
 
 @dataclass(frozen=True, slots=True)
 class Find:
-    """A result asked for. ``name`` is an identifier made up (``V_D_over_V_A``) where none was given."""
+    """A result asked for. An unnamed one is called ``P_over_F``, ``V_D_over_V_A``, ``P``."""
 
     name: str
     target: Target

@@ -1,0 +1,146 @@
+"""Words for links, joints and geometry (E24x)."""
+
+from ...source import Span
+from ..diagnostic import Related, Words, coded
+
+
+@coded("E240")
+def pivot_and_slider(span: Span, point: str, first: Span) -> Words:
+    """A point is both a pivot and a slider.
+
+    A pivot stands still; a slider moves along its guide.
+
+        pivot  A
+        slider A along x     # wrong
+    """
+    related = (Related(first, "the other statement"),)
+    return Words(span, f"point {point} is both a pivot and a slider", "remove one", related)
+
+
+@coded("E241")
+def joint_again(span: Span, what: str, point: str, first: Span) -> Words:
+    """The same point is declared as a pivot, or as a slider, twice.
+
+    pivot O
+    pivot O     # wrong
+    """
+    related = (Related(first, "it stands here first"),)
+    return Words(span, f"{what} {point} is declared twice", "remove one", related)
+
+
+@coded("E242")
+def link_again(span: Span, points: str, first: Span) -> Words:
+    """Two links go through the same points.
+
+    Two bodies pinned together at two points are one body.
+
+        link OBA
+        link ABO     # wrong
+    """
+    related = (Related(first, "the same points"),)
+    return Words(span, f"a second link through the points {points}", "remove one", related)
+
+
+@coded("E243")
+def guide_through_moving_point(span: Span, point: str) -> Words:
+    """A slider's guide is fixed to the ground, but is drawn through a point that is not.
+
+    The point behind ``through`` is a pivot, or a place.
+
+        slider A along x through B             # wrong where B is on a moving link
+        slider A along x through O             # right where O is a pivot
+        slider A along x through (0, 5 mm)     # right
+    """
+    message = f"a guide is fixed to the ground, but point {point} is no pivot"
+    return Words(span, message, f"declare 'pivot {point}', or give the place: through (x, y)")
+
+
+@coded("E244")
+def vector_again(span: Span, points: str, first: Span) -> Words:
+    """The vector between two points is given twice.
+
+    ``AB`` and ``BA`` are the same vector up to its sign; all that is known of it stands
+    in one line.
+
+        AB = 40 mm
+        AB = @ alpha             # wrong
+        AB = 40 mm @ alpha       # right
+    """
+    hint = "write length and direction in one: AB = l @ alpha"
+    return Words(span, f"{points} is given twice", hint, (Related(first, "given here first"),))
+
+
+@coded("E245")
+def length_not_positive(span: Span, points: str, value: str) -> Words:
+    """A length is zero or negative.
+
+    The direction says which way a vector points, so its length is positive. To reverse
+    it, exchange its points or turn the direction by 180 deg.
+
+        AB = -40 mm @ 0 deg       # wrong
+        BA = 40 mm @ 0 deg        # right
+    """
+    hint = "a vector is reversed by exchanging its points"
+    return Words(span, f"the length of {points} is {value}, expected a positive one", hint)
+
+
+@coded("E246")
+def turn_out_of_range(span: Span, points: str, value: str) -> Words:
+    """An angle between vectors lies outside 0 … 360 deg.
+
+    ``angle ABC`` is the counter-clockwise turn at B from BA to BC, so it is never
+    negative.
+
+        angle ABC = -30 deg     # wrong
+        angle CBA = 30 deg      # right: the same, turned the other way
+    """
+    return Words(
+        span,
+        f"angle {points} is {value}, expected 0 … 360 deg",
+        "an angle is reversed by exchanging its outer points",
+    )
+
+
+@coded("E247")
+def twin_declared(span: Span, twin: str, point: str, mirror: Span) -> Words:
+    """A point is declared that ``mirror`` makes by itself.
+
+    With a mirror, each point A that is not shared has a twin A' on the other side.
+
+        link OA
+        link OA'                              # wrong: made by the mirror
+        mirror across 90 deg sharing O
+    """
+    related = (Related(mirror, f"this makes {twin} from {point}"),)
+    return Words(span, f"point {twin} is the mirror twin of {point}", "describe one half", related)
+
+
+@coded("E248")
+def copies_not_whole(span: Span, found: str) -> Words:
+    """The number of copies is not a whole number of at least two.
+
+    copies 3 sharing A       # right
+    copies 1/2 sharing A     # wrong
+    """
+    return Words(span, f"the number of copies is a whole number from 2 on, found {found}")
+
+
+@coded("E249")
+def not_compiled_yet(span: Span, what: str) -> Words:
+    """A statement is part of the language and was checked, but is not compiled yet.
+
+    mechc refuses it rather than ignoring it: a result without the statement would be
+    wrong.
+    """
+    return Words(span, f"{what} is read and checked, but not compiled yet")
+
+
+@coded("W240")
+def idle_joint(span: Span, what: str, point: str) -> Words:
+    """A pivot or slider holds no link and nothing uses it.
+
+    pivot O
+    pivot Q      # warned of: no link goes through Q
+    link  OA
+    """
+    return Words(span, f"no link goes through {what} {point}", "is it mistyped?")

@@ -1,0 +1,71 @@
+"""Words for forces, torques and weights (E26x)."""
+
+from ...source import Span
+from ..diagnostic import Related, Words, coded
+
+
+@coded("E260")
+def tie_not_linear(span: Span, load: str) -> Words:
+    """A load is tied by a formula that is not proportional to one other load.
+
+    A tied load goes with another one, as friction does with the force that presses, so
+    its formula is linear in exactly one load and has no other part.
+
+        force T = f*R at C along x          # right
+        force T = f*R + 5 N at C along x    # wrong: a part without R
+        force T = 5 N at C along x          # wrong: let T = 5 N gives a value
+    """
+    message = f"the formula of '{load}' is not proportional to exactly one other load"
+    return Words(span, message, f"a fixed value is written 'let {load} = …'")
+
+
+@coded("E261")
+def load_given_again(span: Span, load: str, first: Span) -> Words:
+    """A load that has a value gets one by ``let`` as well.
+
+    A tied load follows from another one, a weight from its mass, and a load that is asked
+    for from the balance.
+
+        force T = f*R at C along x
+        let T = 5 N                    # wrong
+    """
+    related = (Related(first, "its value comes from here"),)
+    return Words(span, f"load '{load}' is given twice", "remove one of the two", related)
+
+
+@coded("E262")
+def times_not_positive(span: Span, found: str) -> Words:
+    """The factor behind ``times`` is not positive.
+
+    It counts how often a load acts (``1/2`` for one of two jaws). An arrow is turned by
+    its direction.
+
+        force F at A along x times -1     # wrong
+        force F at A along -x             # right
+    """
+    return Words(span, f"'times' is a positive number, found {found}", "turn the direction instead")
+
+
+@coded("E263")
+def off_the_mirror(span: Span, what: str, mirror: Span) -> Words:
+    """A direction does not lie along the mirror line, but symmetry wants it to.
+
+    Gravity acts on both halves alike only along the line; so does a force on a point
+    that the halves share.
+
+        mirror across 90 deg sharing K
+        force F at K along x          # wrong
+        force F at K along 90 deg     # right
+    """
+    related = (Related(mirror, "the mirror line"),)
+    return Words(span, f"{what} is not along the mirror line", "describe both halves", related)
+
+
+@coded("W260")
+def idle_gravity(span: Span) -> Words:
+    """A direction of gravity is given, but nothing has a weight.
+
+    gravity along -y                  # warned of without a line such as
+    weight W mass m at G
+    """
+    return Words(span, "gravity acts on nothing: there is no 'weight'")

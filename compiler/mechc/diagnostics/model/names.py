@@ -1,0 +1,180 @@
+"""Words for names: unknown, taken twice, out of place, in a circle (E20x)."""
+
+from collections.abc import Iterable
+
+from ...source import Span
+from ..diagnostic import Related, Words, coded, near_miss
+
+
+def offered(name: str, known: Iterable[str], what: str) -> str:
+    """Return the near miss, or the names themselves where they are few.
+
+    >>> offered("G", ["P", "F"], "loads")
+    'the loads are F and P'
+    >>> offered("alhpa", ["alpha", "beta"], "parameters")
+    "did you mean 'alpha'?"
+    """
+    known = sorted(known)
+    if near := near_miss(name, known):
+        return near
+    if not known:
+        return f"there are no {what}"
+    *front, last = known
+    if not front:
+        return f"the only one of the {what} is {last}"
+    return f"the {what} are {', '.join(front)} and {last}" if len(known) <= 6 else ""
+
+
+@coded("E201")
+def unknown_name(span: Span, name: str, known: Iterable[str]) -> Words:
+    """An expression mentions a name that nothing declares.
+
+    A name in an expression is a parameter, a load, or the name of a ``find`` or ``let``.
+    Points are no quantities: an expression names them only inside ``V_D`` and its kin.
+
+        param a = 40 mm
+        OB = aa @ 90 deg     # wrong: there is no aa
+        OB = a @ 90 deg      # right
+    """
+    hint = offered(name, known, "names declared")
+    return Words(span, f"the name '{name}' is not declared", hint)
+
+
+@coded("E202")
+def unknown_point(span: Span, point: str, known: Iterable[str]) -> Words:
+    """A statement names a point that stands on no link, pivot or slider.
+
+    Points come into being with ``link``, ``pivot`` and ``slider``. A vector, a load or
+    a velocity may then name them.
+
+        link  OA
+        force P at B along x     # wrong: no link goes through B
+        force P at A along x     # right
+    """
+    hint = offered(point, known, "points")
+    return Words(span, f"point {point} stands on no link, pivot or slider", hint)
+
+
+@coded("E203")
+def unknown_link(span: Span, points: str, known: Iterable[str]) -> Words:
+    """Points are named as a link, but no one link carries them all.
+
+    A link is named by two or more of its points in any order.
+
+        link OAH
+        link AB
+        torque M on OB     # wrong: O and B are on different links
+        torque M on OA     # right: the link OAH
+    """
+    hint = offered(points, known, "links")
+    return Words(span, f"no link carries the points {points} together", hint)
+
+
+@coded("E204")
+def ambiguous_link(span: Span, points: str, candidates: Iterable[str]) -> Words:
+    """Points are named as a link, but several links carry them.
+
+    link OAB
+    link ABC
+    torque M on AB      # wrong: which of the two?
+    torque M on ABC     # right
+    """
+    names = " and ".join(sorted(candidates))
+    return Words(span, f"{points} may be any of the links {names}", "name it by all its points")
+
+
+@coded("E205")
+def repeated_point(span: Span, points: str, point: str) -> Words:
+    """A list of points has the same point twice.
+
+    A link goes through each of its points once, and a vector leads from one point to
+    another.
+
+        link OBO     # wrong
+        link OBA     # right
+    """
+    return Words(span, f"{points} has the point {point} twice", "each point stands there once")
+
+
+@coded("E206")
+def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -> Words:
+    """Two things have the same name.
+
+    Parameters, loads, finds and lets share one world of names, in which each is unique.
+    Points are another world: a force ``P`` beside a point ``P`` is fine. A ``let`` with
+    a load's name is no second thing: it gives the load its value.
+
+        param P = 40 mm
+        force P at A along x     # wrong
+        force F at A along x     # right
+    """
+    related = (Related(first, f"{first_kind} '{name}' is declared here"),)
+    return Words(span, f"{kind} '{name}' has the name of a {first_kind}", "rename one", related)
+
+
+@coded("E207")
+def name_out_of_place(span: Span, name: str, kind: str, wanted: str) -> Words:
+    """A name is declared, but may not stand in this formula.
+
+    Geometry, directions and values of parameters are made of parameters (and of ``let``s
+    that use parameters only), since loads and results are known only after them. Loads
+    and results may stand in a ``let``.
+
+        OB = P @ 90 deg     # wrong where P is a force
+    """
+    return Words(span, f"'{name}' is {kind}, expected {wanted}")
+
+
+@coded("E208")
+def circular_definition(span: Span, cycle: list[str], places: list[Span]) -> Words:
+    """Definitions need one another in a circle, so none of them has a value.
+
+    param a = 2*b
+    param b = a/2     # wrong
+    param b = 3 mm    # right
+    """
+    if len(set(cycle)) == 1:
+        message = f"'{cycle[0]}' is defined by itself"
+    else:
+        message = f"these definitions go in a circle: {' → '.join(cycle)}"
+    related = tuple(Related(p, "and here") for p in places)
+    return Words(span, message, "give one of them a value", related)
+
+
+@coded("E209")
+def reserved_form(span: Span, name: str, meaning: str) -> Words:
+    """A name has the form that the language keeps for quantities of a point or link.
+
+    ``V_D``, ``omega_OB``, ``R_O``, ``N_AB``, ``phi_AB`` and ``len_AB`` are quantities of
+    the mechanism itself wherever they stand, so nothing else is called like that.
+
+        param R_O = 40 mm     # wrong
+        param R_o = 40 mm     # right: 'o' is no point
+    """
+    return Words(span, f"'{name}' means {meaning} and cannot be declared", "choose another name")
+
+
+@coded("W201")
+def unused_parameter(span: Span, name: str) -> Words:
+    """A parameter is declared and nothing uses it.
+
+    Often a formula mentions another name than was meant.
+
+        param a = 40 mm
+        param b = 50 mm      # warned of: b stands in no formula
+        OB = a @ 90 deg
+    """
+    return Words(span, f"nothing uses the parameter '{name}'", "use it or remove it")
+
+
+@coded("W202")
+def lonely_point(span: Span, point: str, link: str) -> Words:
+    """Only one link goes through a point, and nothing acts there.
+
+    Most often it is a mistyped pin: the point was meant to join two links.
+
+        link OA
+        link BC      # warned of, where AC was meant
+    """
+    message = f"only link {link} goes through point {point}, and nothing acts there"
+    return Words(span, message, "is it a mistyped pin?")

@@ -1,0 +1,181 @@
+"""Words for quantities: dimensions, bare numbers, ranges, values (E22x, E23x)."""
+
+from collections.abc import Iterable
+
+from ...source import Span
+from ...units import ANGLE, LENGTH, USUAL_UNITS, Dimension, described
+from ..diagnostic import Related, Words, coded, near_miss
+
+
+@coded("E220")
+def mixed_dimensions(
+    span: Span, dimension: Dimension, first: Span, first_dimension: Dimension, act: str
+) -> Words:
+    """Quantities of different dimensions are added or compared.
+
+    Every formula has one dimension. An angle is a dimension of its own in sums and
+    comparisons, and a pure number in products.
+
+        param a     = 40 mm
+        param alpha = 30 deg
+        OB = a + alpha @ 0      # wrong: a length and an angle
+        OB = a @ alpha          # right
+    """
+    message = f"cannot {act} {described(first_dimension)} and {described(dimension)}"
+    return Words(span, message, "", (Related(first, f"this is {described(first_dimension)}"),))
+
+
+@coded("E221")
+def wrong_dimension(span: Span, found: Dimension, wanted: Dimension, what: str) -> Words:
+    """A quantity of another dimension stands where a length, an angle, a force … is wanted.
+
+    OB = alpha @ a      # wrong: length and direction are exchanged
+    OB = a @ alpha      # right
+    """
+    return Words(span, f"{what} is {described(wanted)}, found {described(found)}")
+
+
+@coded("E222")
+def bare_number(span: Span, digits: str, wanted: Dimension) -> Words:
+    """A number without a unit stands where a quantity is wanted.
+
+    Thirty what? Millimetres and metres, degrees and radians would all be possible, so
+    the unit is written. Only 0 needs none.
+
+        OB = 40 @ 30              # wrong
+        OB = 40 mm @ 30 deg       # right
+    """
+    unit = USUAL_UNITS.get(wanted, "")
+    hint = f"write {digits} {unit}" if unit and wanted in (ANGLE, LENGTH) else "write its unit"
+    return Words(span, f"{digits} what? Expected {described(wanted)}", hint)
+
+
+@coded("E223")
+def exponent_not_number(span: Span, base: Dimension) -> Words:
+    """A quantity with a dimension is raised to a power that is no constant number.
+
+    The dimension of ``a^n`` is known only where ``n`` is written as a number; a pure
+    number may be raised to anything.
+
+        let v = a^n         # wrong where a is a length
+        let v = (a/b)^n     # right
+    """
+    message = f"the exponent of {described(base)} is a constant number, found a formula"
+    return Words(span, message)
+
+
+@coded("E224")
+def number_too_large(span: Span) -> Words:
+    """A constant is too large or an exponent beyond 64: nothing measured is like that.
+
+    Numbers are kept exactly, and powers of powers would fill the memory.
+
+        param n = 9^9^9^9     # wrong
+    """
+    return Words(span, "this number is too large to compute with", "exponents go up to 64")
+
+
+@coded("E225")
+def divided_by_zero(span: Span) -> Words:
+    """A formula divides by a constant that is zero.
+
+    param n = 1/(2 - 2)     # wrong
+    """
+    return Words(span, "this divisor is 0")
+
+
+@coded("E226")
+def no_value(span: Span, name: str) -> Words:
+    """The formula of a parameter has no real value for the given parameters.
+
+    param s = 2
+    param beta = asin(s)         # wrong: no angle has the sine 2
+    param beta = asin(s/4)       # right
+    """
+    message = f"the formula of '{name}' has no real value at the given parameters"
+    return Words(span, message, "is the argument of a root or an arc function out of its domain?")
+
+
+@coded("E227")
+def unknown_dimension(span: Span, name: str, known: Iterable[str]) -> Words:
+    """A parameter is declared with a dimension that does not exist.
+
+    param a: lenght     # wrong
+    param a: length     # right
+    """
+    known = list(known)
+    hint = near_miss(name, known) or f"dimensions: {', '.join(known)}"
+    return Words(span, f"'{name}' is no dimension", hint)
+
+
+@coded("E228")
+def parameter_without_dimension(span: Span, name: str) -> Words:
+    """A parameter has neither a value nor a dimension nor a range, so nothing is known of it.
+
+    param a             # wrong
+    param a: length     # right
+    """
+    message = f"parameter '{name}' has neither value nor dimension"
+    return Words(span, message, f"write 'param {name} = …' or 'param {name}: length'")
+
+
+@coded("E229")
+def range_backwards(span: Span, name: str) -> Words:
+    """The ends of a range are equal or exchanged.
+
+    param a = 12 deg in 40 deg .. 2 deg     # wrong
+    param a = 12 deg in 2 deg .. 40 deg     # right
+    """
+    return Words(span, f"the range of '{name}' does not go from low to high", "exchange its ends")
+
+
+@coded("E230")
+def range_of_dependent(span: Span, name: str) -> Words:
+    """A parameter that depends on others has a range of its own.
+
+    Its range follows from theirs. A condition that it must keep is a ``require``.
+
+        param b = 2*a in 1 mm .. 2 mm     # wrong
+        param b = 2*a                     # right
+        require 1 mm < b < 2 mm
+    """
+    message = f"'{name}' follows from other parameters, so its range does too"
+    return Words(span, message, "write a 'require' for a condition")
+
+
+@coded("E231")
+def not_constant(span: Span, name: str, what: str) -> Words:
+    """A name stands where a constant is expected.
+
+    Ends of ranges, ``times``, the number of ``copies`` and the values behind ``at`` are
+    constants.
+
+        param a = 2 mm in 1 mm .. b        # wrong
+        param a = 2 mm in 1 mm .. 5 mm     # right
+    """
+    return Words(span, f"{what} is a constant, found the name '{name}'")
+
+
+@coded("W220")
+def value_outside_range(span: Span, name: str, edge: Span) -> Words:
+    """The value of a parameter lies outside its own range.
+
+    The value makes the pose that is drawn, the range is what is swept: one of the two
+    is probably mistyped.
+
+        param a = 50 deg in 2 deg .. 40 deg     # warned of
+    """
+    related = (Related(edge, "the range"),)
+    return Words(span, f"the value of '{name}' lies outside its range", "", related)
+
+
+@coded("W221")
+def condition_broken(span: Span) -> Words:
+    """A ``require`` does not hold for the given values.
+
+    The description is compiled, but at its own default pose the results do not apply.
+
+        param alpha = 100 deg
+        require alpha < 90 deg     # warned of
+    """
+    return Words(span, "the given values break this condition")

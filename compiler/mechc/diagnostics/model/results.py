@@ -1,0 +1,87 @@
+"""Words for what is asked for: find, let, expect (E28x)."""
+
+from collections.abc import Iterable
+
+from ...source import Span
+from ..diagnostic import Words, coded
+from .names import offered
+
+
+@coded("E280")
+def nothing_asked(span: Span) -> Words:
+    """A description to compile has no ``find`` and no ``let``.
+
+    find k = P / F
+    """
+    return Words(span, "nothing is asked for", "add a line such as 'find k = P / F'")
+
+
+@coded("E281")
+def not_findable(span: Span, hint: str = "") -> Words:
+    """A ``find`` asks for something that is no ratio and no load.
+
+    ``find`` takes the ratio of two loads (``P / F``), one load (``P``, as a linear form
+    of all others), or the ratio of two velocities (``V_D / V_A``, ``omega_OB / V_A``).
+    Formulas of these are written with ``let``.
+
+        find q = 2*P/F     # wrong
+        find k = P/F       # right
+        let  q = 2*k
+    """
+    message = "'find' takes a ratio of two loads, one load, or a ratio of two velocities"
+    return Words(span, message, hint or "a formula of results is written with 'let'")
+
+
+@coded("E282")
+def unknown_load(span: Span, name: str, loads: Iterable[str]) -> Words:
+    """A ``find`` names a load that is not there.
+
+    force P at A along x
+    force F at B along x
+    find k = P / G     # wrong
+    find k = P / F     # right
+    """
+    return Words(span, f"there is no load '{name}'", offered(name, loads, "loads"))
+
+
+@coded("E283")
+def still_point(span: Span, point: str) -> Words:
+    """A velocity of a pivot is asked for; pivots stand still.
+
+    pivot O
+    find V_O / V_A     # wrong
+    """
+    return Words(span, f"point {point} is a pivot, so its velocity is always 0")
+
+
+@coded("E284")
+def unknown_subject(span: Span, known: Iterable[str]) -> Words:
+    """An ``expect`` speaks of something that nothing asks for.
+
+    Its left side is the name of a ``find`` or ``let``, or the same ratio as a ``find``.
+
+        find k = P / F
+        expect q = 2     # wrong
+        expect k = 2     # right
+    """
+    message = "an 'expect' is about the name of a 'find' or 'let'"
+    return Words(span, message, offered("", known, "results"))
+
+
+@coded("E285")
+def not_a_setting(span: Span, name: str, kind: str) -> Words:
+    """The values behind ``at`` set parameters and loads, not what follows from them.
+
+    expect k = 7.14 at b = 2 mm     # wrong where b = 2*a
+    """
+    return Words(span, f"'{name}' is {kind}; 'at' sets free parameters and loads")
+
+
+@coded("E286")
+def link_named_for_nothing(span: Span) -> Words:
+    """``on`` says which link's pin force is meant, so it stands only with ``R_B``.
+
+    find P on AB       # wrong
+    find R_B on AB     # right
+    """
+    return Words(span, "'on' stands only with a pin force such as R_B", "remove it")

@@ -1,0 +1,58 @@
+"""What stands in an expression, and the exact value of a constant formula."""
+
+import math
+from collections.abc import Iterator, Sequence
+from fractions import Fraction
+from typing import assert_never
+
+from ..algebra.formula import Formula, Number, Power, Product, Sum
+from ..syntax import ast
+
+LARGEST_EXPONENT = 64
+"""Beyond, a constant power is refused: powers of powers would fill the memory."""
+
+
+def names_in(expression: ast.Expr) -> Iterator[ast.Symbol]:
+    """Yield the symbols of an expression, left to right."""
+    return (leaf for leaf in leaves(expression) if isinstance(leaf, ast.Symbol))
+
+
+def leaves(expression: ast.Expr) -> Iterator[ast.Symbol | ast.Number]:
+    """Yield the symbols and numbers of an expression, left to right."""
+    stack: list[ast.Expr] = [expression]
+    while stack:
+        node = stack.pop()
+        match node:
+            case ast.Symbol() | ast.Number():
+                yield node
+            case ast.Sum(parts) | ast.Product(parts):
+                stack.extend(part for _, part in reversed(parts))
+            case ast.Power(base, exponent):
+                stack += (exponent, base)
+            case ast.Call(_, arguments):
+                stack.extend(reversed(arguments))
+            case _:
+                assert_never(node)
+
+
+def rational(formula: Formula) -> Fraction | None:
+    """Return the value of a formula of exact numbers only, else None."""
+    match formula:
+        case Number(value):
+            return value
+        case Sum(terms):
+            values = _rationals(terms)
+            return None if values is None else sum(values, Fraction(0))
+        case Product(factors):
+            values = _rationals(factors)
+            return None if values is None else math.prod(values, start=Fraction(1))
+        case Power(base, Number(e)) if e.denominator == 1 and abs(e) <= LARGEST_EXPONENT:
+            inner = rational(base)
+            return inner**e.numerator if inner else inner
+        case _:
+            return None
+
+
+def _rationals(formulas: Sequence[Formula]) -> list[Fraction] | None:
+    values = [value for value in map(rational, formulas) if value is not None]
+    return values if len(values) == len(formulas) else None

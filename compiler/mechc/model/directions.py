@@ -1,0 +1,52 @@
+"""Directions and places."""
+
+import math
+
+from ..algebra.formula import Formula, degrees, evaluate, symbols
+from ..syntax import ast
+from ..units import ANGLE, LENGTH
+from .expressions import Reader
+from .mechanism import Absolute, Along, Direction, Offset
+from .scope import DESCRIPTION, Scope
+
+QUARTERS = {("x", 1): 0, ("y", 1): 90, ("x", -1): 180, ("y", -1): -90}
+"""The axes as angles in degrees, by their name and sign."""
+
+
+def read_direction(direction: ast.Direction, scope: Scope) -> Direction | None:
+    """Return a direction; a point that one is aimed by counts as used."""
+    match direction:
+        case ast.Axis(axis, sign, span):
+            return Absolute(degrees(QUARTERS[axis, sign]), span)
+        case ast.Toward(name, sign, perp, span):
+            ends = scope.points.acting(name)
+            quarter = (1 if perp else 0) + (2 if sign < 0 else 0)
+            return Along(ends[0], ends[1], quarter, span) if ends else None
+        case _:
+            angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, "a direction")
+            return Absolute(angle, direction.span) if angle else None
+
+
+def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offset | None:
+    """Return a vector by its components."""
+    reader = Reader(scope, DESCRIPTION)
+    x = reader.wanted(place.x, LENGTH, "a component")
+    y = reader.wanted(place.y, LENGTH, "a component")
+    return Offset(tail, head, x, y, place.span) if x and y else None
+
+
+def value_of(formula: Formula, scope: Scope) -> float | None:
+    """Return the value at the given parameters; None where one of them has none."""
+    if not symbols(formula) <= scope.values.keys():
+        return None
+    return evaluate(formula, scope.values)
+
+
+def parallel(a: Direction, b: Direction, scope: Scope) -> bool:
+    """Tell whether two directions may lie along one line: False only where surely not."""
+    if not isinstance(a, Absolute) or not isinstance(b, Absolute):
+        return True
+    first, second = value_of(a.angle, scope), value_of(b.angle, scope)
+    if first is None or second is None:
+        return True
+    return not abs(math.sin(first - second)) > 1e-9

@@ -1,0 +1,253 @@
+"""Expressions to formulas in SI, with what they measure.
+
+A formula that is wrong in one place is reported once and reads as None, so that what
+uses it stays quiet.
+"""
+
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import NamedTuple, assert_never
+
+from ..algebra.formula import (
+    PI,
+    ZERO,
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Symbol,
+    negative,
+    number,
+    power,
+    product,
+    total,
+)
+from ..diagnostics import Report
+from ..diagnostics.model import joints, names, quantities
+from ..source import Span
+from ..syntax import ast
+from ..units import ANGLE, NUMBER, UNITS, Dimension
+from .constants import LARGEST_EXPONENT, rational
+from .scope import FORMS, Form, Scope, Usage, form_of
+from .sorts import Nature, Sort, agreed, multiplied, raised
+
+LARGEST_BITS = 4096
+"""Size of a constant's numerator or denominator; a double needs 1,100 at most."""
+
+VELOCITIES = "the name of a result: a ratio of velocities is asked for with 'find'"
+
+ANGLE_TO_NUMBER = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+NUMBER_TO_ANGLE = frozenset({"asin", "acos", "atan"})
+NUMBER_TO_NUMBER = frozenset({"exp", "log"})
+ALIKE = frozenset({"abs", "min", "max", "hypot", "atan2"})
+
+
+class Quantity(NamedTuple):
+    """A formula in SI, what it measures and where it stands."""
+
+    formula: Formula
+    sort: Sort
+    span: Span
+
+    @property
+    def dimension(self) -> Dimension:
+        """Return the dimension."""
+        return self.sort.dimension
+
+
+@dataclass(frozen=True, slots=True)
+class Reader:
+    """Reads expressions whose names may be of certain kinds."""
+
+    scope: Scope
+    usage: Usage
+
+    @property
+    def report(self) -> Report:
+        """Return the report that errors go to."""
+        return self.scope.report
+
+    def wanted(self, expression: ast.Expr, dimension: Dimension, what: str) -> Formula | None:
+        """Read an expression that must measure ``dimension``; ``what`` names it in messages."""
+        found = self.read(expression)
+        return found.formula if found and self.fits(found, dimension, what) else None
+
+    def fits(self, found: Quantity, dimension: Dimension, what: str) -> bool:
+        """Tell whether a quantity measures what is wanted; report where it does not."""
+        if found.sort.fits(dimension):
+            return True
+        if found.sort.nature is Nature.BARE:
+            shown = self.report.source.text[found.span.start : found.span.end]
+            self.report.add(quantities.bare_number(found.span, shown, dimension))
+        else:
+            self.report.add(
+                quantities.wrong_dimension(found.span, found.dimension, dimension, what)
+            )
+        return False
+
+    def read(self, expression: ast.Expr) -> Quantity | None:
+        """Read an expression; None where an error in it was reported."""
+        match expression:
+            case ast.Number():
+                found: Quantity | None = self._number(expression)
+            case ast.Symbol():
+                found = self._symbol(expression)
+            case ast.Sum():
+                found = self._sum(expression)
+            case ast.Product():
+                found = self._product(expression)
+            case ast.Power():
+                found = self._power(expression)
+            case ast.Call():
+                found = self._call(expression)
+            case _:
+                assert_never(expression)
+        return self._sized(found) if found else None
+
+    def _sized(self, found: Quantity) -> Quantity | None:
+        """Refuse constants that grow beyond what anything measured can be."""
+        match found.formula:
+            case Number(value) | Product((Number(value), *_)):
+                bits = max(value.numerator.bit_length(), value.denominator.bit_length())
+                if bits > LARGEST_BITS:
+                    self.report.add(quantities.number_too_large(found.span))
+                    return None
+        return found
+
+    def _number(self, node: ast.Number) -> Quantity:
+        if not node.unit:
+            nature = Nature.BARE if node.value else Nature.ZERO
+            return Quantity(Number(node.value), Sort(NUMBER, nature), node.span)
+        unit = UNITS[node.unit]
+        plain = number(node.value * unit.factor)
+        formula = product([(plain, 1), (PI, 1)]) if unit.pi else plain
+        return Quantity(formula, Sort(unit.dimension), node.span)
+
+    def _symbol(self, node: ast.Symbol) -> Quantity | None:
+        if node.name == "pi":
+            return Quantity(PI, Sort(NUMBER, Nature.LOOSE), node.span)
+        if (form := form_of(node.name)) and node.name not in self.scope.entries:
+            self._refuse(node, form)
+            return None
+        entry = self.scope.look_up(node, self.usage)
+        if entry is None or entry.dimension is None:
+            return None
+        return Quantity(Symbol(node.name), Sort.of(entry.dimension), node.span)
+
+    def _refuse(self, node: ast.Symbol, form: Form) -> None:
+        """Say why a quantity of the mechanism cannot stand in a formula."""
+        points = ast.Name("".join(form.points), node.span)
+        if not self.scope.points.known(points):
+            return
+        if form.prefix in ("V", "omega"):
+            what = FORMS[form.prefix]
+            self.report.add(names.name_out_of_place(node.span, node.name, what, VELOCITIES))
+        else:
+            what = f"{FORMS[form.prefix]} in a formula ({node.name})"
+            self.report.add(joints.not_compiled_yet(node.span, what))
+
+    def _sum(self, node: ast.Sum) -> Quantity | None:
+        terms = [self.read(term) for _, term in node.terms]
+        known = [term for term in terms if term]
+        signs = [sign for sign, _ in node.terms]
+        act = "add" if all(sign > 0 for sign in signs[1:]) else "subtract"
+        sort = self.alike(known, act)
+        if sort is None or len(known) < len(terms):
+            return None
+        pairs = zip(signs, known, strict=True)
+        formula = total(t.formula if sign > 0 else negative(t.formula) for sign, t in pairs)
+        return Quantity(formula, sort, node.span)
+
+    def alike(self, parts: list[Quantity], act: str) -> Sort | None:
+        """Return the sort that parts of a sum or comparison share; report where they do not."""
+        if not parts:
+            return None
+        first, *rest = parts
+        sort = first.sort
+        anchor = first
+        for part in rest:
+            both = agreed(sort, part.sort)
+            if both is None:
+                self._differ(anchor, part, act)
+                return None
+            if both != sort:
+                sort, anchor = both, part
+        return sort
+
+    def _differ(self, first: Quantity, part: Quantity, act: str) -> None:
+        for bare, other in ((part, first), (first, part)):
+            if bare.sort.nature is Nature.BARE:
+                self.fits(bare, other.dimension, "a term")
+                return
+        self.report.add(
+            quantities.mixed_dimensions(part.span, part.dimension, first.span, first.dimension, act)
+        )
+
+    def _product(self, node: ast.Product) -> Quantity | None:
+        signs = [sign for sign, _ in node.factors]
+        read = [self.read(factor) for _, factor in node.factors]
+        factors = [factor for factor in read if factor]
+        if len(factors) < len(signs) or not self._divisible(factors, signs):
+            return None
+        formula = product((f.formula, s) for f, s in zip(factors, signs, strict=True))
+        sort = multiplied([(f.sort, s) for f, s in zip(factors, signs, strict=True)])
+        if formula == ZERO and sort.nature is Nature.BARE:
+            sort = Sort(NUMBER, Nature.ZERO)
+        return Quantity(formula, sort, node.span)
+
+    def _divisible(self, factors: list[Quantity], signs: list[int]) -> bool:
+        for factor, sign in zip(factors, signs, strict=True):
+            if sign < 0 and rational(factor.formula) == 0:
+                self.report.add(quantities.divided_by_zero(factor.span))
+                return False
+        return True
+
+    def _power(self, node: ast.Power) -> Quantity | None:
+        base, exponent = self.read(node.base), self.read(node.exponent)
+        if not base or not exponent or not self.fits(exponent, NUMBER, "an exponent"):
+            return None
+        constant = rational(exponent.formula)
+        if constant is None:
+            return self._general_power(base, exponent, node.span)
+        if abs(constant) > LARGEST_EXPONENT:
+            self.report.add(quantities.number_too_large(exponent.span))
+            return None
+        if constant < 0 and rational(base.formula) == 0:
+            self.report.add(quantities.divided_by_zero(base.span))
+            return None
+        return Quantity(
+            power(base.formula, number(constant)), raised(base.sort, constant), node.span
+        )
+
+    def _general_power(self, base: Quantity, exponent: Quantity, span: Span) -> Quantity | None:
+        if not base.sort.fits(NUMBER):
+            self.report.add(quantities.exponent_not_number(exponent.span, base.dimension))
+            return None
+        formula = Power(base.formula, exponent.formula)
+        return Quantity(formula, Sort(NUMBER, Nature.LOOSE), span)
+
+    def _call(self, node: ast.Call) -> Quantity | None:
+        read = [self.read(argument) for argument in node.arguments]
+        arguments = [argument for argument in read if argument]
+        sort = self._result(node, arguments) if len(arguments) == len(read) else None
+        if sort is None:
+            return None
+        formula = Call(node.function, tuple(a.formula for a in arguments))
+        return Quantity(formula, sort, node.span)
+
+    def _result(self, node: ast.Call, arguments: list[Quantity]) -> Sort | None:
+        """Return what a function's value measures; report arguments that do not suit it."""
+        argument = arguments[0]
+        what = f"the argument of {node.function}"
+        if node.function in ANGLE_TO_NUMBER:
+            return Sort(NUMBER) if self.fits(argument, ANGLE, what) else None
+        if node.function in NUMBER_TO_ANGLE:
+            return Sort(ANGLE) if self.fits(argument, NUMBER, what) else None
+        if node.function in NUMBER_TO_NUMBER:
+            return Sort.of(NUMBER) if self.fits(argument, NUMBER, what) else None
+        if node.function == "sqrt":
+            return raised(argument.sort, Fraction(1, 2))
+        assert node.function in ALIKE, node.function
+        sort = self.alike(arguments, "compare")
+        return Sort(ANGLE) if sort and node.function == "atan2" else sort

@@ -1,0 +1,146 @@
+"""Results asked for with ``find``: ratios of loads or velocities, and single loads."""
+
+from typing import NamedTuple
+
+from ..diagnostics.model import joints as joint_words
+from ..diagnostics.model import results as words
+from ..syntax import ast
+from ..units import FREQUENCY, VELOCITY, Dimension
+from .mechanism import Find, LoadForm, LoadRatio, Speed, SpeedRatio, Target
+from .scope import FORMS, Entry, Form, Scope, form_of
+from .statements import every
+
+
+class Part(NamedTuple):
+    """A load (by its name) or a velocity in a target, and what it measures."""
+
+    quantity: str | Speed
+    dimension: Dimension
+    name: str
+
+
+class Asked(NamedTuple):
+    """A target, what it measures, and the name it gets where the user gave none."""
+
+    target: Target
+    dimension: Dimension
+    name: str
+
+
+def read_finds(file: ast.File, scope: Scope) -> list[Find]:
+    """Return every find and enter its name; points and loads are known by now."""
+    finds: list[Find] = []
+    for statement in every(file, ast.Find):
+        asked = read_target(statement.target, scope, statement.on)
+        if asked is None:
+            if statement.name:
+                scope.declare(statement.name, "result")
+        elif name := _entered(statement, asked, scope):
+            finds.append(Find(name, asked.target, statement.target.span))
+    return finds
+
+
+def _entered(statement: ast.Find, asked: Asked, scope: Scope) -> str | None:
+    """Enter the name of a find; a load asked for may go by its own."""
+    if statement.name and statement.name.text != asked.name:
+        entered = scope.declare(statement.name, "result", asked.dimension)
+        return statement.name.text if entered else None
+    if isinstance(asked.target, LoadForm):
+        return asked.name
+    entry = Entry("result", statement.target.span, asked.dimension)
+    return asked.name if scope.enter(asked.name, entry) else None
+
+
+def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> Asked | None:
+    """Read what is asked for; None where an error in it was reported."""
+    match target:
+        case ast.Symbol() as symbol if (form := form_of(symbol.name)) and form.prefix in "RN":
+            _refuse_reaction(symbol, form, on, scope)
+            return None
+        case ast.Symbol() as symbol:
+            asked = _single(symbol, scope)
+        case ast.Product(factors=((1, ast.Symbol() as above), (-1, ast.Symbol() as below))):
+            asked = _ratio(above, below, scope)
+        case _:
+            scope.report.add(words.not_findable(target.span))
+            return None
+    if on:
+        scope.report.add(words.link_named_for_nothing(on.span))
+    return asked
+
+
+def _refuse_reaction(symbol: ast.Symbol, form: Form, on: ast.Name | None, scope: Scope) -> None:
+    """Check the names of a reaction that is asked for, and say that it is not compiled yet."""
+    scope.points.acting(ast.Name("".join(form.points), symbol.span))
+    if on:
+        scope.points.link(on)
+    what = f"{FORMS[form.prefix]} ({symbol.name})"
+    scope.report.add(joint_words.not_compiled_yet(symbol.span, what))
+
+
+def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:
+    if form_of(symbol.name):
+        hint = f"a velocity is asked for as a ratio, such as {symbol.name} / V_A"
+        scope.report.add(words.not_findable(symbol.span, hint))
+        return None
+    part = _load(symbol, scope)
+    return Asked(LoadForm(symbol.name), part.dimension, symbol.name) if part else None
+
+
+def _ratio(above: ast.Symbol, below: ast.Symbol, scope: Scope) -> Asked | None:
+    first, second = _part(above, scope), _part(below, scope)
+    if first is None or second is None:
+        return None
+    target: Target
+    match first.quantity, second.quantity:
+        case str(p), str(q) if p != q:
+            target = LoadRatio(p, q)
+        case Speed() as v, Speed() as w if v != w:
+            target = SpeedRatio(v, w)
+        case _:
+            same = first.quantity == second.quantity
+            hint = "this ratio is 1" if same else "a load and a velocity have no ratio here"
+            scope.report.add(words.not_findable(above.span.to(below.span), hint))
+            return None
+    dimension = first.dimension.joined(second.dimension.scaled(-1))
+    return Asked(target, dimension, f"{first.name}_over_{second.name}")
+
+
+def _part(symbol: ast.Symbol, scope: Scope) -> Part | None:
+    form = form_of(symbol.name)
+    return _velocity(symbol, form, scope) if form else _load(symbol, scope)
+
+
+def _load(symbol: ast.Symbol, scope: Scope) -> Part | None:
+    entry = scope.entries.get(symbol.name)
+    if entry is None:
+        scope.report.add(words.unknown_load(symbol.span, symbol.name, scope.names({"load"})))
+        return None
+    if entry.kind != "load" or entry.dimension is None:
+        scope.report.add(words.not_findable(symbol.span, f"'{symbol.name}' is a {entry.kind}"))
+        return None
+    return Part(symbol.name, entry.dimension, symbol.name)
+
+
+def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Part | None:
+    """Read ``V_D`` or ``omega_OB``."""
+    points = ast.Name("".join(form.points), symbol.span)
+    identifier = symbol.name.replace("'", "p")
+    match form.prefix:
+        case "omega":
+            link = scope.points.link(points)
+            return Part(Speed("link", link.name), FREQUENCY, identifier) if link else None
+        case "V":
+            return _point_velocity(points, identifier, scope)
+        case _:
+            scope.report.add(words.not_findable(symbol.span))
+            return None
+
+
+def _point_velocity(point: ast.Name, identifier: str, scope: Scope) -> Part | None:
+    if not scope.points.acting(point):
+        return None
+    if point.text in scope.points.fixed:
+        scope.report.add(words.still_point(point.span, point.text))
+        return None
+    return Part(Speed("point", point.text), VELOCITY, identifier)

@@ -1,0 +1,129 @@
+"""The syntax tree to the mechanism: the model stage's table of contents."""
+
+import re
+from collections.abc import Sequence
+from pathlib import PurePath
+
+from ..diagnostics import Report
+from ..diagnostics.model import loads as load_words
+from ..diagnostics.model import names
+from ..diagnostics.model import results as words
+from ..source import Span
+from ..syntax import ast
+from ..units import FORCE, TORQUE
+from .definitions import read_definitions, settled
+from .finds import read_finds
+from .geometry import read_geometry
+from .joints import declare_points, read_pivots, read_sliders, warn_idle
+from .loads import read_loads
+from .mechanism import Find, LoadForm, Mechanism
+from .parameters import warn_unused
+from .pending import check_pending
+from .points import Points
+from .results import read_expects, read_requires
+from .scope import Scope
+from .statements import every, only
+from .symmetry import read_copies, read_mirror
+
+
+def resolve(file: ast.File, report: Report) -> Mechanism:
+    """Return the mechanism that a description describes, with everything checked.
+
+    Lengths, forces … are in SI and angles in radians. As many errors as possible are
+    reported before :class:`MechcError` is raised.
+    """
+    points = Points(report)
+    declare_points(file, points)
+    scope = Scope(report, points)
+    _declare_names(file, scope)
+    finds = read_finds(file, scope)
+    _declare_lets(file, finds, scope)
+    found = read_definitions(file, scope)
+    pivots, places = read_pivots(file, scope)
+    sliders, guides, guide_places = read_sliders(file, scope)
+    geometry = read_geometry(file, scope)
+    loads = read_loads(file, scope)
+    mirror = read_mirror(file, loads, scope)
+    copies = read_copies(file, scope)
+    check_pending(file, scope)
+    requires = read_requires(file, found, scope)
+    expects = read_expects(file, finds, found, scope)
+    parameters, lets = settled(found, file, scope)
+    _check_asked(file, report)
+    report.stop_on_errors()
+    warn_unused(found.parameters, scope)
+    warn_idle(pivots, sliders, points)
+    _warn_lonely(points)
+    heading, note = only(file, ast.Heading), only(file, ast.SourceNote)
+    return Mechanism(
+        name=heading.name.text if heading else name_of(report.source.name),
+        title=heading.title if heading else "",
+        source=note.text if note else "",
+        span=heading.span if heading else Span(0, 0),
+        parameters=parameters,
+        pivots=(*pivots, *guides),
+        sliders=tuple(sliders),
+        links=tuple(points.links.values()),
+        geometry=(*places, *guide_places, *geometry),
+        loads=tuple(loads),
+        mirror=mirror,
+        copies=copies,
+        finds=tuple(finds),
+        lets=lets,
+        requires=tuple(requires),
+        expects=tuple(expects),
+        spans=points.places,
+    )
+
+
+def name_of(source: str) -> str:
+    """Return a name for a description that has none: the stem of its file.
+
+    >>> name_of("clamps/packet-clamp 2.mech"), name_of("<stdin>")
+    ('packet_clamp_2', 'mechanism')
+    """
+    stem = re.sub(r"\W+", "_", PurePath(source).stem, flags=re.ASCII).strip("_")
+    return stem if stem[:1].isalpha() and stem != "stdin" else "mechanism"
+
+
+def _declare_names(file: ast.File, scope: Scope) -> None:
+    """Enter parameters and loads."""
+    for statement in file.statements:
+        match statement:
+            case ast.Param(name=name):
+                scope.declare(name, "parameter")
+            case ast.Force(name=name) | ast.Weight(name=name) | ast.Actuator(name=name):
+                scope.declare(name, "load", FORCE)
+            case ast.Torque(name=name):
+                scope.declare(name, "load", TORQUE)
+
+
+def _declare_lets(file: ast.File, finds: Sequence[Find], scope: Scope) -> None:
+    """Enter the lets; one with a load's name gives that load its value, once.
+
+    A load that is asked for has no value of the user's.
+    """
+    valued = {f.target.load: f.span for f in finds if isinstance(f.target, LoadForm)}
+    for statement in every(file, ast.Let):
+        name = statement.name
+        entry = scope.entries.get(name.text)
+        if entry is None or entry.kind != "load":
+            scope.declare(name, "let")
+        elif name.text in valued:
+            scope.report.add(load_words.load_given_again(name.span, name.text, valued[name.text]))
+        valued.setdefault(name.text, name.span)
+
+
+def _check_asked(file: ast.File, report: Report) -> None:
+    if not every(file, ast.Find) and not every(file, ast.Let):
+        end = len(report.source.text.rstrip())
+        report.add(words.nothing_asked(Span(end, end)))
+
+
+def _warn_lonely(points: Points) -> None:
+    """Warn of points that one link alone carries and at which nothing acts."""
+    jointed = points.fixed | points.guided
+    for point, links in points.carried.items():
+        if len(links) == 1 and not points.used[point] and point not in jointed:
+            report = points.report
+            report.add(names.lonely_point(points.places[point], point, links[0].name))

@@ -1,0 +1,111 @@
+"""Vectors and angles between points."""
+
+import math
+from typing import NamedTuple
+
+from ..algebra.formula import Formula
+from ..diagnostics.model import joints as words
+from ..source import Span
+from ..syntax import ast
+from ..units import ANGLE, LENGTH
+from .directions import read_direction, read_place, value_of
+from .expressions import Reader
+from .mechanism import Arrow, Geometry, Offset, Turn
+from .scope import DESCRIPTION, Scope
+
+
+class Ends(NamedTuple):
+    """The two points of a vector."""
+
+    tail: str
+    head: str
+
+
+def read_geometry(file: ast.File, scope: Scope) -> list[Geometry]:
+    """Return every vector and angle of the description."""
+    found: list[Geometry] = []
+    first: dict[frozenset[str] | tuple[str, frozenset[str]], Span] = {}
+    for statement in file.statements:
+        match statement:
+            case ast.Vector(points=name):
+                points = scope.points.known(name)
+                entry = _vector(statement, Ends(*points), scope) if points else None
+                key: frozenset[str] | tuple[str, frozenset[str]] = frozenset(points or ())
+            case ast.Turn(points=name):
+                points = scope.points.known(name)
+                entry = _turn(statement, points, scope) if points else None
+                key = (points[1], frozenset(points)) if points else frozenset()
+            case _:
+                continue
+        if points and first.setdefault(key, name.span) != name.span:
+            scope.report.add(words.vector_again(name.span, name.text, first[key]))
+        elif entry:
+            found.append(entry)
+    _count_uses(found, scope)
+    return found
+
+
+def _vector(statement: ast.Vector, ends: Ends, scope: Scope) -> Geometry | None:
+    match statement.value:
+        case ast.Cartesian() as place:
+            offset = read_place(*ends, place, scope)
+            return offset if offset and _long_enough(offset, statement, scope) else None
+        case ast.Polar() as polar:
+            return _arrow(polar, ends, statement, scope)
+
+
+def _arrow(polar: ast.Polar, ends: Ends, statement: ast.Vector, scope: Scope) -> Arrow | None:
+    length = direction = None
+    if polar.length:
+        length = Reader(scope, DESCRIPTION).wanted(polar.length, LENGTH, "a length")
+        if length is None or not _positive(length, polar.length.span, statement, scope):
+            return None
+    if polar.direction:
+        direction = read_direction(polar.direction, scope)
+        if direction is None:
+            return None
+    return Arrow(*ends, length, direction, statement.span)
+
+
+def _positive(length: Formula, span: Span, statement: ast.Vector, scope: Scope) -> bool:
+    value = value_of(length, scope)
+    if value is not None and value <= 0:
+        shown = f"{value * 1000:g} mm"
+        scope.report.add(words.length_not_positive(span, statement.points.text, shown))
+        return False
+    return True
+
+
+def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
+    if value_of(offset.x, scope) == value_of(offset.y, scope) == 0:
+        scope.report.add(words.length_not_positive(offset.span, statement.points.text, "0"))
+        return False
+    return True
+
+
+def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | None:
+    angle = Reader(scope, DESCRIPTION).wanted(statement.angle, ANGLE, "an angle")
+    if angle is None:
+        return None
+    value = value_of(angle, scope)
+    if value is not None and not 0 <= value <= 2 * math.pi:
+        shown = f"{math.degrees(value):g} deg"
+        scope.report.add(
+            words.turn_out_of_range(statement.angle.span, statement.points.text, shown)
+        )
+        return None
+    first, vertex, second = points
+    return Turn(first, vertex, second, angle, statement.span)
+
+
+def _count_uses(found: list[Geometry], scope: Scope) -> None:
+    """Count a point as used where two entries meet in it: it places something else."""
+    seen: set[str] = set()
+    for entry in found:
+        match entry:
+            case Arrow(tail, head) | Offset(tail, head):
+                ends = {tail, head}
+            case Turn(first, vertex, second):
+                ends = {first, vertex, second}
+        scope.points.used.update(seen & ends)
+        seen |= ends

@@ -1,0 +1,110 @@
+"""Pivots, sliders and links, and the points that they declare."""
+
+from collections.abc import Sequence
+
+from ..diagnostics.model import joints as words
+from ..source import Span
+from ..syntax import ast
+from .directions import read_direction, read_place
+from .mechanism import Geometry, Link, Offset, Pivot, Slider
+from .points import Points
+from .scope import Scope
+from .statements import every
+
+
+def declare_points(file: ast.File, points: Points) -> None:
+    """Enter the points of every joint and body, and the links through them."""
+    for statement in file.statements:
+        match statement:
+            case ast.Pivot(point=name):
+                points.declare(name)
+                points.fixed.add(name.text)
+            case ast.Slider(point=name):
+                points.declare(name)
+                points.guided.add(name.text)
+            case ast.Slide(points=name) | ast.Telescope(points=name):
+                points.used.update(points.declare(name) or ())
+            case ast.Link(points=name, label=label):
+                _add_link(name, label, points)
+    _check_joints(file, points)
+
+
+def _add_link(name: ast.Name, label: str, points: Points) -> None:
+    carried = points.declare(name)
+    if carried is None:
+        return
+    for other in points.links.values():
+        if set(other.points) == set(carried):
+            points.report.add(words.link_again(name.span, name.text, other.span))
+            return
+    points.add(Link(name.text, carried, name.span, label))
+
+
+def _check_joints(file: ast.File, points: Points) -> None:
+    """Report points that are pivot or slider twice, or both."""
+    first: dict[str, tuple[str, Span]] = {}
+    joints: list[ast.Pivot | ast.Slider] = [*every(file, ast.Pivot), *every(file, ast.Slider)]
+    for statement in joints:
+        what = "pivot" if isinstance(statement, ast.Pivot) else "slider"
+        point, span = statement.point.text, statement.point.span
+        before = first.setdefault(point, (what, span))
+        if before[1] == span:
+            continue
+        if before[0] == what:
+            points.report.add(words.joint_again(span, what, point, before[1]))
+        else:
+            points.report.add(words.pivot_and_slider(span, point, before[1]))
+
+
+def read_pivots(file: ast.File, scope: Scope) -> tuple[list[Pivot], list[Geometry]]:
+    """Return the pivots, and the places given for them."""
+    pivots: list[Pivot] = []
+    places: list[Geometry] = []
+    for statement in every(file, ast.Pivot):
+        point = statement.point.text
+        pivots.append(Pivot(point, statement.span))
+        if statement.at and (place := read_place("", point, statement.at, scope)):
+            places.append(place)
+    return pivots, places
+
+
+def read_sliders(file: ast.File, scope: Scope) -> tuple[list[Slider], list[Pivot], list[Geometry]]:
+    """Return the sliders, with a fixed point and its place for each ``through (x, y)``."""
+    sliders: list[Slider] = []
+    pivots: list[Pivot] = []
+    places: list[Geometry] = []
+    for statement in every(file, ast.Slider):
+        along = read_direction(statement.along, scope)
+        through = _through(statement, scope)
+        if isinstance(through, Offset):
+            pivots.append(Pivot(through.head, through.span))
+            places.append(through)
+            through = through.head
+        if along:
+            sliders.append(Slider(statement.point.text, along, statement.span, through))
+    return sliders, pivots, places
+
+
+def _through(statement: ast.Slider, scope: Scope) -> str | Offset | None:
+    """Return the pivot, or the made-up fixed point (``A_0`` for slider A), of a guide."""
+    match statement.through:
+        case None:
+            return None
+        case ast.Cartesian() as place:
+            return read_place("", f"{statement.point.text}_0", place, scope)
+        case ast.Name() as name:
+            if not scope.points.acting(name):
+                return None
+            if name.text not in scope.points.fixed:
+                scope.report.add(words.guide_through_moving_point(name.span, name.text))
+            return name.text
+
+
+def warn_idle(pivots: Sequence[Pivot], sliders: Sequence[Slider], points: Points) -> None:
+    """Warn of joints that hold no link and that nothing uses."""
+    joints: list[tuple[Pivot | Slider, str]] = [(p, "pivot") for p in pivots]
+    joints += [(s, "slider") for s in sliders]
+    for joint, what in joints:
+        point = joint.point
+        if point in points.places and point not in points.carried and not points.used[point]:
+            points.report.add(words.idle_joint(joint.span, what, point))

@@ -1,0 +1,182 @@
+"""Forces, torques and weights, and the formulas that tie one load to another."""
+
+from collections.abc import Sequence
+from fractions import Fraction
+
+from ..algebra.formula import (
+    Call,
+    Formula,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    degrees,
+    number,
+    product,
+    symbols,
+)
+from ..diagnostics.model import loads as words
+from ..diagnostics.model import names
+from ..source import Span
+from ..syntax import ast
+from ..units import ACCELERATION, FORCE, MASS, NUMBER, TORQUE, Dimension
+from .constants import rational
+from .directions import read_direction
+from .expressions import Reader
+from .mechanism import Absolute, Direction, Force, Load, Torque
+from .parameters import constant
+from .scope import DESCRIPTION, TIE, Scope
+from .statements import every, only
+
+GRAVITY = number(Fraction("9.80665"))
+"""The standard acceleration of free fall in m/s²."""
+
+
+def read_loads(file: ast.File, scope: Scope) -> list[Load]:
+    """Return every load in the order of the file."""
+    gravity = _gravity(file, scope)
+    loads: list[Load] = []
+    for statement in file.statements:
+        match statement:
+            case ast.Force():
+                load: Load | None = _force(statement, scope)
+            case ast.Torque():
+                load = _torque(statement, scope)
+            case ast.Weight():
+                load = _weight(statement, gravity, scope)
+            case _:
+                continue
+        if load:
+            loads.append(load)
+    _check_ties(loads, scope)
+    _check_given_once(loads, file, scope)
+    return loads
+
+
+def _force(statement: ast.Force, scope: Scope) -> Force | None:
+    points = scope.points.acting(statement.point)
+    along = read_direction(statement.along, scope)
+    times = _times(statement.times, scope)
+    tie = _tie(statement.tie, FORCE, statement.name, scope) if statement.tie else None
+    if not points or not along or (statement.tie and not tie):
+        return None
+    return Force(statement.name.text, points[0], along, statement.span, tie, times)
+
+
+def _torque(statement: ast.Torque, scope: Scope) -> Torque | None:
+    link = scope.points.link(statement.link)
+    times = _times(statement.times, scope)
+    tie = _tie(statement.tie, TORQUE, statement.name, scope) if statement.tie else None
+    if not link or (statement.tie and not tie):
+        return None
+    return Torque(statement.name.text, link.name, statement.span, tie, times)
+
+
+def _weight(statement: ast.Weight, along: Direction | None, scope: Scope) -> Force | None:
+    points = scope.points.acting(statement.point)
+    mass = Reader(scope, DESCRIPTION).wanted(statement.mass, MASS, "a mass")
+    times = _times(statement.times, scope)
+    g = _acceleration(statement.span, scope)
+    if not points or not mass or not along or not g:
+        return None
+    tie = product([(mass, 1), (g, 1)])
+    return Force(statement.name.text, points[0], along, statement.span, tie, times, weight=True)
+
+
+def _acceleration(span: Span, scope: Scope) -> Formula | None:
+    """Return g: the parameter of that name if there is one."""
+    if "g" not in scope.entries:
+        return GRAVITY
+    what = "the parameter g of a description with weights"
+    return Reader(scope, DESCRIPTION).wanted(ast.Symbol("g", span), ACCELERATION, what)
+
+
+def _gravity(file: ast.File, scope: Scope) -> Direction | None:
+    statement = only(file, ast.Gravity)
+    if statement is None:
+        weights = every(file, ast.Weight)
+        return Absolute(degrees(-90), weights[0].span if weights else Span(0, 0))
+    if not every(file, ast.Weight):
+        scope.report.add(words.idle_gravity(statement.span))
+    return read_direction(statement.along, scope)
+
+
+def _times(expression: ast.Expr | None, scope: Scope) -> Fraction:
+    """Return the factor behind ``times``; 1 where there is none or an error was reported."""
+    if expression is None:
+        return Fraction(1)
+    found = constant(expression, scope, "'times'")
+    if not found or not Reader(scope, DESCRIPTION).fits(found, NUMBER, "'times'"):
+        return Fraction(1)
+    value = rational(found.formula)
+    if value is not None and value > 0:
+        return value
+    shown = scope.report.source.text[expression.span.start : expression.span.end]
+    scope.report.add(words.times_not_positive(expression.span, shown))
+    return Fraction(1)
+
+
+# ---------------------------------------------------------------------------- ties
+
+
+def _tie(tie: ast.Expr, dimension: Dimension, name: ast.Name, scope: Scope) -> Formula | None:
+    """Return a formula that is proportional to exactly one other load."""
+    formula = Reader(scope, TIE).wanted(tie, dimension, f"load '{name.text}'")
+    if formula is None:
+        return None
+    loads = symbols(formula) & set(scope.names({"load"}))
+    if len(loads) != 1 or degree(formula, loads) != 1:
+        scope.report.add(words.tie_not_linear(tie.span, name.text))
+        return None
+    return formula
+
+
+def degree(formula: Formula, loads: frozenset[str]) -> int | None:
+    """Return the degree in which a formula is homogeneous in loads; None if in none.
+
+    >>> degree(product([(Symbol("f"), 1), (Symbol("R"), 1)]), frozenset({"R"}))
+    1
+    """
+    match formula:
+        case Number() | Pi():
+            return 0
+        case Symbol(name):
+            return int(name in loads)
+        case Sum(terms):
+            degrees_found = {degree(t, loads) for t in terms}
+            return degrees_found.pop() if len(degrees_found) == 1 else None
+        case Product(factors):
+            parts = [degree(f, loads) for f in factors]
+            return None if None in parts else sum(p for p in parts if p)
+        case Power() | Call():
+            return None if symbols(formula) & loads else 0
+
+
+def _check_ties(loads: Sequence[Load], scope: Scope) -> None:
+    """Report ties that go in a circle, each circle once."""
+    ties = {load.name: load for load in loads if load.tie}
+    names_of_loads = set(scope.names({"load"}))
+    reported: set[str] = set()
+    for start in ties:
+        path: list[str] = []
+        name: str | None = start
+        while name in ties and name not in path:
+            path.append(name)
+            tie = ties[name].tie
+            name = next(iter(symbols(tie) & names_of_loads), None) if tie else None
+        if name in path and not reported & set(path):
+            cycle = path[path.index(name) :]
+            reported.update(path)
+            places = [ties[n].span for n in cycle]
+            scope.report.add(names.circular_definition(places[0], [*cycle, name], places[1:]))
+
+
+def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> None:
+    """Report loads that are tied, or weights, and get a value by ``let`` as well."""
+    tied = {load.name: load.span for load in loads if load.tie}
+    for let in every(file, ast.Let):
+        name = let.name.text
+        if name in tied:
+            scope.report.add(words.load_given_again(let.span, name, tied[name]))

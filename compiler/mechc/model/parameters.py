@@ -1,0 +1,149 @@
+"""One parameter: its dimension, value, range and unit."""
+
+import math
+from collections.abc import Iterator, Mapping
+from itertools import chain
+
+from ..algebra.formula import evaluate, symbols
+from ..diagnostics.model import names, quantities
+from ..syntax import ast
+from ..units import DIMENSIONS, UNITS, Dimension
+from .constants import leaves, names_in
+from .expressions import Quantity, Reader
+from .mechanism import Interval, Parameter
+from .scope import DESCRIPTION, Scope
+from .sorts import Nature
+
+Ends = tuple[Quantity, Quantity]
+
+
+def read_parameter(
+    statement: ast.Param, scope: Scope, known: Mapping[str, Parameter]
+) -> Parameter | None:
+    """Read a ``param`` line; ``known`` are the parameters that it may depend on."""
+    value = Reader(scope, DESCRIPTION).read(statement.value) if statement.value else None
+    ends = _range(statement, scope)
+    dimension = _dimension(statement, value, ends, scope)
+    if dimension is None or not _consistent(statement, dimension, value, ends, scope):
+        return None
+    name = statement.name.text
+    scope.define(name, dimension)
+    parameter = Parameter(
+        name=name,
+        dimension=dimension,
+        span=statement.span,
+        value=value.formula if value else None,
+        range=Interval(ends[0].formula, ends[1].formula) if ends else None,
+        unit=_unit(statement, dimension, known),
+        label=statement.label,
+        about=statement.about,
+        dependent=bool(value and symbols(value.formula)),
+    )
+    _note_value(parameter, scope)
+    _check_range(parameter, statement, scope)
+    return parameter
+
+
+def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
+    """Read an expression that may mention no name; ``what`` names it in messages."""
+    for symbol in names_in(expression):
+        if symbol.name != "pi":
+            scope.report.add(quantities.not_constant(symbol.span, symbol.name, what))
+            return None
+    return Reader(scope, DESCRIPTION).read(expression)
+
+
+def _range(statement: ast.Param, scope: Scope) -> Ends | None:
+    if statement.low is None or statement.high is None:
+        return None
+    low = constant(statement.low, scope, "an end of a range")
+    high = constant(statement.high, scope, "an end of a range")
+    return (low, high) if low and high else None
+
+
+def _dimension(
+    statement: ast.Param, value: Quantity | None, ends: Ends | None, scope: Scope
+) -> Dimension | None:
+    """Return the dimension: the one declared, else the value's, else the range's."""
+    name = statement.dimension
+    if name:
+        if name.text not in DIMENSIONS:
+            scope.report.add(quantities.unknown_dimension(name.span, name.text, DIMENSIONS))
+        return DIMENSIONS.get(name.text)
+    if statement.value:
+        return value.dimension if value else None
+    if ends:
+        low, high = ends
+        return low.dimension if high.sort.nature is Nature.ZERO else high.dimension
+    if statement.low is None:
+        name = statement.name
+        scope.report.add(quantities.parameter_without_dimension(name.span, name.text))
+    return None
+
+
+def _consistent(
+    statement: ast.Param,
+    dimension: Dimension,
+    value: Quantity | None,
+    ends: Ends | None,
+    scope: Scope,
+) -> bool:
+    """Report a value or an end of the range that measures something else."""
+    reader = Reader(scope, DESCRIPTION)
+    name = statement.name.text
+    sound = value is None or reader.fits(value, dimension, f"'{name}'")
+    for end in ends or ():
+        sound = reader.fits(end, dimension, f"the range of '{name}'") and sound
+    return sound and (value is not None or statement.value is None)
+
+
+def _unit(statement: ast.Param, dimension: Dimension, known: Mapping[str, Parameter]) -> str:
+    """Return the first unit of this dimension that the user wrote, here or in what it uses."""
+    parts = [part for part in (statement.value, statement.high) if part]
+    for unit in chain.from_iterable(_units(part, known) for part in parts):
+        if unit and UNITS[unit].dimension == dimension:
+            return unit
+    return ""
+
+
+def _units(expression: ast.Expr, known: Mapping[str, Parameter]) -> Iterator[str]:
+    for leaf in leaves(expression):
+        match leaf:
+            case ast.Number(unit=unit):
+                yield unit
+            case ast.Symbol(name=name) if name in known:
+                yield known[name].unit
+
+
+def _note_value(parameter: Parameter, scope: Scope) -> None:
+    """Keep the default value for later checks; report a formula that has none."""
+    formula = parameter.value
+    if formula is None or not symbols(formula) <= scope.values.keys():
+        return
+    value = evaluate(formula, scope.values)
+    if math.isfinite(value):
+        scope.values[parameter.name] = value
+    else:
+        scope.report.add(quantities.no_value(parameter.span, parameter.name))
+
+
+def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
+    if parameter.range is None or statement.low is None or statement.high is None:
+        return
+    edge = statement.low.span.to(statement.high.span)
+    low, high = (evaluate(end, {}) for end in parameter.range)
+    value = scope.values.get(parameter.name)
+    if parameter.dependent:
+        scope.report.add(quantities.range_of_dependent(edge, parameter.name))
+    elif not low < high:
+        scope.report.add(quantities.range_backwards(edge, parameter.name))
+    elif value is not None and statement.value and not low <= value <= high:
+        span = statement.value.span
+        scope.report.add(quantities.value_outside_range(span, parameter.name, edge))
+
+
+def warn_unused(parameters: Mapping[str, Parameter], scope: Scope) -> None:
+    """Warn of parameters that no formula mentions."""
+    for name, parameter in parameters.items():
+        if name not in scope.used:
+            scope.report.add(names.unused_parameter(parameter.span, name))

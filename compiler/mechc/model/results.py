@@ -1,0 +1,152 @@
+"""Conditions of use, and what books and colleagues expect of results."""
+
+import math
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+
+from ..algebra.formula import Formula, evaluate, symbols
+from ..diagnostics.model import names, quantities
+from ..diagnostics.model import results as words
+from ..syntax import ast
+from ..units import UNITS, Dimension
+from .definitions import Definitions, without_lets
+from .expressions import Quantity, Reader
+from .finds import read_target
+from .mechanism import Expect, Find, Require
+from .parameters import constant
+from .scope import CONDITION, EXPECTED, Scope
+from .statements import every
+
+HOLDS = {
+    "<": float.__lt__,
+    "<=": float.__le__,
+    ">": float.__gt__,
+    ">=": float.__ge__,
+    "=": math.isclose,
+    "!=": float.__ne__,
+}
+
+
+# ---------------------------------------------------------------------- conditions
+
+
+def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Require]:
+    """Return every condition; a chain is split into its links."""
+    requires: list[Require] = []
+    for statement in every(file, ast.Require):
+        reader = Reader(scope, CONDITION)
+        read = [reader.read(operand) for operand in statement.operands]
+        operands = [operand for operand in read if operand]
+        if len(operands) < len(read) or reader.alike(operands, "compare") is None:
+            continue
+        formulas = [without_lets(o.formula, found, scope) for o in operands]
+        pairs = zip(formulas, statement.operators, formulas[1:], strict=False)
+        conditions = [Require(left, op, right, statement.span) for left, op, right in pairs]
+        if any(not _holds(condition, scope) for condition in conditions):
+            scope.report.add(quantities.condition_broken(statement.span))
+        requires += conditions
+    return requires
+
+
+def _holds(condition: Require, scope: Scope) -> bool:
+    """Tell whether a condition holds at the default pose; True where that has no value."""
+    sides = (condition.left, condition.right)
+    if not all(symbols(side) <= scope.values.keys() for side in sides):
+        return True
+    left, right = (float(evaluate(side, scope.values)) for side in sides)
+    return bool(HOLDS[condition.operator](left, right))
+
+
+# -------------------------------------------------------------------- expectations
+
+
+def read_expects(
+    file: ast.File, finds: Sequence[Find], found: Definitions, scope: Scope
+) -> list[Expect]:
+    """Return what is expected of results, and how exactly."""
+    subjects = _subjects(finds, found, scope)
+    expects: list[Expect] = []
+    for statement in every(file, ast.Expect):
+        subject = _subject(statement.subject, finds, subjects, scope)
+        value = Reader(scope, EXPECTED).read(statement.value)
+        at = _settings(statement, scope)
+        if subject is None or value is None or not _suits(value, subjects[subject], scope):
+            continue
+        formula = without_lets(value.formula, found, scope)
+        tolerance = half_a_digit(statement.value)
+        expects.append(Expect(subject, formula, at, tolerance, statement.span))
+    return expects
+
+
+def _subjects(
+    finds: Sequence[Find], found: Definitions, scope: Scope
+) -> dict[str, Dimension | None]:
+    """Return what may be expected of something: finds, and lets that are results."""
+    parameters = {name for name in found.lets if name in found.feeding(scope)}
+    known = [find.name for find in finds] + [n for n in found.lets if n not in parameters]
+    return {name: scope.entries[name].dimension for name in known}
+
+
+def _subject(
+    subject: ast.Expr, finds: Sequence[Find], known: Mapping[str, object], scope: Scope
+) -> str | None:
+    """Return the name of a result that is named or repeated as a ratio."""
+    match subject:
+        case ast.Symbol(name=name) if name in known:
+            scope.used.add(name)
+            return name
+        case ast.Product():
+            asked = read_target(subject, scope)
+            if asked is None:
+                return None
+            for find in finds:
+                if find.target == asked.target:
+                    return find.name
+    scope.report.add(words.unknown_subject(subject.span, known))
+    return None
+
+
+def _suits(value: Quantity, dimension: Dimension | None, scope: Scope) -> bool:
+    reader = Reader(scope, EXPECTED)
+    return dimension is None or reader.fits(value, dimension, "the result")
+
+
+def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
+    """Return the values behind ``at``."""
+    at: dict[str, Formula] = {}
+    for name, expression in statement.at:
+        entry = scope.entries.get(name.text)
+        value = constant(expression, scope, f"the value of '{name.text}'")
+        if entry is None:
+            known = scope.names({"parameter", "load"})
+            scope.report.add(names.unknown_name(name.span, name.text, known))
+        elif entry.kind not in ("parameter", "load"):
+            scope.report.add(words.not_a_setting(name.span, name.text, f"a {entry.kind}"))
+        elif value and _suits(value, entry.dimension, scope):
+            at[name.text] = value.formula
+    return at
+
+
+def half_a_digit(value: ast.Expr) -> Fraction:
+    """Return half a unit of the last decimal written, in SI; 0 for formulas and whole numbers.
+
+    >>> from ..source import Span
+    >>> half_a_digit(ast.Number("7.1407", "", Span(0, 6)))
+    Fraction(1, 20000)
+    """
+    match value:
+        case ast.Sum(terms=((_, ast.Number() as number),)) | (ast.Number() as number):
+            return _half_a_digit(number)
+        case _:
+            return Fraction(0)
+
+
+def _half_a_digit(number: ast.Number) -> Fraction:
+    mantissa, _, exponent = number.digits.lower().partition("e")
+    _, point, decimals = mantissa.partition(".")
+    if not point:
+        return Fraction(0)
+    unit = UNITS.get(number.unit)
+    factor = unit.factor if unit else Fraction(1)
+    factor *= Fraction(math.pi) if unit and unit.pi else 1
+    return Fraction(10) ** (int(exponent or 0) - len(decimals)) * factor / 2

@@ -1,0 +1,70 @@
+"""Mirror and copies: what of the mechanism is described, and what follows from it."""
+
+from collections.abc import Sequence
+
+from ..diagnostics.model import joints as words
+from ..diagnostics.model import loads as load_words
+from ..source import Span
+from ..syntax import ast
+from ..units import NUMBER
+from .constants import rational
+from .directions import parallel, read_direction
+from .expressions import Reader
+from .mechanism import Copies, Direction, Force, Load, Mirror
+from .parameters import constant
+from .scope import DESCRIPTION, Scope
+from .statements import only
+
+
+def read_mirror(file: ast.File, loads: Sequence[Load], scope: Scope) -> Mirror | None:
+    """Return the mirror; twins must not be declared, and gravity lies along its line."""
+    statement = only(file, ast.Mirror)
+    if statement is None:
+        return None
+    across = read_direction(statement.across, scope)
+    shared = _shared(statement.sharing, scope)
+    _check_twins(shared, statement.span, scope)
+    if across is None:
+        return None
+    for load in loads:
+        if isinstance(load, Force) and not _symmetric(load, across, shared, scope):
+            what = "gravity" if load.weight else f"force {load.name} on the shared {load.point}"
+            scope.report.add(load_words.off_the_mirror(load.along.span, what, statement.span))
+    return Mirror(across, shared, statement.span)
+
+
+def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: Scope) -> bool:
+    """Tell whether a force acts on both halves alike: gravity and forces on shared points."""
+    bound = load.weight or load.point in shared
+    return not bound or parallel(load.along, across, scope)
+
+
+def _shared(sharing: Sequence[ast.Name], scope: Scope) -> tuple[str, ...]:
+    found = [scope.points.acting(name) for name in sharing]
+    return tuple(dict.fromkeys(points[0] for points in found if points))
+
+
+def _check_twins(shared: Sequence[str], mirror: Span, scope: Scope) -> None:
+    places = scope.points.places
+    for point in places:
+        if point not in shared and f"{point}'" in places:
+            twin = f"{point}'"
+            scope.report.add(words.twin_declared(places[twin], twin, point, mirror))
+
+
+def read_copies(file: ast.File, scope: Scope) -> Copies | None:
+    """Return how many identical branches the description stands for."""
+    statement = only(file, ast.Copies)
+    if statement is None:
+        return None
+    shared = _shared(statement.sharing, scope)
+    found = constant(statement.number, scope, "the number of copies")
+    if not found or not Reader(scope, DESCRIPTION).fits(found, NUMBER, "the number of copies"):
+        return None
+    value = rational(found.formula)
+    if value is None or value < 2 or value.denominator != 1:
+        span = statement.number.span
+        shown = scope.report.source.text[span.start : span.end]
+        scope.report.add(words.copies_not_whole(span, shown))
+        return None
+    return Copies(value, shared, statement.span)
