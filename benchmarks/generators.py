@@ -24,20 +24,21 @@ def scissor(n: int) -> str:
             f'mechanism scissor_{n} "Scissor lift, {_stages(n)}"',
             'source "Virtual work: n stages rise 2*n*l*sin(theta) on a span of 2*l*cos(theta)"',
             "",
-            "param l     = 500 mm                          # half a bar",
-            "param theta =  30 deg  in 5 deg .. 75 deg     # bars against the base",
+            "param l     = 500 mm                     # half a bar",
+            "param theta = 30 deg in 5 deg .. 75 deg  # bars against the base",
             "",
-            "pivot  A0",
+            "pivot A0",
             "slider B0 along 180 deg",
             *_bars(n),
             "",
             *(line for i in range(n) for line in _equal_stage(i)),
             "",
             "force P at B0 along 180 deg",
-            f"force F at A{n} along -90 deg",
+            "# The platform hands half of its load F to either pin.",
+            f"force F at A{n} along -90 deg times 1/2",
+            f"force E = F at B{n} along -90 deg times 1/2",
             "",
-            "find k = P / F",
-            "",
+            "find k = P/F",
             f"expect k = {f'{n}*' if n > 1 else ''}cot(theta)",
         ]
     )
@@ -52,7 +53,7 @@ def _bars(n: int) -> list[str]:
     return [
         line
         for i in range(n)
-        for line in (f"link   A{i}C{i + 1}B{i + 1}", f"link   B{i}C{i + 1}A{i + 1}")
+        for line in (f"link A{i}C{i + 1}B{i + 1}", f"link B{i}C{i + 1}A{i + 1}")
     ]
 
 
@@ -68,10 +69,12 @@ def _equal_stage(i: int) -> tuple[str, ...]:
 def uneven_scissor(n: int) -> str:
     """Return a scissor lift whose ``n`` stages all differ.
 
-    Bars of one set lean at alpha, of the other at beta; their arms ``a0 … an`` and
-    ``b0 … bn`` are free, and each cell between two stages is a parallelogram.
+    Bars of one set lean at alpha, of the other at beta; their arms ``a0 …`` and
+    ``b0 … bn`` are free, and each cell between two stages is a parallelogram. The last
+    bar of the first set ends at its middle pin.
     """
-    arms = [f"param {s}{i} = {300 + 17 * i + 9 * (s == 'b')} mm" for s in "ab" for i in range(n + 1)]
+    arms = [f"param a{i} = {300 + 17 * i} mm" for i in range(n)]
+    arms += [f"param b{i} = {310 + 13 * i} mm" for i in range(n + 1)]
     sum_a = " + ".join(f"a{i}" for i in range(n))
     sum_b = " + ".join(f"b{i}" for i in range(1, n + 1))
     return _joined(
@@ -82,23 +85,26 @@ def uneven_scissor(n: int) -> str:
             "param beta = 40 deg in 5 deg .. 75 deg",
             "pivot A0",
             "slider B0 along 180 deg",
-            *_bars(n),
-            *(line for i in range(n) for line in _uneven_stage(i)),
+            *_bars(n - 1),
+            f"link A{n - 1}C{n}",
+            f"link B{n - 1}C{n}A{n}",
+            *(line for i in range(n) for line in _uneven_stage(i, n)),
             "force P at B0 along 180 deg",
             f"force F at A{n} along -90 deg",
             "find k = P / F",
-            f"expect k = cos(alpha)*cos(beta)*(b0*({sum_a}) + a0*({sum_b}))/(a0*b0*sin(alpha + beta))",
+            f"let rise = b0*({sum_a}) + a0*({sum_b})",
+            "expect k = cos(alpha)*cos(beta)*rise/(a0*b0*sin(alpha + beta))",
         ]
     )
 
 
-def _uneven_stage(i: int) -> tuple[str, ...]:
-    return (
+def _uneven_stage(i: int, n: int) -> list[str]:
+    lines = [
         f"A{i}C{i + 1} = a{i} @ alpha",
-        f"A{i}B{i + 1} = a{i} + a{i + 1} @ alpha",
         f"B{i}C{i + 1} = b{i} @ 180 deg - beta",
         f"B{i}A{i + 1} = b{i} + b{i + 1} @ 180 deg - beta",
-    )
+    ]
+    return [*lines, f"A{i}B{i + 1} = a{i} + a{i + 1} @ alpha"] if i < n - 1 else lines
 
 
 def four_bar_chain(n: int) -> str:

@@ -38,7 +38,9 @@ def stephenson() -> sp.Expr:
     arm.set_ang_vel(ground, coupler.ang_vel_in(ground))
     o1, o2, o3 = (_fixed(ground) for _ in range(3))
     pin = _along(o1, crank, a, ground)
-    first = _along(pin, coupler, b, ground).vel(ground) - _along(o2, rocker, l_2, ground).vel(ground)
+    first = _along(pin, coupler, b, ground).vel(ground) - _along(o2, rocker, l_2, ground).vel(
+        ground
+    )
     tracer = _along(pin, arm, p, ground)
     load = _along(o3, output, l_5, ground)
     second = _along(tracer, rod, l_4, ground).vel(ground) - load.vel(ground)

@@ -77,17 +77,19 @@ def _process(command: list[str]) -> Callable[[], object]:
 
 def derivation(rounds: int) -> None:
     """Time k from a parsed description against Kane's method and ``simplify``."""
-    rows = []
-    for name, peer in (("four_bar", peers.four_bar), ("stephenson_six_bar", peers.stephenson)):
-        source = read(library()[name])
-        tree = Compilation(source).tree
-        _agree(name, peer())
-        times = medians({"mechc": lambda: solve(tree, source), "peer": peer}, rounds)
-        own = to_sympy(solve(tree, source).results[0].formula)
-        ratio = times["peer"] / times["mechc"]
-        rows.append((name, ratio, sympy.count_ops(own), sympy.count_ops(peer())))
+    pairs = (("four_bar", peers.four_bar), ("stephenson_six_bar", peers.stephenson))
+    rows = [_against(name, peer, rounds) for name, peer in pairs]
     heading = ("mechanism", "times faster", "operations", "peer's")
     table("k from the parsed text against Kane + simplify", heading, rows)
+
+
+def _against(name: str, peer: Callable[[], sympy.Expr], rounds: int) -> tuple[object, ...]:
+    source = read(library()[name])
+    tree = Compilation(source).tree
+    own, other = to_sympy(solve(tree, source).results[0].formula), peer()
+    _agree(own, other)
+    times = medians({"mechc": lambda: solve(tree, source), "peer": peer}, rounds)
+    return name, times["peer"] / times["mechc"], sympy.count_ops(own), sympy.count_ops(other)
 
 
 def solve(tree: ast.File, source: Source) -> Balance:
@@ -96,13 +98,12 @@ def solve(tree: ast.File, source: Source) -> Balance:
     return balance(arrange(settle(resolve(tree, report), report), report), report)
 
 
-def _agree(name: str, k: sympy.Expr) -> None:
-    own = to_sympy(compile_source(read(library()[name])).balance.results[0].formula)
+def _agree(own: sympy.Expr, other: sympy.Expr) -> None:
     chance = random.Random(3)
-    symbols = own.free_symbols | k.free_symbols
+    symbols = own.free_symbols | other.free_symbols
     values = {s: chance.uniform(0.5, 1.5) for s in sorted(symbols, key=str)}
-    one, two = float(own.subs(values)), float(k.subs(values))
-    assert abs(one - two) < 1e-9 * abs(one), f"the peer computes another k for {name}"
+    one, two = float(own.subs(values)), float(other.subs(values))
+    assert abs(one - two) < 1e-9 * abs(one), "the peer computes another k"
 
 
 # ------------------------------------------------------------------------ (c) growth
@@ -110,15 +111,23 @@ def _agree(name: str, k: sympy.Expr) -> None:
 
 def growth(sizes: tuple[int, ...], rounds: int) -> None:
     """Fit how compile time and the size of emitted C grow with the number of stages."""
-    rows = []
-    for title, chain in CHAINS.items():
-        texts = {n: Source(f"chain_{n}.mech", chain(n)) for n in sizes}
-        times = [min(timed(lambda n=n: compile_source(texts[n])) for _ in range(rounds)) for n in sizes]
-        code = [_bytes_of_c(texts[n]) for n in sizes]
-        per_stage = times[-1] / times[0] / (sizes[-1] / sizes[0])
-        rows.append((title, exponent(sizes, times), per_stage, exponent(sizes, code)))
+    rows = [_growing(title, chain, sizes, rounds) for title, chain in CHAINS.items()]
     heading = ("chain", "time exponent", "time per stage, last/first", "size exponent")
     table(f"Growth from {sizes[0]} to {sizes[-1]} stages", heading, rows)
+
+
+def _growing(
+    title: str, chain: Callable[[int], str], sizes: tuple[int, ...], rounds: int
+) -> tuple[object, ...]:
+    sources = [Source("chain.mech", chain(n)) for n in sizes]
+    times = [_best(source, rounds) for source in sources]
+    stretch = times[-1] / times[0] / (sizes[-1] / sizes[0])
+    code = [_bytes_of_c(source) for source in sources]
+    return title, exponent(sizes, times), stretch, exponent(sizes, code)
+
+
+def _best(source: Source, rounds: int) -> float:
+    return min(timed(lambda: compile_source(source)) for _ in range(rounds))
 
 
 def _bytes_of_c(source: Source) -> float:

@@ -181,7 +181,10 @@ def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
     """Return the mechanism as numbers, unfolded where it is mirrored."""
     arms, guess = arms_of(file, values), random.Random(seed)
     half = Assembly(
-        {s.points.text: frame(points_of(s.points.text), arms, guess) for s in every(file, ast.Link)},
+        {
+            s.points.text: frame(points_of(s.points.text), arms, guess)
+            for s in every(file, ast.Link)
+        },
         {s.point.text for s in every(file, ast.Pivot)},
         {
             s.point.text: cmath.rect(1, angle_of(s.along, values, arms))

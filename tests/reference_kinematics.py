@@ -9,6 +9,8 @@ from collections.abc import Iterator
 
 import numpy as np
 import numpy.typing as npt
+
+from mechc.syntax import ast
 from reference_geometry import (
     Action,
     Assembly,
@@ -19,8 +21,6 @@ from reference_geometry import (
     every,
     points_of,
 )
-
-from mechc.syntax import ast
 
 Array = npt.NDArray[np.float64]
 

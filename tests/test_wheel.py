@@ -70,7 +70,8 @@ def test_wheel_carries_its_data(wheel: Path) -> None:
 def test_source_package_can_be_tested(tmp_path: Path) -> None:
     sources = build("sdist", tmp_path)
     assert __version__ in sources.name
-    names = {n.split("/", 1)[1] for n in tarfile.open(sources).getnames() if "/" in n}
+    with tarfile.open(sources) as archive:
+        names = {n.split("/", 1)[1] for n in archive.getnames() if "/" in n}
     assert {"pyproject.toml", "README.md", "grammar/mechc.lark", "tests/test_wheel.py"} <= names
 
 

@@ -1,0 +1,48 @@
+"""Mechanisms of any size: the right k, and code that grows no faster than they do."""
+
+from collections.abc import Callable
+from functools import cache
+
+import pytest
+import reference_kinematics
+from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
+
+from mechc.driver import Compilation, compile_source
+from mechc.routine.evaluate import evaluate
+from mechc.routine.steps import Function
+from mechc.source import Source
+
+CHAINS = (scissor, uneven_scissor, four_bar_chain, coupler_chain)
+
+every_chain = pytest.mark.parametrize("chain", CHAINS, ids=lambda c: c.__name__)
+
+
+@cache
+def compiled(chain: Callable[[int], str], n: int) -> Compilation:
+    return compile_source(Source("chain.mech", chain(n)))
+
+
+def function_of(chain: Callable[[int], str], n: int) -> Function:
+    (function,) = compiled(chain, n).routine.functions
+    return function
+
+
+@every_chain
+@pytest.mark.parametrize("n", [1, 2, 3, 7])
+def test_k_agrees_with_coordinates(chain: Callable[[int], str], n: int) -> None:
+    tree = compiled(chain, n).tree
+    values = reference_kinematics.results(tree)
+    function = function_of(chain, n)
+    found = evaluate(function, {i.name: values[i.name] for i in function.inputs})
+    assert float(found) == pytest.approx(values["k"], rel=1e-9)
+
+
+@every_chain
+def test_operations_grow_as_the_stages_do(chain: Callable[[int], str]) -> None:
+    few, many = (function_of(chain, n).operations for n in (6, 12))
+    assert many <= 2.1 * few + 2
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_stages_of_a_scissor_only_multiply(n: int) -> None:
+    assert function_of(scissor, n).operations <= 2
