@@ -13,11 +13,11 @@ Quantities are SI; angles are radians. A constant angle is a rational multiple o
 '2*b*cot(alpha)/a'
 """
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
-import math
 from typing import assert_never
 
 
@@ -329,10 +329,8 @@ def _negated(exponent: Formula) -> int:
 
 def _term_operations(term: Formula) -> int:
     """Count a term of a sum: its minus sign is the subtraction itself."""
-    negated = (
-        isinstance(term, Number)
-        and term.value < 0
-        or isinstance(term, Product)
+    negated = (isinstance(term, Number) and term.value < 0) or (
+        isinstance(term, Product)
         and isinstance(term.factors[0], Number)
         and term.factors[0].value < 0
     )

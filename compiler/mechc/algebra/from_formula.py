@@ -1,0 +1,102 @@
+"""From formulas to angle algebra: which part of a formula it can look into.
+
+>>> from .formula import Symbol, Call, degrees, total, quotient, text
+>>> str(to_angle(total([Symbol("alpha"), degrees(-90)])))
+'alpha - 90°'
+>>> text(to_product(quotient(Call("sin", (Symbol("t"),)), Call("cos", (Symbol("t"),)))).formula())
+'tan(t)'
+"""
+
+from fractions import Fraction
+from typing import assert_never
+
+from .angle import RADIAN, Angle, rational
+from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .product import Opaque, cosine, sine
+from .product import Product as Factored
+from .sums import add
+
+_QUOTIENTS = {"tan": (1, -1), "cot": (-1, 1), "sec": (0, -1), "csc": (-1, 0)}
+"""Powers of (sin, cos) that a function stands for."""
+
+
+def to_angle(formula: Formula) -> Angle | None:
+    """Return a formula as an angle if it is linear in its symbols with rational coefficients."""
+    match formula:
+        case Number(value):
+            return Angle(((RADIAN, rational(value)),)) if value else Angle()
+        case Pi():
+            return Angle.constant(180)
+        case Symbol(name):
+            return Angle.of(name)
+        case Sum(terms):
+            return _sum_of_angles(terms)
+        case Product(factors):
+            return _scaled_angle(factors)
+        case Power() | Call():
+            return None
+        case _:
+            assert_never(formula)
+
+
+def _sum_of_angles(terms: tuple[Formula, ...]) -> Angle | None:
+    result = Angle()
+    for term in terms:
+        angle = to_angle(term)
+        if angle is None:
+            return None
+        result = result + angle
+    return result
+
+
+def _scaled_angle(factors: tuple[Formula, ...]) -> Angle | None:
+    scale, angle = Fraction(1), None
+    for factor in factors:
+        if isinstance(factor, Number):
+            scale *= factor.value
+        elif angle is None:
+            angle = to_angle(factor)
+            if angle is None:
+                return None
+        else:
+            return None
+    return angle * scale if angle is not None else to_angle(Number(scale))
+
+
+def to_product(formula: Formula) -> Factored:
+    """Return any formula as a factored product; what is not algebra becomes opaque."""
+    match formula:
+        case Number(value):
+            return Factored(rational(value))
+        case Symbol(name):
+            return Factored.symbol(name)
+        case Sum(terms):
+            return add(map(to_product, terms))
+        case Product(factors):
+            result = Factored(1)
+            for factor in factors:
+                result = result * to_product(factor)
+            return result
+        case Power(base, Number(value)) if value.denominator == 1:
+            return to_product(base) ** value.numerator
+        case Call(function, (argument,)) if function in ("sin", "cos", *_QUOTIENTS):
+            return _trigonometric(function, argument)
+        case Pi() | Power() | Call():
+            return Factored.of(Opaque(formula))
+        case _:
+            assert_never(formula)
+
+
+def _trigonometric(function: str, argument: Formula) -> Factored:
+    angle = to_angle(argument)
+    if angle is None:
+        return Factored.of(Opaque(Call(function, (argument,))))
+    if function in _QUOTIENTS:
+        s, c = _QUOTIENTS[function]
+        return sine(angle) ** s * cosine(angle) ** c
+    return sine(angle) if function == "sin" else cosine(angle)
+
+
+def is_transparent(product: Factored) -> bool:
+    """Tell whether nothing in a product is opaque."""
+    return not any(isinstance(f, Opaque) for f in product.factors)

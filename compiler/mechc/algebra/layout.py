@@ -1,0 +1,137 @@
+"""How a formula is set on paper, before any printer chooses its signs.
+
+A force transmission reads as an engineer writes it: the ratio of the arms first, the
+factor of the angles behind it, ``2b/a · cos α sin θ / cos(α + θ)``. Constant angles
+stand in degrees. Both are decided here once, for LaTeX and for the terminal.
+"""
+
+from collections.abc import Set
+from fractions import Fraction
+from typing import NamedTuple
+
+from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, split_fraction
+
+INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
+"""Functions whose value is an angle."""
+
+TRIGONOMETRIC = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
+"""Functions whose argument is an angle."""
+
+
+class Fractions(NamedTuple):
+    """A product as up to two fractions: lengths, loads and speeds first, then the rest.
+
+    ``sign`` is +1 or -1. Each fraction is the factors above and below the line; a
+    whole number leads its row. The second is ``((), ())`` when one fraction will do.
+    """
+
+    sign: int
+    first: tuple[tuple[Formula, ...], tuple[Formula, ...]]
+    second: tuple[tuple[Formula, ...], tuple[Formula, ...]] = ((), ())
+
+
+def fractions(formula: Product) -> Fractions:
+    """Return a product as the fractions to be set.
+
+    The two are kept apart where each looks like a fraction of its own: ``b/a · cot α``
+    but ``a cos α / 2``, ``V_A sin θ / cos(α + θ)`` as a speed times a fraction.
+
+    >>> from .formula import product
+    >>> a, b, t = Symbol("a"), Symbol("b"), Call("cot", (Symbol("t"),))
+    >>> fractions(product([(b, 1), (a, -1), (t, 1)])).second == ((t,), ())
+    True
+    """
+    coefficient, above, below = _flat(formula)
+    upper = _numeral(abs(coefficient.numerator))
+    lower = _numeral(coefficient.denominator)
+    sign = -1 if coefficient < 0 else 1
+    plain_up, rich_up = _split(above)
+    plain_low, rich_low = _split(below)
+    ratio = bool(plain_low and (plain_up or upper) and rich_up)
+    speed = bool(plain_up and not plain_low and not lower and rich_up and rich_low)
+    if ratio or speed:
+        return Fractions(sign, (upper + plain_up, lower + plain_low), (rich_up, rich_low))
+    return Fractions(sign, (upper + tuple(above), lower + tuple(below)))
+
+
+def _flat(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
+    """Split a product, and the products below its line too."""
+    coefficient, above, lower = split_fraction(formula)
+    below: list[Formula] = []
+    for factor in lower:
+        if isinstance(factor, Product):
+            inner, up, down = _flat(factor)
+            coefficient /= inner
+            below += up
+            above += down
+        else:
+            below.append(factor)
+    return coefficient, above, below
+
+
+def _numeral(value: int) -> tuple[Formula, ...]:
+    return (Number(Fraction(value)),) if value != 1 else ()
+
+
+def _split(factors: list[Formula]) -> tuple[tuple[Formula, ...], tuple[Formula, ...]]:
+    """Separate symbols and their powers from functions and sums, keeping the order."""
+    plain = tuple(f for f in factors if _is_plain(f))
+    return plain, tuple(f for f in factors if not _is_plain(f))
+
+
+def _is_plain(factor: Formula) -> bool:
+    base = factor.base if isinstance(factor, Power) else factor
+    return isinstance(base, Number | Pi | Symbol)
+
+
+def in_degrees(formula: Formula) -> Fraction | None:
+    """Return a rational multiple of π in degrees, None for anything else.
+
+    >>> from .formula import degrees
+    >>> in_degrees(degrees(40))
+    Fraction(40, 1)
+    """
+    match formula:
+        case Pi():
+            return Fraction(180)
+        case Product((Number(value), Pi())):
+            return 180 * value
+        case Number(value) if value == 0:
+            return Fraction(0)
+        case _:
+            return None
+
+
+def is_angle(formula: Formula, angles: Set[str]) -> bool:
+    """Return whether a formula is an angle, given the names that are.
+
+    Angle is a dimension in sums only; in products it is a number, so that ``r·phi`` is
+    a length and ``2·phi`` an angle.
+    """
+    match formula:
+        case Symbol(name):
+            return name in angles or name.startswith("phi_")
+        case Sum(terms):
+            return any(is_angle(t, angles) for t in terms)
+        case Product((Number(), factor)):
+            return is_angle(factor, angles)
+        case Call(function, arguments):
+            passes = function in {"abs", "min", "max"}
+            return function in INVERSE or (passes and any(is_angle(a, angles) for a in arguments))
+        case _:
+            return False
+
+
+def short_decimal(value: Fraction) -> str | None:
+    """Return a decimal that is exact and reads better than the fraction, else None.
+
+    Halves, quarters and eighths stay fractions; at most six decimals.
+
+    >>> short_decimal(Fraction(98, 10)), short_decimal(Fraction(1, 4))
+    ('9.8', None)
+    """
+    if value.denominator in {1, 2, 4, 8} or 10**6 % value.denominator:
+        return None
+    digits = str(value.numerator * (10**6 // value.denominator)).lstrip("-").rjust(7, "0")
+    whole, decimals = digits[:-6], digits[-6:].rstrip("0")
+    return f"{'-' if value < 0 else ''}{whole}.{decimals}"

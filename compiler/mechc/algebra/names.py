@@ -1,0 +1,66 @@
+"""Names as they are set: head, index, primes.
+
+``alpha_1`` is the letter alpha with index 1, ``V_O1`` the speed of the point O1,
+``omega_O1B`` the angular velocity of the link through O1 and B.
+"""
+
+import re
+from typing import NamedTuple
+
+_SMALL = """
+alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho
+sigma tau upsilon phi chi psi omega
+"""
+_CAPITAL = "Gamma Delta Theta Lambda Xi Pi Sigma Upsilon Phi Psi Omega"
+
+GREEK = {
+    **dict(zip(_SMALL.split(), "αβγδεζηθικλμνξοπρστυφχψω", strict=True)),
+    **dict(zip(_CAPITAL.split(), "ΓΔΘΛΞΠΣΥΦΨΩ", strict=True)),
+}
+"""Greek letters by the names they are typed with; capitals where they are not Latin ones."""
+
+_POINTS = re.compile(r"(?:[A-Z][0-9]*'*)+")
+_POINT = re.compile(r"([A-Z])([0-9]*)('*)")
+_HEAD = re.compile(r"(.*?)([0-9]*)('*)", re.DOTALL)
+
+
+class Point(NamedTuple):
+    """A point's letter, number and primes: ``("O", "1", "")``."""
+
+    letter: str
+    number: str
+    primes: str
+
+
+class Name(NamedTuple):
+    """A name's head (a letter, a Greek name or a word), primes and indices."""
+
+    head: str
+    primes: str
+    indices: tuple[str, ...]
+
+
+def split_name(name: str) -> Name:
+    """Split a name at underscores and at the digits that end its head.
+
+    >>> split_name("alpha1"), split_name("l_max")
+    (Name(head='alpha', primes='', indices=('1',)), Name(head='l', primes='', indices=('max',)))
+    """
+    head, *indices = name.split("_")
+    match = _HEAD.fullmatch(head)
+    assert match is not None
+    stem, number, primes = match.groups()
+    if not stem:
+        return Name(name, "", ())
+    return Name(stem, primes, tuple(i for i in (number, *indices) if i))
+
+
+def split_points(name: str) -> tuple[Point, ...]:
+    """Split a point, vector or link into its points; ``()`` when it is none of these.
+
+    >>> [p.letter + p.number for p in split_points("OB12C")]
+    ['O', 'B12', 'C']
+    """
+    if not _POINTS.fullmatch(name):
+        return ()
+    return tuple(Point(*groups) for groups in _POINT.findall(name))

@@ -1,0 +1,359 @@
+"""Factored products: a coefficient and a map factor → integer exponent.
+
+A factor is a length (or any other symbol), a sine or cosine of an angle, a canonical
+sum, or something opaque. Products are multiplied and divided, never added here:
+``sums.add`` does that.
+"""
+
+import math
+from collections.abc import Hashable, Iterable, Mapping
+from dataclasses import dataclass
+from fractions import Fraction
+from typing import Literal, Protocol
+
+from .angle import Angle, Rational, rational
+from .formula import Call, Formula, evaluate, number, product, total
+from .formula import Symbol as SymbolFormula
+from .modular import Point
+
+Function = Literal["sin", "cos"]
+
+
+class Factor(Hashable, Protocol):
+    """Anything that may stand in a product."""
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats."""
+        ...
+
+    def residue(self, point: Point) -> int:
+        """Return the value at a random point of a finite field."""
+        ...
+
+    def formula(self) -> Formula:
+        """Return the factor as a formula."""
+        ...
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order: lengths, sines and cosines, sums."""
+        ...
+
+
+@dataclass(frozen=True, slots=True)
+class Length:
+    """A symbol that is not inside an angle: a length, a radius, a pure number, a load."""
+
+    name: str
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the symbol's value."""
+        return values[self.name]
+
+    def residue(self, point: Point) -> int:
+        """Return the symbol's random value."""
+        return point.length(self.name)
+
+    def formula(self) -> Formula:
+        """Return the symbol."""
+        return SymbolFormula(self.name)
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return (0, self.name)
+
+
+@dataclass(frozen=True, slots=True)
+class Trig:
+    """A sine or cosine of a canonical angle; made by :func:`sine` and :func:`cosine` only."""
+
+    function: Function
+    angle: Angle
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats."""
+        turn = self.angle.evaluate(values)
+        return math.sin(turn) if self.function == "sin" else math.cos(turn)
+
+    def residue(self, point: Point) -> int:
+        """Return the value at a random point of a finite field."""
+        return point.trig(self.function, self.angle)
+
+    def formula(self) -> Formula:
+        """Return ``sin(angle)`` or ``cos(angle)``."""
+        return Call(self.function, (self.angle.formula(),))
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return (1, f"{self.angle}{self.function}")
+
+
+@dataclass(frozen=True, slots=True)
+class Opaque:
+    """A formula that angle algebra does not look into, ``sqrt(a^2 + b^2)`` for example."""
+
+    inside: Formula
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats."""
+        return evaluate(self.inside, values)
+
+    def residue(self, point: Point) -> int:
+        """Return a random value of its own."""
+        return point.length(str(self.inside))
+
+    def formula(self) -> Formula:
+        """Return the formula itself."""
+        return self.inside
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return (2, str(self.inside))
+
+
+class Product:
+    """``coefficient · Π factor ** exponent``; immutable.
+
+    >>> a, b = Product.symbol("a"), Product.symbol("b")
+    >>> k = a / b * sine(Angle.of("alpha")) / cosine(Angle.of("alpha"))
+    >>> from .formula import text
+    >>> text(k.formula())
+    'a*tan(alpha)/b'
+    """
+
+    __slots__ = ("coefficient", "factors")
+
+    def __init__(
+        self, coefficient: Rational = 1, factors: Mapping[Factor, int] | None = None
+    ) -> None:
+        self.coefficient = coefficient
+        self.factors: Mapping[Factor, int] = factors if factors and coefficient else {}
+
+    @staticmethod
+    def symbol(name: str) -> "Product":
+        """Return the product that is one symbol."""
+        return Product(1, {Length(name): 1})
+
+    @staticmethod
+    def of(factor: Factor, exponent: int = 1) -> "Product":
+        """Return one factor as a product."""
+        return Product(1, {factor: exponent})
+
+    def __mul__(self, other: "Product") -> "Product":
+        factors = dict(self.factors)
+        for factor, exponent in other.factors.items():
+            left = factors.get(factor, 0) + exponent
+            if left:
+                factors[factor] = left
+            else:
+                del factors[factor]
+        return Product(rational(self.coefficient * other.coefficient), factors)
+
+    def __pow__(self, exponent: int) -> "Product":
+        powers = {f: e * exponent for f, e in self.factors.items()} if exponent else {}
+        return Product(rational(Fraction(self.coefficient) ** exponent), powers)
+
+    def __truediv__(self, other: "Product") -> "Product":
+        return self * other**-1
+
+    def __neg__(self) -> "Product":
+        return Product(-self.coefficient, self.factors)
+
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, Product):
+            return NotImplemented
+        return self.coefficient == other.coefficient and self.factors == other.factors
+
+    def __hash__(self) -> int:
+        return hash((self.coefficient, frozenset(self.factors.items())))
+
+    def __bool__(self) -> bool:
+        return self.coefficient != 0
+
+    def __repr__(self) -> str:
+        return f"Product({self.coefficient}, {dict(self.factors)!r})"
+
+    def scaled(self, factor: Rational) -> "Product":
+        """Return the product times a rational number."""
+        return Product(rational(self.coefficient * factor), self.factors)
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats (may raise ZeroDivisionError at a pole)."""
+        result = float(self.coefficient)
+        for factor, exponent in self.factors.items():
+            result *= factor.evaluate(values) ** exponent
+        return result
+
+    def residue(self, point: Point) -> int:
+        """Return the value at a random point of a finite field."""
+        result = point.rational(self.coefficient)
+        for factor, exponent in self.factors.items():
+            result = result * point.power(factor.residue(point), exponent) % point.prime
+        return result
+
+    def formula(self) -> Formula:
+        """Return the product as a reader writes it: coefficient, lengths, trig, sums."""
+        ordered = sorted(_with_tangents(self.factors), key=lambda fe: fe[0])
+        return product([(number(self.coefficient), 1), *((f, e) for _, f, e in ordered)])
+
+
+ONE, ZERO = Product(1), Product(0)
+
+
+class Sum:
+    """A canonical sum as a factor: two or more terms in reading order, the first positive.
+
+    Made by ``sums.add`` only, which takes out whatever is common to the terms.
+    """
+
+    __slots__ = ("_hash", "terms")
+
+    def __init__(self, terms: tuple[Product, ...]) -> None:
+        self.terms = terms
+        self._hash = hash(terms)
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Sum) and self._hash == other._hash and self.terms == other.terms
+
+    def __hash__(self) -> int:
+        return self._hash
+
+    def __repr__(self) -> str:
+        return f"Sum({self.terms!r})"
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats."""
+        return math.fsum(t.evaluate(values) for t in self.terms)
+
+    def residue(self, point: Point) -> int:
+        """Return the value at a random point of a finite field."""
+        return sum(t.residue(point) for t in self.terms) % point.prime
+
+    def formula(self) -> Formula:
+        """Return the sum as a formula."""
+        return total(t.formula() for t in self.terms)
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return (3, repr(self.terms))
+
+
+class Bound:
+    """A sum bound to a name, so that what is built on it stays small.
+
+    It counts as a symbol; numeric values of the name are put into ``values`` by whoever
+    evaluates, in the order in which the names were bound.
+    """
+
+    __slots__ = ("definition", "name")
+
+    def __init__(self, name: str, definition: Product) -> None:
+        self.name, self.definition = name, definition
+
+    def __eq__(self, other: object) -> bool:
+        return isinstance(other, Bound) and self.name == other.name
+
+    def __hash__(self) -> int:
+        return hash(self.name)
+
+    def __repr__(self) -> str:
+        return f"Bound({self.name!r})"
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value bound to the name."""
+        return values[self.name]
+
+    def residue(self, point: Point) -> int:
+        """Return the residue of the definition."""
+        return point.bound(self.name, self.definition.residue)
+
+    def formula(self) -> Formula:
+        """Return the name."""
+        return SymbolFormula(self.name)
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return (2, self.name)
+
+
+def _with_tangents(
+    factors: Mapping[Factor, int],
+) -> Iterable[tuple[tuple[int, str], Formula, int]]:
+    """Yield (place, formula, exponent), a sine over its own cosine being a tangent."""
+    left = dict(factors)
+    for factor in factors:
+        if not (isinstance(factor, Trig) and factor.function == "sin"):
+            continue
+        twin = Trig("cos", factor.angle)
+        s, c = left[factor], left.get(twin, 0)
+        if s * c >= 0:
+            continue
+        common = min(abs(s), abs(c))
+        name = "tan" if s > 0 else "cot"
+        yield factor.order(), Call(name, (factor.angle.formula(),)), common
+        left[factor] -= common if s > 0 else -common
+        left[twin] -= common if c > 0 else -common
+    for factor, exponent in left.items():
+        if exponent:
+            yield factor.order(), factor.formula(), exponent
+
+
+# -------------------------------------------------------------------- sines, cosines
+
+
+def sine(angle: Angle) -> Product:
+    """Return sin(angle) in canonical form: a sign and a first-quadrant-like factor.
+
+    >>> sine(Angle.constant(-30))
+    Product(-1/2, {})
+    """
+    return _trig(angle, 0)
+
+
+def cosine(angle: Angle) -> Product:
+    """Return cos(angle) in canonical form.
+
+    >>> cosine(Angle.of("t") - Angle.constant(90)) == sine(Angle.of("t"))
+    True
+    """
+    return _trig(angle, 1)
+
+
+def _trig(angle: Angle, quarter: int) -> Product:
+    """Return sin(angle + quarter · 90°) with the leading coefficient of the angle positive.
+
+    The constant is brought to (−45°, 45°] by quarter turns; sine and cosine change
+    places on the way.
+    """
+    sign = 1
+    if _leads_negative(angle):
+        angle = -angle
+        sign, quarter = (-1, quarter) if quarter % 2 == 0 else (1, quarter)
+    turns = math.ceil(Fraction(angle.degrees - 45, 90))
+    angle = Angle(angle.terms, rational(angle.degrees - 90 * turns))
+    quarter = (quarter + turns) % 4
+    if quarter >= 2:
+        sign, quarter = -sign, quarter - 2
+    if not angle.terms:
+        return _constant(angle.degrees, quarter).scaled(sign)
+    return Product(sign, {Trig("cos" if quarter else "sin", angle): 1})
+
+
+def _leads_negative(angle: Angle) -> bool:
+    """Tell whether more coefficients are negative than positive, the first one deciding ties."""
+    balance = sum(1 if c > 0 else -1 for _, c in angle.terms)
+    if balance:
+        return balance < 0
+    return bool(angle.terms) and angle.terms[0][1] < 0
+
+
+def _constant(degrees: Rational, quarter: int) -> Product:
+    """Return sin or cos of a constant in (−45°, 45°], rational where it is."""
+    if degrees < 0:
+        return _constant(-degrees, quarter).scaled(1 if quarter else -1)
+    if degrees == 0:
+        return Product(quarter)
+    if degrees == 30 and not quarter:
+        return Product(Fraction(1, 2))
+    if degrees == 45:
+        quarter = 1
+    return Product(1, {Trig("cos" if quarter else "sin", Angle.constant(degrees)): 1})
