@@ -60,6 +60,11 @@ def test_both_notations_are_on_the_shelf() -> None:
 
 
 @every_mechanism
+def test_readme_lists_it(name: str) -> None:
+    assert f"`{name}`" in (FOLDER / "README.md").read_text(encoding="utf-8")
+
+
+@every_mechanism
 def test_file_and_mechanism_have_one_name(name: str) -> None:
     (heading,) = reference_geometry.every(tree_of(source_of(name)), ast.Heading)
     assert heading.name.text == name
@@ -165,7 +170,7 @@ def test_every_target_is_emitted(name: str, target: str) -> None:
 
 @every_mechanism
 def test_emitted_python_runs_by_itself(name: str) -> None:
-    (module,) = emit(compiled(name), registry.load("python"), Options(name))
+    module, *_ = emit(compiled(name), registry.load("python"), Options(name))
     space: dict[str, object] = {"__name__": name}
     exec(compile(module.text, module.name, "exec"), space)
     assert all(callable(space[f.name]) for f in compiled(name).routine.functions)
