@@ -1,14 +1,21 @@
 """Equilibrium against the null space of the velocities, on mechanisms grown at random."""
 
+import math
 from random import Random
 
+import numpy as np
 import pytest
 
-from by_hand import build, force, torque
+from by_hand import build, force, result, torque
 from gates import check
 from mechanisms import grow
 from mechc.algebra import formula
+from mechc.diagnostics import Report
+from mechc.model.mechanism import LoadRatio, Speed, SpeedRatio
+from mechc.source import Source
 from mechc.statics.answers import load_ratio
+from mechc.statics.referee import RefereeDisagrees, judge
+from mechc.statics.speeds import has_sign, speed_ratio
 from mechc.statics.unfold import Unfolding
 
 
@@ -61,3 +68,63 @@ def test_equilibrium_agrees_with_velocities():
 @pytest.mark.slow
 def test_equilibrium_agrees_with_velocities_at_length():
     equilibrium_against_velocities(range(1000, 40_000))
+
+
+def speed(linkage, motion, what):
+    """Return a speed with the sign that it has in the language, or its magnitude."""
+    if what.kind == "link":
+        number = [bar.name for bar in linkage.bars].index(what.of)
+        return motion[2 * len(linkage.places) + number], True
+    at = 2 * list(linkage.places).index(what.of)
+    x, y = motion[at], motion[at + 1]
+    if what.of in linkage.guides:
+        angle = math.radians(linkage.guides[what.of])
+        return x * math.cos(angle) + y * math.sin(angle), True
+    for i, bar in enumerate(linkage.bars):
+        if what.of in bar.points and set(bar.points) & set(linkage.pivots):
+            turning = motion[2 * len(linkage.places) + i]
+            return math.copysign(math.hypot(x, y), turning), True
+    return math.hypot(x, y), False
+
+
+def test_ratios_of_speeds_agree_with_velocities():
+    errors, conditions = [], []
+    for seed in range(400):
+        linkage, dice = grow(Random(seed)), Random(seed)
+        solved = linkage.solve()
+        if solved is None or len(linkage.drivers) > 1:
+            continue
+        movable = [Speed("point", p) for p in linkage.places if p not in linkage.pivots]
+        turning = [Speed("link", bar.name) for bar in linkage.bars]
+        above, below = dice.sample(movable + turning, 2)
+        target = SpeedRatio(above, below)
+        motion = np.linalg.svd(linkage.constraints())[2][-1]
+        upper, signed = speed(linkage, motion, above)
+        lower, also = speed(linkage, motion, below)
+        if min(abs(upper), abs(lower)) < 1e-3:
+            continue
+        expected = upper / lower if signed and also else abs(upper / lower)
+        case = unfolding(linkage)
+        answer = speed_ratio(case, target)
+        assert not answer.trouble, f"seed {seed}: {answer.trouble}"
+        assert has_sign(case, target) == (signed and also)
+        errors.append(abs(answer.value / expected - 1))
+        conditions.append(max(answer.condition, solved[1]))
+    check(errors, conditions)
+
+
+def test_the_referee_sees_a_formula_that_is_off_in_the_ninth_digit():
+    """The other way round: on well-conditioned linkages a small error never passes."""
+    for seed in range(60):
+        linkage = grow(Random(seed))
+        solved = linkage.solve()
+        if solved is None:
+            continue
+        case = unfolding(linkage).pose
+        target = LoadRatio("P", "F")
+        asked = Report(Source("random.mech", "x"))
+        right = judge(case, (result("k", target, solved[0]),), asked)
+        if right.trials[0].condition > 1e3:
+            continue
+        with pytest.raises(RefereeDisagrees):
+            judge(case, (result("k", target, solved[0] * (1 + 1e-8)),), asked)
