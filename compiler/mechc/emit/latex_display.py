@@ -110,13 +110,13 @@ def _pack(pieces: list[Box], room: float) -> list[Box]:
 
 
 def _named(formula: Formula, room: float, style: Notation, names: _Names) -> Formula:
-    """Name inner sums, the widest first, until the formula fits or none is left."""
+    """Name inner sums in reading order, wide ones first, until the formula fits."""
     while box(formula, style).width > room:
         inner = [s for s in _inner_sums(formula) if not is_angle(s, style.angles)]
         if not inner:
             break
-        widest = max(inner, key=lambda s: box(s, style).width)
-        formula = _replace(formula, widest, names.name(widest))
+        wide = [s for s in inner if box(s, style).width > room / 4] or inner
+        formula = _replace(formula, wide[0], names.name(wide[0]))
     return formula
 
 

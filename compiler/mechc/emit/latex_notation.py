@@ -60,7 +60,7 @@ def name(symbol: str, style: Notation) -> str:
     r"""Return a quantity's name as LaTeX.
 
     >>> [name(s, notation("uk")) for s in ("alpha_1", "l_A", "phi", "eff", "omega_O1B")]
-    ['\\alpha_{1}', 'l_A', '\\varphi', '\\mathrm{eff}', '\\omega_{O_{1}B}']
+    ['\\alpha_1', 'l_A', '\\varphi', '\\mathrm{eff}', '\\omega_{O_{1}B}']
     """
     return style.spellings.get(symbol) or _by_rule(symbol, style)
 

@@ -2,18 +2,15 @@
 
 from collections.abc import Iterable, Mapping
 from math import isfinite
-from typing import NamedTuple, assert_never
+from typing import NamedTuple
 
-from ..algebra.formula import Formula, Symbol, product, quotient, total
-from ..algebra.formula import number as exact
-from ..algebra.layout import is_angle
-from ..derivation.wording import enumeration
-from ..model.mechanism import LoadForm, LoadRatio, Require, Speed, SpeedRatio
-from ..power.result import Result, Trend, Vanishing
+from ..algebra.formula import ZERO, Formula, Symbol, product, total
+from ..derivation.remarks import asked, heading, is_nameless, ratio, remarks
+from ..power.result import Result
 from ..statics.verdict import Verdict
 from ..words.table import Words
 from .latex_display import LINE, Line, display
-from .latex_notation import Notation, name
+from .latex_notation import Notation, name, points
 from .latex_printer import Box, box, latex, plain
 from .latex_quantity import decimal, measured
 
@@ -32,55 +29,18 @@ def result_block(result: Result, words: Words, style: Notation) -> ResultBlock:
     return ResultBlock(
         heading(result, words),
         (*_main(result, words, style), *_where(result, words, style)),
-        remarks(result, words, style),
+        remarks(result, words, Speller(style)),
         _derivatives(result, words, style),
     )
 
 
-def heading(result: Result, words: Words) -> str:
-    """Return what kind of thing was found."""
-    match result.target:
-        case LoadRatio():
-            return words.force_ratio
-        case LoadForm():
-            return words.load
-        case SpeedRatio():
-            return words.speed_ratio
-        case None:
-            return ""
-        case _:
-            assert_never(result.target)
-
-
-def asked(result: Result, style: Notation) -> str:
-    """Return the result's own symbol; one without a name of its own is its ratio."""
-    ratio = _ratio(result)
-    if ratio is not None and "_over_" in result.name:
-        return latex(ratio, style)
-    return name(result.name, style)
-
-
-def _ratio(result: Result) -> Formula | None:
-    match result.target:
-        case LoadRatio(above, below):
-            return quotient(Symbol(above), Symbol(below))
-        case SpeedRatio(above, below):
-            return quotient(_speed(above), _speed(below))
-        case _:
-            return None
-
-
-def _speed(speed: Speed) -> Formula:
-    return Symbol(f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}")
-
-
 def _left(result: Result, style: Notation) -> Box:
     """Return the left side, ``k = P/F`` for a ratio with a name of its own."""
-    symbol, ratio = plain(asked(result, style)), _ratio(result)
-    if ratio is None or "_over_" in result.name:
+    symbol, asked_for = box(asked(result), style), ratio(result)
+    if asked_for is None or is_nameless(result):
         return symbol
-    below = box(ratio, style)
-    return Box(f"{symbol.tex}={below.tex}", symbol.width + below.width + 1.2, tall=True)
+    whole = box(asked_for, style)
+    return Box(f"{symbol.tex}={whole.tex}", symbol.width + whole.width + 1.2, tall=True)
 
 
 def _main(result: Result, words: Words, style: Notation) -> tuple[str, ...]:
@@ -112,11 +72,11 @@ def _where(result: Result, words: Words, style: Notation) -> tuple[str, ...]:
 
 
 def _derivatives(result: Result, words: Words, style: Notation) -> str:
-    symbol = asked(result, style)
+    symbol = latex(asked(result), style)
     lines = tuple(
         Line(_partial(symbol, parameter, style), formula)
         for parameter, formula in (result.derivatives or {}).items()
-        if formula != exact(0)
+        if formula != ZERO
     )
     return display(lines, style, words.where) if lines else ""
 
@@ -126,80 +86,34 @@ def _partial(symbol: str, parameter: str, style: Notation) -> Box:
     return Box(whole, 0.6 + plain(symbol).width, tall=True)
 
 
-def remarks(result: Result, words: Words, style: Notation) -> tuple[str, ...]:
-    """Return what follows from a result: limits, proportions, symmetries, trends."""
-    symbol = f"${asked(result, style)}$"
-    said = [_limit(words.zero, symbol, v, words, style) for v in result.zeros]
-    said += [_limit(words.pole, symbol, v, words, style) for v in result.poles]
-    said += _proportions(result, words, style)
-    if result.independent:
-        names = _symbols(result.independent, words, style)
-        said.append(words.independent.format(result=symbol, names=names))
-    for first, second in result.swaps:
-        one, other = (f"${name(n, style)}$" for n in (first, second))
-        said.append(words.swaps.format(result=symbol, first=one, second=other))
-    return tuple(said + _trends(result, symbol, words, style))
+_SIGNS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq ", "~": r"\sim "}
 
 
-def _limit(template: str, symbol: str, limit: Vanishing, words: Words, style: Notation) -> str:
-    said = template.format(result=symbol, condition=f"${latex(limit.factor, style)}=0$")
-    if limit.at:
-        parameter, value = limit.at
-        solved = latex(value, style, parameter in style.angles)
-        said += ", " + words.when.format(condition=f"${name(parameter, style)}={solved}$")
-    kind = words.centres[limit.kind]
-    return f"{said} ({kind})." if kind else f"{said}."
+class Speller(NamedTuple):
+    """Mathematics inside a sentence, between dollar signs."""
 
+    style: Notation
 
-def _proportions(result: Result, words: Words, style: Notation) -> list[str]:
-    powers = {n: e for n, e in (result.proportional or {}).items() if e}
-    if not powers:
-        return []
-    ratio = product((Symbol(n), e) for n, e in powers.items())
-    return [rf"{words.proportional} ${asked(result, style)}\sim {latex(ratio, style)}$."]
+    @property
+    def angles(self) -> frozenset[str]:
+        """Return the names that are angles."""
+        return self.style.angles
 
+    def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
+        """Return sides joined by signs."""
+        tex = [latex(side, self.style, angle) for side in sides]
+        tail = (_SIGNS.get(sign, sign) + side for sign, side in zip(signs, tex[1:], strict=True))
+        return f"${tex[0]}{''.join(tail)}$"
 
-def _symbols(names: Iterable[str], words: Words, style: Notation) -> str:
-    return enumeration([f"${name(n, style)}$" for n in names], words)
-
-
-def _trends(result: Result, symbol: str, words: Words, style: Notation) -> list[str]:
-    groups: dict[Trend, list[str]] = {}
-    for parameter, trend in (result.trends or {}).items():
-        groups.setdefault(trend, []).append(parameter)
-    return [
-        words.trends[trend].format(result=symbol, names=_symbols(names, words, style))
-        for trend, names in groups.items()
-        if words.trends[trend]
-    ]
-
-
-# ------------------------------------------------------------ conditions, numbers, check
-
-_SIGNS = {"<": "<", "<=": r"\leq ", ">": ">", ">=": r"\geq ", "=": "=", "!=": r"\neq "}
-
-
-def conditions(requires: Iterable[Require], style: Notation) -> str:
-    """Return the conditions of use, the links of a chain joined again."""
-    chains: list[str] = []
-    last: Formula | None = None
-    for require in requires:
-        sides = (require.left, require.right)
-        angle = any(is_angle(side, style.angles) for side in sides)
-        left, right = (latex(side, style, angle) for side in sides)
-        tail = _SIGNS[require.operator] + right
-        if chains and require.left == last:
-            chains[-1] += tail
-        else:
-            chains.append(left + tail)
-        last = require.right
-    return ", ".join(f"${chain}$" for chain in chains)
+    def point(self, names: str) -> str:
+        """Return a point, a link or a vector."""
+        return f"${points(names)}$"
 
 
 def numbers(results: Iterable[Result], words: Words, style: Notation) -> tuple[str, ...]:
     """Return the results at the default pose."""
     return tuple(
-        f"${asked(r, style)}={measured(r.default, r.dimension, words, style)}$"
+        f"${latex(asked(r), style)}={measured(r.default, r.dimension, words, style)}$"
         for r in results
         if r.default is not None and isfinite(r.default)
     )

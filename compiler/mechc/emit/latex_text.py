@@ -29,9 +29,6 @@ _SPECIAL = {
     "|": r"\textbar{}",
     '"': r"\textquotedbl{}",
     "`": r"\textasciigrave{}",
-    "-": "-{}",
-    "'": "'{}",
-    ",": ",{}",
     "[": "{[}",
     "]": "{]}",
     "°": r"\ensuremath{{}^\circ}",
@@ -64,6 +61,7 @@ _SPECIAL = {
     "№": r"\textnumero{}",
     "\u00a0": "~",
     "\u200b": r"\allowbreak{}",
+    "\u200c": r"\kern0pt{}",
 } | {
     letter: rf"\ensuremath{{\{'o' if name == 'omicron' else name}}}"
     for name, letter in GREEK.items()
@@ -72,6 +70,9 @@ _SPECIAL = {
 
 _LATIN = re.compile("[ -~¡-ſ]")
 _CYRILLIC = re.compile("[Ѐ-џҐґ]")
+_LIGATURE = re.compile("([-',])(?=[-',])")
+"""Characters that fonts join when they follow one another, such as ``--``."""
+
 _LONG = re.compile("([^ ]{24})(?=[^ ])")
 """A word that a narrow column could not hold: it may break after so many characters."""
 
@@ -86,6 +87,7 @@ def escape(text: str) -> str:
     """
     plain = "".join(map(_printable, unicodedata.normalize("NFC", text)))
     broken = _LONG.sub("\\1\u200b", re.sub(" +", " ", plain).strip(" "))
+    broken = _LIGATURE.sub("\\1\u200c", broken)
     return "".join(_run(kind, "".join(run)) for kind, run in groupby(broken, _kind))
 
 

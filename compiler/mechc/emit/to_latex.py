@@ -1,7 +1,7 @@
 r"""LaTeX: the report of a mechanism, a document by itself or a fragment to ``\input``.
 
-A fragment needs amsmath, array, booktabs and longtable, and in Ukrainian and Russian a
-host document with Cyrillic fonts.
+A fragment needs amsmath, array, booktabs and longtable; where it holds Cyrillic letters,
+also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
 from collections.abc import Iterator
@@ -13,16 +13,17 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ..algebra.formula import symbols
 from ..algebra.layout import is_angle
+from ..derivation.remarks import conditions
 from ..derivation.steps import Derivation, Equation, Step
 from ..derivation.wording import as_ratio, sentence, solved
 from ..units import ANGLE
 from ..words import en, ru, uk
 from ..words.table import Words
 from .latex_display import Line, display
-from .latex_given import ParameterRow, VectorRow, math, parameter_row, scheme, vector_row
-from .latex_notation import Notation, notation, points, spellings
+from .latex_given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
+from .latex_notation import Notation, notation, spellings
 from .latex_printer import box
-from .latex_results import ResultBlock, check, conditions, numbers, result_block
+from .latex_results import ResultBlock, Speller, check, numbers, result_block
 from .latex_text import escape, has_cyrillic
 from .target import Compiled, Emitted, Options
 
@@ -138,7 +139,7 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
         several=_several(derivation, words),
         balances=_equations(derivation.balances, words, style),
         results=tuple(result_block(r, words, style) for r in derivation.results),
-        conditions=conditions(mechanism.requires, style),
+        conditions=conditions(mechanism.requires, Speller(style)),
         numbers=numbers(derivation.results, words, style),
         check=check(verdict, words, style),
         remarks=tuple(map(escape, verdict.remarks)),
@@ -147,7 +148,7 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
 
 def _step(step: Step, words: Words, style: Notation) -> StepBlock:
     return StepBlock(
-        sentence(step, words, lambda s: math(points(s))),
+        sentence(step, words, Speller(style).point),
         _equations(step.relations, words, style),
         _equations(solved(step), words, style),
     )

@@ -1,0 +1,140 @@
+"""What follows from a result, in sentences, whatever the language and whoever prints."""
+
+from collections.abc import Iterable
+from typing import Protocol, assert_never
+
+from ..algebra.formula import ZERO, Formula, Symbol, product, quotient
+from ..algebra.layout import is_angle
+from ..model.mechanism import LoadForm, LoadRatio, Require, Speed, SpeedRatio
+from ..power.result import Result, Trend, Vanishing
+from ..words.table import Words
+from .wording import enumeration
+
+
+class Speller(Protocol):
+    """Writes mathematics inside a sentence."""
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """Return the names that are angles."""
+        ...
+
+    def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
+        """Return sides joined by signs (``<``, ``<=``, ``=``, ``!=``, ``~`` …); one side, none.
+
+        ``angle`` says that the sides are angles, so that constants are in degrees.
+        """
+        ...
+
+    def point(self, names: str) -> str:
+        """Return a point, a link or a vector."""
+        ...
+
+
+def heading(result: Result, words: Words) -> str:
+    """Return what kind of thing was found; ``""`` for a formula of the user's own."""
+    match result.target:
+        case LoadRatio():
+            return words.force_ratio
+        case LoadForm():
+            return words.load
+        case SpeedRatio():
+            return words.speed_ratio
+        case None:
+            return ""
+        case _:
+            assert_never(result.target)
+
+
+def ratio(result: Result) -> Formula | None:
+    """Return the ratio that was asked for, ``P/F`` or ``V_D/V_A``; None for anything else."""
+    match result.target:
+        case LoadRatio(above, below):
+            return quotient(Symbol(above), Symbol(below))
+        case SpeedRatio(above, below):
+            return quotient(_speed(above), _speed(below))
+        case _:
+            return None
+
+
+def _speed(speed: Speed) -> Formula:
+    return Symbol(f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}")
+
+
+def asked(result: Result) -> Formula:
+    """Return the result's own symbol; a ratio that was given no name stands for itself."""
+    asked_for = ratio(result)
+    return asked_for if asked_for and is_nameless(result) else Symbol(result.name)
+
+
+def is_nameless(result: Result) -> bool:
+    """Return whether a result's name was made up (``V_D_over_V_A``)."""
+    return "_over_" in result.name
+
+
+def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
+    """Return what follows from a result: limits, proportions, symmetries, trends."""
+    symbol = _spelled(asked(result), spell)
+    said = [_limit(words.zero, symbol, v, words, spell) for v in result.zeros]
+    said += [_limit(words.pole, symbol, v, words, spell) for v in result.poles]
+    said += _proportions(result, words, spell)
+    if result.independent:
+        names = _symbols(result.independent, words, spell)
+        said.append(words.independent.format(result=symbol, names=names))
+    for first, second in result.swaps:
+        one, other = (_spelled(Symbol(n), spell) for n in (first, second))
+        said.append(words.swaps.format(result=symbol, first=one, second=other))
+    return tuple(said + _trends(result, symbol, words, spell))
+
+
+def _spelled(formula: Formula, spell: Speller) -> str:
+    return spell.relation((formula,), (), False)
+
+
+def _limit(template: str, symbol: str, limit: Vanishing, words: Words, spell: Speller) -> str:
+    condition = spell.relation((limit.factor, ZERO), ("=",), False)
+    said = template.format(result=symbol, condition=condition)
+    if limit.at:
+        name, value = limit.at
+        place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
+        said += ", " + words.when.format(condition=place)
+    kind = words.centres[limit.kind]
+    return f"{said} ({kind})." if kind else f"{said}."
+
+
+def _proportions(result: Result, words: Words, spell: Speller) -> list[str]:
+    powers = {n: e for n, e in (result.proportional or {}).items() if e}
+    if not powers:
+        return []
+    simple = product((Symbol(n), e) for n, e in powers.items())
+    return [f"{words.proportional} {spell.relation((asked(result), simple), ('~',), False)}."]
+
+
+def _symbols(names: Iterable[str], words: Words, spell: Speller) -> str:
+    return enumeration([_spelled(Symbol(n), spell) for n in names], words)
+
+
+def _trends(result: Result, symbol: str, words: Words, spell: Speller) -> list[str]:
+    groups: dict[Trend, list[str]] = {}
+    for parameter, trend in (result.trends or {}).items():
+        groups.setdefault(trend, []).append(parameter)
+    return [
+        words.trends[trend].format(result=symbol, names=_symbols(names, words, spell))
+        for trend, names in groups.items()
+        if words.trends[trend]
+    ]
+
+
+def conditions(requires: Iterable[Require], spell: Speller) -> str:
+    """Return the conditions of use, the links of a chain joined again."""
+    chains: list[tuple[tuple[Formula, ...], tuple[str, ...]]] = []
+    for require in requires:
+        if chains and chains[-1][0][-1] == require.left:
+            sides, signs = chains.pop()
+            chains.append(((*sides, require.right), (*signs, require.operator)))
+        else:
+            chains.append(((require.left, require.right), (require.operator,)))
+    return ", ".join(
+        spell.relation(sides, signs, any(is_angle(s, spell.angles) for s in sides))
+        for sides, signs in chains
+    )

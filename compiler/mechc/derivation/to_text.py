@@ -1,0 +1,150 @@
+"""The derivation for the terminal: numbered steps, the rule in words, what it gives."""
+
+import re
+from collections.abc import Iterable, Iterator
+from dataclasses import replace
+from textwrap import wrap
+from typing import NamedTuple
+
+from ..algebra.formula import Formula, Symbol
+from ..algebra.layout import is_angle
+from ..model.mechanism import Mechanism
+from ..power.result import Result
+from ..units import ANGLE
+from ..words.en import WORDS
+from .remarks import asked, conditions, heading, is_nameless, ratio, remarks
+from .steps import Derivation, Equation, Step
+from .text_printer import ASCII, UNICODE, Signs, print_formula, print_point
+from .wording import as_ratio, sentence, solved
+
+WIDTH = 100
+"""Columns that lines keep to where they can."""
+
+_DEEP = " " * 8
+_INNERMOST = re.compile(r"\([^()]*\)")
+
+
+class Speller(NamedTuple):
+    """Mathematics inside a sentence, with the signs of a terminal."""
+
+    signs: Signs
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """Return the names that are angles."""
+        return self.signs.angles
+
+    def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
+        """Return sides joined by signs."""
+        line = print_formula(sides[0], self.signs, angle)
+        for sign, side in zip(signs, sides[1:], strict=True):
+            shown = self.signs.relations.get(sign, sign)
+            line += f" {shown} {print_formula(side, self.signs, angle)}"
+        return line
+
+    def point(self, names: str) -> str:
+        """Return a point, a link or a vector."""
+        return print_point(names, self.signs)
+
+
+def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True) -> str:
+    """Return the derivation as text, ending in a line feed.
+
+    Velocities are named ``V_A``, angular velocities ``ω_OA``; with ``unicode`` False
+    only ASCII characters are used in formulas. Lines keep to 100 columns, except a
+    formula that has no place to break.
+    """
+    spell = Speller(_signs(derivation, mechanism, unicode))
+    lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
+    for result in derivation.results:
+        lines += _result(result, spell)
+    if mechanism.requires:
+        lines += [
+            "",
+            *_wrapped(f"{WORDS.requirements} {conditions(mechanism.requires, spell)}.", ""),
+        ]
+    return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
+
+
+def _signs(derivation: Derivation, mechanism: Mechanism, unicode: bool) -> Signs:
+    """Return the signs, with the names that are angles in this mechanism."""
+    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    for result in derivation.results:
+        for definition in result.where:
+            if is_angle(definition.formula, angles):
+                angles.add(definition.name)
+    return replace(UNICODE if unicode else ASCII, angles=frozenset(angles))
+
+
+def _title(mechanism: Mechanism) -> list[str]:
+    title = " ".join((mechanism.title or mechanism.name).split())
+    return [title, *([" ".join(mechanism.source.split())] if mechanism.source else [])]
+
+
+def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
+    if not derivation.steps:
+        return
+    yield from ("", WORDS.velocities)
+    for number, step in enumerate(derivation.steps, 1):
+        yield from _step(number, step, spell)
+
+
+def _step(number: int, step: Step, spell: Speller) -> Iterator[str]:
+    yield from _wrapped(sentence(step, WORDS, spell.point), f"{number:>3}. ")
+    relations = tuple(as_ratio(e) for e in step.relations)
+    yield from _equations((*relations, *solved(step)), spell)
+
+
+def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
+    if derivation.balances:
+        yield from ("", WORDS.power)
+        yield from _wrapped(WORDS.power_rule, "     ")
+        yield from _equations(derivation.balances, spell)
+
+
+def _result(result: Result, spell: Speller) -> Iterator[str]:
+    yield from ("", heading(result, WORDS) or WORDS.results)
+    asked_for = ratio(result)
+    left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
+    sides = (*left, result.formula)
+    angle = is_angle(result.formula, spell.angles)
+    yield from _broken(spell.relation(sides, ("=",) * len(left), angle))
+    if result.where:
+        yield f"     {WORDS.where}"
+        for name, formula in result.where:
+            yield from _definition(name, formula, spell)
+    for remark in remarks(result, WORDS, spell):
+        yield from _wrapped(remark, "   - ")
+
+
+def _definition(name: str, formula: Formula, spell: Speller) -> list[str]:
+    left = spell.relation((Symbol(name),), (), False)
+    right = spell.relation((formula,), (), name in spell.angles)
+    return _broken(f"{left} = {right}")
+
+
+def _equations(equations: Iterable[Equation], spell: Speller) -> list[str]:
+    """Return equations, aligned at the equals sign where that costs no width."""
+    pairs = [tuple(spell.relation((side,), (), False) for side in e) for e in equations]
+    widest = max((len(left) for left, _ in pairs), default=0)
+    return [line for left, right in pairs for line in _broken(f"{left:>{widest}} = {right}")]
+
+
+def _broken(equation: str) -> list[str]:
+    """Break a long equation at the spaces around its signs, not within ``sin(α + β)``."""
+    indent = _DEEP + " " * (len(equation) - len(equation.lstrip()))
+    tied = _INNERMOST.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
+    lines = wrap(
+        tied,
+        WIDTH,
+        initial_indent=indent,
+        subsequent_indent=indent + "    ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return [line.replace("\u00a0", " ") for line in lines]
+
+
+def _wrapped(text: str, lead: str) -> list[str]:
+    hanging = " " * len(lead)
+    return wrap(text, WIDTH, initial_indent=lead, subsequent_indent=hanging, break_long_words=False)

@@ -1,0 +1,86 @@
+"""English."""
+
+from .table import Words
+
+WORDS = Words(
+    babel="english",
+    title="Force transmission of the mechanism",
+    source="Source",
+    made_by="Derived by mechc {version}",
+    given="Given",
+    conventions="Directions are angles counter-clockwise from the {x} axis.",
+    symbol="Symbol",
+    quantity="Quantity",
+    value="Value",
+    range="Range",
+    any_value="any",
+    pivots="pinned to the ground: {points}",
+    slider="the point {point} moves along a guide with the direction {direction}",
+    rods="rods with two pins: {links}",
+    bodies="rigid links: {links}",
+    force="the force {load} acts at {point} in the direction {direction}",
+    weight="the weight {load} acts at {point} in the direction {direction}",
+    torque="the couple {load} acts on the link {link}, positive counter-clockwise",
+    mirror="the mechanism is symmetric about a line with the direction {direction}; "
+    "one half is described, both halves share {points}",
+    copies="the mechanism has {number} identical branches that share {points}",
+    geometry="Geometry",
+    vector="Vector",
+    length="Length or coordinates",
+    direction="Direction",
+    velocities="Velocities",
+    magnitudes="Velocities are given by their magnitudes in the motion considered.",
+    rules={
+        "lever": "Lever rule: about the pivot {first} the velocities of {rest} are proportional "
+        "to their arms.",
+        "projection": "Theorem on the projections of the velocities of two points of a rigid "
+        "body: on the line {joined} the velocities of {all} have equal projections.",
+        "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
+        "body": "Plane motion of the link: the velocity of one point and the rotation about it "
+        "give the velocity of another ({all}).",
+        "dyad": "Dyad {joined}: the velocity of the common pin follows from its projections on "
+        "the two links.",
+        "together": "The relations for {all} are solved together.",
+        "guide": "The guide fixes the direction of the velocity of {all}.",
+    },
+    hence="hence",
+    power="Power equation",
+    power_rule="Principle of virtual powers: in equilibrium the powers of all loads add up to "
+    "zero in every possible motion.",
+    several="There are {count} independent motions, hence {count} equations.",
+    results="Results",
+    force_ratio="Force transmission coefficient",
+    load="Load",
+    speed_ratio="Velocity ratio",
+    where="where",
+    proportional="Proportionality:",
+    independent="{result} does not depend on {names}.",
+    swaps="{result} does not change when {first} and {second} change places.",
+    trends={
+        "rises": "Over its range, {result} rises with {names}.",
+        "falls": "Over its range, {result} falls as {names} grows.",
+        "constant": "{result} stays constant as {names} changes.",
+        "turns": "Over its range, {result} does not vary monotonically with {names}.",
+        "unknown": "",
+    },
+    zero="{result} vanishes when {condition}",
+    pole="{result} becomes infinite when {condition}",
+    when="that is, at {condition}",
+    centres={
+        "output still": "dead centre: the output stands still while the drive moves",
+        "drive locked": "dead centre: the drive stands still while the output can move",
+        "perpendicular load": "the load is perpendicular to the velocity of its point",
+        "other": "",
+    },
+    derivatives="Sensitivities (partial derivatives)",
+    requirements="The result holds for",
+    numbers="Numerical values",
+    at_default="At the values given",
+    agrees="Check: the equilibrium of the free bodies gives the same result in {count} poses "
+    "(largest relative difference {error}).",
+    disagrees="Check failed: the equilibrium of the free bodies gives another result (relative "
+    "difference {error}).",
+    pending="The equilibrium of the free bodies has not been compared.",
+    conjunction="and",
+    units={},
+)

@@ -1,0 +1,75 @@
+"""What a language must say."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+
+class Words(NamedTuple):
+    """All words of a report in one language.
+
+    ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
+    first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
+    ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
+    words of a result. ``units`` maps a unit's letters to the language's.
+    """
+
+    babel: str
+    title: str
+    source: str
+    made_by: str
+
+    given: str
+    conventions: str
+    symbol: str
+    quantity: str
+    value: str
+    range: str
+    any_value: str
+
+    pivots: str
+    slider: str
+    rods: str
+    bodies: str
+    force: str
+    weight: str
+    torque: str
+    mirror: str
+    copies: str
+    geometry: str
+    vector: str
+    length: str
+    direction: str
+
+    velocities: str
+    magnitudes: str
+    rules: Mapping[str, str]
+    hence: str
+
+    power: str
+    power_rule: str
+    several: str
+
+    results: str
+    force_ratio: str
+    load: str
+    speed_ratio: str
+    where: str
+    proportional: str
+    independent: str
+    swaps: str
+    trends: Mapping[str, str]
+    zero: str
+    pole: str
+    when: str
+    centres: Mapping[str, str]
+    derivatives: str
+
+    requirements: str
+    numbers: str
+    at_default: str
+    agrees: str
+    disagrees: str
+    pending: str
+
+    conjunction: str
+    units: Mapping[str, str]

@@ -1,0 +1,63 @@
+"""The derivation as the terminal shows it."""
+
+from collections.abc import Callable
+
+import pytest
+
+from mechc.algebra.formula import text
+from mechc.derivation.text_printer import ASCII, UNICODE, print_formula
+from mechc.derivation.to_text import WIDTH, render
+from mechc.derivation.wording import as_ratio
+from report_samples import equations, formula, packet_clamp, six_bar
+
+
+@pytest.mark.parametrize("unicode", [True, False], ids=["unicode", "ascii"])
+def test_clamp_golden(unicode: bool, golden: Callable[[str, str], None]) -> None:
+    clamp = packet_clamp()
+    shown = render(clamp.derivation, clamp.mechanism, unicode=unicode)
+    golden(f"derivation/clamp_{'unicode' if unicode else 'ascii'}.txt", shown)
+    assert shown.isascii() is not unicode
+
+
+@pytest.mark.parametrize(
+    ("source", "unicode", "ascii_"),
+    [
+        (
+            "2*b/a*cos(alpha)*sin(theta)/cos(alpha+theta)",
+            "2b/a · cos α · sin θ / cos(α + θ)",
+            "2*b/a * cos(alpha) * sin(theta) / cos(alpha + theta)",
+        ),
+        ("a - b*sin(deg(40))**2", "a − b · sin² 40°", "a - b * sin(40 deg)^2"),
+        ("-a*(b + c)", "−a · (b + c)", "-a * (b + c)"),
+        ("(b + c)/a", "(b + c) / a", "(b + c) / a"),
+        ("a/(b + c)", "a / (b + c)", "a / (b + c)"),
+        ("a/(b*c)", "a/(bc)", "a/(b*c)"),
+        ("sqrt(a**2 + l_1)", "√(a² + l₁)", "sqrt(a^2 + l_1)"),
+        ("a*(b**(-1)) - 3/2", "a/b − 3/2", "a/b - 3/2"),
+        ("asin(a/b)", "arcsin(a/b)", "asin(a/b)"),
+    ],
+)
+def test_formula_on_one_line(source: str, unicode: str, ascii_: str) -> None:
+    assert print_formula(formula(source), UNICODE) == unicode
+    assert print_formula(formula(source), ASCII) == ascii_
+
+
+def test_lines_keep_to_the_width_and_break_outside_functions() -> None:
+    six = six_bar()
+    lines = render(six.derivation, six.mechanism).splitlines()
+    assert max(map(len, lines)) <= WIDTH
+    assert all(line.count("sin(") <= line.count(")") for line in lines)
+
+
+def test_a_speed_in_terms_of_one_other_reads_as_a_ratio() -> None:
+    (plain, mixed, squared) = equations(
+        "V_B = V_A*cot(alpha)", "V_C = V_A*V_B/l", "V_C = V_A**2/l*V_B"
+    )
+    assert text(as_ratio(plain).left) == "V_B/V_A"
+    assert as_ratio(mixed) == mixed
+    assert as_ratio(squared) == squared
+
+
+def test_what_the_rule_says_is_not_said_twice() -> None:
+    clamp = packet_clamp()
+    assert render(clamp.derivation, clamp.mechanism).count("V_A/V_B") == 1

@@ -1,0 +1,160 @@
+"""The LaTeX report: its text, and that every engine compiles it."""
+
+import os
+import shutil
+import subprocess
+from collections.abc import Callable
+from pathlib import Path
+from string import Formatter
+
+import pytest
+from jinja2 import meta
+
+from mechc.derivation.steps import Rule
+from mechc.emit.target import Options
+from mechc.emit.to_latex import _TEMPLATES, TARGET, Report
+from mechc.words import en, ru, uk
+from mechc.words.table import Words
+from report_samples import packet_clamp, six_bar
+
+NASTY = r"50% of A&B_{x} #1 \input{/etc/passwd} ~^$ Кран λ «ёлка» – naïve “q” 中 `a' --- <<"
+LANGUAGES = ("en", "uk", "ru")
+TABLES = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
+
+
+def report(language: str = "en", fragment: bool = False, title: str = "") -> str:
+    options = Options("clamp", fragment, language)  # type: ignore[arg-type]
+    (emitted,) = TARGET.emit(packet_clamp(title), options)
+    assert emitted.name == "clamp.tex"
+    return emitted.text
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_clamp_golden(language: str, golden: Callable[[str, str], None]) -> None:
+    golden(f"latex/clamp_{language}.tex", report(language))
+
+
+def test_fragment_golden(golden: Callable[[str, str], None]) -> None:
+    golden("latex/clamp_fragment.tex", report(fragment=True))
+
+
+def test_k_is_what_the_paper_prints() -> None:
+    k = r"\boxed{k=\frac{P}{F}=\frac{a}{2b}\cdot\frac{\sin(\alpha+\beta)}{\cos\alpha\cos\beta}}"
+    assert k in report()
+
+
+def test_fragment_has_no_preamble_and_the_same_content() -> None:
+    fragment = report(fragment=True)
+    assert "\\documentclass" not in fragment
+    body = fragment.replace("\\subsection*", "\\section*")
+    assert body in report()
+
+
+def test_output_depends_on_the_input_only() -> None:
+    assert report() == report()
+    assert "\\today" not in report()
+
+
+def test_template_uses_every_field_of_the_report() -> None:
+    loader = _TEMPLATES.loader
+    assert loader is not None
+    source, _, _ = loader.get_source(_TEMPLATES, "report_body.tex.jinja")
+    assert meta.find_undeclared_variables(_TEMPLATES.parse(source)) == set(Report._fields)
+
+
+# --------------------------------------------------------------------------- words
+
+
+def entries(words: Words) -> dict[str, str]:
+    flat: dict[str, str] = {}
+    for field, value in words._asdict().items():
+        if field == "units":
+            continue
+        if isinstance(value, str):
+            flat[field] = value
+        else:
+            flat |= {f"{field}.{key}": text for key, text in value.items()}
+    return flat
+
+
+def placeholders(text: str) -> set[str]:
+    return {field for _, field, _, _ in Formatter().parse(text) if field}
+
+
+@pytest.mark.parametrize("language", ["uk", "ru"])
+def test_every_language_says_the_same(language: str) -> None:
+    english, other = entries(en.WORDS), entries(TABLES[language])
+    assert other.keys() == english.keys()
+    for key, text in other.items():
+        assert bool(text) == bool(english[key]), key
+        if not key.startswith("rules."):
+            assert placeholders(text) == placeholders(english[key]), key
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_rule_has_words(language: str) -> None:
+    assert set(TABLES[language].rules) == {rule.value for rule in Rule}
+
+
+def test_ukrainian_and_russian_name_the_same_units() -> None:
+    assert uk.WORDS.units.keys() == ru.WORDS.units.keys()
+
+
+# ------------------------------------------------------------------------- engines
+
+
+def compile_tex(engine: str, text: str, folder: Path) -> str:
+    """Run an engine that may read nothing outside the folder; return its log."""
+    if shutil.which(engine) is None:
+        pytest.skip(f"{engine} is not installed")
+    (folder / "report.tex").write_text(text, encoding="utf-8")
+    command = [engine, "-no-shell-escape", "-interaction=nonstopmode", "report.tex"]
+    environment = os.environ | {"openin_any": "p", "openout_any": "p"}
+    run = subprocess.run(command, cwd=folder, env=environment, capture_output=True, timeout=120)
+    log = (folder / "report.log").read_text(encoding="utf-8", errors="replace")
+    assert run.returncode == 0, log[-3000:]
+    assert (folder / "report.pdf").stat().st_size > 5000
+    return log
+
+
+def needs_cyrillic() -> None:
+    found = subprocess.run(["kpsewhich", "t2aenc.def"], capture_output=True, check=False)
+    if found.returncode:
+        pytest.skip("no Cyrillic fonts for TeX")
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_pdflatex_sets_the_report(language: str, tmp_path: Path) -> None:
+    if shutil.which("kpsewhich") and language != "en":
+        needs_cyrillic()
+    log = compile_tex("pdflatex", report(language), tmp_path)
+    assert "Overfull" not in log
+
+
+@pytest.mark.parametrize("language", ["en", "uk"])
+def test_pdflatex_sets_any_title(language: str, tmp_path: Path) -> None:
+    if shutil.which("kpsewhich"):
+        needs_cyrillic()
+    compile_tex("pdflatex", report(language, title=NASTY), tmp_path)
+
+
+def test_long_formulas_stay_on_the_page(tmp_path: Path) -> None:
+    (emitted,) = TARGET.emit(six_bar(), Options("six_bar"))
+    log = compile_tex("pdflatex", emitted.text, tmp_path)
+    assert "Overfull" not in log
+
+
+def test_fragment_can_be_included(tmp_path: Path) -> None:
+    (tmp_path / "clamp.tex").write_text(report(fragment=True), encoding="utf-8")
+    host = (
+        "\\documentclass{article}\\usepackage{amsmath,array,booktabs,longtable}\n"
+        "\\begin{document}\\section{Clamp}\\input{clamp}\\end{document}\n"
+    )
+    compile_tex("pdflatex", host, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("engine", ["xelatex", "lualatex"])
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_unicode_engines_set_any_title(engine: str, language: str, tmp_path: Path) -> None:
+    compile_tex(engine, report(language, title=NASTY), tmp_path)

@@ -1,0 +1,162 @@
+"""Formulas, names and texts as LaTeX."""
+
+from dataclasses import replace
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from mechc.emit.latex_display import LINE, Line, display
+from mechc.emit.latex_notation import name, notation, points, spellings
+from mechc.emit.latex_printer import latex, plain
+from mechc.emit.latex_text import escape
+from report_samples import LONG, formula
+
+EN, UK, RU = (notation(language) for language in ("en", "uk", "ru"))
+ANGLES = replace(EN, angles=frozenset({"beta"}))
+
+TABLE_1 = {
+    "2*b/a*cot(alpha)": r"\frac{2b}{a}\cot\alpha",
+    "2*b/a*cos(alpha)*sin(theta)/cos(alpha+theta)": (
+        r"\frac{2b}{a}\cdot\frac{\cos\alpha\sin\theta}{\cos(\alpha+\theta)}"
+    ),
+    "b*cos(alpha)/(a*cos(theta))": r"\frac{b}{a}\cdot\frac{\cos\alpha}{\cos\theta}",
+    "1/(2*sin(alpha))": r"\frac{1}{2\sin\alpha}",
+    "V_A*sin(theta)/cos(alpha+theta)": r"V_A\,\frac{\sin\theta}{\cos(\alpha+\theta)}",
+    "a*sin(alpha+beta)/(2*b*cos(alpha)*cos(beta))": (
+        r"\frac{a}{2b}\cdot\frac{\sin(\alpha+\beta)}{\cos\alpha\cos\beta}"
+    ),
+}
+"""What a textbook prints for the ratios of lever clamps, by the formula."""
+
+PIECES = {
+    "sin(alpha)**2": r"\sin^{2}\alpha",
+    "sin(2*alpha)": r"\sin2\alpha",
+    "cos(alpha/2)": r"\cos\left(\frac{\alpha}{2}\right)",
+    "cos(deg(40))": r"\cos40^\circ",
+    "cos(-alpha)": r"\cos(-\alpha)",
+    "sin(alpha - deg(90))": r"\sin(\alpha-90^\circ)",
+    "sin(alpha)*a": r"\sin\alpha\cdot a",
+    "(a + b)*cos(alpha)": r"(a+b)\cos\alpha",
+    "a - (b - c)": "a-b+c",
+    "a*(-2)*b + c": "-2ab+c",
+    "c - 2*a*b": "c-2ab",
+    "sqrt(a**2 + b**2)": r"\sqrt{a^{2}+b^{2}}",
+    "hypot(a, b)": r"\sqrt{a^{2}+b^{2}}",
+    "(a + b)**2": "(a+b)^{2}",
+    "a**(-2)": r"\frac{1}{a^{2}}",
+    "pi*d**2/4": r"\frac{\pi d^{2}}{4}",
+    "0.35*a": r"0.35\,a",
+    "a/4": r"\frac{a}{4}",
+    "abs(a)": r"\left|a\right|",
+    "atan2(a, b)": r"\operatorname{arctan2}(a,b)",
+    "asin(a/b)": r"\arcsin\left(\frac{a}{b}\right)",
+    "exp(mu*alpha)": r"\exp(\mu\alpha)",
+}
+
+
+@pytest.mark.parametrize(("source", "expected"), [*TABLE_1.items(), *PIECES.items()])
+def test_formula_is_set_as_a_textbook_sets_it(source: str, expected: str) -> None:
+    assert latex(formula(source), EN) == expected
+
+
+def test_eastern_books_write_tg_and_a_decimal_comma() -> None:
+    source = formula("0.35*tan(phi) + cot(phi)")
+    assert latex(source, EN) == r"0.35\,\tan\phi+\cot\phi"
+    for style in (UK, RU):
+        expected = r"0{,}35\,\operatorname{tg}\varphi+\operatorname{ctg}\varphi"
+        assert latex(source, style) == expected
+
+
+def test_constants_are_in_degrees_where_the_sum_is_an_angle() -> None:
+    assert latex(formula("deg(180) - beta"), ANGLES) == r"180^\circ-\beta"
+    assert latex(formula("pi - b"), ANGLES) == r"\pi-b"
+    assert latex(formula("r*pi/2"), ANGLES) == r"\frac{r\pi}{2}"
+
+
+@pytest.mark.parametrize(
+    ("symbol", "expected"),
+    [
+        ("V_A", "V_A"),
+        ("V_O1", "V_{O_{1}}"),
+        ("V_K'", "V_{K'}"),
+        ("omega_OBA", r"\omega_{OBA}"),
+        ("alpha_1", r"\alpha_1"),
+        ("l12", "l_{12}"),
+        ("l_max", r"l_{\mathrm{max}}"),
+        ("a_b_c", "a_{b,c}"),
+        ("lambda", r"\lambda"),
+        ("epsilon", r"\varepsilon"),
+        ("input", r"\mathrm{input}"),
+        ("phi_AB", r"\phi_{AB}"),
+        ("len_AB", "AB"),
+    ],
+)
+def test_names(symbol: str, expected: str) -> None:
+    assert name(symbol, EN) == expected
+
+
+def test_points() -> None:
+    assert points("O1B2K'") == "O_{1}B_{2}K'"
+
+
+def test_two_names_never_print_alike() -> None:
+    names = ["alpha1", "alpha_1", "a", "b"]
+    style = replace(EN, spellings=spellings(names, EN))
+    assert len({name(n, style) for n in names}) == len(names)
+
+
+def test_nothing_of_a_text_is_read_by_tex() -> None:
+    nasty = r"50% of A&B_{x} #1 \input{/etc/passwd} ~^$"
+    assert escape(nasty) == (
+        r"50\% of A\&B\_\{x\} \#1 \textbackslash{}input\{/etc/passwd\} "
+        r"\textasciitilde{}\textasciicircum{}\$"
+    )
+
+
+@given(st.text(max_size=60))
+def test_text_has_no_special_character_left(text: str) -> None:
+    escaped = escape(text)
+    assert "\n" not in escaped
+    assert not set(escaped.replace(r"\%", "").replace(r"\#", "")) & {"%", "#"}
+    assert escaped.replace(r"\{", "").count("{") == escaped.replace(r"\}", "").count("}")
+
+
+def test_long_words_may_break_and_ligatures_do_not_form() -> None:
+    assert r"\allowbreak" in escape("x" * 30)
+    assert escape("a--b") == r"a-\kern0pt{}-b"
+
+
+def test_cyrillic_is_marked_and_strange_characters_named() -> None:
+    assert escape("Кран λ") == r"\mechccyr{Кран} \ensuremath{\lambda}"
+    assert escape("中") == r"\mechcchar{U+4E2D}{中}"
+
+
+def widths(shown: str) -> list[float]:
+    rows = shown.replace("\\\\", "\n").splitlines()
+    return [plain(r.replace("&", "")).width for r in rows if "frac" not in r]
+
+
+def test_a_short_equation_takes_one_line() -> None:
+    shown = display((Line(plain("k"), formula("a/b")),), EN, "where")
+    assert shown == "\\[\nk=\\frac{a}{b}\n\\]"
+
+
+def test_a_long_sum_is_broken_between_terms() -> None:
+    terms = " + ".join(f"l_{i}*V_{'ABCDEFGHKMNQ'[i]}*mu" for i in range(12))
+    shown = display((Line(plain("k"), formula(terms)),), EN, "where")
+    assert shown.count("\\\\") >= 1
+    assert max(widths(shown)) <= LINE
+
+
+def test_sums_in_a_long_fraction_get_names() -> None:
+    shown = display((Line(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), EN, "where")
+    assert r"\frac{aZ_1}{Z_2}" in shown
+    assert shown.count("where") == 1
+    assert "Z_1&=" in shown
+
+
+def test_made_up_names_avoid_those_in_use() -> None:
+    shown = display((Line(plain("k"), formula(f"Z_1*({LONG})/({LONG}+b)")),), EN, "where")
+    assert "Z_3&=" in shown
+    assert "Z_1&=" not in shown
