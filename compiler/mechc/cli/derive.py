@@ -1,11 +1,14 @@
 """``mechc derive``: the derivation, for the terminal."""
 
+import sys
+
 import click
 
-from ..derivation.to_text import to_text
+from ..derivation.to_text import render
 from ..driver import complete, warnings
 from ..syntax.settings import Settings
-from .inputs import begin, description_argument, settings_option, stdin_option
+from .begin import begin
+from .inputs import description_argument, settings_option, stdin_option
 from .session import Command, session, session_options
 
 
@@ -25,4 +28,6 @@ def command(file: str, settings: Settings, stdin_name: str) -> None:
     """
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    click.echo(to_text(compilation.derivation), nl=False)
+    unicode = sys.stdout.encoding.lower().startswith("utf")
+    text = render(compilation.derivation, compilation.mechanism, unicode=unicode)
+    click.echo(text, nl=False)
