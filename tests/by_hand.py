@@ -63,7 +63,7 @@ def build(points, bodies, pivots, guides, loads, lines, **more):
         source="",
         span=HERE,
         pivots=tuple(model.Pivot(p, HERE) for p in pivots),
-        sliders=tuple(model.Slider(p, along, HERE) for p in guides),
+        sliders=tuple(more.pop("sliders", [model.Slider(p, along, HERE) for p in guides])),
         links=links,
         loads=tuple(loads),
         mirror=model.Mirror(along, tuple(mirror), HERE) if mirror is not None else None,

@@ -36,6 +36,22 @@ def no_equilibrium(span: Span, result: str, reason: str) -> Words:
     return Words(span, message, REPORT_IT)
 
 
+@coded("E603")
+def pose_does_not_close(span: Span, what: str, gap: float) -> Words:
+    """The mechanism does not stand as described.
+
+    With the directions and lengths that were found for the pose, every point is put in its
+    place once more, in numbers, and all that the description says of the geometry is
+    measured. Something does not fit: a loop stays open, or a given length or angle is not
+    kept. Formulas that rest on such a pose would be wrong, so nothing is emitted.
+
+    There is nothing to mend in the description: this is a bug in mechc. Please report it,
+    with the file.
+    """
+    message = f"the pose that was found does not fit: {what} is off by {gap:.3g} m, expected 0"
+    return Words(span, message, REPORT_IT)
+
+
 @coded("W601")
 def not_judged(span: Span, result: str, reason: str) -> Words:
     """A result could not be checked by the equilibrium of the free bodies.

@@ -5,19 +5,26 @@ in mechc, whatever was written: nothing may be emitted then.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import partial
+from itertools import islice
 from typing import NamedTuple, assert_never
 
 from ..algebra.formula import Formula, evaluate
 from ..diagnostics import Diagnostic, MechcError, Report
-from ..diagnostics.statics import methods_disagree, no_equilibrium, not_judged
+from ..diagnostics.statics import (
+    methods_disagree,
+    no_equilibrium,
+    not_judged,
+    pose_does_not_close,
+)
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, SpeedRatio
 from ..pose.pose import Pose
 from ..power.result import Definition, Result
 from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio
-from .poses import Replay, candidates
+from .closure import worst_gap
+from .poses import Replay, Values, candidates
 from .speeds import has_sign, speed_ratio
 from .unfold import Unfolding
 from .verdict import Trial, Verdict
@@ -37,7 +44,7 @@ TINY = 1e-300
 
 NO_VALUE = "virtual power gives no finite value"
 
-INTERNAL = ("methods-disagree", "no-equilibrium")
+INTERNAL = ("methods-disagree", "no-equilibrium", "pose-does-not-close")
 
 
 class RefereeDisagrees(MechcError):
@@ -69,10 +76,12 @@ def judge(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
     """Return the verdict on all results that ask for a ratio or for a load.
 
     Raises :class:`RefereeDisagrees` where the two methods differ by more than the
-    condition of the pose explains, or where virtual power has an answer at every pose
-    and equilibrium at none. A result that no pose can judge earns a warning.
+    condition of the pose explains, where virtual power has an answer at every pose and
+    equilibrium at none, or where the pose does not fit the description. A result that no
+    pose can judge earns a warning.
     """
     poses = Replay(candidates(pose, DRAWS))
+    _measure(pose, poses, report)
     trials: list[Trial] = []
     remarks: list[str] = []
     for question in _questions(results, pose.mechanism):
@@ -85,6 +94,14 @@ def judge(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
     verdict = Verdict(tuple(trials), tuple(remarks))
     _stop_on_disagreement(verdict, pose.mechanism.span, report)
     return verdict
+
+
+def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
+    """See that the mechanism stands as described at the poses that are judged first."""
+    gaps = (worst_gap(pose, values) for values in islice(poses, POSES))
+    gap = next((gap for gap in gaps if gap is not None), None)
+    if gap is not None:
+        report.add(pose_does_not_close(pose.mechanism.span, gap.what, gap.size))
 
 
 def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Question]:

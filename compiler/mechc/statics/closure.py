@@ -1,0 +1,175 @@
+"""Whether the mechanism stands as described: loops closed, given lengths and angles kept.
+
+Both virtual power and equilibrium take the pose for granted. This looks at it with the
+eyes of a draughtsman: every point is put in its place by going along the links and the
+vectors given in full, and then everything said about the geometry is measured.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass
+from typing import NamedTuple, assert_never
+
+from ..algebra.formula import Formula, evaluate, symbols
+from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
+from ..pose.pose import Pose, evaluate_vector
+from .unfold import Plane, direction
+
+CLOSED = 1e-6
+"""A gap below this part of the largest length is rounding: arc cosines lose half the digits."""
+
+
+class Gap(NamedTuple):
+    """What does not fit, and by how much in metres."""
+
+    what: str
+    size: float
+
+
+class Edge(NamedTuple):
+    """A vector that is known in full."""
+
+    tail: str
+    head: str
+    vector: Plane
+
+
+class Place(NamedTuple):
+    """Where a point is, in the part of the drawing that hangs together with ``start``."""
+
+    start: str
+    at: Plane
+
+
+def worst_gap(pose: Pose, values: Mapping[str, float]) -> Gap | None:
+    """Return the largest gap of the pose at these values, None where all fits."""
+    edges = [*_links(pose, values), *_vectors(pose, values)]
+    drawing = Drawing(_places(edges), values)
+    gaps = [drawing.loop(edge) for edge in edges]
+    gaps += [drawing.entry(entry) for entry in pose.mechanism.geometry]
+    gaps += [drawing.guide(slider) for slider in pose.mechanism.sliders]
+    found = [gap for gap in gaps if gap is not None]
+    size = max((math.hypot(*edge.vector) for edge in edges), default=0.0)
+    worst = max(found, key=lambda gap: gap.size, default=None)
+    return worst if worst is not None and worst.size > CLOSED * size else None
+
+
+def _links(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:
+    for link in pose.mechanism.links:
+        tail, *heads = link.points
+        for head in heads:
+            vector = evaluate_vector(pose.vector(link.name, tail, head), values)
+            yield Edge(tail, head, Plane(*vector))
+
+
+def _vectors(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:
+    """Yield the vectors that the description itself gives in full."""
+    for entry in pose.mechanism.geometry:
+        match entry:
+            case Offset(tail, head, x, y) if _known(values, x, y):
+                yield Edge(tail, head, Plane(evaluate(x, values), evaluate(y, values)))
+            case Arrow(tail, head, length, Absolute(angle)) if length is not None:
+                if _known(values, length, angle):
+                    along = direction(evaluate(angle, values))
+                    yield Edge(tail, head, along.times(evaluate(length, values)))
+
+
+def _known(values: Mapping[str, float], *formulas: Formula) -> bool:
+    return all(symbols(formula) <= values.keys() for formula in formulas)
+
+
+def _places(edges: list[Edge]) -> dict[str, Place]:
+    """Put every point in its place, part by part, along the first way that leads there."""
+    ways: dict[str, list[tuple[str, Plane]]] = {}
+    for tail, head, vector in edges:
+        ways.setdefault(tail, []).append((head, vector))
+        ways.setdefault(head, []).append((tail, vector.times(-1)))
+    places: dict[str, Place] = {}
+    for start in ways:
+        places.setdefault(start, Place(start, Plane(0.0, 0.0)))
+        waiting = [start]
+        while waiting:
+            here = waiting.pop()
+            root, at = places[here]
+            for there, (x, y) in ways[here]:
+                if there not in places:
+                    places[there] = Place(root, Plane(at.x + x, at.y + y))
+                    waiting.append(there)
+    return places
+
+
+@dataclass(frozen=True, slots=True)
+class Drawing:
+    """Points in their places, and what can be measured between them."""
+
+    places: Mapping[str, Place]
+    values: Mapping[str, float]
+
+    def between(self, tail: str, head: str) -> Plane | None:
+        """Return the vector between two points, None where they do not hang together."""
+        a, b = self.places.get(tail), self.places.get(head)
+        if a is None or b is None or a.start != b.start:
+            return None
+        return Plane(b.at.x - a.at.x, b.at.y - a.at.y)
+
+    def loop(self, edge: Edge) -> Gap | None:
+        """Return the gap that opens at a vector when all others are in place."""
+        found = self.between(edge.tail, edge.head)
+        if found is None:
+            return None
+        gap = math.hypot(found.x - edge.vector.x, found.y - edge.vector.y)
+        return Gap(f"the loop through {edge.tail} and {edge.head}", gap)
+
+    def entry(self, entry: Geometry) -> Gap | None:
+        """Return the gap of something given, None for what :meth:`loop` has measured."""
+        match entry:
+            case Offset():
+                return None
+            case Arrow(tail, head, length, line):
+                found = self.between(tail, head)
+                if found is None:
+                    return None
+                gap = max(self._length(found, length), self._line(found, line))
+                return Gap(f"the vector {tail}{head}", gap)
+            case Turn():
+                return self._turn(entry)
+            case _:
+                assert_never(entry)
+
+    def guide(self, slider: Slider) -> Gap | None:
+        """Return how far a slider is from its guide's line, where that has a place."""
+        found = self.between(slider.through, slider.point) if slider.through else None
+        if found is None:
+            return None
+        return Gap(f"the guide of {slider.point}", self._line(found, slider.along))
+
+    def _length(self, found: Plane, length: Formula | None) -> float:
+        if length is None or not _known(self.values, length):
+            return 0.0
+        return abs(math.hypot(*found) - abs(evaluate(length, self.values)))
+
+    def _line(self, found: Plane, line: Direction | None) -> float:
+        """Return how far a vector reaches beside a line of this direction."""
+        along = None if line is None else self._unit(line)
+        return 0.0 if along is None else abs(along.turned().dot(found))
+
+    def _unit(self, line: Direction) -> Plane | None:
+        match line:
+            case Absolute(angle):
+                known = _known(self.values, angle)
+                return direction(evaluate(angle, self.values)) if known else None
+            case Along(tail, head, quarter):
+                vector = self.between(tail, head)
+                if vector is None:
+                    return None
+                return direction(math.atan2(vector.y, vector.x) + quarter * math.pi / 2)
+            case _:
+                assert_never(line)
+
+    def _turn(self, turn: Turn) -> Gap | None:
+        first, second = (self.between(turn.vertex, p) for p in (turn.first, turn.second))
+        if first is None or second is None or not _known(self.values, turn.angle):
+            return None
+        angle = math.atan2(first.y, first.x) + evaluate(turn.angle, self.values)
+        gap = abs(direction(angle).turned().dot(second))
+        return Gap(f"the angle {turn.first}{turn.vertex}{turn.second}", gap)
