@@ -249,7 +249,7 @@ def test_check_says_what_it_found(run: Mechc) -> None:
     out = run("check", "clamp.mech").out
     assert "k = a*sin(alpha + beta)/(2*b*cos(alpha)*cos(beta))" in out
     assert "proved" in out
-    assert "free bodies agree" in out
+    assert "equilibrium of the free bodies agrees" in out
     assert "condition" in run("check", "--verbose", "clamp.mech").out
     assert run("check", "--quiet", "clamp.mech").out == ""
 
@@ -274,7 +274,7 @@ def test_derive(run: Mechc) -> None:
 def test_show_every_stage(run: Mechc, stage: str) -> None:
     status, out, _ = run("show", stage, "clamp.mech")
     assert status == 0
-    assert "alpha" in out
+    assert "packet_clamp" in out or "k" in out.split()
     assert max(map(len, out.splitlines())) < 400
 
 
@@ -294,10 +294,10 @@ def test_fmt_in_place_and_dry(run: Mechc, tmp_path: Path) -> None:
     file = tmp_path / "clamp.mech"
     tidy = file.read_text()
     assert run("fmt", "--check", "clamp.mech") == (0, "", "")
-    file.write_text(tidy.replace("pivot  O", "pivot O"))
+    file.write_text(tidy.replace("pivot O", "pivot   O"))
     untidy = file.read_text()
     assert run("fmt", "--check", "clamp.mech").status == 1
-    assert "+pivot  O" in run("fmt", "--diff", "clamp.mech").out
+    assert "-pivot   O" in run("fmt", "--diff", "clamp.mech").out
     assert file.read_text() == untidy
     assert run("fmt", "clamp.mech") == (0, "", "")
     assert file.read_text() == tidy

@@ -95,6 +95,14 @@ def reason(error: OSError) -> str:
 # ------------------------------------------------------------------------- writing
 
 
+def make_folder(path: Path) -> None:
+    """Make a folder, and those above it; :class:`MechcError` (E904) where it cannot be."""
+    try:
+        path.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise MechcError([words.file_unwritable(str(path), reason(error))]) from None
+
+
 class _Pending(NamedTuple):
     temporary: Path
     target: Path

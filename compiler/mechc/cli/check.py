@@ -9,9 +9,11 @@ from ..check.expectations import Finding
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..power.result import Result
+from ..statics.to_text import to_text
 from ..statics.verdict import Verdict
 from ..syntax.settings import Settings
-from .inputs import begin, settings_option, stdin_option
+from .begin import begin
+from .inputs import settings_option, stdin_option
 from .session import Command, session, session_options, status
 
 
@@ -80,10 +82,9 @@ def _of_finding(finding: Finding) -> str:
 
 
 def _of_verdict(verdict: Verdict, verbose: bool) -> Iterator[str]:
+    if verbose:
+        yield from (f"  {line}" for line in to_text(verdict).splitlines())
+        return
     number = len(verdict.trials)
-    yield f"  free bodies agree at {number} poses, worst relative difference {verdict.worst:.1e}"
+    yield f"  equilibrium of the free bodies agrees: {number} trials, worst {verdict.worst:.1e}"
     yield from (f"    {remark}" for remark in verdict.remarks)
-    for trial in verdict.trials if verbose else ():
-        at = ", ".join(f"{name} = {value:.6g}" for name, value in trial.values.items())
-        yield f"    {trial.result}: power {trial.power:.15g}, statics {trial.statics:.15g}"
-        yield f"      difference {trial.error:.1e}, condition {trial.condition:.1e}, at {at}"

@@ -8,9 +8,10 @@ import click
 from ..driver import Compilation, complete, emit, warnings
 from ..emit import registry
 from ..emit.target import Emitted, Options
-from ..files import write_all
+from ..files import make_folder, write_all
 from ..syntax.settings import Settings
-from .inputs import begin, description_argument, path_of, settings_option, stdin_option
+from .begin import begin
+from .inputs import description_argument, path_of, settings_option, stdin_option
 from .outputs import Output, makefile_rule, outputs, placed
 from .session import Command, session, session_options
 
@@ -96,6 +97,8 @@ def _deliver(
     """Write all files, or none; then print what goes to standard output."""
     files: dict[Path, str] = {}
     for output, emitted in made:
+        if output.folder and output.path:
+            make_folder(output.path)
         files |= placed(output, emitted)
     if read and any(path.resolve() == read.resolve() for path in files):
         raise click.UsageError(f"the output would overwrite the description {str(read)!r}")

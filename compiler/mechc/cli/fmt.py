@@ -10,6 +10,7 @@ import click
 from ..diagnostics import MechcError, Report
 from ..files import SUFFIXES, write_all
 from ..source import Source
+from ..syntax import ast
 from ..syntax.notation import is_yaml, read
 from ..syntax.to_dsl import to_dsl
 from ..syntax.to_yaml import to_yaml
@@ -88,12 +89,20 @@ def layout(source: Source, to: Notation | None = None) -> str:
     tree = _tree(source)
     yaml = is_yaml(source) if to is None else to == "yaml"
     text = to_yaml(tree) if yaml else to_dsl(tree)
-    if _tree(Source("formatted.yaml" if yaml else "formatted.mech", text)) != tree:
+    if not _says(text, tree, yaml):
         raise RuntimeError(f"the layout of {source.name} would change its meaning")
     return text
 
 
-def _tree(source: Source) -> object:
+def _says(text: str, tree: ast.File, yaml: bool) -> bool:
+    """Return whether a text is read as this tree (places aside)."""
+    try:
+        return _tree(Source("layout.yaml" if yaml else "layout.mech", text)) == tree
+    except MechcError:
+        return False
+
+
+def _tree(source: Source) -> ast.File:
     report = Report(source)
     tree = read(source, report)
     report.stop_on_errors()

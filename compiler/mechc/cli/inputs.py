@@ -7,11 +7,10 @@ from typing import Any, TypeVar
 import click
 from click.shell_completion import CompletionItem
 
-from ..diagnostics import MechcError, near_miss
-from ..driver import Compilation
+from ..diagnostics import MechcError
 from ..files import find, library, read, read_stdin
 from ..source import Source
-from ..syntax.settings import Settings, params, parse
+from ..syntax.settings import Settings, parse
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -24,19 +23,6 @@ def source_of(name: str, stdin_name: str) -> Source:
 def path_of(name: str) -> Path | None:
     """Return the path that is read for a name; None for standard input."""
     return None if name == "-" else find(name)
-
-
-def begin(name: str, stdin_name: str, settings: Settings) -> Compilation:
-    """Open a compilation, refusing settings of parameters that the description lacks."""
-    source = source_of(name, stdin_name)
-    if settings:
-        declared = [p.name.text for p in params(Compilation(source).tree.statements)]
-        for unknown in settings.keys() - set(declared):
-            hint = near_miss(unknown, declared) or f"it has {', '.join(declared) or 'none'}"
-            raise click.BadParameter(
-                f"{source.name} has no parameter {unknown!r}; {hint}", param_hint="-D"
-            )
-    return Compilation(source, settings)
 
 
 def _complete(ctx: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:

@@ -2,9 +2,14 @@
 
 import click
 
-from ..driver import STAGES
+from ..derivation.to_text import render
+from ..driver import STAGES, Compilation
+from ..model.to_text import describe
+from ..routine import to_text as routine
+from ..statics import to_text as statics
 from ..syntax.settings import Settings
-from .inputs import begin, description_argument, settings_option, stdin_option
+from .begin import begin
+from .inputs import description_argument, settings_option, stdin_option
 from .pretty import pretty
 from .session import Command, session_options
 
@@ -26,4 +31,19 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
     mechc show kinematics clamp.mech
     """
     compilation = begin(file, stdin_name, settings)
-    click.echo(pretty(getattr(compilation, STAGES[stage])))
+    click.echo(_text(stage, compilation).rstrip("\n"))
+
+
+def _text(stage: str, compilation: Compilation) -> str:
+    """Return a stage's own text where it has one, else its record."""
+    match stage:
+        case "model":
+            return describe(compilation.mechanism)
+        case "statics":
+            return statics.to_text(compilation.verdict)
+        case "derivation":
+            return render(compilation.derivation, compilation.mechanism)
+        case "routine":
+            return routine.to_text(compilation.routine)
+        case _:
+            return pretty(getattr(compilation, STAGES[stage]))
