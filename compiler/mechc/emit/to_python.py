@@ -73,7 +73,6 @@ class ModuleContext(NamedTuple):
 
     heading: str
     preface: list[str]
-    ambiguous: bool
     functions: list[FunctionContext]
     main: list[str]
 
@@ -100,11 +99,6 @@ def _module(compiled: Compiled) -> ModuleContext:
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
-        ambiguous=any(
-            n in ("l", "O", "I")
-            for f in functions
-            for n in [*f.arguments, *(b.name for b in f.body)]
-        ),
         functions=functions,
         main=[_shown(f, names[f.name], arguments) for f in routine.functions],
     )

@@ -40,7 +40,8 @@ class Scope:
         self._where = {r.name: {d.name: d.formula for d in r.where} for r in self.results.values()}
         self._anywhere = {n: owner for owner, names in self._where.items() for n in names}
         self._ties = dict(_ties(mechanism))
-        self._given = {item.name for item in (*mechanism.parameters, *mechanism.loads)}
+        self._free = {p.name for p in mechanism.parameters}
+        self._loads = {load.name for load in mechanism.loads}
 
     def find(self, owner: str, name: str) -> Key | None:
         """Return what a name means in a result's formulas; None for an input."""
@@ -48,9 +49,11 @@ class Scope:
             return Key(owner, name)
         if name in self._ties:
             return Key("", name)
+        if name in self._free:
+            return None
         if name in self.results and name != owner and not self._both_finds(owner, name):
             return Key(name, "")
-        if name in self._anywhere and name not in self._given:
+        if name in self._anywhere and name not in self._loads:
             return Key(self._anywhere[name], name)
         return None
 

@@ -1,0 +1,211 @@
+"""The document of a whole result: every record of it, member by member.
+
+The document and its JSON Schema are both made from what stands here.
+"""
+
+from collections.abc import Mapping
+
+from ..algebra.formula import Formula, evaluate, text
+from ..derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
+from ..model.mechanism import LoadForm, LoadRatio, Parameter, SpeedRatio, Target
+from ..power.result import Definition, Result, Vanishing
+from ..routine.steps import Function
+from ..statics.verdict import Trial, Verdict
+from .describe import condition_lines, dimension_name, si_unit
+from .json_formula import FORMULA
+from .json_kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
+from .target import Compiled
+
+VERSION = 1
+"""Raised whenever a member changes its meaning or goes."""
+
+TRENDS = ("rises", "falls", "constant", "turns", "unknown")
+VANISHINGS = ("output still", "drive locked", "perpendicular load", "other")
+KINDS: Mapping[type[Target] | type[None], str] = {
+    LoadRatio: "load ratio",
+    LoadForm: "load",
+    SpeedRatio: "speed ratio",
+    type(None): "formula",
+}
+
+
+def _number(formula: Formula | None) -> float | None:
+    return None if formula is None else evaluate(formula, {})
+
+
+def _value(parameter: Parameter) -> float | None:
+    return None if parameter.dependent else _number(parameter.value)
+
+
+def _equation(equation: Equation) -> str:
+    return f"{text(equation.left)} = {text(equation.right)}"
+
+
+def _dependence(parameter: Parameter) -> Formula | None:
+    return parameter.value if parameter.dependent else None
+
+
+PARAMETER: Kind[Parameter] = record(
+    "parameter",
+    "A quantity of the description.",
+    member("name", "As in the description.", TEXT, lambda p: p.name),
+    member("dimension", "length, angle, force …", TEXT, lambda p: dimension_name(p.dimension)),
+    member("unit", "The unit the author wrote, or empty.", TEXT, lambda p: p.unit),
+    member("value", "Of the default pose, in SI and radians.", FLOAT, _value),
+    member("low", "Lower end of the range, SI.", FLOAT, lambda p: _number(p.range and p.range.low)),
+    member("high", "Upper end, SI.", FLOAT, lambda p: _number(p.range and p.range.high)),
+    member("formula", "Of a dependent parameter.", optional(FORMULA), _dependence),
+    member("label", "For reports, or empty.", TEXT, lambda p: p.label),
+    member("about", "A longer remark, or empty.", TEXT, lambda p: p.about),
+)
+
+DEFINITION: Kind[Definition] = record(
+    "definition",
+    "A named intermediate.",
+    member("name", "The name that formulas mention.", TEXT, lambda d: d.name),
+    member("formula", "What it stands for.", FORMULA, lambda d: d.formula),
+)
+
+VANISHING: Kind[Vanishing] = record(
+    "vanishing",
+    "A condition under which a result is zero, or infinite.",
+    member("factor", "It is where this is 0.", FORMULA, lambda v: v.factor),
+    member("symbol", "Solved for this.", optional(TEXT), lambda v: v.at and v.at[0]),
+    member("value", "Its value there.", optional(FORMULA), lambda v: v.at and v.at[1]),
+    member("kind", "What happens there.", one_of(*VANISHINGS), lambda v: v.kind),
+)
+
+_POWERS = map_of(Kind({"type": "integer"}, int))
+_PAIRS = list_of(list_of(TEXT))
+
+RESULT: Kind[Result] = record(
+    "result",
+    "A find or a let, solved.",
+    member("name", "As in the description.", TEXT, lambda r: r.name),
+    member("kind", "What was asked.", one_of(*KINDS.values()), lambda r: KINDS[type(r.target)]),
+    member("dimension", "number, force …", TEXT, lambda r: dimension_name(r.dimension)),
+    member("unit", "SI unit, or empty.", TEXT, lambda r: si_unit(r.dimension)),
+    member("formula", "The whole result.", FORMULA, lambda r: r.formula),
+    member("where", "In order of definition.", list_of(DEFINITION), lambda r: r.where),
+    member(
+        "coefficients",
+        "Of a load: the factor of every other load.",
+        optional(map_of(FORMULA)),
+        lambda r: r.coefficients,
+    ),
+    member("zeros", "Where it is 0.", list_of(VANISHING), lambda r: r.zeros),
+    member("poles", "Where it is infinite.", list_of(VANISHING), lambda r: r.poles),
+    member(
+        "proportional",
+        "Parameters and the powers in which the result is proportional to them.",
+        _POWERS,
+        lambda r: r.proportional or {},
+    ),
+    member("independent", "What it does not depend on.", list_of(TEXT), lambda r: r.independent),
+    member("swaps", "Pairs that may be exchanged.", _PAIRS, lambda r: r.swaps),
+    member(
+        "trends",
+        "How it moves over each parameter's range, by proof.",
+        map_of(one_of(*TRENDS)),
+        lambda r: r.trends or {},
+    ),
+    member("derivatives", "Partial ones.", map_of(FORMULA), lambda r: r.derivatives or {}),
+    member("value", "At the default pose, SI; null at a pole.", FLOAT, lambda r: r.default),
+)
+
+STEP: Kind[Step] = record(
+    "step",
+    "One step of the derivation.",
+    member("rule", "The rule of mechanics.", one_of(*Rule), lambda s: s.rule),
+    member("subject", "Points and links it is applied to.", list_of(TEXT), lambda s: s.subject),
+    member(
+        "relations",
+        "What the rule says.",
+        list_of(TEXT),
+        lambda s: tuple(map(_equation, s.relations)),
+    ),
+    member(
+        "results",
+        "Solved for what is new.",
+        list_of(TEXT),
+        lambda s: tuple(map(_equation, s.results)),
+    ),
+)
+
+TERM: Kind[PowerTerm] = record(
+    "term",
+    "The power of one load: times · load · speed.",
+    member("load", "Its name.", TEXT, lambda t: t.load),
+    member("point", "Where it acts.", TEXT, lambda t: t.point),
+    member("times", "How often it acts.", FORMULA, lambda t: t.times),
+    member("speed", "Signed along the load.", FORMULA, lambda t: t.speed),
+)
+
+DERIVATION: Kind[Derivation] = record(
+    "derivation",
+    "From speeds to the power balance.",
+    member("steps", "In order.", list_of(STEP), lambda d: d.steps),
+    member("terms", "The powers of the loads.", list_of(TERM), lambda d: d.terms),
+    member(
+        "balances",
+        "One power equation for each degree of freedom.",
+        list_of(TEXT),
+        lambda d: tuple(map(_equation, d.balances)),
+    ),
+)
+
+TRIAL: Kind[Trial] = record(
+    "trial",
+    "One pose, computed by virtual power and by free bodies.",
+    member("result", "Which result.", TEXT, lambda t: t.result),
+    member("values", "The pose, SI.", map_of(FLOAT), lambda t: t.values),
+    member("power", "By virtual power.", FLOAT, lambda t: t.power),
+    member("statics", "By equilibrium of every free body.", FLOAT, lambda t: t.statics),
+    member("error", "Relative difference.", FLOAT, lambda t: t.error),
+    member("condition", "Of the equilibrium equations.", FLOAT, lambda t: t.condition),
+    member("agrees", "Within what the condition allows.", TRUTH, lambda t: t.agrees),
+)
+
+VERDICT: Kind[Verdict] = record(
+    "verdict",
+    "The second opinion.",
+    member("agrees", "Whether every trial agrees.", TRUTH, lambda v: v.agrees),
+    member("worst", "Largest relative difference.", FLOAT, lambda v: v.worst),
+    member("trials", "The default pose first.", list_of(TRIAL), lambda v: v.trials),
+    member("remarks", "What could not be tried.", list_of(TEXT), lambda v: v.remarks),
+)
+
+FUNCTION: Kind[Function] = record(
+    "function",
+    "A function of the emitted code.",
+    member("name", "The result's.", TEXT, lambda f: f.name),
+    member("inputs", "In order.", list_of(TEXT), lambda f: tuple(i.name for i in f.inputs)),
+    member(
+        "conditions",
+        "Where one is broken, the function gives NaN.",
+        list_of(TEXT),
+        lambda f: tuple(condition_lines(f)),
+    ),
+    member(
+        "operations",
+        "With shared parts computed once.",
+        Kind({"type": "integer"}, int),
+        lambda f: f.operations,
+    ),
+)
+
+DOCUMENT: Kind[Compiled] = record(
+    "result_document",
+    "What mechc found of one mechanism. Numbers are SI and radians.",
+    member("schema", "What this is.", one_of("mechc-result"), lambda c: "mechc-result"),
+    member("version", "Of this layout.", Kind({"const": VERSION}, int), lambda c: VERSION),
+    member("compiler", "The version of mechc.", TEXT, lambda c: c.version),
+    member("name", "The mechanism's.", TEXT, lambda c: c.mechanism.name),
+    member("title", "Or empty.", TEXT, lambda c: c.mechanism.title),
+    member("source", "Where it is from, or empty.", TEXT, lambda c: c.mechanism.source),
+    member("parameters", "In order.", list_of(PARAMETER), lambda c: c.mechanism.parameters),
+    member("results", "In order.", list_of(RESULT), lambda c: c.derivation.results),
+    member("derivation", "How they follow.", DERIVATION, lambda c: c.derivation),
+    member("referee", "What statics says.", VERDICT, lambda c: c.verdict),
+    member("functions", "Of the code.", list_of(FUNCTION), lambda c: c.routine.functions),
+)

@@ -1,0 +1,76 @@
+"""Formulas in JSON: as text in mechc's own notation, and as a nested tree."""
+
+from typing import assert_never
+
+from ..algebra.formula import (
+    Call,
+    Formula,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    count_operations,
+    text,
+)
+from .json_kinds import TEXT, WHOLE, Json, Kind, member, record
+
+
+def tree(formula: Formula) -> Json:
+    """Return a formula as nested objects of one member each (two for a call).
+
+    >>> tree(Power(Symbol("a"), Call("sin", (Pi(),))))
+    {'power': [{'symbol': 'a'}, {'call': 'sin', 'arguments': [{'pi': True}]}]}
+    """
+    match formula:
+        case Number(value):
+            return {"number": str(value)}
+        case Pi():
+            return {"pi": True}
+        case Symbol(name):
+            return {"symbol": name}
+        case Sum(terms):
+            return {"sum": [tree(t) for t in terms]}
+        case Product(factors):
+            return {"product": [tree(f) for f in factors]}
+        case Power(base, exponent):
+            return {"power": [tree(base), tree(exponent)]}
+        case Call(function, arguments):
+            return {"call": function, "arguments": [tree(a) for a in arguments]}
+        case _:
+            assert_never(formula)
+
+
+def _node(**members: Json) -> Json:
+    return {
+        "type": "object",
+        "properties": members,
+        "required": list(members),
+        "additionalProperties": False,
+    }
+
+
+_TREES: Json = {"type": "array", "items": {"$ref": "#/$defs/tree"}}
+_PAIR: Json = {"type": "array", "items": {"$ref": "#/$defs/tree"}, "minItems": 2, "maxItems": 2}
+_SCHEMA: Json = {
+    "description": "A formula's tree. A number is an exact rational such as 2 or -1/3.",
+    "anyOf": [
+        _node(number={"type": "string", "pattern": r"^-?\d+(/\d+)?$"}),
+        _node(pi={"const": True}),
+        _node(symbol={"type": "string"}),
+        _node(sum=_TREES),
+        _node(product=_TREES),
+        _node(power=_PAIR),
+        _node(call={"type": "string"}, arguments=_TREES),
+    ],
+}
+TREE: Kind[Formula] = Kind({"$ref": "#/$defs/tree"}, tree, {"tree": _SCHEMA})
+
+FORMULA: Kind[Formula] = record(
+    "formula",
+    "A formula in SI and radians.",
+    member("text", "In mechc's notation: a*sin(alpha)^2/(2*b).", TEXT, text),
+    member("tree", "The same, nested.", TREE, lambda f: f),
+    member("operations", "Number of operations, as sympy's count_ops.", WHOLE, count_operations),
+)

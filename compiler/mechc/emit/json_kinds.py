@@ -1,0 +1,92 @@
+"""Kinds of JSON values: each knows how to write one and how to describe it.
+
+A document is built from kinds, and its JSON Schema from the same kinds, so that the
+two cannot drift apart.
+"""
+
+import math
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from typing import Generic, TypeAlias, TypeVar
+
+Json: TypeAlias = "bool | int | float | str | list[Json] | dict[str, Json] | None"
+T = TypeVar("T")
+R = TypeVar("R")
+
+
+@dataclass(frozen=True, slots=True)
+class Kind(Generic[T]):
+    """A kind of value: its schema, its writer, and the named schemas it refers to."""
+
+    schema: dict[str, Json]
+    write: Callable[[T], Json]
+    definitions: Mapping[str, Json] = field(default_factory=dict)
+
+
+@dataclass(frozen=True, slots=True)
+class Field(Generic[R]):
+    """A member of a record of R: its name, what it means, and its value's kind."""
+
+    name: str
+    schema: dict[str, Json]
+    write: Callable[[R], Json]
+    definitions: Mapping[str, Json]
+
+
+def member(name: str, about: str, kind: Kind[T], read: Callable[[R], T]) -> Field[R]:
+    """Return a member; ``read`` takes its value from the record's."""
+    described: dict[str, Json] = {"description": about, **kind.schema}
+    return Field(name, described, lambda value: kind.write(read(value)), kind.definitions)
+
+
+def record(name: str, about: str, *fields: Field[R]) -> Kind[R]:
+    """Return the kind of objects that have exactly these members."""
+    shape: dict[str, Json] = {
+        "description": about,
+        "type": "object",
+        "properties": {f.name: f.schema for f in fields},
+        "required": [f.name for f in fields],
+        "additionalProperties": False,
+    }
+    definitions = {key: value for f in fields for key, value in f.definitions.items()}
+    return Kind(
+        {"$ref": f"#/$defs/{name}"},
+        lambda value: {f.name: f.write(value) for f in fields},
+        {**definitions, name: shape},
+    )
+
+
+def list_of(kind: Kind[T]) -> "Kind[tuple[T, ...]]":
+    """Return the kind of lists."""
+    schema: dict[str, Json] = {"type": "array", "items": kind.schema}
+    return Kind(schema, lambda values: [kind.write(v) for v in values], kind.definitions)
+
+
+def map_of(kind: Kind[T]) -> Kind[Mapping[str, T]]:
+    """Return the kind of objects with names of the description as keys."""
+    schema: dict[str, Json] = {"type": "object", "additionalProperties": kind.schema}
+    return Kind(
+        schema, lambda values: {k: kind.write(v) for k, v in values.items()}, kind.definitions
+    )
+
+
+def optional(kind: Kind[T]) -> Kind[T | None]:
+    """Return the kind that may also be null."""
+    schema: dict[str, Json] = {"anyOf": [kind.schema, {"type": "null"}]}
+    return Kind(schema, lambda v: None if v is None else kind.write(v), kind.definitions)
+
+
+def one_of(*words: str) -> Kind[str]:
+    """Return the kind of a word from a fixed list."""
+    return Kind({"enum": list(words)}, str)
+
+
+def _finite(value: float | None) -> Json:
+    return value if value is not None and math.isfinite(value) else None
+
+
+TEXT: Kind[str] = Kind({"type": "string"}, str)
+WHOLE: Kind[int] = Kind({"type": "integer"}, int)
+TRUTH: Kind[bool] = Kind({"type": "boolean"}, bool)
+FLOAT: Kind[float | None] = Kind({"type": ["number", "null"]}, _finite)
+"""A number; null where there is none, as JSON has neither NaN nor infinity."""

@@ -1,0 +1,120 @@
+"""A "title" with */ and /* and \"\"\" and \\.
+
+Source: line one line two ??/ */ int x; \\.
+Written by mechc 0.0.0. SI units and radians; floats and arrays alike.
+"""
+
+import numpy as np
+
+
+def k(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k):
+    """Return the formula of the description.
+
+        k = NAN*sin(lambda)^2*β*sin_lambda/beta
+        where sin_lambda = int
+        where NAN = lambda + 2*int + 3*I + 4*n + 5*i + 6*np + 7*β + 8*beta + 9*beta_2 + 10*double + 11*l_A' + 12*k
+
+    Args:
+        lambda_: m; lambda in the formula, 20 mm, in 10 mm .. 20 mm
+        int_: m; int in the formula, 30 mm, in 15 mm .. 30 mm
+        I: m; 40 mm, in 20 mm .. 40 mm
+        n: m; 50 mm, in 25 mm .. 50 mm
+        i: m; 60 mm, in 30 mm .. 60 mm
+        np_: m; np in the formula, 70 mm, in 35 mm .. 70 mm
+        beta_3: m; β in the formula, 80 mm, in 40 mm .. 80 mm
+        beta: m; 90 mm, in 45 mm .. 90 mm
+        beta_2: m; 100 mm, in 50 mm .. 100 mm
+        double: m; 110 mm, in 55 mm .. 110 mm
+        l_A_prime: m; l_A' in the formula, 120 mm, in 60 mm .. 120 mm
+        k: m; 130 mm, in 65 mm .. 130 mm
+
+    Operations: 28
+    """
+    lambda_ = np.asarray(lambda_, dtype=float)
+    int_ = np.asarray(int_, dtype=float)
+    I = np.asarray(I, dtype=float)
+    n = np.asarray(n, dtype=float)
+    i = np.asarray(i, dtype=float)
+    np_ = np.asarray(np_, dtype=float)
+    beta_3 = np.asarray(beta_3, dtype=float)
+    beta = np.asarray(beta, dtype=float)
+    beta_2 = np.asarray(beta_2, dtype=float)
+    double = np.asarray(double, dtype=float)
+    l_A_prime = np.asarray(l_A_prime, dtype=float)
+    k = np.asarray(k, dtype=float)
+    with np.errstate(all="ignore"):
+        sin_lambda = int_
+        NAN = lambda_ + 2.0*int_ + 3.0*I + 4.0*n + 5.0*i + 6.0*np_ + 7.0*beta_3 + 8.0*beta + 9.0*beta_2 + 10.0*double + 11.0*l_A_prime + 12.0*k
+        t1 = np.sin(lambda_)
+        result = NAN*t1*t1*beta_3*sin_lambda/beta
+    return result if np.ndim(result) else float(result)
+
+
+def k_n(I, np_):
+    """Return the formula of the description.
+
+        k_n = I + np
+
+    Args:
+        I: m; 40 mm, in 20 mm .. 40 mm
+        np_: m; np in the formula, 70 mm, in 35 mm .. 70 mm
+
+    Operations: 1
+    """
+    I = np.asarray(I, dtype=float)
+    np_ = np.asarray(np_, dtype=float)
+    k_n = I + np_
+    return k_n if np.ndim(k_n) else float(k_n)
+
+
+def int_2(beta_3, beta):
+    """Return the formula of the description.
+
+        int = β + 2*beta
+
+    Args:
+        beta_3: m; β in the formula, 80 mm, in 40 mm .. 80 mm
+        beta: m; 90 mm, in 45 mm .. 90 mm
+
+    Operations: 2
+    """
+    beta_3 = np.asarray(beta_3, dtype=float)
+    beta = np.asarray(beta, dtype=float)
+    int_ = beta_3 + 2.0*beta
+    return int_ if np.ndim(int_) else float(int_)
+
+
+def int_(int_, double):
+    """Return the formula of the description.
+
+        int_ = int*double
+
+    Args:
+        int_: m; int in the formula, 30 mm, in 15 mm .. 30 mm
+        double: m; 110 mm, in 55 mm .. 110 mm
+
+    Operations: 1
+    """
+    int_ = np.asarray(int_, dtype=float)
+    double = np.asarray(double, dtype=float)
+    int_2 = int_*double
+    return int_2 if np.ndim(int_2) else float(int_2)
+
+
+def seven():
+    """Return the formula of the description.
+
+        seven = 7
+
+    Operations: 0
+    """
+    seven = 7.0
+    return seven if np.ndim(seven) else float(seven)
+
+
+if __name__ == "__main__":
+    print(f"k = {k(lambda_=0.02, int_=0.03, I=0.04, n=0.05, i=0.06, np_=0.07, beta_3=0.08, beta=0.09, beta_2=0.1, double=0.11, l_A_prime=0.12, k=0.13):.10g}")
+    print(f"k_n = {k_n(I=0.04, np_=0.07):.10g}")
+    print(f"int_2 = {int_2(beta_3=0.08, beta=0.09):.10g}")
+    print(f"int_ = {int_(int_=0.03, double=0.11):.10g}")
+    print(f"seven = {seven():.10g}")

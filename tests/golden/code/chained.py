@@ -1,0 +1,141 @@
+"""chained.
+
+Written by mechc 0.0.0. SI units and radians; floats and arrays alike.
+"""
+
+import numpy as np
+
+
+def k(a, b, phi):
+    """Return the force ratio P/F.
+
+        k = sin(phi + theta)*reach^2/cos(theta) - 3*tan(phi)*cos(theta + phi)
+        where theta = asin(a*sin(phi)/b)
+        where reach = a*cos(phi) + cot(phi)
+
+    NaN unless
+        theta >= 0
+
+    Args:
+        a: m; 100 mm, in 50 mm .. 100 mm
+        b: m; 250 mm, in 125 mm .. 250 mm
+        phi: rad; 40 deg, in 20 deg .. 40 deg
+
+    Operations: 19
+    """
+    a = np.asarray(a, dtype=float)
+    b = np.asarray(b, dtype=float)
+    phi = np.asarray(phi, dtype=float)
+    with np.errstate(all="ignore"):
+        sin_phi = np.sin(phi)
+        theta = np.arcsin(a*sin_phi/b)
+        cos_phi = np.cos(phi)
+        reach = a*cos_phi + cos_phi/sin_phi
+        phi_plus_theta = phi + theta
+        k = np.sin(phi_plus_theta)*reach*reach/np.cos(theta) - 3.0*sin_phi*np.cos(phi_plus_theta)/cos_phi
+        k = np.where(theta >= 0.0, k, np.nan)
+    return k if np.ndim(k) else float(k)
+
+
+def P(a, b, phi, m, M):
+    """Return the load P that balances the others in N.
+
+        P = (sin(phi + theta)*reach^2/cos(theta) - 3*tan(phi)*cos(theta + phi))*F + sec(phi)*a*M/(b*a)
+        where theta = asin(a*sin(phi)/b)
+        where reach = a*cos(phi) + cot(phi)
+        where F = 10*m
+
+    NaN unless
+        theta >= 0
+        m > a
+
+    Args:
+        a: m; 100 mm, in 50 mm .. 100 mm
+        b: m; 250 mm, in 125 mm .. 250 mm
+        phi: rad; 40 deg, in 20 deg .. 40 deg
+        m: kg; 3 kg, in 1.5 kg .. 3 kg
+        M: N*m
+
+    Operations: 26
+    """
+    a = np.asarray(a, dtype=float)
+    b = np.asarray(b, dtype=float)
+    phi = np.asarray(phi, dtype=float)
+    m = np.asarray(m, dtype=float)
+    M = np.asarray(M, dtype=float)
+    with np.errstate(all="ignore"):
+        sin_phi = np.sin(phi)
+        theta = np.arcsin(a*sin_phi/b)
+        cos_phi = np.cos(phi)
+        reach = a*cos_phi + cos_phi/sin_phi
+        F = 10.0*m
+        phi_plus_theta = phi + theta
+        P = (np.sin(phi_plus_theta)*reach*reach/np.cos(theta) - 3.0*sin_phi*np.cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a)
+        P = np.where(theta >= 0.0, P, np.nan)
+        P = np.where(m > a, P, np.nan)
+    return P if np.ndim(P) else float(P)
+
+
+def F(m):
+    """Return the formula of the description in N.
+
+        F = 10*m
+
+    Args:
+        m: kg; 3 kg, in 1.5 kg .. 3 kg
+
+    Operations: 1
+    """
+    m = np.asarray(m, dtype=float)
+    F = 10.0*m
+    return F if np.ndim(F) else float(F)
+
+
+def twice(a, b, phi, m, M):
+    """Return the formula of the description in N.
+
+        twice = 2*P*w
+        where theta = asin(a*sin(phi)/b)
+        where reach = a*cos(phi) + cot(phi)
+        where F = 10*m
+        where P = (sin(phi + theta)*reach^2/cos(theta) - 3*tan(phi)*cos(theta + phi))*F + sec(phi)*a*M/(b*a)
+        where w = a + b
+
+    NaN unless
+        theta >= 0
+        m > a
+
+    Args:
+        a: m; 100 mm, in 50 mm .. 100 mm
+        b: m; 250 mm, in 125 mm .. 250 mm
+        phi: rad; 40 deg, in 20 deg .. 40 deg
+        m: kg; 3 kg, in 1.5 kg .. 3 kg
+        M: N*m
+
+    Operations: 29
+    """
+    a = np.asarray(a, dtype=float)
+    b = np.asarray(b, dtype=float)
+    phi = np.asarray(phi, dtype=float)
+    m = np.asarray(m, dtype=float)
+    M = np.asarray(M, dtype=float)
+    with np.errstate(all="ignore"):
+        sin_phi = np.sin(phi)
+        theta = np.arcsin(a*sin_phi/b)
+        cos_phi = np.cos(phi)
+        reach = a*cos_phi + cos_phi/sin_phi
+        F = 10.0*m
+        phi_plus_theta = phi + theta
+        P = (np.sin(phi_plus_theta)*reach*reach/np.cos(theta) - 3.0*sin_phi*np.cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a)
+        w = a + b
+        twice = 2.0*P*w
+        twice = np.where(theta >= 0.0, twice, np.nan)
+        twice = np.where(m > a, twice, np.nan)
+    return twice if np.ndim(twice) else float(twice)
+
+
+if __name__ == "__main__":
+    print(f"k = {k(a=0.1, b=0.25, phi=0.6981317007977318):.10g}")
+    print("P: no default for M")
+    print(f"F = {F(m=3.0):.10g}")
+    print("twice: no default for M")

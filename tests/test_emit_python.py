@@ -1,0 +1,113 @@
+"""Python: floats and arrays alike, quiet, clean, and safe from what a user writes."""
+
+import ast
+import shutil
+import subprocess
+import sys
+import warnings
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from mechc.emit.target import Options
+from mechc.emit.to_python import TARGET
+from routine_samples import SAMPLES, compiled
+
+RUFF = shutil.which("ruff") or shutil.which("ruff", path=str(Path(sys.executable).parent))
+
+
+def text(sample: str) -> str:
+    (file,) = TARGET.emit(compiled(sample), Options(sample))
+    assert file.name == f"{sample}.py"
+    return file.text
+
+
+def module(sample: str) -> dict[str, Any]:
+    space: dict[str, Any] = {"__name__": sample}
+    exec(compile(text(sample), f"{sample}.py", "exec"), space)
+    return space
+
+
+def test_scalars_give_a_float_and_arrays_an_array() -> None:
+    k = module("clamp")["k"]
+    assert type(k(0.1, 0.25, 0.2, 0.1)) is float
+    assert type(k(1, 2, 0, np.float64(0.1))) is float
+    assert k([0.1, 0.2], 0.25, 0.2, 0.1).shape == (2,)
+    assert type(module("badly_named")["seven"]()) is float
+
+
+def test_a_broken_condition_and_a_pole_are_quiet() -> None:
+    k = module("clamp")["k"]
+    with warnings.catch_warnings():
+        warnings.simplefilter("error")
+        assert np.isnan(k(0.1, 0.25, 1.2, 0.9))
+        assert k(0.1, 0.0, 0.2, 0.1) == np.inf
+
+
+def test_the_docstring_says_formula_units_ranges_and_conditions() -> None:
+    assert ast.get_docstring(ast.parse(text("clamp")).body[2]) == (
+        "Return the force ratio P/F.\n\n"
+        "    k = a*sin(alpha + beta)/(2*b*cos(alpha)*cos(beta))\n\n"
+        "NaN unless\n    alpha + beta < pi/2\n\n"
+        "Args:\n"
+        "    a: m; 100 mm, in 50 mm .. 100 mm\n"
+        "    b: m; 250 mm, in 125 mm .. 250 mm\n"
+        "    alpha: rad; 12 deg, in 6 deg .. 12 deg\n"
+        "    beta: rad; 7 deg, in 3.5 deg .. 7 deg\n\n"
+        "Operations: 9"
+    )
+
+
+def test_bad_names_keep_apart() -> None:
+    tree = ast.parse(text("badly_named"))
+    functions = {n.name: n for n in tree.body if isinstance(n, ast.FunctionDef)}
+    assert list(functions) == ["k", "k_n", "int_2", "int_", "seven"]
+    arguments = " ".join(a.arg for a in functions["k"].args.args)
+    assert arguments == "lambda_ int_ I n i np_ beta_3 beta beta_2 double l_A_prime k"
+    assert "lambda_: m; lambda in the formula" in (ast.get_docstring(functions["k"]) or "")
+
+
+def test_what_a_user_writes_stays_inside_the_docstring() -> None:
+    tree = ast.parse(text("badly_named"))
+    assert ast.get_docstring(tree) == (
+        'A "title" with */ and /* and """ and \\.\n\n'
+        "Source: line one line two ??/ */ int x; \\.\n"
+        "Written by mechc 0.0.0. SI units and radians; floats and arrays alike."
+    )
+
+
+@pytest.mark.parametrize("sample", SAMPLES)
+def test_every_sample_runs_by_itself(sample: str, tmp_path: Path) -> None:
+    (tmp_path / "m.py").write_text(text(sample), encoding="utf-8")
+    command = [sys.executable, "-I", "-W", "error", str(tmp_path / "m.py")]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.stderr == ""
+    names = [f.name for f in compiled(sample).routine.functions]
+    assert len(done.stdout.splitlines()) == len(names)
+
+
+def test_the_default_pose_is_printed(tmp_path: Path) -> None:
+    (tmp_path / "m.py").write_text(text("chained"), encoding="utf-8")
+    done = subprocess.run([sys.executable, tmp_path / "m.py"], capture_output=True, text=True)
+    k, load, other, _ = done.stdout.splitlines()
+    assert k.startswith("k = -")
+    assert load == "P: no default for M"
+    assert other == "F = 30"
+
+
+@pytest.mark.skipif(RUFF is None, reason="no ruff")
+def test_every_sample_is_clean(tmp_path: Path) -> None:
+    for sample in SAMPLES:
+        (tmp_path / f"{sample}.py").write_text(text(sample), encoding="utf-8")
+    # E741 is about names like l and I, which are the drawing's.
+    command = [str(RUFF), "check", "--isolated", "--no-cache", "--ignore", "E741", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True)
+    assert done.returncode == 0, done.stdout
+
+
+@pytest.mark.parametrize("sample", ["clamp", "chained", "badly_named"])
+def test_golden(sample: str, golden: Callable[[str, str], None]) -> None:
+    golden(f"code/{sample}.py", text(sample))
