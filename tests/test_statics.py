@@ -6,7 +6,14 @@ import pytest
 
 from by_hand import HERE, angle_of, build, force, geometries, in_numbers, result, torque
 from mechc.algebra import formula
-from mechc.diagnostics import Report
+from mechc.cli.session import status
+from mechc.diagnostics import Diagnostic, Report
+from mechc.diagnostics.statics import (
+    BUGS,
+    methods_disagree,
+    no_equilibrium,
+    pose_does_not_close,
+)
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadForm, LoadRatio, Speed, SpeedRatio
 from mechc.power.result import Result
@@ -345,3 +352,11 @@ def scissor(stages):
 def test_a_long_scissor_still_has_its_ratio():
     # x = n·w, w² + h² = const: dx/dh = −n·h/w.
     assert ratio(scissor(64)) == pytest.approx(64 * 1.5 / 2, rel=1e-9)
+
+
+FAULTS = ((methods_disagree, (1.0, 2.0)), (no_equilibrium, ("why",)), (pose_does_not_close, (1.0,)))
+
+
+def test_a_disagreement_is_a_fault_of_the_compiler_and_not_of_the_description():
+    assert {status([Diagnostic(code, "x", None, "x")]) for code in BUGS} == {70}
+    assert all("please report it" in words(HERE, "k", *rest).hint for words, rest in FAULTS)

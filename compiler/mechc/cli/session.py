@@ -10,11 +10,12 @@ import click
 
 from ..diagnostics import Diagnostic, MechcError, Severity
 from ..diagnostics.render import Form, render
+from ..diagnostics.statics import BUGS
 from ..source import Source
 
 F = TypeVar("F", bound=Callable[..., Any])
 
-WRONG, ENVIRONMENT, LIMIT = 1, 3, 4
+WRONG, ENVIRONMENT, LIMIT, INTERNAL = 1, 3, 4, 70
 
 
 @dataclass(frozen=True)
@@ -56,7 +57,10 @@ def status(diagnostics: Iterable[Diagnostic]) -> int:
     >>> status([Diagnostic("E203", "x", None, "x"), Diagnostic("E801", "y", None, "y")])
     4
     """
-    classes = {d.code[1] for d in diagnostics if d.severity is Severity.ERROR}
+    errors = {d.code for d in diagnostics if d.severity is Severity.ERROR}
+    if errors & BUGS:
+        return INTERNAL
+    classes = {code[1] for code in errors}
     if "9" in classes:
         return ENVIRONMENT
     if "8" in classes:

@@ -5,6 +5,9 @@ from .diagnostic import Words, coded
 
 REPORT_IT = "this is a bug in mechc, not in the description: please report it with this file"
 
+BUGS = frozenset({"E601", "E602", "E603"})
+"""Errors that speak of mechc, not of the description; the command line ends with status 70."""
+
 
 @coded("E601")
 def methods_disagree(span: Span, result: str, power: float, statics: float) -> Words:

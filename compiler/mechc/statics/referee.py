@@ -13,6 +13,7 @@ from typing import NamedTuple, assert_never
 from ..algebra.formula import Formula, evaluate
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics.statics import (
+    BUGS,
     methods_disagree,
     no_equilibrium,
     not_judged,
@@ -44,7 +45,7 @@ TINY = 1e-300
 
 NO_VALUE = "virtual power gives no finite value"
 
-INTERNAL = ("methods-disagree", "no-equilibrium", "pose-does-not-close")
+NEAR_SINGULAR = "the pose is within a hair of singular"
 
 
 class RefereeDisagrees(MechcError):
@@ -155,7 +156,7 @@ def _try(question: Question, unfolding: Unfolding) -> Trial | str:
     if answer.trouble:
         return answer.trouble
     if power and answer.condition > SINGULAR:
-        return "the pose is within a hair of singular"
+        return NEAR_SINGULAR
     error = abs(power - answer.value) / max(abs(power), abs(answer.value), TINY)
     values = dict(unfolding.values)
     return Trial(question.name, values, power, answer.value, error, answer.condition)
@@ -176,7 +177,7 @@ def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> 
 
 def _unjudged(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
     """Return a warning, or an error where only equilibrium failed, and at every pose."""
-    if troubles and NO_VALUE not in troubles:
+    if troubles and not {NO_VALUE, NEAR_SINGULAR} & set(troubles):
         return no_equilibrium(span, name, troubles[-1])
     return not_judged(span, name, troubles[-1] if troubles else "no pose was found")
 
@@ -186,5 +187,5 @@ def _stop_on_disagreement(verdict: Verdict, span: Span, report: Report) -> None:
         if not trial.agrees:
             report.add(methods_disagree(span, trial.result, trial.power, trial.statics))
             break
-    if any(d.name in INTERNAL for d in report.diagnostics):
+    if any(d.code in BUGS for d in report.diagnostics):
         raise RefereeDisagrees(report, verdict)
