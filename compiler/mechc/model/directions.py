@@ -23,15 +23,15 @@ def read_direction(direction: ast.Direction, scope: Scope) -> Direction | None:
             quarter = (1 if perp else 0) + (2 if sign < 0 else 0)
             return Along(ends[0], ends[1], quarter, span) if ends else None
         case _:
-            angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, "a direction")
+            angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, "the direction")
             return Absolute(angle, direction.span) if angle else None
 
 
 def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offset | None:
     """Return a vector by its components."""
     reader = Reader(scope, DESCRIPTION)
-    x = reader.wanted(place.x, LENGTH, "a component")
-    y = reader.wanted(place.y, LENGTH, "a component")
+    x = reader.wanted(place.x, LENGTH, "the place")
+    y = reader.wanted(place.y, LENGTH, "the place")
     return Offset(tail, head, x, y, place.span) if x and y else None
 
 

@@ -80,7 +80,7 @@ def _refuse_reaction(symbol: ast.Symbol, form: Form, on: ast.Name | None, scope:
 
 def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:
     if form_of(symbol.name):
-        hint = f"a velocity is asked for as a ratio, such as {symbol.name} / V_A"
+        hint = "velocities are asked for as a ratio, as in V_D / V_A"
         scope.report.add(words.not_findable(symbol.span, hint))
         return None
     part = _load(symbol, scope)

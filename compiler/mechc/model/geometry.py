@@ -38,7 +38,7 @@ def read_geometry(file: ast.File, scope: Scope) -> list[Geometry]:
             case _:
                 continue
         if points and first.setdefault(key, name.span) != name.span:
-            scope.report.add(words.vector_again(name.span, name.text, first[key]))
+            scope.report.add(words.vector_again(name.span, name.text, len(points) == 3, first[key]))
         elif entry:
             found.append(entry)
     _count_uses(found, scope)
@@ -55,25 +55,22 @@ def _vector(statement: ast.Vector, ends: Ends, scope: Scope) -> Geometry | None:
 
 
 def _arrow(polar: ast.Polar, ends: Ends, statement: ast.Vector, scope: Scope) -> Arrow | None:
-    length = direction = None
-    if polar.length:
-        length = Reader(scope, DESCRIPTION).wanted(polar.length, LENGTH, "a length")
-        if length is None or not _positive(length, polar.length.span, statement, scope):
-            return None
-    if polar.direction:
-        direction = read_direction(polar.direction, scope)
-        if direction is None:
-            return None
+    length = _length(polar.length, statement, scope) if polar.length else None
+    direction = read_direction(polar.direction, scope) if polar.direction else None
+    if (polar.length and not length) or (polar.direction and not direction):
+        return None
     return Arrow(*ends, length, direction, statement.span)
 
 
-def _positive(length: Formula, span: Span, statement: ast.Vector, scope: Scope) -> bool:
-    value = value_of(length, scope)
+def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | None:
+    """Read a length, which is positive at the given parameters."""
+    formula = Reader(scope, DESCRIPTION).wanted(length, LENGTH, "the length")
+    value = value_of(formula, scope) if formula else None
     if value is not None and value <= 0:
         shown = f"{value * 1000:g} mm"
-        scope.report.add(words.length_not_positive(span, statement.points.text, shown))
-        return False
-    return True
+        scope.report.add(words.length_not_positive(length.span, statement.points.text, shown))
+        return None
+    return formula
 
 
 def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
@@ -84,7 +81,7 @@ def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
 
 
 def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | None:
-    angle = Reader(scope, DESCRIPTION).wanted(statement.angle, ANGLE, "an angle")
+    angle = Reader(scope, DESCRIPTION).wanted(statement.angle, ANGLE, "the angle")
     if angle is None:
         return None
     value = value_of(angle, scope)

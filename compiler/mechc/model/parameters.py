@@ -39,7 +39,7 @@ def read_parameter(
         about=statement.about,
         dependent=bool(value and symbols(value.formula)),
     )
-    _note_value(parameter, scope)
+    _note_value(parameter, statement, scope)
     _check_range(parameter, statement, scope)
     return parameter
 
@@ -64,7 +64,10 @@ def _range(statement: ast.Param, scope: Scope) -> Ends | None:
 def _dimension(
     statement: ast.Param, value: Quantity | None, ends: Ends | None, scope: Scope
 ) -> Dimension | None:
-    """Return the dimension: the one declared, else the value's, else the range's."""
+    """Return the dimension: the one declared, else the value's, else the range's.
+
+    The parsers see to it that there is one of the three.
+    """
     name = statement.dimension
     if name:
         if name.text not in DIMENSIONS:
@@ -75,9 +78,7 @@ def _dimension(
     if ends:
         low, high = ends
         return low.dimension if high.sort.nature is Nature.ZERO else high.dimension
-    if statement.low is None:
-        name = statement.name
-        scope.report.add(quantities.parameter_without_dimension(name.span, name.text))
+    assert statement.low, f"nothing is said of '{statement.name.text}'"
     return None
 
 
@@ -115,7 +116,7 @@ def _units(expression: ast.Expr, known: Mapping[str, Parameter]) -> Iterator[str
                 yield known[name].unit
 
 
-def _note_value(parameter: Parameter, scope: Scope) -> None:
+def _note_value(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
     """Keep the default value for later checks; report a formula that has none."""
     formula = parameter.value
     if formula is None or not symbols(formula) <= scope.values.keys():
@@ -123,8 +124,8 @@ def _note_value(parameter: Parameter, scope: Scope) -> None:
     value = evaluate(formula, scope.values)
     if math.isfinite(value):
         scope.values[parameter.name] = value
-    else:
-        scope.report.add(quantities.no_value(parameter.span, parameter.name))
+    elif statement.value:
+        scope.report.add(quantities.no_value(statement.value.span, parameter.name))
 
 
 def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:

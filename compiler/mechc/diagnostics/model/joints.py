@@ -56,8 +56,8 @@ def guide_through_moving_point(span: Span, point: str) -> Words:
 
 
 @coded("E244")
-def vector_again(span: Span, points: str, first: Span) -> Words:
-    """The vector between two points is given twice.
+def vector_again(span: Span, points: str, corner: bool, first: Span) -> Words:
+    """The vector between two points, or the angle between three, is given twice.
 
     ``AB`` and ``BA`` are the same vector up to its sign; all that is known of it stands
     in one line.
@@ -66,7 +66,7 @@ def vector_again(span: Span, points: str, first: Span) -> Words:
         AB = @ alpha             # wrong
         AB = 40 mm @ alpha       # right
     """
-    hint = "write length and direction in one: AB = l @ alpha"
+    hint = "remove one" if corner else "write length and direction in one: AB = l @ alpha"
     return Words(span, f"{points} is given twice", hint, (Related(first, "given here first"),))
 
 

@@ -1,4 +1,4 @@
-"""Words for quantities: dimensions, bare numbers, ranges, values (E22x, E23x)."""
+"""Words for quantities: dimensions, bare numbers, ranges, values (E220 to E230)."""
 
 from collections.abc import Iterable
 
@@ -32,7 +32,7 @@ def wrong_dimension(span: Span, found: Dimension, wanted: Dimension, what: str) 
     OB = alpha @ a      # wrong: length and direction are exchanged
     OB = a @ alpha      # right
     """
-    return Words(span, f"{what} is {described(wanted)}, found {described(found)}")
+    return Words(span, f"{what}: expected {described(wanted)}, found {described(found)}")
 
 
 @coded("E222")
@@ -109,17 +109,6 @@ def unknown_dimension(span: Span, name: str, known: Iterable[str]) -> Words:
 
 
 @coded("E228")
-def parameter_without_dimension(span: Span, name: str) -> Words:
-    """A parameter has neither a value nor a dimension nor a range, so nothing is known of it.
-
-    param a             # wrong
-    param a: length     # right
-    """
-    message = f"parameter '{name}' has neither value nor dimension"
-    return Words(span, message, f"write 'param {name} = …' or 'param {name}: length'")
-
-
-@coded("E229")
 def range_backwards(span: Span, name: str) -> Words:
     """The ends of a range are equal or exchanged.
 
@@ -129,7 +118,7 @@ def range_backwards(span: Span, name: str) -> Words:
     return Words(span, f"the range of '{name}' does not go from low to high", "exchange its ends")
 
 
-@coded("E230")
+@coded("E229")
 def range_of_dependent(span: Span, name: str) -> Words:
     """A parameter that depends on others has a range of its own.
 
@@ -143,7 +132,7 @@ def range_of_dependent(span: Span, name: str) -> Words:
     return Words(span, message, "write a 'require' for a condition")
 
 
-@coded("E231")
+@coded("E230")
 def not_constant(span: Span, name: str, what: str) -> Words:
     """A name stands where a constant is expected.
 
