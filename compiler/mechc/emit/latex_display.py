@@ -76,13 +76,13 @@ def _environment(rows: list[tuple[Box, list[Box]]], boxed: bool = False) -> str:
         left, (right,) = rows[0]
         equation = f"{left.tex}={right.tex}"
         return "\\[\n" + (rf"\boxed{{{equation}}}" if boxed else equation) + "\n\\]"
-    text = "\\\\\n".join(_aligned(left, parts) for left, parts in rows)
+    text = "\\\\[2pt]\n".join(_aligned(left, parts) for left, parts in rows)
     return f"\\begin{{align*}}\n{text}\n\\end{{align*}}"
 
 
 def _aligned(left: Box, parts: list[Box]) -> str:
     first, *others = parts
-    continued = "".join(f"\\\\\n&\\quad{{}}{part.tex}" for part in others)
+    continued = "".join(f"\\\\[2pt]\n&\\quad{{}}{part.tex}" for part in others)
     return f"{left.tex}&={first.tex}{continued}"
 
 

@@ -116,8 +116,11 @@ def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> 
 
 
 def _degrees(value: Fraction, style: Notation, around: int) -> Box:
-    inner = _number(value, style, around if value < 0 else SUM)
-    return inner._replace(tex=rf"{inner.tex}^\circ", width=inner.width + 0.4)
+    inner = _number(value, style, SUM)
+    ends = inner.tex.find("}") if inner.tall else len(inner.tex)
+    whole = rf"{inner.tex[:ends]}^\circ{inner.tex[ends:]}"
+    marked = inner._replace(tex=whole, width=inner.width + 0.4)
+    return parentheses(marked) if value < 0 and around else marked
 
 
 def _number(value: Fraction, style: Notation, around: int) -> Box:
@@ -166,19 +169,24 @@ def fraction(
     above: tuple[Formula, ...], below: tuple[Formula, ...], style: Notation, angle: bool = False
 ) -> Box:
     """Return the factors above and below one line, or side by side when nothing is below."""
-    top = factors(above, style, angle)
     if not below:
-        return top
+        return factors(above, style, angle, FACTOR)
+    top = factors(above, style, angle)
     bottom = factors(below, style, angle)
     tex = rf"\frac{{{top.tex}}}{{{bottom.tex}}}"
     return Box(tex, max(top.width, bottom.width) + 0.3, tall=True)
 
 
-def factors(formulas: tuple[Formula, ...], style: Notation, angle: bool = False) -> Box:
-    """Return factors side by side; a dot stands where they would run together."""
+def factors(
+    formulas: tuple[Formula, ...], style: Notation, angle: bool = False, single: int = SUM
+) -> Box:
+    """Return factors side by side, with a dot where they would run together.
+
+    ``single`` is what stands around a factor that is alone.
+    """
     if not formulas:
         return plain("1")
-    around = FACTOR if len(formulas) > 1 else SUM
+    around = FACTOR if len(formulas) > 1 else single
     boxes: list[Box] = []
     for formula in formulas:
         current = _set(formula, style, around, angle)
@@ -242,7 +250,7 @@ def _applied(function: str, argument: Formula, style: Notation) -> Box:
     """Set a function of one argument, without parentheses where none are needed."""
     angle = function.partition("^")[0] in {style.functions[f] for f in TRIGONOMETRIC}
     inner = _set(argument, style, SUM, angle)
-    if not _is_bare(argument, angle):
+    if inner.tall or not _is_bare(argument, angle):
         return row((plain(function), parentheses(inner)))
     return row((plain(function), inner))._replace(open=True)
 

@@ -57,10 +57,10 @@ WORDS = Words(
     independent="{result} does not depend on {names}.",
     swaps="{result} does not change when {first} and {second} change places.",
     trends={
-        "rises": "Over its range, {result} rises with {names}.",
-        "falls": "Over its range, {result} falls as {names} grows.",
+        "rises": "Within the ranges given, {result} rises with {names}.",
+        "falls": "Within the ranges given, {result} falls as {names} grows.",
         "constant": "{result} stays constant as {names} changes.",
-        "turns": "Over its range, {result} does not vary monotonically with {names}.",
+        "turns": "Within the ranges given, {result} does not vary monotonically with {names}.",
         "unknown": "",
     },
     zero="{result} vanishes when {condition}",

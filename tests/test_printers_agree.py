@@ -1,0 +1,73 @@
+"""What is printed means what was computed: formulas at random, printed and read back."""
+
+import math
+import re
+
+from hypothesis import given
+from hypothesis import strategies as st
+
+from latex_reader import read
+from mechc.algebra.formula import (
+    Call,
+    Formula,
+    Symbol,
+    degrees,
+    evaluate,
+    negative,
+    number,
+    power,
+    product,
+    total,
+)
+from mechc.derivation.text_printer import ASCII, print_formula
+from mechc.emit.latex_notation import notation
+from mechc.emit.latex_printer import latex
+from report_samples import formula
+
+VALUES = {"a": 1.3, "b": 0.7, "c": 2.1, "alpha": 0.4, "beta": 0.9, "theta": 0.25, "pi": math.pi}
+
+numbers = st.fractions(-4, 4, max_denominator=10).map(number)
+letters = st.sampled_from("abc").map(Symbol)
+angles = st.one_of(
+    st.sampled_from(["alpha", "beta", "theta"]).map(Symbol),
+    st.integers(1, 179).map(degrees),
+    st.builds(
+        lambda n, m: total([product([(number(n), 1), (Symbol("alpha"), 1)]), degrees(m)]),
+        st.integers(-3, 3),
+        st.sampled_from([-90, 40, 90]),
+    ),
+)
+calls = st.builds(lambda f, x: Call(f, (x,)), st.sampled_from(["sin", "cos", "tan", "cot"]), angles)
+
+
+def grown(inner: st.SearchStrategy[Formula]) -> st.SearchStrategy[Formula]:
+    factors = st.lists(
+        st.tuples(inner, st.sampled_from([1, 1, 1, 2, -1, -2])), min_size=2, max_size=4
+    )
+    return st.one_of(
+        st.lists(inner, min_size=2, max_size=4).map(total),
+        factors.filter(lambda fs: all(f != number(0) for f, _ in fs)).map(product),
+        inner.map(negative),
+        inner.map(lambda f: Call("exp", (f,))),
+        inner.map(lambda f: power(f, number(2))),
+    )
+
+
+formulas = st.recursive(st.one_of(numbers, letters, calls), grown, max_leaves=8)
+
+
+def same(one: Formula, other: Formula) -> None:
+    first, second = evaluate(one, VALUES), evaluate(other, VALUES)
+    if math.isfinite(first) and abs(first) < 1e12:
+        assert math.isclose(first, second, rel_tol=1e-6, abs_tol=1e-9)
+
+
+@given(formulas)
+def test_latex_reads_back_as_the_same_value(given_formula: Formula) -> None:
+    same(given_formula, read(latex(given_formula, notation("en"))))
+
+
+@given(formulas)
+def test_text_reads_back_as_the_same_value(given_formula: Formula) -> None:
+    shown = re.sub(r"([0-9.]+(?:/[0-9]+)?) deg", r"deg(\1)", print_formula(given_formula, ASCII))
+    same(given_formula, formula(shown.replace("^", "**")))
