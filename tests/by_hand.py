@@ -37,6 +37,9 @@ class Named(NamedTuple):
     def evaluate(self, values):
         return self.function(values)
 
+    def __neg__(self):
+        return Named(lambda values: -self.function(values))
+
 
 def arm(vector):
     x, y = vector

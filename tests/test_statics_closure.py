@@ -3,11 +3,12 @@ from fractions import Fraction
 
 import pytest
 
-from by_hand import HERE, build, force, result, torque
+from by_hand import HERE, Named, build, force, result, torque
 from mechc.algebra import formula
 from mechc.diagnostics import Report
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadRatio
+from mechc.pose.pose import Arm
 from mechc.source import Source
 from mechc.statics.closure import worst_gap
 from mechc.statics.referee import RefereeDisagrees, judge
@@ -91,3 +92,17 @@ def test_the_referee_stops_a_pose_that_does_not_fit():
         judge(pose, (result("k", LoadRatio("M", "F"), 1),), report)
     assert "E603" in {d.code for d in caught.value.diagnostics}
     assert "the loop through A and B is off by 1 m" in str(caught.value)
+
+
+def test_a_made_up_length_that_no_loop_fixes_is_not_measured():
+    """A loop whose rods are given by their directions alone closes with lengths nobody knows."""
+    pose = four_bar(model.Offset("O", "C", exact(5), exact(0), HERE))
+    made_up = Named(lambda values: values["len_AB"])
+    along = Named(lambda values: math.atan2(1, 3))
+    frames = {**pose.frames, "AB": {"A": (), "B": (Arm(made_up, along),)}}
+    fields = {n: getattr(pose, n) for n in pose.__slots__}
+    pose = type(pose)(**{**fields, "frames": frames, "placeholders": {"len_AB": None}})
+    assert worst_gap(pose, {"len_AB": 1.7}) is None
+    fixed = type(pose)(**{**fields, "frames": frames, "placeholders": {"len_AB": Named(None)}})
+    assert worst_gap(fixed, {"len_AB": math.sqrt(10)}) is None
+    assert worst_gap(fixed, {"len_AB": 1.7}).size == pytest.approx(math.sqrt(10) - 1.7)

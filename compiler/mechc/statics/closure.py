@@ -55,11 +55,16 @@ def worst_gap(pose: Pose, values: Mapping[str, float]) -> Gap | None:
 
 
 def _links(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:
+    """Yield the links' vectors, without those whose made-up length no loop fixes."""
+    open_lengths = [name for name, length in pose.placeholders.items() if length is None]
+    doubled = {**values, **{name: 2 * values[name] for name in open_lengths}}
     for link in pose.mechanism.links:
         tail, *heads = link.points
         for head in heads:
-            vector = evaluate_vector(pose.vector(link.name, tail, head), values)
-            yield Edge(tail, head, Plane(*vector))
+            vector = pose.vector(link.name, tail, head)
+            here = evaluate_vector(vector, values)
+            if not open_lengths or here == evaluate_vector(vector, doubled):
+                yield Edge(tail, head, Plane(*here))
 
 
 def _vectors(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:
