@@ -1,0 +1,115 @@
+"""Words of the pose stage: directions and lengths that are missing, loops that disagree."""
+
+from collections.abc import Iterable
+
+from ..source import Span
+from .diagnostic import Related, Words, coded
+
+
+@coded("E301")
+def missing_direction(at: Span, points: str, for_what: str) -> Words:
+    """A direction is needed and nothing gives it.
+
+    Velocities are related through the directions of links, so the direction of every
+    rod and of every arm of a body that carries a load or a pin must be given::
+
+        link OB
+        OB = a               # wrong: only the length
+        OB = a @ alpha       # right: length and direction
+
+    A direction may also come from a turn (``angle ABC = gamma``) or from other vectors
+    that lead from one point to the other.
+    """
+    return Words(
+        at,
+        f"{for_what} needs the direction of {points}, and nothing gives it",
+        f"add a line such as `{points} = @ alpha`",
+    )
+
+
+@coded("E302")
+def directions_disagree(at: Span, points: str, other: Span) -> Words:
+    """The direction of one vector is given twice, and differently.
+
+    A direction can be written down, or follow from a turn::
+
+        AB = @ alpha
+        angle ABC = gamma
+        BC = @ beta          # wrong, unless beta is alpha + 180 deg + gamma
+
+    Give as many directions as are free, and leave the others out.
+    """
+    return Words(
+        at,
+        f"the direction of {points} is given twice, and not alike",
+        "leave one of the two out",
+        (Related(other, "the other one follows from here"),),
+    )
+
+
+@coded("E303")
+def loop_does_not_close(at: Span, loop: str, gap: str) -> Words:
+    """The vectors around a loop, with the values given, do not add up to zero.
+
+    Going around a closed chain of vectors one must come back to where one started::
+
+        OA = 100 mm @ 0 deg
+        AB = 100 mm @ 90 deg
+        OB = 150 mm @ 45 deg    # wrong: OB is sqrt(2)*100 mm
+
+    Leave one length open (``OB = @ 45 deg``) or correct the values.
+    """
+    return Words(
+        at,
+        f"the loop {loop} does not close: the gap is {gap} at the values given",
+        "leave a length of the loop open, or correct its values",
+    )
+
+
+@coded("E304")
+def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) -> Words:
+    """A loop closes for special values only, so it ties symbols that are given as free.
+
+    With directions and lengths given as independent parameters, a closed loop is a
+    relation between them, and k could be written in many ways::
+
+        OA = a @ alpha
+        AB = l @ beta
+        OB = (c, 0 mm)       # wrong: then a*sin(alpha) + l*sin(beta) = 0 ties them
+        AB = @ beta          # right: the length of AB follows from the rest
+
+    Leave one length of the loop out: k does not depend on it, or mechc will tell.
+    """
+    tied = ", ".join(names)
+    detail = f": {relation}" if relation else ""
+    return Words(
+        at,
+        f"the loop {loop} ties {tied}, which are given as independent{detail}",
+        "leave a length of the loop open (`AB = @ beta`), or define one parameter by the others",
+    )
+
+
+@coded("E305")
+def no_direction_of_its_own(at: Span, points: str) -> Words:
+    """A direction is asked of two points whose vector is a sum of several arms.
+
+    ``along AB`` takes the direction of the vector AB. Where AB is known only as a sum of
+    other vectors it has no direction that could be written as an angle: give it one::
+
+        AB = @ gamma
+    """
+    return Words(
+        at,
+        f"{points} is known only as a sum of other vectors, so it has no angle of its own",
+        f"give its direction: `{points} = @ gamma`, or write the angle itself",
+    )
+
+
+@coded("E306")
+def points_coincide(at: Span, points: str) -> Words:
+    """Two points of one link are at the same place, so no direction leads from one to the other."""
+    return Words(
+        at,
+        f"the two points of {points} are at the same place",
+        "check the lengths and angles that lead from one to the other",
+    )

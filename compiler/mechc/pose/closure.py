@@ -1,0 +1,132 @@
+"""Do the loops close? Exactly, for independent symbols, before any number is put in.
+
+Closure is linear in the lengths that were left open. Going through the loops one by
+one, the equations must stay consistent at a random point of a finite field: the first
+that does not ties symbols which were given as independent.
+"""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.formula import text
+from ..algebra.modular import Point
+from ..algebra.product import Factor, Length, Product, Sum, Trig, cosine
+from ..algebra.sums import add
+from ..diagnostics import Diagnostic
+from ..diagnostics import pose as words
+from ..source import Span
+from .pose import Arm, Vector, evaluate_vector
+
+Row = dict[str, int]
+"""A linear equation in the open lengths, modulo the prime; the constant stands under ''."""
+
+GAP = 1e-9
+"""A gap below this part of the longest arm counts as closed at the values given."""
+
+
+class Condition(NamedTuple):
+    """A sum of arms whose component along each of some directions must vanish."""
+
+    name: str
+    arms: Vector
+    across: tuple[Angle, ...]
+    span: Span
+
+
+class Closure:
+    """The equations so far, in echelon form."""
+
+    def __init__(self, open_lengths: Iterable[str]) -> None:
+        self._open = frozenset(open_lengths)
+        self._point = Point(1)
+        self._rows: list[tuple[str, Row]] = []
+
+    def check(self, condition: Condition, values: Mapping[str, float]) -> Diagnostic | None:
+        """Take a condition in; return the error if it cannot hold for independent symbols."""
+        for direction in condition.across:
+            row = self._reduced(self._row(condition.arms, direction))
+            unknowns = [name for name, v in row.items() if name and v]
+            if unknowns:
+                self._rows.append((unknowns[0], row))
+            elif row.get(""):
+                return self._refused(condition, direction, values)
+        return None
+
+    def _row(self, arms: Vector, direction: Angle) -> Row:
+        row: Row = {}
+        for length, angle in arms:
+            name = next((n for n in _names(length) if n in self._open), "")
+            size = length / Product.symbol(name) if name else length
+            value = (size * cosine(angle - direction)).residue(self._point)
+            row[name] = (row.get(name, 0) + value) % self._point.prime
+        return row
+
+    def _reduced(self, row: Row) -> Row:
+        prime = self._point.prime
+        for pivot, known in self._rows:
+            factor = row.get(pivot, 0) * pow(known[pivot], -1, prime) % prime
+            if factor:
+                for name, value in known.items():
+                    row[name] = (row.get(name, 0) - factor * value) % prime
+        return row
+
+    def _refused(
+        self, condition: Condition, direction: Angle, values: Mapping[str, float]
+    ) -> Diagnostic:
+        gap = _gap(condition, values) if not self._mentions_open(condition.arms) else 0.0
+        if gap:
+            return words.loop_does_not_close(condition.span, condition.name, _metres(gap))
+        names = sorted(_symbols(condition.arms) - self._open)
+        relation = ""
+        if not self._mentions_open(condition.arms):
+            left = add(a.length * cosine(a.angle - direction) for a in condition.arms)
+            relation = f"{text(left.formula())} = 0"
+        return words.loop_ties_symbols(condition.span, condition.name, names, relation)
+
+    def _mentions_open(self, arms: Vector) -> bool:
+        return not self._open.isdisjoint(_symbols(arms))
+
+
+def _gap(condition: Condition, values: Mapping[str, float]) -> float:
+    """Return how far the arms miss closure at the values given; 0 if closed or not all given."""
+    try:
+        x, y = evaluate_vector(condition.arms, values)
+        longest = max(abs(a.length.evaluate(values)) for a in condition.arms)
+        parts = [
+            x * math.cos(t) + y * math.sin(t)
+            for t in (d.evaluate(values) for d in condition.across)
+        ]
+    except (KeyError, ZeroDivisionError):
+        return 0.0
+    gap = math.hypot(*parts)
+    return gap if gap > GAP * longest else 0.0
+
+
+def _metres(gap: float) -> str:
+    return f"{gap * 1000:.4g} mm"
+
+
+def _symbols(arms: Iterable[Arm]) -> set[str]:
+    return {n for arm in arms for n in (*_names(arm.length), *dict(arm.angle.terms))}
+
+
+def _names(product: Product) -> Iterator[str]:
+    for factor in product.factors:
+        yield from _factor_names(factor)
+
+
+def _factor_names(factor: Factor) -> Iterator[str]:
+    if isinstance(factor, Length):
+        yield factor.name
+    elif isinstance(factor, Trig):
+        yield from dict(factor.angle.terms)
+    elif isinstance(factor, Sum):
+        for term in factor.terms:
+            yield from _names(term)
+
+
+def across(direction: Angle) -> Angle:
+    """Return the normal of a direction."""
+    return direction + Angle.constant(90)

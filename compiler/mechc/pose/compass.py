@@ -1,0 +1,90 @@
+"""Directions: given ones, and those that follow from turns and from one another."""
+
+from ..algebra.angle import Angle
+from ..diagnostics import Report
+from ..diagnostics import pose as words
+from ..model.mechanism import Absolute, Along, Arrow, Direction, Mechanism, Offset, Turn
+from ..source import Span
+from .terms import Terms
+
+Pair = tuple[str, str]
+HALF_TURN = Angle.constant(180)
+
+
+class Compass:
+    """The direction of every pair of points that has one angle.
+
+    Made from the geometry by going round until nothing new follows: a direction that is
+    written, a turn at a point one of whose arms is known, ``AB = l @ perp CD``.
+    """
+
+    def __init__(self, mechanism: Mechanism, terms: Terms, report: Report) -> None:
+        self._terms, self._report = terms, report
+        self._known: dict[Pair, tuple[Angle, Span]] = {}
+        waiting = [g for g in mechanism.geometry if not isinstance(g, Offset)]
+        for offset in mechanism.geometry:
+            if isinstance(offset, Offset):
+                self._note_axis(offset)
+        while waiting:
+            left = [g for g in waiting if not self._follow(g)]
+            if len(left) == len(waiting):
+                break
+            waiting = left
+
+    def of(self, tail: str, head: str) -> Angle | None:
+        """Return the direction from one point to another, if it is known."""
+        known = self._known.get((tail, head))
+        return known[0] if known else None
+
+    def resolve(self, direction: Direction, name: str) -> Angle | None:
+        """Return a direction as an angle, None while it rests on one that is not known."""
+        match direction:
+            case Absolute(formula, _):
+                return self._terms.angle(formula, name)
+            case Along(tail, head, quarter, _):
+                known = self.of(tail, head)
+                return None if known is None else known + Angle.constant(90 * quarter)
+
+    def _follow(self, item: Arrow | Turn) -> bool:
+        """Take what an entry says of directions; False if it must wait for others."""
+        match item:
+            case Arrow(tail, head, _, None, _):
+                return (tail, head) in self._known
+            case Arrow(tail, head, _, direction, span):
+                assert direction is not None
+                angle = self.resolve(direction, f"theta_{tail}{head}")
+                if angle is not None:
+                    self._note(tail, head, angle, span)
+                return angle is not None
+            case Turn():
+                return self._follow_turn(item)
+
+    def _follow_turn(self, turn: Turn) -> bool:
+        gamma = self._terms.angle(turn.angle, f"turn_{turn.first}{turn.vertex}{turn.second}")
+        first, second = self.of(turn.vertex, turn.first), self.of(turn.vertex, turn.second)
+        if first is not None:
+            self._note(turn.vertex, turn.second, first + gamma, turn.span)
+        elif second is not None:
+            self._note(turn.vertex, turn.first, second - gamma, turn.span)
+        return first is not None or second is not None
+
+    def _note_axis(self, offset: Offset) -> None:
+        """A component that is literally zero leaves the direction of the other axis."""
+        x, y = self._terms.length(offset.x), self._terms.length(offset.y)
+        if bool(x) != bool(y):
+            sign = (x or y).coefficient
+            angle = Angle.constant((0 if x else 90) + (0 if sign > 0 else 180))
+            self._note(offset.tail, offset.head, angle, offset.span)
+
+    def _note(self, tail: str, head: str, angle: Angle, span: Span) -> None:
+        known = self._known.get((tail, head))
+        if known is None:
+            self._known[tail, head] = angle, span
+            self._known[head, tail] = angle + HALF_TURN, span
+        elif not _same(known[0], angle):
+            self._report.add(words.directions_disagree(span, f"{tail}{head}", known[1]))
+
+
+def _same(a: Angle, b: Angle) -> bool:
+    difference = a - b
+    return not difference.terms and difference.degrees % 360 == 0

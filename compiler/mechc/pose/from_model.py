@@ -1,0 +1,162 @@
+"""From the mechanism to its pose: directions settled, loops checked, frames laid out."""
+
+from collections.abc import Mapping
+
+from ..algebra.angle import Angle
+from ..algebra.formula import evaluate
+from ..diagnostics import Report
+from ..diagnostics import pose as words
+from ..model.mechanism import Along, Direction, Force, Link, Mechanism
+from .closure import Closure, Condition, across
+from .compass import Compass
+from .pose import Definition, Pose, Vector
+from .terms import Terms
+from .vectors import Vectors
+
+
+def settle(mechanism: Mechanism, report: Report) -> Pose:
+    """Return the pose of a mechanism whose directions are given.
+
+    Reports E301 and E305 where a direction is missing, E302 where two disagree, E303
+    and E304 where a loop does not close for independent symbols.
+    """
+    terms = Terms(mechanism)
+    compass = Compass(mechanism, terms, report)
+    vectors = Vectors(mechanism, terms, compass)
+    survey = _Survey(mechanism, terms, compass, vectors, report)
+    pose = Pose(
+        mechanism=mechanism,
+        frames={link.name: survey.frame(link) for link in mechanism.links},
+        guides=survey.guides(),
+        lines=survey.lines(),
+        axis=survey.axis(),
+        definitions=tuple(terms.definitions),
+        placeholders=dict.fromkeys(vectors.placeholders),
+        free=tuple(p.name for p in mechanism.parameters if not p.dependent),
+    )
+    survey.close_loops(pose)
+    report.stop_on_errors()
+    return pose
+
+
+class _Survey:
+    """Reads frames and directions off the compass and the vectors, reporting what is missing."""
+
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        terms: Terms,
+        compass: Compass,
+        vectors: Vectors,
+        report: Report,
+    ) -> None:
+        self._mechanism, self._terms = mechanism, terms
+        self._compass, self._vectors, self._report = compass, vectors, report
+
+    def frame(self, link: Link) -> Mapping[str, Vector]:
+        """Return the vectors from a link's first point to each of its points."""
+        base = link.points[0]
+        frame: dict[str, Vector] = {base: ()}
+        for point in link.points[1:]:
+            vector = self._vectors.path(base, point, link.points) or self._vectors.path(base, point)
+            if not vector:
+                self._report_missing(link, base, point, vector)
+                vector = ()
+            frame[point] = vector
+        return frame
+
+    def _report_missing(self, link: Link, base: str, point: str, found: Vector | None) -> None:
+        name = f"link {link.name}"
+        if found is None:
+            self._report.add(words.missing_direction(link.span, f"{base}{point}", name))
+        else:
+            self._report.add(words.points_coincide(link.span, f"{base}{point}"))
+
+    def guides(self) -> Mapping[str, Angle]:
+        """Return the direction of every guide."""
+        return {
+            s.point: self._direction(s.along, f"theta_{s.point}", f"the guide of {s.point}")
+            for s in self._mechanism.sliders
+        }
+
+    def lines(self) -> Mapping[str, Angle]:
+        """Return the direction of every force."""
+        return {
+            f.name: self._direction(f.along, f"theta_{f.name}", f"the force {f.name}")
+            for f in self._mechanism.loads
+            if isinstance(f, Force)
+        }
+
+    def axis(self) -> Angle | None:
+        """Return the direction of the mirror line."""
+        mirror = self._mechanism.mirror
+        return self._direction(mirror.across, "theta_mirror", "the mirror") if mirror else None
+
+    def _direction(self, direction: Direction, name: str, for_what: str) -> Angle:
+        angle = self._compass.resolve(direction, name)
+        if angle is None:
+            assert isinstance(direction, Along)
+            angle = self._along_path(direction, for_what)
+        return angle or Angle()
+
+    def _along_path(self, direction: Along, for_what: str) -> Angle | None:
+        """Return the direction of a vector that is a sum, where that sum is a single arm."""
+        tail, head, quarter, span = (
+            direction.tail,
+            direction.head,
+            direction.quarter,
+            direction.span,
+        )
+        vector = self._vectors.path(tail, head)
+        if vector is None:
+            self._report.add(words.missing_direction(span, f"{tail}{head}", for_what))
+        elif len(vector) != 1:
+            self._report.add(words.no_direction_of_its_own(span, f"{tail}{head}"))
+        else:
+            sign = -1 if vector[0].length.coefficient < 0 else 1
+            return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
+        return None
+
+    def close_loops(self, pose: Pose) -> None:
+        """Report every loop that does not close for independent symbols."""
+        closure, values = Closure(pose.placeholders), defaults(self._mechanism, pose.definitions)
+        for condition in (*self._loops(), *self._guide_lines(pose)):
+            if fault := closure.check(condition, values):
+                self._report.add(fault)
+
+    def _loops(self) -> list[Condition]:
+        everywhere = (Angle(), Angle.constant(90))
+        return [
+            Condition(
+                "-".join(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span
+            )
+            for loop in self._vectors.loops
+        ]
+
+    def _guide_lines(self, pose: Pose) -> list[Condition]:
+        """Return the condition of every guide that is told to pass through a point."""
+        conditions = []
+        for slider in self._mechanism.sliders:
+            chain = slider.through and self._vectors.chain(slider.point, slider.through)
+            if chain:
+                arms, normal = self._vectors.arms(chain), across(pose.guides[slider.point])
+                conditions.append(Condition("-".join(chain), arms, (normal,), slider.span))
+        return conditions
+
+
+def defaults(mechanism: Mechanism, definitions: tuple[Definition, ...]) -> dict[str, float]:
+    """Return the default pose: every parameter and definition that has a value, in SI."""
+    values: dict[str, float] = {}
+    for parameter in mechanism.parameters:
+        if parameter.value is not None:
+            _put(values, parameter.name, Definition(parameter.name, parameter.value))
+    for definition in definitions:
+        _put(values, definition.name, definition)
+    return values
+
+
+def _put(values: dict[str, float], name: str, definition: Definition) -> None:
+    try:
+        values[name] = evaluate(definition.formula, values)
+    except KeyError:
+        return

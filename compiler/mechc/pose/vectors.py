@@ -1,0 +1,136 @@
+"""Vectors between points: given arms as edges of a graph, paths through it as sums."""
+
+from collections import deque
+from collections.abc import Collection, Iterable, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.product import Product
+from ..algebra.sums import add
+from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
+from ..source import Span
+from .compass import Compass
+from .pose import Arm, Vector
+from .terms import Terms
+
+
+class Loop(NamedTuple):
+    """A closed chain of vectors: its points, its arms not yet added up, the entry that closed it."""
+
+    points: tuple[str, ...]
+    arms: Vector
+    span: Span
+
+
+class Vectors:
+    """The graph of points and given vectors.
+
+    ``placeholders`` are the names made up for lengths that are not given. ``loops`` are
+    the closed chains, one for each vector between points that were connected before.
+    """
+
+    def __init__(self, mechanism: Mechanism, terms: Terms, compass: Compass) -> None:
+        self._terms, self._compass = terms, compass
+        self._edges: dict[str, dict[str, Vector]] = {}
+        self._lengths = {
+            frozenset((g.tail, g.head)): terms.length(g.length)
+            for g in mechanism.geometry
+            if isinstance(g, Arrow) and g.length is not None
+        }
+        self.placeholders: list[str] = []
+        self.loops: list[Loop] = []
+        for item in mechanism.geometry:
+            self._enter(item)
+
+    def path(self, tail: str, head: str, within: Collection[str] | None = None) -> Vector | None:
+        """Return the vector along the shortest chain of given ones, None if there is none.
+
+        ``within`` restricts the chain to some points (those of one link).
+        """
+        points = self.chain(tail, head, within)
+        return None if points is None else gathered(self.arms(points))
+
+    def arms(self, points: Sequence[str]) -> Vector:
+        """Return the arms along a chain, as given."""
+        return tuple(arm for a, b in pairwise(points) for arm in self._edges[a][b])
+
+    def chain(
+        self, tail: str, head: str, within: Collection[str] | None = None
+    ) -> list[str] | None:
+        """Return the points along the shortest chain of given vectors."""
+        came: dict[str, str | None] = {tail: None}
+        queue = deque([tail])
+        while queue and head not in came:
+            point = queue.popleft()
+            for neighbour in self._edges.get(point, ()):
+                if neighbour not in came and (within is None or neighbour in within):
+                    came[neighbour] = point
+                    queue.append(neighbour)
+        if head not in came:
+            return None
+        points: list[str] = []
+        at: str | None = head
+        while at is not None:
+            points.append(at)
+            at = came[at]
+        return points[::-1]
+
+    def _enter(self, item: Geometry) -> None:
+        match item:
+            case Offset(tail, head, x, y, span):
+                arms = (
+                    Arm(self._terms.length(x), Angle()),
+                    Arm(self._terms.length(y), Angle.constant(90)),
+                )
+                self._connect(tail, head, tuple(a for a in arms if a.length), span)
+            case Arrow(tail, head, _, _, span):
+                self._enter_polar(tail, head, span)
+            case Turn(first, vertex, second, _, span):
+                self._enter_polar(vertex, first, span)
+                self._enter_polar(vertex, second, span)
+
+    def _enter_polar(self, tail: str, head: str, span: Span) -> None:
+        angle = self._compass.of(tail, head)
+        if angle is None or head in self._edges.get(tail, ()):
+            return
+        length = self._lengths.get(frozenset((tail, head)))
+        if length is None:
+            name = f"len_{tail}{head}"
+            self.placeholders.append(name)
+            length = Product.symbol(name)
+        self._connect(tail, head, (Arm(length, angle),), span)
+
+    def _connect(self, tail: str, head: str, vector: Vector, span: Span) -> None:
+        if chain := self.chain(tail, head):
+            arms = (*self.arms(chain), *reverse(vector))
+            self.loops.append(Loop((*chain, tail), arms, span))
+        self._edges.setdefault(tail, {})[head] = vector
+        self._edges.setdefault(head, {})[tail] = reverse(vector)
+
+
+def reverse(vector: Vector) -> Vector:
+    """Return the vector from head to tail: the same lengths, directions turned round."""
+    return tuple(Arm(arm.length, arm.angle + Angle.constant(180)) for arm in vector)
+
+
+def gathered(arms: Iterable[Arm]) -> Vector:
+    """Return a vector with arms of one line added up, and none that vanishes.
+
+    An arm points the way in which its line was first met.
+    """
+    lines: dict[Angle, list[Product]] = {}
+    for length, angle in arms:
+        back = _turned_back(angle, lines)
+        lines.setdefault(back or _wrapped(angle), []).append(-length if back else length)
+    sums = ((add(lengths), angle) for angle, lengths in lines.items())
+    return tuple(Arm(length, angle) for length, angle in sums if length)
+
+
+def _wrapped(angle: Angle) -> Angle:
+    return Angle(angle.terms, angle.degrees % 360)
+
+
+def _turned_back(angle: Angle, lines: Collection[Angle]) -> Angle | None:
+    opposite = _wrapped(angle + Angle.constant(180))
+    return opposite if opposite in lines else None
