@@ -29,7 +29,10 @@ CLOSE = 1e-9
 
 
 class Finding(NamedTuple):
-    """What an ``expect`` came to; figures and pose are those that decided it."""
+    """What an ``expect`` came to; figures and pose are those that decided it.
+
+    ``missing`` is the parameter without a value, ``poses`` the number of poses compared at.
+    """
 
     expect: Expect
     outcome: Literal["proved", "agrees", "refuted", "undecided"]
@@ -37,6 +40,7 @@ class Finding(NamedTuple):
     expected: float = math.nan
     at: Values = MappingProxyType({})
     missing: str = ""
+    poses: int = 1
 
 
 def compare(
@@ -110,14 +114,15 @@ def _unfolded(formula: Formula, inner: Mapping[str, Formula]) -> Formula:
 
 
 def _compare_formula(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
-    finding = Finding(expect, "agrees")
+    finding = Finding(expect, "undecided", poses=0)
     for pose in (default_pose(mechanism), *random_poses(mechanism, POSES)):
         values = _everything(complete(mechanism, {**pose, **_at(expect)}), expect, result)
         found, expected = evaluate(result.formula, values), evaluate(expect.value, values)
         at = _shown_at(expect, result, mechanism, values)
         if _differ(found, expected):
             return Finding(expect, "refuted", found, expected, at)
-        finding = Finding(expect, "agrees", found, expected, at)
+        if math.isfinite(found):
+            finding = Finding(expect, "agrees", found, expected, at, poses=finding.poses + 1)
     return finding
 
 
@@ -156,10 +161,10 @@ def _remark(finding: Finding, mechanism: Mechanism) -> Diagnostic | None:
             at = {name: in_unit(value, units.get(name, "")) for name, value in finding.at.items()}
             found, expected = _figures(finding)
             return words.expectation_refuted(span, subject, found, expected, at)
-        case "undecided":
+        case "undecided" if finding.missing:
             return words.expectation_without_pose(span, subject, finding.missing)
-        case "agrees" if not finding.expect.tolerance:
-            return words.expectation_unproved(span, subject, POSES + 1)
+        case "agrees" | "undecided" if not finding.expect.tolerance:
+            return words.expectation_unproved(span, subject, finding.poses)
     return None
 
 

@@ -34,7 +34,7 @@ def command(
 
     \b
     mechc check clamp.mech
-    mechc check --verbose packet_clamp
+    mechc check --verbose toggle_press
     mechc check --format concise *.mech
     """
     worst = 0

@@ -68,5 +68,5 @@ def mechc() -> None:
     mechc new clamp                        start a description
     mechc check clamp.mech                 find mistakes in it
     mechc compile clamp.mech -o clamp.tex  write the formula with its derivation
-    mechc compile packet_clamp --emit c    a mechanism of the library as C
+    mechc compile toggle_press --emit c    a mechanism of the library as C
     """

@@ -75,7 +75,7 @@ def command(
     \b
     mechc compile clamp.yaml --emit latex > clamp.tex
     mechc compile clamp.mech -o clamp.c -o clamp.py
-    mechc compile packet_clamp --emit c -o build/ -D a=120mm
+    mechc compile toggle_press --emit c -o build/ -D theta=5deg
     """
     wanted = outputs(paths, target)
     compilation = complete(begin(file, stdin_name, settings))

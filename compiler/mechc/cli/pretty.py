@@ -1,4 +1,7 @@
-"""Records as indented text, formulas in the notation of the language."""
+"""Records as indented text, formulas in the notation of the language.
+
+Places in the text are left out, and a record of an earlier stage is only named.
+"""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, Field, fields, is_dataclass
@@ -6,9 +9,16 @@ from fractions import Fraction
 from typing import Any, get_args
 
 from ..algebra import formula as algebra
+from ..kinematics.plan import Plan
+from ..model.mechanism import Mechanism
+from ..pose.pose import Pose
 from ..source import Span
+from ..units import DIMENSIONS, Dimension
 
 WIDTH = 96
+
+STAGES = (Mechanism, Pose, Plan)
+UNITS = {dimension: name for name, dimension in DIMENSIONS.items()}
 
 FORMULAS = get_args(algebra.Formula)
 
@@ -20,6 +30,8 @@ def pretty(value: object, indent: str = "") -> str:
     >>> pretty({"k": product([(Symbol("a"), 1), (Symbol("b"), -1)])})
     "{'k': a/b}"
     """
+    if indent and isinstance(value, STAGES):
+        return f"<{type(value).__name__}>"
     opening, parts, closing = _taken_apart(value)
     if not parts:
         return opening + closing
@@ -41,13 +53,15 @@ def _taken_apart(value: Any) -> tuple[str, Parts, str]:
         return algebra.text(value), [], ""
     if callable(formula := getattr(value, "formula", None)):
         return algebra.text(formula()), [], ""
-    if isinstance(value, Span | Fraction):
-        return str(value if isinstance(value, Fraction) else f"{value.start}:{value.end}"), [], ""
+    if isinstance(value, Fraction):
+        return str(value), [], ""
+    if isinstance(value, Dimension) and value in UNITS:
+        return UNITS[value], [], ""
     if is_dataclass(value):
         parts = [(f"{f.name}=", getattr(value, f.name)) for f in _telling(value)]
         return f"{type(value).__name__}(", parts, ")"
     if isinstance(value, tuple) and hasattr(value, "_fields"):
-        parts = [(f"{name}=", getattr(value, name)) for name in value._fields]
+        parts = [(f"{name}=", part) for name, part in zip(value._fields, value, strict=True)]
         return f"{type(value).__name__}(", parts, ")"
     if isinstance(value, Mapping):
         return "{", [(f"{key!r}: ", part) for key, part in value.items()], "}"
@@ -60,5 +74,6 @@ def _telling(value: Any) -> Iterator[Field[Any]]:
     """Yield the fields that are not at their default."""
     for item in fields(value):
         usual = item.default_factory() if item.default_factory is not MISSING else item.default
-        if item.repr and (usual is MISSING or getattr(value, item.name) != usual):
+        place = isinstance(getattr(value, item.name), Span)
+        if item.repr and not place and (usual is MISSING or getattr(value, item.name) != usual):
             yield item

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from ..diagnostics import Report
 from ..source import Source
+from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast
 from .notation import read
 
@@ -29,7 +30,7 @@ def parse(text: str) -> tuple[str, ast.Expr]:
     ('alpha', '30', 'deg')
     """
     name, _, value = text.partition("=")
-    line = f"param {name.strip()} = {_UNIT.sub(' ', value)}\n"
+    line = f"param {name.strip()} = {_UNIT.sub(' ', ' '.join(value.split()))}\n"
     report = Report(Source(f"-D {text}", line))
     tree = read(report.source, report)
     report.stop_on_errors()
@@ -51,7 +52,19 @@ def params(statements: Iterable[ast.Statement]) -> tuple[ast.Param, ...]:
 def _set(statement: ast.Statement, settings: Settings) -> ast.Statement:
     if not isinstance(statement, ast.Param) or statement.name.text not in settings:
         return statement
-    return replace(statement, value=_moved(settings[statement.name.text], statement))
+    value = _moved(settings[statement.name.text], statement)
+    dimension = statement.dimension or _dimension(statement.value)
+    return replace(statement, value=value, dimension=dimension)
+
+
+def _dimension(value: ast.Expr | None) -> ast.Name | None:
+    """Return what the value in the file measures, so that one without its unit is noticed."""
+    match value:
+        case ast.Number(unit=unit) | ast.Sum(terms=((_, ast.Number(unit=unit)),)):
+            measured = UNITS[unit].dimension if unit else NUMBER
+            names = (name for name, known in DIMENSIONS.items() if known == measured)
+            return next((ast.Name(name, value.span) for name in names), None)
+    return None
 
 
 def _moved(value: ast.Expr, statement: ast.Param) -> ast.Expr:
