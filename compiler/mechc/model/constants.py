@@ -11,6 +11,12 @@ from ..syntax import ast
 LARGEST_EXPONENT = 64
 """Beyond, a constant power is refused: powers of powers would fill the memory."""
 
+LARGEST = 10**308
+"""What a double can hold."""
+
+LARGEST_BITS = 4096
+"""Size of a constant's denominator; that of a literal has 1,200 at most."""
+
 
 def names_in(expression: ast.Expr) -> Iterator[ast.Symbol]:
     """Yield the symbols of an expression, left to right."""
@@ -33,6 +39,15 @@ def leaves(expression: ast.Expr) -> Iterator[ast.Symbol | ast.Number]:
                 stack.extend(reversed(arguments))
             case _:
                 assert_never(node)
+
+
+def too_large(value: Fraction) -> bool:
+    """Tell whether an exact number is beyond what a double or the memory should hold.
+
+    >>> too_large(Fraction(9) ** 64), too_large(Fraction(9) ** 640)
+    (False, True)
+    """
+    return abs(value) > LARGEST or value.denominator.bit_length() > LARGEST_BITS
 
 
 def rational(formula: Formula) -> Fraction | None:

@@ -21,6 +21,7 @@ from ..algebra.formula import (
     number,
     power,
     product,
+    text,
     total,
 )
 from ..diagnostics import Report
@@ -28,12 +29,9 @@ from ..diagnostics.model import joints, names, quantities
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, NUMBER, UNITS, Dimension
-from .constants import LARGEST_EXPONENT, rational
+from .constants import LARGEST_EXPONENT, rational, too_large
 from .scope import FORMS, Form, Scope, Usage, form_of
 from .sorts import Nature, Sort, agreed, multiplied, raised
-
-LARGEST_BITS = 4096
-"""Size of a constant's numerator or denominator; a double needs 1,100 at most."""
 
 VELOCITIES = "the name of a result: a ratio of velocities is asked for with 'find'"
 
@@ -78,7 +76,10 @@ class Reader:
         if found.sort.fits(dimension):
             return True
         if found.sort.nature is Nature.BARE:
-            shown = self.report.source.text[found.span.start : found.span.end]
+            value = rational(found.formula)
+            shown = (
+                text(found.formula) if value is None or too_large(value) else f"{float(value):g}"
+            )
             self.report.add(quantities.bare_number(found.span, shown, dimension))
         else:
             self.report.add(
@@ -108,11 +109,12 @@ class Reader:
     def _sized(self, found: Quantity) -> Quantity | None:
         """Refuse constants that grow beyond what anything measured can be."""
         match found.formula:
-            case Number(value) | Product((Number(value), *_)):
-                bits = max(value.numerator.bit_length(), value.denominator.bit_length())
-                if bits > LARGEST_BITS:
-                    self.report.add(quantities.number_too_large(found.span))
-                    return None
+            case Number(value) | Product((Number(value), *_)) if too_large(value):
+                self.report.add(quantities.number_too_large(found.span))
+                return None
+            case Power(_, Number(exponent)) if abs(exponent) > LARGEST_EXPONENT:
+                self.report.add(quantities.number_too_large(found.span))
+                return None
         return found
 
     def _number(self, node: ast.Number) -> Quantity:
