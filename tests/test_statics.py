@@ -25,7 +25,7 @@ from mechc.statics.referee import RefereeDisagrees, judge
 from mechc.statics.solve import factor
 from mechc.statics.speeds import speed_ratio
 from mechc.statics.to_text import to_text
-from mechc.statics.unfold import Unfolding
+from mechc.statics.unfold import Plane, Unfolding, direction
 from mechc.units import ANGLE, LENGTH, NUMBER
 
 
@@ -164,21 +164,43 @@ def test_equilibrium_that_cannot_be_is_said_to_be_so():
     assert "balance" in answer.trouble
 
 
+def seed_ratio(geometry, axis=None):
+    """Return k of a seed's geometry, whole or with its loads on both halves of a mirror."""
+    points, value, k = in_numbers(geometry)
+    across = None if axis is None else direction(math.radians(axis)).turned()
+    shared = [p for p, at in points.items() if across and abs(across.dot(Plane(*at))) < 1e-12]
+    more = {"mirror": shared, "axis": axis} if across else {}
+
+    def times(load):
+        half = across is not None and load["point"] not in shared
+        return Fraction(load["mult"]) / (2 if half else 1)
+
+    drive, outputs = geometry["drive"], geometry["loads"]
+    loads = [force("P", drive["point"], times(drive))]
+    loads += [
+        force(f"F{i}", load["point"], times(load), formula.Symbol("F0") if i else None)
+        for i, load in enumerate(outputs)
+    ]
+    lines = {"P": angle_of(drive["dir"], value)[0]}
+    lines.update({f"F{i}": angle_of(x["dir"], value)[0] for i, x in enumerate(outputs)})
+    guides = {p: angle_of(d, value)[0] for p, d in geometry["sliders"]}
+    pose = build(points, geometry["bodies"], geometry["ground"], guides, loads, lines, **more)
+    return ratio(pose, "P", "F0") * angle_of(outputs[0]["dir"], value)[1], k
+
+
 @pytest.mark.parametrize("geometry", geometries(), ids=lambda g: g["id"])
 def test_the_geometries_of_the_seeds(geometry):
-    points, value, k = in_numbers(geometry)
-    loads, lines = [force("P", geometry["drive"]["point"], geometry["drive"]["mult"])], {}
-    lines["P"] = angle_of(geometry["drive"]["dir"], value)[0]
-    parts = []
-    for i, load in enumerate(geometry["loads"]):
-        angle, size = angle_of(load["dir"], value)
-        tie = None if i == 0 else formula.Symbol("F0")
-        loads.append(force(f"F{i}", load["point"], load["mult"], tie))
-        lines[f"F{i}"] = angle
-        parts.append(size)
-    guides = {p: angle_of(d, value)[0] for p, d in geometry["sliders"]}
-    pose = build(points, geometry["bodies"], geometry["ground"], guides, loads, lines)
-    assert ratio(pose, "P", "F0") * parts[0] == pytest.approx(k, rel=1e-12)
+    found, expected = seed_ratio(geometry)
+    assert found == pytest.approx(expected, rel=1e-12)
+
+
+MIRRORED = [g for g in geometries() if g.get("mirror")]
+
+
+@pytest.mark.parametrize("geometry", MIRRORED, ids=lambda g: g["id"])
+def test_the_symmetric_geometries_of_the_seeds_with_both_halves(geometry):
+    found, expected = seed_ratio(geometry, 0 if geometry["mirror"].startswith("y") else 90)
+    assert found == pytest.approx(expected, rel=1e-12)
 
 
 # ------------------------------------------------------------------- the referee
