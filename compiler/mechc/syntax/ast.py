@@ -370,7 +370,7 @@ class Mirror(Statement):
     """``mirror across θ sharing K L``."""
 
     across: Direction
-    sharing: tuple[Name, ...]
+    sharing: tuple[Name, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -378,7 +378,7 @@ class Copies(Statement):
     """``copies n sharing A``."""
 
     number: Expr
-    sharing: tuple[Name, ...]
+    sharing: tuple[Name, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)

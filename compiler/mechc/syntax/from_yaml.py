@@ -8,6 +8,7 @@ The statements stand in the order of the text, section by section.
 
 from collections.abc import Iterator
 from dataclasses import replace
+from typing import Any
 
 from ..diagnostics import Report, syntax_yaml
 from ..source import Source, Span
@@ -63,34 +64,28 @@ def read_section(
 ) -> Iterator[ast.Statement]:
     """Yield the statements of a section; an entry with an error is reported and left out."""
     for subject, entry in items(section, name, value, report):
-        try:
-            for one in several(entry, section):
-                yield from told(section, name, subject, one, root, report.source)
-        except Fault as fault:
-            note(fault.diagnostic, report)
+        for one in several(entry, section):
+            # Each of several values of one name is a statement with a place of its own.
+            span = subject.span.to(one.span) if subject and one is entry else one.span
+            try:
+                for statement in statements(section, subject, one, span, report.source):
+                    yield with_beside(statement, section, name, root, report.source)
+            except Fault as fault:
+                note(fault.diagnostic, report)
 
 
-def told(
-    section: Section,
-    name: Scalar,
-    subject: Scalar | None,
-    value: Node,
-    root: Mapping,
-    source: Source,
-) -> Iterator[ast.Statement]:
-    """Yield the statements of one entry, with what stands beside the section."""
-    for statement in statements(section, subject, value, source):
-        if section.shape is not Shape.ONE:
-            yield statement
-            continue
-        beside = {
-            field: found
-            for key, other in root.entries
-            for wanted in section.beside
-            if key.text == wanted.name
-            for field, found in values(wanted, other, source).items()
-        }
-        yield replace(statement, span=name.span.to(value.span), **beside)
+def with_beside(
+    statement: ast.Statement, section: Section, name: Scalar, root: Mapping, source: Source
+) -> ast.Statement:
+    """Return the statement of a section that is one entry with what stands beside it."""
+    if section.shape is not Shape.ONE:
+        return statement
+    wanted = {key.name: key for key in section.beside}
+    fields: dict[str, Any] = {}
+    for key, value in root.entries:
+        if key.text in wanted:
+            fields |= values(wanted[key.text], value, source)
+    return replace(statement, span=name.span.to(statement.span), **fields)
 
 
 def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterator[Item]:

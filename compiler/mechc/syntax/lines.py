@@ -6,12 +6,12 @@ so that one forgotten bracket does not swallow the rest of the file.
 """
 
 from collections.abc import Iterator
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from lark import Token
 
 from .grammar import statement_words
-from .spans import span_of
 
 GOES_ON = frozenset(
     {"PLUS", "MINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX", "COMMA", "EQUAL", "AT_SIGN", "COMPARISON"}
@@ -35,33 +35,45 @@ def words_of(comment: Token) -> str:
     return str(comment)[1:].removeprefix(" ").rstrip()
 
 
+@dataclass(slots=True)
+class Gathered:
+    """The statement that is being gathered."""
+
+    tokens: list[Token] = field(default_factory=list)
+    comments: list[str] = field(default_factory=list)
+    remarks: list[str] = field(default_factory=list)
+    open_brackets: int = 0
+
+    def take(self, token: Token) -> None:
+        """Take in a token of the statement or a comment."""
+        if token.type == "COMMENT":
+            (self.remarks if self.tokens else self.comments).append(words_of(token))
+            return
+        self.tokens.append(token)
+        self.open_brackets += (token.type == "LEFT") - (token.type == "RIGHT")
+
+    def complete(self) -> bool:
+        """Tell whether the end of the line ends the statement."""
+        return self.open_brackets <= 0 and self.tokens[-1].type not in GOES_ON
+
+    def line(self) -> Line:
+        """Return what was gathered."""
+        return Line(self.tokens, tuple(self.comments), " ".join(self.remarks))
+
+
 def lines(found: list[Token]) -> Iterator[Line]:
     """Group tokens into logical lines."""
-    statement: list[Token] = []
-    comments: list[str] = []
-    remarks: list[str] = []
-    for index, token in enumerate(found):
-        match token.type:
-            case "COMMENT":
-                (remarks if statement else comments).append(words_of(token))
-            case "NEWLINE":
-                if statement and not continues(statement, found, index + 1):
-                    yield Line(statement, tuple(comments), " ".join(remarks))
-                    statement, comments, remarks = [], [], []
-            case _:
-                statement.append(token)
-    yield Line(statement, tuple(comments), " ".join(remarks))
-
-
-def continues(statement: list[Token], found: list[Token], after: int) -> bool:
-    """Tell whether the statement goes on behind this line's end."""
-    brackets = sum((t.type == "LEFT") - (t.type == "RIGHT") for t in statement)
-    if brackets <= 0 and statement[-1].type not in GOES_ON:
-        return False
-    following = next((t for t in found[after:] if t.type not in ("NEWLINE", "COMMENT")), None)
-    return following is not None and str(following) not in statement_words()
-
-
-def end_of(statement: list[Token]) -> int:
-    """Return where a statement ends."""
-    return span_of(statement[-1]).end
+    gathered, line_begins = Gathered(), True
+    for token in found:
+        if token.type == "NEWLINE":
+            line_begins = True
+            if gathered.tokens and gathered.complete():
+                yield gathered.line()
+                gathered = Gathered()
+            continue
+        if line_begins and gathered.tokens and str(token) in statement_words():
+            yield gathered.line()
+            gathered = Gathered()
+        line_begins = False
+        gathered.take(token)
+    yield gathered.line()

@@ -18,11 +18,10 @@ Chosen = tuple[Entry, list[Pair] | None]
 
 
 def statements(
-    section: Section, subject: Scalar | None, value: Node, source: Source
+    section: Section, subject: Scalar | None, value: Node, span: Span, source: Source
 ) -> Iterator[ast.Statement]:
     """Yield what an entry states: one statement, or several kinds of friction at one point."""
     where = subject.text if subject else section.name
-    span = subject.span.to(value.span) if subject else value.span
     for entry, pairs in chosen(section, subject, value, where):
         if pairs is None:
             fields = plain_fields(entry, value, source)

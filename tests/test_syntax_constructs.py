@@ -1,0 +1,125 @@
+"""Each construct of the language means the same in both notations."""
+
+from dataclasses import replace
+
+import pytest
+from mechc.diagnostics import Report
+from mechc.source import Source, Span
+from mechc.syntax import ast, from_dsl, from_yaml
+from mechc.syntax.grammar import statement_words
+from mechc.syntax.notation import read
+from notations import CONSTRUCTS, WHOLE_MECH, WHOLE_YAML
+
+
+def tree(text, name="a.mech"):
+    source = Source(name, text)
+    report = Report(source)
+    found = read(source, report)
+    assert not report.diagnostics, report.diagnostics
+    return found
+
+
+def bare(file):
+    return [replace(node, comments=(), remark="") for node in file.statements]
+
+
+@pytest.mark.parametrize(("line", "entry"), CONSTRUCTS)
+def test_both_notations_give_one_tree(line, entry):
+    assert tree(line) == tree(entry, "a.yaml")
+
+
+def test_every_statement_word_is_among_them():
+    words = {line.split()[0] for text, _ in CONSTRUCTS for line in text.splitlines()}
+    assert set(statement_words()) <= words
+
+
+def test_every_node_is_among_them():
+    found = {type(node).__name__ for text, _ in CONSTRUCTS for node in tree(text).statements}
+    assert found == {node.__name__ for node in ast.Statement.__subclasses__()}
+
+
+def test_the_whole_file_is_the_same_in_both():
+    left, right = bare(tree(WHOLE_MECH)), bare(tree(WHOLE_YAML, "a.yaml"))
+    assert len(left) == len(right)
+    assert all(node in right for node in left)
+
+
+def test_comments_stay_with_their_statements():
+    found = tree("# head\n\nparam a = 1 # first\n# above\npivot O\n# end\n")
+    param, pivot = found.statements
+    assert (param.comments, param.remark) == (("head",), "first")
+    assert (pivot.comments, pivot.remark) == (("above",), "")
+    assert found.trailing == ("end",)
+
+
+def test_comments_of_yaml_stay_with_their_statements():
+    text = (
+        "# head\nparams:  # lengths\n  a: '#1'  # first\n  # above\n"
+        "  b:\n    value: 2 # in\npivots: [O, C]  # both\n# end\n"
+    )
+    text = text.replace("'#1'", "{value: 1, label: '#1'}")
+    found = tree(text, "a.yaml")
+    a, b, o, c = found.statements
+    assert (a.comments, a.remark, a.label) == (("head", "lengths"), "first", "#1")
+    assert (b.comments, b.remark) == (("above",), "in")
+    assert (o.remark, c.remark) == ("", "both")
+    assert found.trailing == ("end",)
+
+
+def test_a_statement_goes_on_in_brackets_and_behind_operators():
+    assert tree("let k = (a +\n b) *\n c") == tree("let k = (a + b)*c")
+
+
+@pytest.mark.parametrize(
+    ("text", "name"),
+    [
+        ("let k = alpha - 90 degg\n", "a.mech"),
+        ("let: {k: alpha - 90 degg}", "a.yaml"),
+        ("let:\n  k: 'alpha - 90 degg'", "a.yaml"),
+        ('let:\n  k: "alpha\\x20- 90 degg"', "a.yaml"),
+        ("let:\n  k: >\n    alpha\n    - 90 degg\n", "a.yaml"),
+        ("let:\n  k: |\n    alpha - 90 degg\n", "a.yaml"),
+        ("let:\n  k: alpha\n    - 90\n    degg\n", "a.yaml"),
+    ],
+)
+def test_an_error_inside_a_scalar_has_its_place(text, name):
+    source = Source(name, text)
+    report = Report(source)
+    read(source, report)
+    (found,) = report.diagnostics
+    assert found.code == "E103"
+    assert text[found.span.start : found.span.end] == "degg"
+
+
+def test_several_errors_in_one_run():
+    text = "pivott O\nparam a 40 mm\nlet k = 2*(a\nlink OA\nfind P ? F\n"
+    source = Source("a.mech", text)
+    report = Report(source)
+    found = from_dsl.parse(source, report)
+    assert [d.code for d in report.sorted()] == ["E102", "E109", "E107", "E112"]
+    assert [type(node) for node in found.statements] == [ast.Link]
+
+
+def test_several_errors_in_one_run_of_yaml():
+    source = Source("a.yaml", "params: {a: 1 +, b: 2}\nlinks: [oa, OB]\nforce: {}\n")
+    report = Report(source)
+    found = from_yaml.parse(source, report)
+    assert [d.code for d in report.sorted()] == ["E108", "E110", "E125"]
+    assert [type(node) for node in found.statements] == [ast.Param, ast.Link]
+
+
+def test_a_sum_is_one_flat_node():
+    (node,) = tree("let k = " + " + ".join(["a"] * 5000)).statements
+    assert isinstance(node, ast.Let)
+    assert isinstance(node.value, ast.Sum)
+    assert len(node.value.terms) == 5000
+
+
+def test_a_direction_comes_before_a_parameter_of_its_name():
+    (node,) = tree("slider A along -x").statements
+    assert node == ast.Slider(Span(0, 0), ast.Name("A", Span(0, 0)), ast.Axis("x", -1, Span(0, 0)))
+
+
+def test_json_is_yaml():
+    assert tree('{"pivots": ["O"]}', "a.json") == tree("pivot O")
+    assert tree('{"pivots": ["O"]}', "<stdin>") == tree("pivot O", "<stdin>")

@@ -1,0 +1,103 @@
+"""Laws of the two notations: what is printed is read back, and printing is settled at once."""
+
+import pytest
+from hypothesis import HealthCheck, Phase, given, settings
+from hypothesis import strategies as st
+from mechc.diagnostics import Report
+from mechc.source import Source
+from mechc.syntax import from_dsl, from_yaml
+from mechc.syntax.to_dsl import to_dsl
+from mechc.syntax.to_yaml import in_yaml_order, to_yaml
+from strategies import files
+
+# Shrinking a whole file takes minutes: the failing one is printed as it was drawn.
+some = settings(
+    max_examples=60,
+    deadline=None,
+    suppress_health_check=list(HealthCheck),
+    phases=[Phase.explicit, Phase.generate],
+)
+
+
+def read(parser, text, name):
+    source = Source(name, text)
+    report = Report(source)
+    tree = parser.parse(source, report)
+    assert not report.diagnostics, (text, report.diagnostics)
+    return tree
+
+
+@some
+@given(files())
+def test_the_line_notation_gives_the_tree_back(tree):
+    printed = to_dsl(tree)
+    again = read(from_dsl, printed, "a.mech")
+    assert again == tree
+    assert to_dsl(again) == printed
+
+
+@some
+@given(files())
+def test_yaml_gives_the_tree_back_in_its_own_order(tree):
+    printed = to_yaml(tree)
+    again = read(from_yaml, printed, "a.yaml")
+    assert again == in_yaml_order(tree)
+    assert to_yaml(again) == printed
+
+
+@some
+@given(files())
+def test_the_order_of_yaml_is_settled(tree):
+    ordered = in_yaml_order(tree)
+    assert in_yaml_order(ordered) == ordered
+    assert sorted(map(str, ordered.statements)) == sorted(map(str, tree.statements))
+
+
+def spans(node):
+    """Yield the spans of a node and of all that is in it."""
+    if isinstance(node, tuple):
+        for part in node:
+            yield from spans(part)
+    elif hasattr(node, "__dataclass_fields__"):
+        yield node.span
+        for field in node.__dataclass_fields__:
+            if field != "span":
+                yield from spans(getattr(node, field))
+
+
+@some
+@given(files(), st.sampled_from([(from_dsl, to_dsl), (from_yaml, to_yaml)]))
+def test_every_node_has_its_place(tree, notation):
+    parser, printer = notation
+    printed = printer(tree)
+    again = read(parser, printed, "a")
+    for statement in again.statements:
+        for span in spans(statement):
+            assert 0 <= span.start < span.end <= len(printed)
+
+
+@pytest.mark.parametrize(
+    ("written", "printed"),
+    [
+        ("(a + b) - (c - d)", "a + b - (c - d)"),
+        ("a/(b*c)", "a/(b*c)"),
+        ("(a/b)*c", "a/b*c"),
+        ("-(a*b)", "-a*b"),
+        ("(-a)*b", "(-a)*b"),
+        ("-a^2", "-a^2"),
+        ("(-a)^2", "(-a)^2"),
+        ("2^(3^4)", "2^3^4"),
+        ("(2^3)^4", "(2^3)^4"),
+        ("a^(-2)", "a^-2"),
+        ("(5 N)*m", "5 N * m"),
+        ("5 N*m", "5 N*m"),
+        ("(5 mm)^2", "(5 mm)^2"),
+        ("40mm", "40 mm"),
+        ("tg(x)+ctg(x)", "tan(x) + cot(x)"),
+        ("a - -b", "a - (-b)"),
+        ("a*-b", "a*(-b)"),
+    ],
+)
+def test_brackets_only_where_they_are_needed(written, printed):
+    tree = read(from_dsl, f"let k = {written}", "a.mech")
+    assert to_dsl(tree) == f"let k = {printed}\n"
