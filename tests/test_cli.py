@@ -16,6 +16,7 @@ import pytest
 from mechc import __version__
 from mechc.cli import main
 from mechc.cli.commands import COMMANDS, mechc
+from mechc.files import library
 
 EXAMPLES = Path(__file__).parents[1] / "examples"
 WRONG = "mechanism m\nparam l = 1 m\npivot O\nlink OA\nOA = l @ alhpa\nfind k = P/F\n"
@@ -353,3 +354,11 @@ def test_every_command_has_help_with_an_example(run: Mechc, name: str) -> None:
 def test_help_lists_every_command(run: Mechc) -> None:
     out = run("--help").out
     assert all(f"  {name} " in out for name in COMMANDS)
+
+
+def test_library_can_be_written_in_both_notations(run: Mechc) -> None:
+    for name in library():
+        for notation in ("mech", "yaml"):
+            status, out, err = run("fmt", "--to", notation, name)
+            assert (status, err) == (0, ""), name
+            assert out
