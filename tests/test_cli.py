@@ -275,7 +275,8 @@ def test_derive(run: Mechc) -> None:
 def test_show_every_stage(run: Mechc, stage: str) -> None:
     status, out, _ = run("show", stage, "clamp.mech")
     assert status == 0
-    assert "packet_clamp" in out or "k" in out.split()
+    assert len(out) > 100
+    assert "object at 0x" not in out
     assert max(map(len, out.splitlines())) < 400
 
 
