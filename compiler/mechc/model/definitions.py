@@ -6,17 +6,20 @@ parameter by another word; it is handed on as one.
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from graphlib import CycleError, TopologicalSorter
 
-from ..algebra.formula import Formula, substitute, symbols
+from ..algebra.formula import Formula, Symbol, substitute, symbols, walk
 from ..diagnostics.model import names
 from ..syntax import ast
 from .constants import names_in
 from .expressions import Reader
 from .mechanism import Let, Parameter
+from .order import ordered
 from .parameters import read_parameter
 from .scope import FORMULA, Scope
 from .statements import every
+
+LONGEST = 200
+"""Parts of a let that is written out: lets of lets can double in length with each."""
 
 Definition = ast.Param | ast.Let
 
@@ -27,17 +30,6 @@ class Definitions:
 
     parameters: dict[str, Parameter] = field(default_factory=dict)
     lets: dict[str, Let] = field(default_factory=dict)
-
-    def feeding(self, scope: Scope) -> set[str]:
-        """Return the lets that the description is made of, directly or through another let."""
-        feeding: set[str] = set()
-        waiting = [name for name in scope.feeding if name in self.lets]
-        while waiting:
-            name = waiting.pop()
-            if name not in feeding:
-                feeding.add(name)
-                waiting.extend(s for s in symbols(self.lets[name].value) if s in self.lets)
-        return feeding
 
 
 def read_definitions(file: ast.File, scope: Scope) -> Definitions:
@@ -68,28 +60,19 @@ def _by_name(file: ast.File, scope: Scope) -> dict[str, Definition]:
 
 
 def _ordered(statements: Mapping[str, Definition], scope: Scope) -> list[str]:
-    """Return the names so that each follows those it needs; report circles and drop them."""
-    needs = {name: _needs(statement, statements) for name, statement in statements.items()}
-    while True:
-        try:
-            return list(TopologicalSorter(needs).static_order())
-        except CycleError as error:
-            cycle: list[str] = error.args[1]
-            _report_cycle(cycle, scope, statements)
-            needs = {n: wanted - set(cycle) for n, wanted in needs.items() if n not in cycle}
+    """Return the names so that each follows those it needs; report circles."""
+    order, circles = ordered({name: _needs(s, statements) for name, s in statements.items()})
+    for circle in circles:
+        places = [statements[name].span for name in circle[:-1]]
+        scope.used.update(circle)
+        scope.report.add(names.circular_definition(places[0], circle, places[1:]))
+    return order
 
 
 def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:
     if statement.value is None:
         return set()
     return {s.name for s in names_in(statement.value) if s.name in known}
-
-
-def _report_cycle(cycle: list[str], scope: Scope, statements: Mapping[str, Definition]) -> None:
-    """Say ``a → b → a`` in the order of use (the sorter gives each before its user)."""
-    places = [statements[name].span for name in cycle[:-1]]
-    scope.used.update(cycle)
-    scope.report.add(names.circular_definition(places[0], cycle[::-1], places[1:]))
 
 
 def _read_let(statement: ast.Let, scope: Scope) -> Let | None:
@@ -114,18 +97,27 @@ def _plain(formula: Formula, scope: Scope) -> bool:
 # --------------------------------------------------------------- lets as parameters
 
 
+def spread_feeding(found: Definitions, scope: Scope) -> None:
+    """Count the lets that feeding lets are made of as feeding the description too."""
+    waiting = list(scope.feeding)
+    while waiting:
+        let = found.lets.get(waiting.pop())
+        fresh = symbols(let.value) & found.lets.keys() - scope.feeding if let else frozenset()
+        scope.feeding |= fresh
+        waiting.extend(fresh)
+
+
 def settled(
     found: Definitions, file: ast.File, scope: Scope
 ) -> tuple[tuple[Parameter, ...], tuple[Let, ...]]:
     """Return parameters and lets in the order of the file; feeding lets are parameters."""
-    feeding = found.feeding(scope)
     parameters: list[Parameter] = []
     lets: list[Let] = []
     for statement in file.statements:
         match statement:
             case ast.Param(name=name) if name.text in found.parameters:
                 parameters.append(found.parameters[name.text])
-            case ast.Let(name=name) if name.text in feeding:
+            case ast.Let(name=name) if name.text in scope.feeding and name.text in found.lets:
                 parameters.append(_as_parameter(found.lets[name.text]))
             case ast.Let(name=name) if name.text in found.lets:
                 lets.append(found.lets[name.text])
@@ -137,9 +129,16 @@ def _as_parameter(let: Let) -> Parameter:
     return Parameter(let.name, let.dimension, let.span, let.value, dependent=dependent)
 
 
-def without_lets(formula: Formula, found: Definitions, scope: Scope) -> Formula:
-    """Return the formula with every let that is no parameter written out."""
-    kept = found.feeding(scope)
-    while names_left := [n for n in symbols(formula) if n in found.lets and n not in kept]:
-        formula = substitute(formula, {n: found.lets[n].value for n in names_left})
-    return formula
+def written_out(found: Definitions, scope: Scope) -> dict[str, Formula]:
+    """Return lets as formulas of parameters; those that would grow too long are left out."""
+    formulas: dict[str, Formula] = {}
+    lengths: dict[str, int] = {}
+    for name, let in found.lets.items():
+        entry = scope.entries[name]
+        if entry.kind != "let" or not entry.plain or name in scope.feeding:
+            continue
+        parts = [part.name if isinstance(part, Symbol) else "" for part in walk(let.value)]
+        lengths[name] = sum(lengths.get(part, 1) for part in parts)
+        if lengths[name] <= LONGEST:
+            formulas[name] = substitute(let.value, formulas)
+    return formulas

@@ -11,7 +11,7 @@ from ..diagnostics.model import results as words
 from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
-from .definitions import read_definitions, settled
+from .definitions import read_definitions, settled, spread_feeding
 from .finds import read_finds
 from .geometry import read_geometry
 from .joints import declare_points, read_pivots, read_sliders, warn_idle
@@ -46,6 +46,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     mirror = read_mirror(file, loads, scope)
     copies = read_copies(file, scope)
     check_pending(file, scope)
+    spread_feeding(found, scope)
     requires = read_requires(file, found, scope)
     expects = read_expects(file, finds, found, scope)
     parameters, lets = settled(found, file, scope)

@@ -26,6 +26,7 @@ from .constants import rational
 from .directions import read_direction
 from .expressions import Reader
 from .mechanism import Absolute, Direction, Force, Load, Torque
+from .order import ordered
 from .parameters import constant
 from .scope import DESCRIPTION, TIE, Scope
 from .statements import every, only
@@ -155,22 +156,12 @@ def degree(formula: Formula, loads: frozenset[str]) -> int | None:
 
 
 def _check_ties(loads: Sequence[Load], scope: Scope) -> None:
-    """Report ties that go in a circle, each circle once."""
+    """Report ties that go in a circle."""
     ties = {load.name: load for load in loads if load.tie}
-    names_of_loads = set(scope.names({"load"}))
-    reported: set[str] = set()
-    for start in ties:
-        path: list[str] = []
-        name: str | None = start
-        while name in ties and name not in path:
-            path.append(name)
-            tie = ties[name].tie
-            name = next(iter(symbols(tie) & names_of_loads), None) if tie else None
-        if name in path and not reported & set(path):
-            cycle = path[path.index(name) :]
-            reported.update(path)
-            places = [ties[n].span for n in cycle]
-            scope.report.add(names.circular_definition(places[0], [*cycle, name], places[1:]))
+    needs = {name: symbols(load.tie) & ties.keys() for name, load in ties.items() if load.tie}
+    for circle in ordered({name: set(wanted) for name, wanted in needs.items()})[1]:
+        places = [ties[name].span for name in circle[:-1]]
+        scope.report.add(names.circular_definition(places[0], circle, places[1:]))
 
 
 def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> None:

@@ -4,12 +4,12 @@ import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from ..algebra.formula import Formula, evaluate, symbols
+from ..algebra.formula import Formula, evaluate, substitute, symbols
 from ..diagnostics.model import names, quantities
 from ..diagnostics.model import results as words
 from ..syntax import ast
 from ..units import UNITS, Dimension
-from .definitions import Definitions, without_lets
+from .definitions import Definitions, written_out
 from .expressions import Quantity, Reader
 from .finds import read_target
 from .mechanism import Expect, Find, Require
@@ -27,11 +27,20 @@ HOLDS = {
 }
 
 
+def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -> Formula:
+    """Return the formula with every let that is no parameter written out."""
+    for name in sorted(symbols(found.formula) - lets.keys()):
+        if scope.entries[name].kind == "let" and name not in scope.feeding:
+            scope.report.add(words.let_too_long(found.span, name))
+    return substitute(found.formula, lets)
+
+
 # ---------------------------------------------------------------------- conditions
 
 
 def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Require]:
     """Return every condition; a chain is split into its links."""
+    lets = written_out(found, scope)
     requires: list[Require] = []
     for statement in every(file, ast.Require):
         reader = Reader(scope, CONDITION)
@@ -39,7 +48,7 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         operands = [operand for operand in read if operand]
         if len(operands) < len(read) or reader.alike(operands, "compare") is None:
             continue
-        formulas = [without_lets(o.formula, found, scope) for o in operands]
+        formulas = [_of_parameters(operand, lets, scope) for operand in operands]
         pairs = zip(formulas, statement.operators, formulas[1:], strict=False)
         conditions = [Require(left, op, right, statement.span) for left, op, right in pairs]
         if any(not _holds(condition, scope) for condition in conditions):
@@ -65,6 +74,7 @@ def read_expects(
 ) -> list[Expect]:
     """Return what is expected of results, and how exactly."""
     subjects = _subjects(finds, found, scope)
+    lets = written_out(found, scope)
     expects: list[Expect] = []
     for statement in every(file, ast.Expect):
         subject = _subject(statement.subject, finds, subjects, scope)
@@ -72,7 +82,7 @@ def read_expects(
         at = _settings(statement, scope)
         if subject is None or value is None or not _suits(value, subjects[subject], scope):
             continue
-        formula = without_lets(value.formula, found, scope)
+        formula = _of_parameters(value, lets, scope)
         tolerance = half_a_digit(statement.value)
         expects.append(Expect(subject, formula, at, tolerance, statement.span))
     return expects
@@ -82,8 +92,7 @@ def _subjects(
     finds: Sequence[Find], found: Definitions, scope: Scope
 ) -> dict[str, Dimension | None]:
     """Return what may be expected of something: finds, and lets that are results."""
-    parameters = {name for name in found.lets if name in found.feeding(scope)}
-    known = [find.name for find in finds] + [n for n in found.lets if n not in parameters]
+    known = [find.name for find in finds] + [n for n in found.lets if n not in scope.feeding]
     return {name: scope.entries[name].dimension for name in known}
 
 

@@ -85,3 +85,17 @@ def link_named_for_nothing(span: Span) -> Words:
     find R_B on AB     # right
     """
     return Words(span, "'on' stands only with a pin force such as R_B", "remove it")
+
+
+@coded("E287")
+def let_too_long(span: Span, name: str) -> Words:
+    """A condition or expectation uses a ``let`` that would be very long in parameters.
+
+    Lets of lets of lets can double in length each time. A condition is checked by itself
+    wherever a result is evaluated, so it must stay short.
+
+        let u = ...            # hundreds of operations when written out
+        require u > 0          # wrong
+    """
+    message = f"'{name}' is too long to stand here, written out in parameters"
+    return Words(span, message, "state the condition in parameters")
