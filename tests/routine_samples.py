@@ -1,6 +1,7 @@
 """Mechanisms with results made by hand, for the routine and the code targets."""
 
 from fractions import Fraction
+from typing import Literal
 
 from mechc.algebra.formula import (
     PI,
@@ -33,11 +34,14 @@ from mechc.model.mechanism import (
 )
 from mechc.power.result import Definition, Result, Vanishing
 from mechc.routine.from_results import program
+from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import Trial, Verdict
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER, Dimension
 
 HERE = Span(0, 0)
+
+Operator = Literal["<", "<=", ">", ">=", "=", "!="]
 
 
 def s(name: str) -> Symbol:
@@ -240,3 +244,16 @@ def compiled(sample: str) -> Compiled:
     trial = Trial("k", {"a": 0.1}, 0.5, float("inf"), 1e-16, 3.0)
     routine = program(mechanism, results)
     return Compiled(mechanism, derivation, routine, Verdict((trial,), ("nothing more",)), "0.0.0")
+
+
+def guarded_by(operators: tuple[Operator, ...]) -> Compiled:
+    """One function of x and y for each operator, which gives a value only where x OP y."""
+    parameters = (parameter("x", NUMBER, number(1)), parameter("y", NUMBER, number(1)))
+    formula = total([cos(s("x")), product([(number(2), 1), (sin(s("y")), 1)])])
+    functions = []
+    for i, operator in enumerate(operators):
+        require = Require(s("x"), operator, s("y"), HERE)
+        mechanism = Mechanism("guarded", "", "", HERE, parameters, requires=(require,))
+        functions += program(mechanism, (Result(f"f{i}", None, NUMBER, formula),)).functions
+    routine = Routine("guarded", "", "", tuple(functions))
+    return Compiled(mechanism, Derivation((), (), (), ()), routine, Verdict(()), "0.0.0")

@@ -1,16 +1,21 @@
 """C: clean under strict compilers as C99 and as C++, and safe from what a user writes."""
 
+import ctypes
+import itertools
+import math
 import shutil
 import subprocess
 from collections.abc import Callable
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from mechc.diagnostics import MechcError
 from mechc.emit.target import Emitted, Options
 from mechc.emit.to_c import TARGET
-from routine_samples import SAMPLES, compiled
+from mechc.routine.evaluate import evaluate
+from routine_samples import SAMPLES, compiled, guarded_by
 
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Werror", "-fsyntax-only"]
 COMPILERS = {
@@ -53,6 +58,31 @@ def test_the_header_links_from_cpp(tmp_path: Path) -> None:
         subprocess.run(command, cwd=tmp_path, check=True)
     done = subprocess.run([tmp_path / "main"], capture_output=True, text=True, check=True)
     assert done.stdout == "0.060609"
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
+@pytest.mark.parametrize("level", ["-O0", "-O3"])
+def test_loops_give_what_single_calls_give_at_the_edges(level: str, tmp_path: Path) -> None:
+    operators = ("<", "<=", ">", ">=", "=", "!=")
+    (file,) = TARGET.emit(guarded_by(operators), Options("edges", single=True))
+    (tmp_path / file.name).write_text(file.text, encoding="utf-8")
+    command = ["gcc", "-std=c99", level, "-fPIC", "-shared", "edges.c", "-o", "edges.so", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    code = ctypes.CDLL(str(tmp_path / "edges.so"))
+    nan, inf = math.nan, math.inf
+    edges = [0.0, -0.0, 1.0, -1.0, 5e-324, -5e-324, 1.0 + 2.0**-52, nan, inf, -inf, 1e9, 3.14e6]
+    x, y = (np.array(column) for column in zip(*itertools.product(edges, edges), strict=True))
+    array = np.ctypeslib.ndpointer(dtype=np.float64)
+    for function in guarded_by(operators).routine.functions:
+        single, batch = code[f"guarded_{function.name}"], code[f"guarded_{function.name}_n"]
+        single.restype, single.argtypes = ctypes.c_double, [ctypes.c_double] * 2
+        batch.restype, batch.argtypes = None, [ctypes.c_size_t, array, array, array]
+        found = np.empty(len(x))
+        batch(len(x), x, y, found)
+        singly = np.array([single(*pair) for pair in zip(x, y, strict=True)])
+        expected = evaluate(function, {"x": x, "y": y})
+        np.testing.assert_allclose(singly, expected, rtol=4e-15, equal_nan=True)
+        np.testing.assert_allclose(found, expected, rtol=4e-15, equal_nan=True)
 
 
 def test_a_pair_is_source_and_header_and_single_is_one_file() -> None:

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from jinja2 import meta
 
 from mechc.diagnostics import MechcError, Report
-from mechc.emit import registry, to_c, to_python
+from mechc.emit import c_printer, registry, to_c, to_python
 from mechc.emit.names import Names, mangle, transliterate
 from mechc.emit.render import TEMPLATES, environment
 from mechc.source import Source
@@ -104,11 +104,11 @@ def test_a_name_that_needs_no_change_keeps_it() -> None:
 
 @given(st.lists(st.text("aαAΑ_'1βbжЖé²x", min_size=1, max_size=5), unique=True, max_size=12))
 def test_no_two_names_become_one(names: list[str]) -> None:
-    found = mangle(names, Names(to_c.RESERVED))
+    found = mangle(names, Names(c_printer.RESERVED))
     assert len(set(found.values())) == len(names)
     assert all(n.isidentifier() and n.isascii() and "__" not in n for n in found.values())
-    assert not set(found.values()) & to_c.RESERVED
-    assert mangle(names, Names(to_c.RESERVED)) == found
+    assert not set(found.values()) & c_printer.RESERVED
+    assert mangle(names, Names(c_printer.RESERVED)) == found
 
 
 @given(st.text(min_size=1, max_size=20))

@@ -7,68 +7,47 @@ from typing import NamedTuple
 from ..algebra.formula import Call, Formula, Pi, walk
 from ..diagnostics.diagnostic import MechcError
 from ..diagnostics.emission import unspeakable_file_name
-from ..routine.steps import Function, Guard
+from ..routine.steps import Function
 from . import describe
+from .c_printer import CIRCULAR, RESERVED, CPrinter, QuickPrinter, condition, guarded
 from .names import Names, mangle, transliterate
 from .printer import Printer
 from .render import Line, render
 from .target import Compiled, Emitted, Options
 
-_WORDS = """
-    auto break case char const continue default do double else enum extern float for goto if
-    inline int long register restrict return short signed sizeof static struct switch typedef
-    union unsigned void volatile while _Bool _Complex _Imaginary bool true false complex
-    imaginary I alignas alignof asm atomic_cancel atomic_commit atomic_noexcept and and_eq
-    bitand bitor catch char8_t char16_t char32_t class co_await co_return co_yield compl concept
-    const_cast consteval constexpr constinit decltype delete dynamic_cast explicit export friend
-    mutable namespace new noexcept not not_eq nullptr operator or or_eq private protected public
-    reflexpr reinterpret_cast requires static_assert static_cast synchronized template this
-    thread_local throw try typeid typename typeof typeof_unqual using virtual wchar_t xor xor_eq
-    sin cos tan asin acos atan atan2 sqrt hypot fabs exp log pow abs fmin fmax
-    size_t ptrdiff_t NULL NAN INFINITY HUGE_VAL EOF errno assert offsetof main
-    near far min max small interface unix linux stdin stdout stderr
-"""
-RESERVED = frozenset(_WORDS.split())
-"""Keywords of C and C++, the functions called, and what common headers define as macros."""
-
 LONGEST_LINE = 100
 
-_FUNCTIONS = {"abs": "fabs", "min": "mechc_min", "max": "mechc_max"}
 _CHOICES = {"min": "<", "max": ">"}
-_OPERATORS = {"=": "=="}
 
 
-class CPrinter(Printer):
-    """Prints for C99."""
+class Body(NamedTuple):
+    """What a function computes."""
 
-    pi = "MECHC_PI"
-
-    def call(self, function: str, arguments: list[str]) -> str:
-        """Return a call of ``math.h``; those of two arguments are nested."""
-        name = _FUNCTIONS.get(function, function)
-        if len(arguments) > 2:
-            *rest, last = arguments
-            return f"{name}({self.call(function, rest)}, {last})"
-        return f"{name}({', '.join(arguments)})"
-
-    def power(self, base: str, exponent: str) -> str:
-        """Return a call of ``pow``."""
-        return f"pow({base}, {exponent})"
+    body: list[Line]
+    conditions: list[str]
+    output: str
 
 
 class FunctionContext(NamedTuple):
-    """One function in its two forms; ``call`` is the inner line of the batch's loop."""
+    """One function in its two forms, for one pose and for many.
+
+    Where it needs sines or cosines, the loop calls a ``kernel`` with the ``quick`` body
+    of its own, and the ``plain`` one where that gives no number.
+    """
 
     remarks: list[str]
     single: str
     batch: str
-    body: list[Line]
-    conditions: list[str]
-    output: str
-    result: str
+    kernel: str
+    plain: Body
+    quick: Body | None
+    element: str
+    call: str
+    quick_call: str
     number: str
     loop: str
-    call: str
+    start: str
+    stop: str
 
 
 class HeaderContext(NamedTuple):
@@ -86,14 +65,17 @@ class SourceContext(NamedTuple):
     header: str
     functions: list[FunctionContext]
     pi: bool
+    circular: bool
+    guarded: bool
     choices: list[Line]
 
 
 class Symbols(NamedTuple):
-    """The linker's names of one function."""
+    """The names of one function's forms at file scope."""
 
     single: str
     batch: str
+    kernel: str
 
 
 class CTarget:
@@ -126,7 +108,15 @@ def _source(
     parts = [part for f in compiled.routine.functions for g in _formulas(f) for part in walk(g)]
     called = {part.function for part in parts if isinstance(part, Call)}
     choices = [Line(name, sign) for name, sign in _CHOICES.items() if name in called]
-    context = SourceContext(preface, header, functions, Pi() in parts, choices)
+    context = SourceContext(
+        preface=preface,
+        header=header,
+        functions=functions,
+        pi=Pi() in parts,
+        circular=any(f.quick for f in functions),
+        guarded=any(f.quick and f.plain.conditions for f in functions),
+        choices=choices,
+    )
     return render("c_source.jinja", context)
 
 
@@ -154,31 +144,59 @@ def _functions(compiled: Compiled) -> list[FunctionContext]:
 
 
 def _symbols(mechanism: str, functions: list[str]) -> dict[str, Symbols]:
-    """Return the linker's names; no batch form may take another function's name."""
+    """Return the names at file scope; no second form may take another function's name."""
     space = Names(RESERVED)
     singles = mangle((f"{mechanism}_{f}" for f in functions), space)
-    batches = {f: space.claim(f"{singles[f'{mechanism}_{f}']}_n") for f in functions}
-    return {f: Symbols(singles[f"{mechanism}_{f}"], batches[f]) for f in functions}
+    found = {f: singles[f"{mechanism}_{f}"] for f in functions}
+    batches = {f: space.claim(f"{name}_n") for f, name in found.items()}
+    return {f: Symbols(n, batches[f], space.claim(f"{n}_quick")) for f, n in found.items()}
 
 
 def _function(function: Function, linked: Symbols, arguments: Mapping[str, str]) -> FunctionContext:
     own = {i.name: arguments[i.name] for i in function.inputs}
-    space = Names(RESERVED, set(own.values()))
-    printer = CPrinter(own | mangle((s.name for s in function.steps), space.within()))
+    names = own | mangle((s.name for s in function.steps), Names(RESERVED, set(own.values())))
     outer = Names(RESERVED, {*own.values(), *linked})
-    number, loop, result = outer.claim("n"), outer.claim("i"), outer.claim(function.name)
+    number, loop = outer.claim("n"), outer.claim("i")
+    result = outer.claim(function.name)
+    elements = ", ".join(f"{a}[{loop}]" for a in own.values())
     return FunctionContext(
         remarks=[_harmless(line) for line in _remarks(function, own, number, result)],
         single=_single(linked.single, list(own.values())),
         batch=_batch(linked.batch, list(own.values()), number, result),
-        body=[Line(printer.names[s.name], printer.print(s.formula)) for s in function.steps],
-        conditions=[_condition(guard, printer) for guard in function.guards],
-        output=printer.print(function.output),
-        result=result,
+        kernel=_single(linked.kernel, list(own.values())),
+        plain=_plain(function, CPrinter(names)),
+        quick=_quick(function, QuickPrinter(names)) if _is_circular(function) else None,
+        element=f"{result}[{loop}]",
+        call=f"{linked.single}({elements})",
+        quick_call=f"{linked.kernel}({elements})",
         number=number,
         loop=loop,
-        call=f"{linked.single}({', '.join(f'{a}[{loop}]' for a in own.values())})",
+        start=outer.claim("start"),
+        stop=outer.claim("stop"),
     )
+
+
+def _plain(function: Function, printer: Printer) -> Body:
+    conditions = [condition(guard, printer) for guard in function.guards]
+    return Body(_lines(function, printer), conditions, printer.print(function.output))
+
+
+def _quick(function: Function, printer: Printer) -> Body:
+    """Return a body without branches: each guard is a call around the output."""
+    output = printer.print(function.output)
+    for guard in function.guards:
+        output = guarded(guard, printer, output)
+    return Body(_lines(function, printer), [], output)
+
+
+def _lines(function: Function, printer: Printer) -> list[Line]:
+    return [Line(printer.names[s.name], printer.print(s.formula)) for s in function.steps]
+
+
+def _is_circular(function: Function) -> bool:
+    """Return whether a function of inputs calls a sine, a cosine or a tangent."""
+    calls = [g for f in _formulas(function) for g in walk(f) if isinstance(g, Call)]
+    return bool(function.inputs) and any(g.function in CIRCULAR for g in calls)
 
 
 def _single(name: str, arguments: list[str]) -> str:
@@ -195,11 +213,6 @@ def _wrapped(head: str, arguments: list[str]) -> str:
     """Return a function's head on one line, or with one argument on each."""
     line = f"{head}{', '.join(arguments)})"
     return line if len(line) <= LONGEST_LINE else head + "\n    " + ",\n    ".join(arguments) + ")"
-
-
-def _condition(guard: Guard, printer: Printer) -> str:
-    operator = _OPERATORS.get(guard.operator, guard.operator)
-    return f"{printer.print(guard.left)} {operator} {printer.print(guard.right)}"
 
 
 def _remarks(function: Function, own: Mapping[str, str], number: str, result: str) -> list[str]:
