@@ -1,0 +1,41 @@
+"""Words of the kinematics stage: mobility, redundancy, branch points."""
+
+from collections.abc import Sequence
+
+from ..source import Span
+from .diagnostic import Diagnostic, Words, coded
+
+__all__ = ["Diagnostic"]
+
+
+@coded("E401")
+def nothing_can_move(at: Span, links: Sequence[str], moving: int) -> Words:
+    """The constraints leave no motion: mobility 0.
+
+    Virtual power needs something that moves. Three rods in a triangle, a link with two
+    pivots, or a point guided in two directions are locked::
+
+        pivot O
+        pivot C
+        link  OAC            # wrong: two pivots hold the link
+
+    Take a pivot, a guide or a rod away, or check that each rod is written between the
+    points it really joins.
+    """
+    named = ", ".join(links)
+    return Words(
+        at,
+        f"nothing can move: the {moving} links ({named}) have mobility 0, expected 1 or more",
+        "look for a link with two pivots, a point with two guides, or a rod too many",
+    )
+
+
+@coded("W401")
+def redundant_constraint(at: Span, what: str) -> Words:
+    """A constraint follows from the others, so it may be left out.
+
+    A second parallel bar, or a guide for a point that moves so anyhow, is consistent but
+    redundant. k is not changed by it; the reactions of the redundant parts can't be found
+    by statics alone.
+    """
+    return Words(at, f"{what} is redundant: what it demands follows from the other constraints")

@@ -1,0 +1,67 @@
+"""Linear forms in the unknown speeds: projections of velocities, spins of links."""
+
+from collections.abc import Iterable, Mapping
+
+from ..algebra.angle import Angle
+from ..algebra.product import ONE, Product, cosine
+from ..algebra.sums import add
+from ..pose.pose import Pose, Vector
+from .graph import Flow, Form, Graph, Velocity
+
+QUARTER = Angle.constant(90)
+
+
+def turned(vector: Vector, spin: int) -> Velocity:
+    """Return the velocity that a spin gives to the head of a vector whose tail is at rest."""
+    return tuple(Flow(length, angle + QUARTER, spin) for length, angle in vector)
+
+
+def projection(velocity: Velocity, direction: Angle) -> Form:
+    """Return the component of a velocity along a direction."""
+    terms: dict[int, list[Product]] = {}
+    for size, heading, unknown in velocity:
+        terms.setdefault(unknown, []).append(size * cosine(heading - direction))
+    return _collected(terms)
+
+
+def subtract(left: Form, right: Form) -> Form:
+    """Return the difference of two forms."""
+    terms = {u: [p] for u, p in left.items()}
+    for u, p in right.items():
+        terms.setdefault(u, []).append(-p)
+    return _collected(terms)
+
+
+def scaled(form: Form, factor: Product) -> Form:
+    """Return a form times a factor."""
+    return {u: p * factor for u, p in form.items()}
+
+
+def _collected(terms: Mapping[int, Iterable[Product]]) -> Form:
+    sums = {u: add(parts) for u, parts in terms.items()}
+    return {u: p for u, p in sums.items() if p}
+
+
+def spin(graph: Graph, link: str) -> Form:
+    """Return the angular velocity of a link, counter-clockwise.
+
+    A rod has no unknown of its own: ω = (V_B − V_A)·n / AB, with n the rod's direction
+    turned by +90°.
+    """
+    if link in graph.spins:
+        return {graph.spins[link]: ONE}
+    tail, head = list(graph.pose.frames[link])[:2]
+    return rod_spin(graph.pose, link, tail, head, graph.velocities)
+
+
+def rod_spin(
+    pose: Pose, link: str, tail: str, head: str, velocities: Mapping[str, Velocity]
+) -> Form:
+    """Return the angular velocity of a link from the velocities of two of its points."""
+    arms = pose.vector(link, tail, head)
+    normal = arms[0].angle + QUARTER
+    difference = subtract(
+        projection(velocities[head], normal), projection(velocities[tail], normal)
+    )
+    reach = add(a.length * cosine(a.angle - arms[0].angle) for a in arms)
+    return scaled(difference, reach**-1)

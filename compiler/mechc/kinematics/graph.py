@@ -1,0 +1,93 @@
+"""The velocity-constraint graph: unknown speeds as nodes, rules of mechanics as edges.
+
+Speeds are taken so that most rules have two terms: the angular velocity of a link on
+a pivot, the speed of a point along its guide, and, for a pin that only rods hold, the
+projections of its velocity on two of them.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from enum import StrEnum
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.product import Product
+from ..pose.pose import Pose
+from ..source import Span
+
+
+class Kind(StrEnum):
+    """What an unknown speed is."""
+
+    SPIN = "spin"
+    """Angular velocity of a link, counter-clockwise."""
+    SLIDE = "slide"
+    """Speed of a point along its guide."""
+    COMPONENT = "component"
+    """Projection of a point's velocity on a direction."""
+
+
+class Unknown(NamedTuple):
+    """One unknown speed; ``of`` is a link for SPIN, a point otherwise."""
+
+    kind: Kind
+    of: str
+    direction: Angle | None = None
+
+
+class Flow(NamedTuple):
+    """What one unknown contributes to a velocity: ``size · unknown`` in a direction."""
+
+    size: Product
+    direction: Angle
+    unknown: int
+
+
+Velocity = tuple[Flow, ...]
+"""A point's velocity as a linear form in the unknowns; ``()`` for a point at rest."""
+
+Form = Mapping[int, Product]
+"""A scalar linear form in the unknowns."""
+
+
+class Rule(StrEnum):
+    """Which rule of mechanics a relation is."""
+
+    PROJECTION = "projection"
+    """The ends of a rod have equal projections on it."""
+    ROTATION = "rotation"
+    """The difference of two velocities of a link is its rotation."""
+    JOINT = "joint"
+    """A point of two links has one velocity."""
+    GUIDE = "guide"
+    """A point on a guide does not move across it."""
+    REST = "rest"
+    """A second point of the link is pinned to the ground."""
+
+
+class Relation(NamedTuple):
+    """``Σ form[u] · u = 0``, from a rule applied to points of a link.
+
+    ``along`` is the direction on which velocities were projected.
+    """
+
+    rule: Rule
+    link: str
+    points: tuple[str, ...]
+    along: Angle
+    form: Form
+    span: Span
+
+
+@dataclass(frozen=True, slots=True)
+class Graph:
+    """Unknowns, what every point's velocity and every link's spin is in them, and relations.
+
+    ``spins`` holds links with an unknown of their own; a rod's spin follows from its ends.
+    """
+
+    pose: Pose
+    unknowns: tuple[Unknown, ...]
+    velocities: Mapping[str, Velocity]
+    spins: Mapping[str, int]
+    relations: tuple[Relation, ...]

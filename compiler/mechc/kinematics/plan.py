@@ -1,0 +1,65 @@
+"""The plan: in which order the speeds follow from the drives, and what they are."""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.product import Product
+from ..algebra.sums import add
+from .forms import projection, spin
+from .graph import Form, Graph, Relation
+
+
+class Block(NamedTuple):
+    """Relations that give as many unknowns, all at once; a single one is a plain step."""
+
+    relations: tuple[int, ...]
+    unknowns: tuple[int, ...]
+
+
+class Binding(NamedTuple):
+    """A long sum bound to a name, so that what is built on it stays small."""
+
+    name: str
+    value: Product
+
+
+Speeds = tuple[Product, ...]
+"""A speed as a linear form in the drives: one coefficient for each."""
+
+
+@dataclass(frozen=True, slots=True)
+class Plan:
+    """The solved graph.
+
+    ``drives`` are the unknowns taken as given, as many as the mobility; ``speeds[u]``
+    is unknown u per unit of each drive. ``bindings`` are in order of use.
+    ``redundant`` are relations that follow from the others.
+    """
+
+    graph: Graph
+    drives: tuple[int, ...]
+    blocks: tuple[Block, ...]
+    speeds: Mapping[int, Speeds]
+    bindings: tuple[Binding, ...]
+    redundant: tuple[Relation, ...]
+
+    @property
+    def mobility(self) -> int:
+        """Return the number of independent motions."""
+        return len(self.drives)
+
+    def value(self, form: Form) -> Speeds:
+        """Return a linear form in the unknowns as one in the drives."""
+        return tuple(
+            add(size * self.speeds[u][i] for u, size in form.items()) for i in range(self.mobility)
+        )
+
+    def component(self, point: str, direction: Angle) -> Speeds:
+        """Return the component of a point's velocity along a direction."""
+        return self.value(projection(self.graph.velocities[point], direction))
+
+    def spin(self, link: str) -> Speeds:
+        """Return a link's angular velocity, counter-clockwise."""
+        return self.value(spin(self.graph, link))

@@ -1,0 +1,94 @@
+"""From the graph to the plan: mobility, drives, blocks, speeds."""
+
+from collections.abc import Iterable, Sequence
+
+from ..algebra.modular import Point
+from ..algebra.product import ONE, ZERO
+from ..algebra.sums import canonical
+from ..diagnostics import Report
+from ..diagnostics import kinematics as words
+from .graph import Graph, Kind, Relation
+from .ordering import blocks, match
+from .plan import Block, Plan, Speeds
+from .rank import Echelon, Residues, independent, residues
+from .solving import Binder, solve
+
+
+def plan_of(graph: Graph, report: Report) -> Plan:
+    """Return the solved graph; report what cannot move or is held twice."""
+    point = Point()
+    rows = [residues(r.form, point) for r in graph.relations]
+    kept = independent(rows)
+    relations = [r for r, keep in zip(graph.relations, kept, strict=True) if keep]
+    redundant = tuple(r for r, keep in zip(graph.relations, kept, strict=True) if not keep)
+    mobility = len(graph.unknowns) - len(relations)
+    for relation in redundant:
+        report.add(words.redundant_constraint(relation.span, _described(relation)))
+    if mobility <= 0:
+        raise report.fail(_nothing_moves(graph))
+    drives = _drives(graph, [residues(r.form, point) for r in relations])
+    return _solved(graph, relations, drives, redundant)
+
+
+def _described(relation: Relation) -> str:
+    if relation.link:
+        return f"link {relation.link}"
+    return f"the guide of {relation.points[0]}"
+
+
+def _nothing_moves(graph: Graph) -> "words.Diagnostic":
+    mechanism = graph.pose.mechanism
+    links = [k.name for k in mechanism.links]
+    return words.nothing_can_move(mechanism.span, links, len(mechanism.links))
+
+
+def _drives(graph: Graph, rows: Sequence[Residues]) -> tuple[int, ...]:
+    """Choose unknowns that determine all others, those that move the first loads before others.
+
+    Columns are taken in order of preference from the back: a column is a drive if the
+    relations leave it free once all less preferred columns are determined.
+    """
+    order = sorted(range(len(graph.unknowns)), key=lambda u: _preference(graph, u), reverse=True)
+    place = {u: i for i, u in enumerate(reversed(order))}
+    echelon = Echelon()
+    for row in rows:
+        echelon.take({place[u]: v for u, v in row.items()})
+    return tuple(u for u in order if place[u] not in echelon.pivots)
+
+
+def _preference(graph: Graph, unknown: int) -> tuple[int, int]:
+    """Return how well an unknown serves as a drive: it moves an early load, and is no component."""
+    loads = graph.pose.mechanism.loads
+    kind = graph.unknowns[unknown].kind
+    for place, load in enumerate(loads):
+        if unknown in _movers(graph, load):
+            return (len(loads) - place, kind is not Kind.COMPONENT)
+    return (0, kind is not Kind.COMPONENT)
+
+
+def _movers(graph: Graph, load: object) -> Iterable[int]:
+    point = getattr(load, "point", None)
+    if point is not None:
+        return {flow.unknown for flow in graph.velocities.get(point, ())}
+    link = getattr(load, "link", "")
+    return {graph.spins[link]} if link in graph.spins else set()
+
+
+def _solved(
+    graph: Graph,
+    relations: Sequence[Relation],
+    drives: tuple[int, ...],
+    redundant: tuple[Relation, ...],
+) -> Plan:
+    columns = [frozenset(r.form) - set(drives) for r in relations]
+    matched = match(columns)
+    speeds: dict[int, Speeds] = {d: tuple(ONE if d == e else ZERO for e in drives) for d in drives}
+    binder = Binder(frozenset(p.name for p in graph.pose.mechanism.parameters))
+    steps: list[Block] = []
+    for group in blocks(columns, matched):
+        chosen = [matched[u] for u in group]
+        forms = [relations[r].form for r in chosen]
+        for unknown, values in zip(group, solve(forms, group, speeds, len(drives)), strict=True):
+            speeds[unknown] = tuple(binder.bound(canonical(v)) for v in values)
+        steps.append(Block(tuple(chosen), tuple(group)))
+    return Plan(graph, drives, tuple(steps), speeds, tuple(binder.bindings), redundant)

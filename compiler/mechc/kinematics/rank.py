@@ -1,0 +1,87 @@
+"""Rank of the relations: for independent symbols (exactly), and at one numeric pose."""
+
+from collections.abc import Iterable, Mapping, Sequence
+
+from ..algebra.modular import PRIME, Point
+from .graph import Form
+
+Residues = dict[int, int]
+
+
+def residues(form: Form, point: Point) -> Residues:
+    """Return the coefficients of a form at a random point of a finite field."""
+    values = {u: p.residue(point) for u, p in form.items()}
+    return {u: v for u, v in values.items() if v}
+
+
+class Echelon:
+    """Rows of a matrix over the field, reduced as they come; columns are unknowns."""
+
+    def __init__(self) -> None:
+        self._rows: dict[int, Residues] = {}
+
+    @property
+    def pivots(self) -> frozenset[int]:
+        """Return the columns that the rows so far determine."""
+        return frozenset(self._rows)
+
+    def take(self, row: Residues) -> bool:
+        """Take a row in; False if it follows from the earlier ones."""
+        rest = self._reduced(row)
+        if not rest:
+            return False
+        pivot = min(rest)
+        inverse = pow(rest[pivot], -1, PRIME)
+        self._rows[pivot] = {u: v * inverse % PRIME for u, v in rest.items()}
+        return True
+
+    def _reduced(self, row: Residues) -> Residues:
+        rest = dict(row)
+        while pivots := [u for u in rest if u in self._rows]:
+            pivot = min(pivots)
+            factor = rest[pivot]
+            for u, v in self._rows[pivot].items():
+                value = (rest.get(u, 0) - factor * v) % PRIME
+                if value:
+                    rest[u] = value
+                else:
+                    rest.pop(u, None)
+        return rest
+
+
+def independent(rows: Iterable[Residues]) -> list[bool]:
+    """Return for each row whether it is independent of those before it."""
+    echelon = Echelon()
+    return [echelon.take(row) for row in rows]
+
+
+def numeric_rank(rows: Sequence[Mapping[int, float]], tolerance: float = 1e-9) -> int:
+    """Return the rank of a numeric matrix by elimination with complete pivoting.
+
+    Rows are scaled to unit length first; a pivot below ``tolerance`` counts as zero.
+    """
+    rest = [_normalised(row) for row in rows]
+    rank = 0
+    while True:
+        best = max(((abs(v), i, u) for i, r in enumerate(rest) for u, v in r.items()), default=None)
+        if best is None or best[0] < tolerance:
+            return rank
+        _, index, column = best
+        pivot = rest.pop(index)
+        rest = [_eliminated(row, pivot, column) for row in rest]
+        rank += 1
+
+
+def _normalised(row: Mapping[int, float]) -> dict[int, float]:
+    size = max(map(abs, row.values()), default=0.0) or 1.0
+    return {u: v / size for u, v in row.items()}
+
+
+def _eliminated(
+    row: Mapping[int, float], pivot: Mapping[int, float], column: int
+) -> dict[int, float]:
+    factor = row.get(column, 0.0) / pivot[column]
+    if not factor:
+        return dict(row)
+    columns = row.keys() | pivot.keys()
+    return {u: row.get(u, 0.0) - factor * pivot.get(u, 0.0) for u in columns if u != column}

@@ -1,0 +1,87 @@
+"""Solving a block: single steps by division, larger ones by determinants."""
+
+from collections.abc import Mapping, Sequence
+from functools import cache
+
+from ..algebra.laurent import size
+from ..algebra.product import ONE, ZERO, Bound, Product, Sum
+from ..algebra.sums import add
+from .graph import Form
+from .plan import Binding, Speeds
+
+LONG = 24
+"""A sum with more terms than this, multiplied out, is bound to a name."""
+
+
+class Binder:
+    """Binds long sums to names ``s1``, ``s2`` …"""
+
+    def __init__(self, taken: frozenset[str]) -> None:
+        self._taken = taken
+        self.bindings: list[Binding] = []
+
+    def bound(self, product: Product) -> Product:
+        """Return the product with its long sums replaced by bound names."""
+        for factor, exponent in product.factors.items():
+            if isinstance(factor, Sum) and sum(map(size, factor.terms)) > LONG:
+                name = self._name(factor)
+                product = product * Product(1, {factor: -exponent, name: exponent})
+        return product
+
+    def _name(self, factor: Sum) -> Bound:
+        value = Product.of(factor)
+        for known in self.bindings:
+            if known.value == value:
+                return Bound(known.name, value)
+        number = len(self.bindings) + 1
+        name = f"s{number}"
+        while name in self._taken:
+            name += "_"
+        self.bindings.append(Binding(name, value))
+        return Bound(name, value)
+
+
+def solve(
+    forms: Sequence[Form], unknowns: Sequence[int], known: Mapping[int, Speeds], drives: int
+) -> list[Speeds]:
+    """Return the unknowns of a block as linear forms in the drives.
+
+    Cramer's rule: numerator and denominator are canonical sums, so that nothing but
+    the determinant of the block is ever divided by.
+    """
+    matrix = [[form.get(u, ZERO) for u in unknowns] for form in forms]
+    sides = [[_side(form, unknowns, known, i) for form in forms] for i in range(drives)]
+    if len(unknowns) == 1:
+        return [tuple(add([s[0] / matrix[0][0]]) for s in sides)]
+    whole = determinant(matrix)
+    return [
+        tuple(determinant(_replaced(matrix, column, s)) / whole for s in sides)
+        for column in range(len(unknowns))
+    ]
+
+
+def _side(form: Form, unknowns: Sequence[int], known: Mapping[int, Speeds], drive: int) -> Product:
+    """Return what the known speeds leave on the right-hand side of a relation."""
+    return add(-(p * known[u][drive]) for u, p in form.items() if u not in unknowns)
+
+
+def _replaced(
+    matrix: Sequence[Sequence[Product]], column: int, side: Sequence[Product]
+) -> list[list[Product]]:
+    return [[*row[:column], s, *row[column + 1 :]] for row, s in zip(matrix, side, strict=True)]
+
+
+def determinant(matrix: Sequence[Sequence[Product]]) -> Product:
+    """Return a determinant by expansion along rows, each minor computed once."""
+
+    @cache
+    def minor(row: int, columns: tuple[int, ...]) -> Product:
+        if not columns:
+            return ONE
+        return add(
+            (matrix[row][c] * minor(row + 1, columns[:i] + columns[i + 1 :])).scaled((-1) ** i)
+            for i, c in enumerate(columns)
+            if matrix[row][c]
+        )
+
+    return minor(0, tuple(range(len(matrix))))
