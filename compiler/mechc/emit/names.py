@@ -74,10 +74,6 @@ class Names:
         self.taken.add(found)
         return found
 
-    def within(self) -> "Names":
-        """Return a space inside this one: it may not reuse its names."""
-        return Names(self.reserved, set(self.taken))
-
 
 def mangle(names: Iterable[str], space: Names) -> dict[str, str]:
     """Return the target's name of each name; those that need no change keep theirs.

@@ -220,7 +220,7 @@ def _remarks(function: Function, own: Mapping[str, str], number: str, result: st
     inputs = [f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in function.inputs]
     conditions = [f"  {line}" for line in describe.condition_lines(function)]
     return [
-        f"The {describe.one_line(function.title)}{f' in {unit}' if unit else ''}:",
+        f"The {describe.one_line(function.title)}{f', in {unit}' if unit else ''}:",
         "",
         *(f"  {line}" for line in describe.formula_lines(function)),
         "",

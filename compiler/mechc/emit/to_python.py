@@ -127,7 +127,7 @@ def _function(function: Function, name: str, arguments: Mapping[str, str]) -> Fu
         name=name,
         arguments=list(own.values()),
         title=_quoted(describe.one_line(function.title)),
-        unit=f" in {unit}" if unit else "",
+        unit=f", in {unit}" if unit else "",
         formulas=[_quoted(line) for line in describe.formula_lines(function)],
         conditions=[_quoted(line) for line in describe.condition_lines(function)],
         inputs=[

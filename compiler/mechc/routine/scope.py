@@ -38,7 +38,9 @@ class Scope:
         self.mechanism = mechanism
         self.results = {r.name: r for r in results}
         self._where = {r.name: {d.name: d.formula for d in r.where} for r in self.results.values()}
+        self._place = {o: {n: i for i, n in enumerate(names)} for o, names in self._where.items()}
         self._anywhere = {n: owner for owner, names in self._where.items() for n in names}
+        self._used: dict[Key, tuple[tuple[str, Key], ...]] = {}
         self._ties = dict(_ties(mechanism))
         self._free = {p.name for p in mechanism.parameters}
         self._loads = {load.name for load in mechanism.loads}
@@ -76,7 +78,7 @@ class Scope:
         wanted = dict(pair for f in formulas for pair in self._keys(owner, f))
         for key in self._needs_first(wanted.values()):
             formula = self.formula(key)
-            names = {n: chosen[k] for n, k in self._keys(key.owner, formula)}
+            names = {n: chosen[k] for n, k in self._uses(key)}
             formula = rename(formula, names)
             chosen[key] = _free_name(key, formula, found)
             found[chosen[key]] = formula
@@ -87,7 +89,7 @@ class Scope:
         stack, open_, done = list(wanted)[::-1], set[Key](), set[Key]()
         while stack:
             key = stack[-1]
-            missing = [k for _, k in self._keys(key.owner, self.formula(key)) if k not in done]
+            missing = [k for _, k in self._uses(key) if k not in done]
             if missing and key in open_:
                 raise LookupError(f"{key.name or key.owner} is defined by itself")
             open_.add(key)
@@ -97,11 +99,16 @@ class Scope:
                     yield key
                 done.add(key)
 
+    def _uses(self, key: Key) -> tuple[tuple[str, Key], ...]:
+        """Return the defined names of a definition's formula, found once."""
+        if key not in self._used:
+            self._used[key] = tuple(self._keys(key.owner, self.formula(key)))
+        return self._used[key]
+
     def _keys(self, owner: str, formula: Formula) -> Iterator[tuple[str, Key]]:
         """Yield the defined names of a formula, those of ``where`` in its order."""
-        names = symbols(formula)
-        own = self._where.get(owner, {})
-        for name in [*(n for n in own if n in names), *sorted(names - own.keys())]:
+        place = self._place.get(owner, {})
+        for name in sorted(symbols(formula), key=lambda n: (place.get(n, len(place)), n)):
             key = self.find(owner, name)
             if key is not None:
                 yield name, key

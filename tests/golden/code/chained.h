@@ -45,7 +45,7 @@ void chained_k_n(
     double *MECHC_RESTRICT k);
 
 /*
- * The load P that balances the others in N:
+ * The load P that balances the others, in N:
  *
  *   P = (sin(phi + theta)*reach^2/cos(theta) - 3*tan(phi)*cos(theta + phi))*F + sec(phi)*a*M/(b*a)
  *   where theta = asin(a*sin(phi)/b)
@@ -74,7 +74,7 @@ void chained_P_n(
     double *MECHC_RESTRICT P);
 
 /*
- * The formula of the description in N:
+ * The formula of the description, in N:
  *
  *   F = 10*m
  *
@@ -86,7 +86,7 @@ double chained_F(double m);
 void chained_F_n(size_t n, const double *MECHC_RESTRICT m, double *MECHC_RESTRICT F);
 
 /*
- * The formula of the description in N:
+ * The formula of the description, in N:
  *
  *   twice = 2*P*w
  *   where theta = asin(a*sin(phi)/b)

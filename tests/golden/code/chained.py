@@ -38,7 +38,7 @@ def k(a, b, phi):
 
 
 def P(a, b, phi, m, M):
-    """Return the load P that balances the others in N.
+    """Return the load P that balances the others, in N.
 
         P = (sin(phi + theta)*reach^2/cos(theta) - 3*tan(phi)*cos(theta + phi))*F + sec(phi)*a*M/(b*a)
         where theta = asin(a*sin(phi)/b)
@@ -77,7 +77,7 @@ def P(a, b, phi, m, M):
 
 
 def F(m):
-    """Return the formula of the description in N.
+    """Return the formula of the description, in N.
 
         F = 10*m
 
@@ -92,7 +92,7 @@ def F(m):
 
 
 def twice(a, b, phi, m, M):
-    """Return the formula of the description in N.
+    """Return the formula of the description, in N.
 
         twice = 2*P*w
         where theta = asin(a*sin(phi)/b)
