@@ -5,6 +5,7 @@ vector are ``Toward``, a statement's optional fields keep the company they need.
 """
 
 from hypothesis import strategies as st
+
 from mechc.source import Span
 from mechc.syntax import ast
 from mechc.syntax.words import FUNCTIONS, points_of

@@ -3,6 +3,7 @@
 import pytest
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
+
 from mechc.diagnostics import Report
 from mechc.source import Source
 from mechc.syntax import from_dsl, from_yaml

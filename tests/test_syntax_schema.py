@@ -5,6 +5,7 @@ import json
 import pytest
 import yaml
 from jsonschema import Draft202012Validator
+
 from mechc.data import data
 from mechc.diagnostics import Report
 from mechc.source import Source

@@ -50,7 +50,7 @@ def unknown_statement(span: Span, word: str, known: Iterable[str], hint: str = "
 
 
 @coded("E103")
-def unknown_unit(span: Span, unit: str, known: Iterable[str]) -> Words:
+def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") -> Words:
     """The word behind a number is no unit.
 
     A unit follows its number directly or after a space; a compound unit has no spaces
@@ -62,7 +62,8 @@ def unknown_unit(span: Span, unit: str, known: Iterable[str]) -> Words:
         let s = 2*l              # right
     """
     product = f"a product is written with '*', as in 2*{unit}" if unit.isalnum() else ""
-    hint = near_miss(unit, known) or product or "a compound unit has no spaces, as in 2 m/s^2"
+    spaces = "a compound unit has no spaces, as in 2 m/s^2"
+    hint = hint or near_miss(unit, known) or product or spaces
     return Words(span, f"'{unit}' behind a number is not a unit", hint)
 
 

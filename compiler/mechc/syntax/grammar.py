@@ -5,11 +5,12 @@ from functools import cache
 from types import SimpleNamespace
 from typing import Any, Literal, cast, get_args
 
-from lark import Lark, Token, Transformer
+from lark import Lark, Token
 from lark.lexer import PatternStr
 from lark.parsers.lalr_interactive_parser import InteractiveParser
 
 from ..data import data
+from . import tables
 from .tree import rules
 
 Start = Literal[
@@ -24,6 +25,8 @@ Start = Literal[
 ]
 """What a text may be read as: a whole statement, or what one YAML scalar holds."""
 
+STARTS = [*get_args(Start), "between"]
+
 
 def children_apart(make: Callable[..., object]) -> Callable[[list[Any]], object]:
     """Return a callback for Lark, which hands over the children as one list."""
@@ -32,16 +35,10 @@ def children_apart(make: Callable[..., object]) -> Callable[[list[Any]], object]
 
 @cache
 def parser() -> Lark:
-    """Return the parser, built once per process; it makes nodes while it reads."""
+    """Return the parser, made once per process; it makes nodes while it reads."""
     callbacks = SimpleNamespace(**{rule: children_apart(make) for rule, make in rules().items()})
-    return Lark(
-        (data("grammar") / "mechc.lark").read_text("utf-8"),
-        parser="lalr",
-        lexer="basic",
-        start=[*get_args(Start), "between"],
-        # Lark looks callbacks up by name and asks for nothing else of a transformer.
-        transformer=cast(Transformer[Token, Any], callbacks),
-    )
+    # Lark looks callbacks up by name and asks for nothing else of a transformer.
+    return tables.parser(STARTS, cast(tables.Builder, callbacks))
 
 
 def lexed(text: str) -> Iterator[Token]:
@@ -80,3 +77,7 @@ def statement_words() -> tuple[str, ...]:
     """Return the words that statements begin with."""
     first: Iterable[str] = accepted(reading("statement"))
     return tuple(sorted(spelling()[name] for name in first if name in spelling()))
+
+
+if __name__ == "__main__":
+    (data("grammar") / "tables.json").write_text(tables.written(STARTS), "utf-8")

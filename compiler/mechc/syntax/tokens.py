@@ -146,7 +146,8 @@ def check_unit(number: Token, behind: Token) -> None:
         raise Fault(syntax.unknown_unit(span_of(behind), str(behind), UNITS))
     if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)
-        raise Fault(syntax.unknown_unit(span, f"{unit}^", UNITS))
+        power = f"a power of a quantity is written ({number})^…"
+        raise Fault(syntax.unknown_unit(span, f"{unit}^", (), power))
 
 
 def check_nesting(line: Iterable[Token]) -> None:

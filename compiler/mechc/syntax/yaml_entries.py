@@ -157,7 +157,7 @@ def check_keys(entry: Entry, given: set[str], spare: list[Key], span: Span, wher
     if not given and not needs_keys(entry):
         return
     lacking = [key.name for key in entry.keys if key.required and key.name not in given]
-    lacking += ["POINT"] * len(spare)
+    lacking += ["POINT: …"] * len(spare)
     for key in entry.keys:
         if key.name in given:
             lacking += [needed for needed in key.needs if needed not in given]

@@ -92,7 +92,8 @@ def events(report: Report) -> Iterator[yaml.Event]:
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark or error.context_mark
         at = mark.index if mark else 0
-        raise report.fail(not_yaml(at, error.problem or "", report.source.text)) from None
+        problem = (error.problem or "").replace("'<stream end>'", "the end of the text")
+        raise report.fail(not_yaml(at, problem, report.source.text)) from None
     except yaml.reader.ReaderError as error:
         character = report.source.text[error.position : error.position + 1]
         problem = f"the character {character!r} is not allowed"
@@ -126,7 +127,8 @@ def refuse_foreign(event: yaml.Event, report: Report) -> None:
         raise report.fail(syntax_yaml.alias_refused(span_of(event), f"the anchor '&{name}'"))
     tag = getattr(event, "tag", None)
     if tag and not isinstance(event, yaml.DocumentStartEvent):
-        raise report.fail(syntax_yaml.tag_refused(span_of(event), tag))
+        short = tag.replace("tag:yaml.org,2002:", "!!")
+        raise report.fail(syntax_yaml.tag_refused(span_of(event), short))
 
 
 def too_large(event: yaml.Event, what: str, limit: int, report: Report) -> MechcError:
