@@ -28,7 +28,15 @@ DATA = {
 }
 """What one stage may know of another; the driver and what is above it know all."""
 
-VOCABULARY = {"syntax.words", "derivation.remarks", "derivation.wording", "routine.quotient"}
+VOCABULARY = {
+    "derivation.remarks",
+    "derivation.wording",
+    "kinematics.forms",
+    "kinematics.rank",
+    "power.numbers",
+    "routine.quotient",
+    "syntax.words",
+}
 """Small functions on a stage's words or data, which lead to no other stage."""
 
 LATE = {("api.py", "routine.evaluate"), ("api.py", "sympy"), ("algebra/to_sympy.py", "sympy")}

@@ -60,7 +60,7 @@ class SolvedMechanism:
         moves with each parameter, its partial derivatives and its value at the default
         pose.
         """
-        return {r.name: r for r in self._compilation.balance.results}
+        return {r.name: r for r in self._compilation.results}
 
     @property
     def k(self) -> "sympy.Expr":

@@ -24,6 +24,7 @@ from .pose.from_model import settle
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.from_plan import balance
+from .power.result import Result
 from .routine.from_results import program
 from .routine.steps import Routine
 from .source import Source
@@ -85,25 +86,30 @@ class Compilation:
         """The power equation, solved for what was asked."""
         return self._sound(balance(self.plan, self.report))
 
+    @property
+    def results(self) -> tuple[Result, ...]:
+        """What was asked for, in the order of the text."""
+        return self.balance.results
+
     @cached_property
     def verdict(self) -> Verdict:
         """The second opinion: the results by equilibrium of the free bodies."""
-        return self._sound(judge(self.pose, self.balance.results, self.report))
+        return self._sound(judge(self.pose, self.results, self.report))
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
         """What each ``expect`` came to."""
-        return self._sound(compare(self.mechanism, self.balance.results, self.report))
+        return self._sound(compare(self.mechanism, self.results, self.report))
 
     @cached_property
     def derivation(self) -> Derivation:
         """The derivation in steps, as on paper."""
-        return self._sound(derive(self.balance))
+        return self._sound(derive(self.balance, self.results))
 
     @cached_property
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(program(self.mechanism, self.balance.results))
+        return self._sound(program(self.mechanism, self.results))
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -55,7 +55,7 @@ def command(
 
 def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
-    results = compilation.balance.results
+    results = compilation.results
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
     for result in results:
         yield from _of_result(result)
