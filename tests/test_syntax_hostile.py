@@ -97,8 +97,8 @@ quiet = settings(
     phases=[Phase.explicit, Phase.generate],
 )
 
-VOCABULARY = """param let find slider K along 90 deg AB = @ ( ) , .. + - * / ^ < mm sin 'x # : [ ] { }
-links: geometry: &a *a !t | > ? forces: P: {at: A} friction pins 1e5 perp \""""
+VOCABULARY = """param let find slider K along 90 deg AB = @ ( ) , .. + - * / ^ < mm sin 'x # :
+[ ] { } links: geometry: &a *a !t | > ? forces: P: {at: A} friction pins 1e5 perp \""""
 WORDS = st.sampled_from([*VOCABULARY.split(), "\n", "- "])
 
 

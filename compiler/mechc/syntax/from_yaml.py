@@ -14,8 +14,9 @@ from ..diagnostics import Report, syntax_yaml
 from ..source import Source, Span
 from . import ast
 from .fault import Fault, check_length, note
-from .layout import BESIDE, BY_NAME, Section, Shape
+from .layout import BESIDE, BY_NAME
 from .once import check_once
+from .sections import Section, Shape
 from .yaml_comments import comments, with_comments
 from .yaml_entries import several, statements
 from .yaml_nodes import Listing, Mapping, Node, Scalar, compose

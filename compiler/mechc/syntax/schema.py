@@ -9,7 +9,8 @@ from typing import Any
 
 from ..data import data
 from ..units import DIMENSIONS
-from .layout import SECTIONS, Entry, Key, Kind, Section, Shape
+from .layout import SECTIONS
+from .sections import Entry, Key, Kind, Section, Shape
 
 Schema = dict[str, Any]
 

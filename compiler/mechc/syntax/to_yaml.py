@@ -9,7 +9,8 @@ from itertools import groupby
 from typing import Any
 
 from . import ast, text
-from .layout import ORDER, SECTIONS, Entry, Key, Kind, Section, Shape
+from .layout import ORDER, SECTIONS
+from .sections import Entry, Key, Kind, Section, Shape
 from .to_dsl import commented, given
 from .yaml_text import scalar
 from .yaml_text import text as text_scalar

@@ -7,7 +7,7 @@ from ..diagnostics import syntax, syntax_yaml
 from ..source import Source, Span
 from . import ast
 from .fault import Fault
-from .layout import Entry, Key, Kind, Section, Shape
+from .sections import Entry, Key, Kind, Section, Shape
 from .words import points_of
 from .yaml_nodes import Listing, Mapping, Node, Scalar
 from .yaml_values import described, values

@@ -9,7 +9,7 @@ from . import ast, expressions
 from . import parse as parser
 from .fault import Fault
 from .grammar import Start, keywords
-from .layout import Key, Kind
+from .sections import Key, Kind
 from .spans import span_of
 from .tokens import tokens
 from .words import NAME

@@ -1,0 +1,124 @@
+"""What the layout of a YAML description is made of: sections, entries, keys, kinds of values.
+
+A section is a key at the top. Its entries become statements of the tree; an entry says
+which node it makes, what its key names, what a plain value means, and which keys its
+mapping form has.
+"""
+
+from enum import Enum, auto
+from typing import NamedTuple
+
+from . import ast
+
+
+class Kind(Enum):
+    """What a value is, and so how it is read, printed and described in the schema."""
+
+    NAME = auto()
+    POINT = auto()
+    POINTS = auto()
+    ROD = auto()
+    CORNER = auto()
+    BODY = auto()
+    PIN = auto()  # a point, or the word 'pins' for all of them
+    PAIR = auto()  # [A, B]
+    SHARED = auto()  # [K, L]
+    EXPRESSION = auto()
+    DIRECTION = auto()
+    VECTOR = auto()  # l @ alpha, {length: l, angle: alpha} or [x, y]
+    CARTESIAN = auto()  # [x, y]
+    PLACE = auto()  # a point or [x, y]
+    RANGE = auto()
+    RESULT = auto()
+    CONDITION = auto()
+    EXPECTATION = auto()
+    DIMENSION = auto()
+    TEXT = auto()
+    WORD = auto()
+    FLAG = auto()
+    VERSION = auto()
+
+
+class Key(NamedTuple):
+    """A key of a mapping, or a plain value: its kind and the fields of the node it fills."""
+
+    name: str
+    kind: Kind
+    fields: tuple[str, ...]
+    required: bool = False
+    words: tuple[str, ...] = ()
+    needs: tuple[str, ...] = ()
+
+
+class Entry(NamedTuple):
+    """One statement: the node, what names it, its plain value, its keys.
+
+    ``others`` are keys that are points themselves: ``{O1: r1, O2: r2}``; each fills two
+    fields, with the point and with the value.
+    """
+
+    node: type[ast.Statement]
+    subject: Key | None = None
+    short: Key | None = None
+    keys: tuple[Key, ...] = ()
+    others: tuple[Key, ...] = ()
+
+
+class Shape(Enum):
+    """How the entries of a section stand."""
+
+    ONE = auto()  # gravity: -y
+    NAMED = auto()  # params: {a: 40 mm}
+    BARE = auto()  # pivots: [O, C], or {O: [x, y]}
+    LISTED = auto()  # springs: [{…}, {…}]
+    EITHER = auto()  # find: {k: P/F}, or [P, V_D/V_A]
+
+
+class Section(NamedTuple):
+    """A key at the top of a description; ``beside`` are further keys at the top."""
+
+    name: str
+    about: str
+    shape: Shape
+    entries: tuple[Entry, ...]
+    beside: tuple[Key, ...] = ()
+
+
+def key(name: str, kind: Kind, *fields: str, required: bool = True) -> Key:
+    """Return a key that fills the field of its own name unless others are given."""
+    return Key(name, kind, fields or (name,), required)
+
+
+def optional(name: str, kind: Kind, *fields: str, needs: tuple[str, ...] = ()) -> Key:
+    """Return a key that may be left out; it may need others beside it."""
+    return Key(name, kind, fields or (name,), needs=needs)
+
+
+def word(name: str, field: str, *words: str, needs: tuple[str, ...] = ()) -> Key:
+    """Return an optional key whose value is one of a few words."""
+    return Key(name, Kind.WORD, (field,), False, words, needs)
+
+
+def plain(kind: Kind, *fields: str, words: tuple[str, ...] = ()) -> Key:
+    """Return what a plain value stands for."""
+    return Key("", kind, fields, True, words)
+
+
+def one(name: str, about: str, node: type[ast.Statement], short: Key, *beside: Key) -> Section:
+    """Return a section that is one plain value."""
+    return Section(name, about, Shape.ONE, (Entry(node, None, short),), beside)
+
+
+def named(name: str, about: str, *entries: Entry) -> Section:
+    """Return a section that maps names or points to entries."""
+    return Section(name, about, Shape.NAMED, entries)
+
+
+def bare(name: str, about: str, entry: Entry) -> Section:
+    """Return a section of names or points, each perhaps with a value."""
+    return Section(name, about, Shape.BARE, (entry,))
+
+
+def listed(name: str, about: str, entry: Entry) -> Section:
+    """Return a section that is a list of entries without names."""
+    return Section(name, about, Shape.LISTED, (entry,))
