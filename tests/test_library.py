@@ -115,7 +115,7 @@ def test_expectations_hold(name: str) -> None:
 
 @every_mechanism
 def test_formulas_are_proved_not_sampled(name: str) -> None:
-    formulas = [f for f in compiled(name).findings if not f.expect.tolerance]
+    formulas = [f for f in compiled(name).findings if not f.expect.at]
     assert {f.outcome for f in formulas} == {"proved"}
 
 
