@@ -18,6 +18,11 @@ NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DR
 OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
 OPERATORS = frozenset({"PLUS", "MINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
 
+ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
+"""An operand ends with one of these."""
+
+DOUBLED = {"*": "a power is written with '^'", "=": "equality is written '='"}
+
 HUMAN = {
     "NAME": "a name",
     "NUMBER": "a number",
@@ -135,13 +140,13 @@ def expected_words(allowed: set[str]) -> list[str]:
 def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
     """Return a hint for the slips that are made most."""
     text, previous = str(token), str(before or "")
-    if text == "*" and previous == "*":
-        return "a power is written with '^'"
+    if text == previous and text in DOUBLED:
+        return DOUBLED[text]
     if previous in FUNCTIONS or previous in TWINS:
         return f"a function needs brackets: {previous}({text})"
-    if token.type in ("NAME", "LEFT") and before is not None and before.type in ("NAME", "RIGHT"):
+    if token.type in ("NAME", "LEFT") and before is not None and before.type in ENDS:
         return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
-    if text == "," and before is not None and before.type == "NUMBER":
+    if text == "," and before is not None and before.type == "NUMBER" and "RIGHT" not in allowed:
         return "decimals are written with a point"
     if text in keywords() and "NAME" in allowed:
         return f"'{text}' is a word of the language and cannot be a name"
