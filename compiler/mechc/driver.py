@@ -23,6 +23,7 @@ from .model.mechanism import Mechanism
 from .pose.from_model import settle
 from .pose.pose import Pose
 from .power.balance import Balance
+from .power.conclusions import conclude
 from .power.from_plan import balance
 from .power.result import Result
 from .routine.from_results import program

@@ -192,8 +192,9 @@ class Product:
 
     def formula(self) -> Formula:
         """Return the product as a reader writes it: coefficient, lengths, trig, sums."""
-        ordered = sorted(_with_tangents(self.factors), key=lambda fe: fe[0])
-        return product([(number(self.coefficient), 1), *((f, e) for _, f, e in ordered)])
+        coefficient, factors = _without_minus(self)
+        ordered = sorted(_with_tangents(factors), key=lambda fe: fe[0])
+        return product([(number(coefficient), 1), *((f, e) for _, f, e in ordered)])
 
 
 ONE, ZERO = Product(1), Product(0)
@@ -273,6 +274,27 @@ class Bound:
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
         return (2, self.name)
+
+
+def _without_minus(product: Product) -> tuple[Rational, Mapping[Factor, int]]:
+    """Let a minus sign turn a difference round: −sin(a − b) is read as sin(b − a)."""
+    if product.coefficient < 0:
+        for factor, exponent in product.factors.items():
+            turned = _turned(factor) if exponent % 2 else None
+            if turned is not None:
+                factors = {turned if f == factor else f: e for f, e in product.factors.items()}
+                return -product.coefficient, factors
+    return product.coefficient, product.factors
+
+
+def _turned(factor: Factor) -> Factor | None:
+    """Return the negative of a factor where that is no longer to read."""
+    match factor:
+        case Trig("sin", angle) if any(c < 0 for _, c in angle.terms):
+            return Trig("sin", -angle)
+        case Sum(terms=terms) if any(t.coefficient < 0 for t in terms):
+            return Sum(tuple(sorted((-t for t in terms), key=lambda t: t.coefficient < 0)))
+    return None
 
 
 def _with_tangents(

@@ -11,7 +11,7 @@ from collections.abc import Iterator
 
 from ..algebra.angle import Angle
 from ..algebra.product import ONE, Product, sine
-from ..model.mechanism import Link, Slider
+from ..model.mechanism import Link
 from ..pose.pose import Pose, Vector
 from ..source import Span
 from .forms import QUARTER, projection, subtract, turned

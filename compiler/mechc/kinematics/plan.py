@@ -34,11 +34,13 @@ class Plan:
     """The solved graph.
 
     ``drives`` are the unknowns taken as given, as many as the mobility; ``speeds[u]``
-    is unknown u per unit of each drive. ``bindings`` are in order of use.
+    is unknown u per unit of each drive. ``relations`` are the independent ones, which
+    ``blocks`` count. ``bindings`` are in order of use.
     ``redundant`` are relations that follow from the others.
     """
 
     graph: Graph
+    relations: tuple[Relation, ...]
     drives: tuple[int, ...]
     blocks: tuple[Block, ...]
     speeds: Mapping[int, Speeds]

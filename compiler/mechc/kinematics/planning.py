@@ -91,4 +91,5 @@ def _solved(
         for unknown, values in zip(group, solve(forms, group, speeds, len(drives)), strict=True):
             speeds[unknown] = tuple(binder.bound(canonical(v)) for v in values)
         steps.append(Block(tuple(chosen), tuple(group)))
-    return Plan(graph, drives, tuple(steps), speeds, tuple(binder.bindings), redundant)
+    bindings = tuple(binder.bindings)
+    return Plan(graph, tuple(relations), drives, tuple(steps), speeds, bindings, redundant)

@@ -5,13 +5,14 @@ A vector is a sum of ``length @ angle`` terms, never expanded into components:
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Collection, Iterable, Mapping
 from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.formula import Formula
 from ..algebra.product import Product
+from ..algebra.sums import add
 from ..model.mechanism import Mechanism
 
 
@@ -59,8 +60,34 @@ class Pose:
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""
         frame = self.frames[link]
-        back = tuple(Arm(-arm.length, arm.angle) for arm in frame[tail])
-        return frame[head] + back
+        return gathered((*reverse(frame[tail]), *frame[head]))
+
+
+def reverse(vector: Vector) -> Vector:
+    """Return the vector from head to tail: the same lengths, directions turned round."""
+    return tuple(Arm(arm.length, arm.angle + Angle.constant(180)) for arm in vector)
+
+
+def gathered(arms: Iterable[Arm]) -> Vector:
+    """Return a vector with arms of one line added up, and none that vanishes.
+
+    An arm points the way in which its line was first met.
+    """
+    lines: dict[Angle, list[Product]] = {}
+    for length, angle in arms:
+        back = _turned_back(angle, lines)
+        lines.setdefault(back or _wrapped(angle), []).append(-length if back else length)
+    sums = ((add(lengths), angle) for angle, lengths in lines.items())
+    return tuple(Arm(length, angle) for length, angle in sums if length)
+
+
+def _wrapped(angle: Angle) -> Angle:
+    return Angle(angle.terms, angle.degrees % 360)
+
+
+def _turned_back(angle: Angle, lines: Collection[Angle]) -> Angle | None:
+    opposite = _wrapped(angle + Angle.constant(180))
+    return opposite if opposite in lines else None
 
 
 def evaluate_vector(vector: Vector, values: Mapping[str, float]) -> tuple[float, float]:

@@ -1,22 +1,21 @@
 """Vectors between points: given arms as edges of a graph, paths through it as sums."""
 
 from collections import deque
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Collection, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..algebra.sums import add
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .compass import Compass
-from .pose import Arm, Vector
+from .pose import Arm, Vector, gathered, reverse
 from .terms import Terms
 
 
 class Loop(NamedTuple):
-    """A closed chain of vectors: its points, its arms not yet added up, the entry that closed it."""
+    """A closed chain of vectors: points, arms not yet added up, the entry that closed it."""
 
     points: tuple[str, ...]
     arms: Vector
@@ -107,30 +106,3 @@ class Vectors:
             self.loops.append(Loop((*chain, tail), arms, span))
         self._edges.setdefault(tail, {})[head] = vector
         self._edges.setdefault(head, {})[tail] = reverse(vector)
-
-
-def reverse(vector: Vector) -> Vector:
-    """Return the vector from head to tail: the same lengths, directions turned round."""
-    return tuple(Arm(arm.length, arm.angle + Angle.constant(180)) for arm in vector)
-
-
-def gathered(arms: Iterable[Arm]) -> Vector:
-    """Return a vector with arms of one line added up, and none that vanishes.
-
-    An arm points the way in which its line was first met.
-    """
-    lines: dict[Angle, list[Product]] = {}
-    for length, angle in arms:
-        back = _turned_back(angle, lines)
-        lines.setdefault(back or _wrapped(angle), []).append(-length if back else length)
-    sums = ((add(lengths), angle) for angle, lengths in lines.items())
-    return tuple(Arm(length, angle) for length, angle in sums if length)
-
-
-def _wrapped(angle: Angle) -> Angle:
-    return Angle(angle.terms, angle.degrees % 360)
-
-
-def _turned_back(angle: Angle, lines: Collection[Angle]) -> Angle | None:
-    opposite = _wrapped(angle + Angle.constant(180))
-    return opposite if opposite in lines else None

@@ -1,0 +1,50 @@
+"""Partial derivatives of factored products, factored again.
+
+>>> from .angle import Angle
+>>> from .formula import text
+>>> from .product import sine, cosine
+>>> t = Angle.of("t")
+>>> text(derivative(sine(t) / cosine(t), "t").formula())
+'1/cos(t)^2'
+"""
+
+from fractions import Fraction
+
+from .angle import rational
+from .product import ZERO, Factor, Length, Product, Sum, Trig, cosine, sine
+from .sums import add
+
+
+def derivative(product: Product, name: str) -> Product:
+    """Return ∂product/∂name in canonical form.
+
+    Only what angle algebra sees is differentiated: :func:`depends_openly` tells whether
+    a product depends on a name in other ways (through a root or a bound sum).
+    """
+    return add(
+        product * Product(exponent, {factor: -1}) * of_factor
+        for factor, exponent in product.factors.items()
+        if (of_factor := _of_factor(factor, name))
+    )
+
+
+def _of_factor(factor: Factor, name: str) -> Product:
+    match factor:
+        case Length():
+            return Product(int(factor.name == name))
+        case Trig(function, angle):
+            slope = dict(angle.terms).get(name, 0)
+            turned = cosine(angle) if function == "sin" else -sine(angle)
+            return turned.scaled(rational(Fraction(slope))) if slope else ZERO
+        case Sum():
+            return add(derivative(term, name) for term in factor.terms)
+        case _:
+            return ZERO
+
+
+def depends_openly(product: Product) -> bool:
+    """Tell whether every factor is one that can be differentiated here."""
+    return all(
+        isinstance(f, Length | Trig) or (isinstance(f, Sum) and all(map(depends_openly, f.terms)))
+        for f in product.factors
+    )

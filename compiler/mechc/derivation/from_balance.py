@@ -1,0 +1,234 @@
+"""The derivation read off the plan: speeds step by step, then the power equation."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ..algebra.formula import ZERO, Formula, Symbol, product, total
+from ..algebra.product import Product
+from ..algebra.sums import add, canonical
+from ..kinematics.forms import projection, spin
+from ..kinematics.graph import Form, Kind, Relation
+from ..kinematics.graph import Rule as Law
+from ..kinematics.plan import Block
+from ..model.mechanism import Force, Speed, SpeedRatio
+from ..power.balance import Balance, Term
+from ..power.result import Result
+from .notation import Named, Notation
+from .steps import Derivation, Equation, PowerTerm, Rule, Step
+
+Names = Mapping[int, Named]
+
+
+def derive(balance: Balance, results: Sequence[Result]) -> Derivation:
+    """Return the derivation of what was asked for, with the results as they are concluded."""
+    writer = _Writer(balance)
+    steps = tuple(writer.steps())
+    terms = tuple(writer.term(t) for t in balance.terms if any(t.power))
+    return Derivation(steps, terms, tuple(writer.balances()), tuple(results))
+
+
+class _Writer:
+    """Writes steps in order, naming each unknown by the speed under which it is first met."""
+
+    def __init__(self, balance: Balance) -> None:
+        self._balance, self._plan, self._graph = balance, balance.plan, balance.plan.graph
+        self._notation = Notation(balance)
+        self._names: dict[int, Named] = {}
+        self._levered: set[str] = set()
+        self._pivots = {p.point for p in self._graph.pose.mechanism.pivots}
+
+    # -------------------------------------------------------------------------- steps
+
+    def steps(self) -> Iterator[Step]:
+        """Yield the steps that what was asked for rests on."""
+        for drive in self._plan.drives:
+            self._names[drive] = self._first_name(drive)
+        needed = self._needed()
+        for block in self._plan.blocks:
+            if not needed.isdisjoint(block.unknowns):
+                yield from self._block(block)
+        yield from self._levers_of_outputs()
+
+    def _first_name(self, unknown: int) -> Named:
+        """Name a drive by the first loaded point that moves with it."""
+        for term in self._balance.terms:
+            if isinstance(term.load, Force):
+                if named := self._notation.of_point(unknown, term.load.point):
+                    return named
+            elif spin(self._graph, term.load.link).keys() == {unknown}:
+                break
+        return self._notation.of_itself(unknown)
+
+    def _block(self, block: Block) -> Iterator[Step]:
+        relations = [self._plan.relations[r] for r in block.relations]
+        if len(relations) == 1:
+            yield from self._single(relations[0], block.unknowns[0])
+        else:
+            yield self._together(relations, block.unknowns)
+
+    def _single(self, relation: Relation, unknown: int) -> Iterator[Step]:
+        """Yield the lever steps that a relation needs first, then the relation itself."""
+        local: dict[int, Named] = {}
+        for point in relation.points:
+            for u in relation.form:
+                if named := self._notation.of_point(u, point):
+                    local[u] = named
+                    if u != unknown:
+                        yield from self._lever(u, named)
+        self._names[unknown] = local.get(unknown) or self._notation.of_itself(unknown)
+        names = {**self._names, **local}
+        relations, results = self._written(relation.form, unknown, names)
+        rule, subject = self._rule(relation)
+        yield Step(rule, subject, (relations,), (results,))
+
+    def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
+        for unknown in unknowns:
+            self._names[unknown] = self._notation.of_itself(unknown)
+        equations = tuple(Equation(_sum(r.form, self._names), ZERO) for r in relations)
+        results = tuple(Equation(self._names[u].symbol, self._by_drives(u)) for u in unknowns)
+        links = tuple(dict.fromkeys(r.link or r.points[0] for r in relations))
+        return Step(Rule.TOGETHER, links, equations, results)
+
+    def _by_drives(self, unknown: int) -> Formula:
+        """Return an unknown's symbol in terms of the drives' symbols."""
+        speeds = zip(self._plan.speeds[unknown], self._plan.drives, strict=True)
+        own = self._names[unknown].factor
+        return total(
+            _times(speed * self._names[drive].factor / own, self._names[drive])
+            for speed, drive in speeds
+            if speed
+        )
+
+    def _written(self, form: Form, unknown: int, names: Names) -> tuple[Equation, Equation]:
+        """Return a relation with the new speed on the left, positive, and solved for it."""
+        lead = form[unknown] * names[unknown].factor
+        rest = {u: -p for u, p in form.items() if u != unknown}
+        if self._notation.sign(lead) < 0:
+            lead, rest = -lead, {u: -p for u, p in rest.items()}
+        solved = {u: p / lead for u, p in rest.items()}
+        left = _times(lead, names[unknown])
+        return (
+            Equation(left, _sum(rest, names)),
+            Equation(names[unknown].symbol, _sum(solved, names)),
+        )
+
+    def _rule(self, relation: Relation) -> tuple[Rule, tuple[str, ...]]:
+        """Return the textbook's rule for a relation and what it is applied to."""
+        turns = any(self._graph.unknowns[u].kind is Kind.SPIN for u in relation.form)
+        match relation.rule:
+            case Law.PROJECTION:
+                return Rule.PROJECTION, relation.points
+            case Law.GUIDE:
+                return Rule.GUIDE, relation.points
+            case Law.ROTATION if not turns:
+                return Rule.PROJECTION, relation.points
+            case Law.ROTATION | Law.JOINT | Law.REST:
+                return Rule.ROTATION, (relation.link, *relation.points)
+
+    # ------------------------------------------------------------------------- levers
+
+    def _lever(self, unknown: int, named: Named) -> Iterator[Step]:
+        """Yield the step from the speed a pivoted link is known by to another of its points."""
+        known = self._names[unknown]
+        what = self._graph.unknowns[unknown]
+        if what.kind is not Kind.SPIN or named.symbol == known.symbol:
+            return
+        if named.symbol.name in self._levered:
+            return
+        self._levered.add(named.symbol.name)
+        equation = Equation(named.symbol, _times(known.factor / named.factor, known))
+        pivot = next(p for p in self._points(what.of) if p in self._pivots)
+        points = (known.point, named.point) if known.point else (named.point,)
+        yield Step(Rule.LEVER, (pivot, *points), (equation,), (equation,))
+
+    def _levers_of_outputs(self) -> Iterator[Step]:
+        for point in self._output_points():
+            for flow in self._graph.velocities.get(point, ()):
+                if named := self._notation.of_point(flow.unknown, point):
+                    yield from self._lever(flow.unknown, named)
+
+    def _points(self, link: str) -> Sequence[str]:
+        return next(k.points for k in self._graph.pose.mechanism.links if k.name == link)
+
+    # ------------------------------------------------------------------------ outputs
+
+    def _speeds_asked(self) -> Iterator[Speed]:
+        for find in self._graph.pose.mechanism.finds:
+            if isinstance(find.target, SpeedRatio):
+                yield find.target.above
+                yield find.target.below
+
+    def _output_points(self) -> Iterator[str]:
+        for term in self._balance.terms:
+            if isinstance(term.load, Force) and any(term.power):
+                yield term.load.point
+        yield from (s.of for s in self._speeds_asked() if s.kind == "point")
+
+    def _needed(self) -> set[int]:
+        """Return the unknowns that loads and speeds asked for depend on."""
+        needed = {f.unknown for p in self._output_points() for f in self._graph.velocities[p]}
+        links = [t.load.link for t in self._balance.terms if not isinstance(t.load, Force)]
+        links += [s.of for s in self._speeds_asked() if s.kind == "link"]
+        needed |= {u for link in links for u in spin(self._graph, link)}
+        for block in reversed(self._plan.blocks):
+            if not needed.isdisjoint(block.unknowns):
+                needed |= {u for r in block.relations for u in self._plan.relations[r].form}
+        return needed
+
+    # -------------------------------------------------------------------------- power
+
+    def term(self, term: Term) -> PowerTerm:
+        """Return the power of one load with its point's speed as it is named."""
+        load = term.load
+        if isinstance(load, Force):
+            assert term.line is not None
+            velocity = self._graph.velocities[load.point]
+            form, at = projection(velocity, term.line), load.point
+        else:
+            form, at = spin(self._graph, load.link), load.link
+        names = dict(self._names)
+        for u in form:
+            if named := self._notation.of_point(u, at):
+                names[u] = named
+        return PowerTerm(load.name, at, term.count.formula(), _sum(form, names))
+
+    def balances(self) -> Iterator[Equation]:
+        """Yield the power equation, or one for each motion."""
+        terms = [self.term(t) for t in self._balance.terms if any(t.power)]
+        if self._plan.mobility == 1:
+            parts = [_power(t) for t in terms]
+            yield Equation(total(parts), ZERO)
+            return
+        for motion, drive in enumerate(self._plan.drives):
+            yield Equation(self._motion(motion, drive), ZERO)
+
+    def _motion(self, motion: int, drive: int) -> Formula:
+        """Return the power in one motion, the other drives being held."""
+        named = self._names[drive]
+        parts = [
+            product([(_load(t), 1), (_times(t.power[motion] * named.factor, named), 1)])
+            for t in self._balance.terms
+            if t.power[motion]
+        ]
+        return total(parts)
+
+
+def _load(term: Term) -> Formula:
+    return Symbol(term.load.name)
+
+
+def _power(term: PowerTerm) -> Formula:
+    return product([(term.times, 1), (Symbol(term.load), 1), (term.speed, 1)])
+
+
+def _times(factor: Product, named: Named) -> Formula:
+    """Return ``factor · symbol``."""
+    return product([(canonical(factor).formula(), 1), (named.symbol, 1)])
+
+
+def _sum(form: Form, names: Names) -> Formula:
+    """Return a linear form written with the names of its unknowns."""
+    parts: dict[Named, list[Product]] = {}
+    for u, p in form.items():
+        parts.setdefault(names[u], []).append(p * names[u].factor)
+    sums = [(add(ps), named) for named, ps in parts.items()]
+    return total(_times(p, named) for p, named in sums if p)

@@ -1,0 +1,168 @@
+"""Words of the power stage: loads that do no work, ratios that are not determined."""
+
+from collections.abc import Sequence
+
+from ..source import Span
+from .diagnostic import Words, coded
+
+
+@coded("E501")
+def load_not_balanced(at: Span, load: str, by: str) -> Words:
+    """A load does work and nothing is there to balance it.
+
+    The force that was to hold it stands perpendicular to the motion of its point, or on a
+    point that does not move, so no value of it, however large, keeps equilibrium::
+
+        slider K along x
+        force P at K along y    # wrong: K moves along x
+
+    Turn the force, or put it where the mechanism moves.
+    """
+    return Words(
+        at,
+        f"nothing balances {load}: {by} does no work in any motion of the mechanism",
+        f"check the direction of {by} and the point it acts on",
+    )
+
+
+@coded("E502")
+def ratio_not_determined(at: Span, above: str, below: str, others: Sequence[str]) -> Words:
+    """A ratio of two loads is asked for while other loads do work too.
+
+    P/F is a number of the mechanism only where P and F alone do work (or others are tied
+    to them). With more loads P is a linear form of all of them::
+
+        find k = P / F       # wrong while a weight W does work as well
+        find P               # right: P = … F + … W
+    """
+    named = ", ".join(others)
+    return Words(
+        at,
+        f"{above}/{below} is not determined: {named} does work too",
+        f"write `find {above}`, which gives {above} as a sum over all other loads, "
+        f"or tie {others[0]} to {above} or {below}",
+    )
+
+
+@coded("E503")
+def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int) -> Words:
+    """The number of loads asked for differs from the number of independent motions.
+
+    A mechanism of mobility m has m power equations, so exactly m loads follow from the
+    others: write one `find` for each of them.
+    """
+    named = ", ".join(unknown)
+    return Words(
+        at,
+        f"{motions} independent motions give {motions} power equations, "
+        f"but {len(unknown)} loads are asked for: {named}",
+        f"write `find` for exactly {motions} loads",
+    )
+
+
+@coded("E504")
+def speeds_independent(at: Span, what: str) -> Words:
+    """A ratio of two speeds is asked for that the constraints leave open.
+
+    With more than one independent motion two speeds need not be related.
+    """
+    return Words(
+        at,
+        f"{what} is not determined: the two can move independently of one another",
+        "ask for speeds of one motion, or add the constraint that ties them",
+    )
+
+
+@coded("E505")
+def speed_vanishes(at: Span, what: str) -> Words:
+    """A ratio is asked for whose denominator never moves."""
+    return Words(at, f"{what} is at rest in every motion, so nothing can be divided by it")
+
+
+@coded("E506")
+def length_not_given(at: Span, result: str, points: Sequence[str]) -> Words:
+    """A result depends on a length that the description leaves open.
+
+    A rod needs only its direction (``BK = @ beta``) because its length cancels. Here one
+    does not::
+
+        OA = @ alpha         # wrong: k is proportional to the arm OA
+        OA = a @ alpha       # right
+    """
+    named = ", ".join(points)
+    return Words(
+        at,
+        f"{result} depends on the length of {named}, which is not given",
+        f"give it: `{points[0]} = a @ …` with `param a: length`",
+    )
+
+
+@coded("E507")
+def pole_at_default(at: Span, result: str, factor: str) -> Words:
+    """A result is infinite at the pose that the parameters' values describe.
+
+    The mechanism is in a dead centre there: the drive is locked while the output could
+    move, or a load stands perpendicular to the motion it should balance. k as a formula
+    would still be right elsewhere, but every number at the default pose would not.
+    """
+    reason = f": {factor} = 0" if factor else ""
+    return Words(
+        at,
+        f"{result} is infinite at the default pose{reason}",
+        "move the default values away from the dead centre",
+    )
+
+
+@coded("E508")
+def branch_point(at: Span, links: Sequence[str]) -> Words:
+    """At the default pose the constraints lose their independence: a branch point.
+
+    The mechanism could go on in more than one way (a parallelogram laid flat, for
+    example), so the velocities are not determined there.
+    """
+    named = ", ".join(links)
+    return Words(
+        at,
+        f"the default pose is a branch point: the motion of {named} is not determined there",
+        "choose other default values; links that lie in one line are the usual cause",
+    )
+
+
+@coded("W501")
+def load_does_no_work(at: Span, load: str) -> Words:
+    """A load does no work in any motion: it stands on a fixed point or across the motion.
+
+    Such a load changes reactions, not k. If that was not meant, check the point and the
+    direction.
+    """
+    return Words(at, f"{load} does no work in any motion of the mechanism, so it has no influence")
+
+
+@coded("W502")
+def result_negative(at: Span, result: str, turn: str) -> Words:
+    """A force ratio is negative: the loads as directed can't balance.
+
+    k is the ratio for which the loads, acting as their arrows say, are in equilibrium. A
+    negative one means that one arrow points the other way.
+    """
+    return Words(
+        at,
+        f"{result} is negative at the default pose: the arrows do not balance as drawn",
+        f"turn {turn} round (add 180 deg to its direction)",
+    )
+
+
+@coded("W503")
+def result_zero(at: Span, result: str) -> Words:
+    """A result is zero at the default pose: the output stands still, or the load is across."""
+    return Words(at, f"{result} is zero at the default pose")
+
+
+@coded("W504")
+def idle_freedom(at: Span, what: str) -> Words:
+    """Something can move without moving any load.
+
+    A rod that may spin about its own line, a link that hangs free: k is not changed by
+    it, but it may show a constraint that was forgotten.
+    """
+    return Words(at, f"{what} can move without moving any load", "is a constraint missing?")

@@ -1,0 +1,81 @@
+"""What follows from a result: zeros and poles, proportions, symmetries, trends, derivatives."""
+
+from collections.abc import Mapping
+from dataclasses import replace
+from itertools import combinations
+
+from ..algebra.derivative import depends_openly, derivative
+from ..algebra.equality import equal
+from ..algebra.formula import Formula, Symbol, substitute, symbols
+from ..algebra.product import Length, Product
+from ..model.mechanism import Mechanism
+from .balance import Balance, Solved
+from .numbers import default_values
+from .result import Result, Trend
+from .trends import ranges, trend
+from .vanishing import poles, zeros
+
+MANY = 16
+"""A result of more parameters than this is given without swaps, trends and derivatives.
+
+Their number grows with the square of the parameters', and nobody reads them then.
+"""
+
+
+def conclude(balance: Balance) -> tuple[Result, ...]:
+    """Return the results with what follows from each."""
+    values = default_values(balance.plan)
+    return tuple(_concluded(item, balance, values) for item in balance.solved)
+
+
+def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> Result:
+    if item.value is None:
+        return item.result
+    mechanism = balance.plan.graph.pose.mechanism
+    result = replace(
+        item.result,
+        zeros=zeros(item, balance, values),
+        poles=poles(item, balance, values),
+        proportional=_proportional(item.value),
+        independent=_independent(item.result, mechanism),
+    )
+    names = [p.name for p in mechanism.parameters if p.name in symbols(result.formula)]
+    if len(names) > MANY or result.where or not depends_openly(item.value):
+        return result
+    slopes = {name: derivative(item.value, name) for name in names}
+    box = ranges(mechanism)
+    trends: dict[str, Trend] = {name: trend(slope, box) for name, slope in slopes.items()}
+    return replace(
+        result,
+        swaps=_swaps(result.formula, mechanism, names),
+        trends=trends,
+        derivatives={name: slope.formula() for name, slope in slopes.items()},
+    )
+
+
+def _proportional(value: Product) -> Mapping[str, int]:
+    """Return the powers of parameters that occur nowhere but as a factor."""
+    factors = {f.name: e for f, e in value.factors.items() if isinstance(f, Length)}
+    rest = Product(1, {f: e for f, e in value.factors.items() if not isinstance(f, Length)})
+    inside = symbols(rest.formula())
+    return {name: e for name, e in factors.items() if name not in inside}
+
+
+def _independent(result: Result, mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the parameters of the mechanism that a result does not depend on."""
+    used = {s for f in (result.formula, *(d.formula for d in result.where)) for s in symbols(f)}
+    used |= {
+        s for p in mechanism.parameters if p.name in used and p.value for s in symbols(p.value)
+    }
+    return tuple(p.name for p in mechanism.parameters if p.name not in used and not p.dependent)
+
+
+def _swaps(formula: Formula, mechanism: Mechanism, names: list[str]) -> tuple[tuple[str, str], ...]:
+    """Return the pairs of parameters that may change places."""
+    kinds = {p.name: p.dimension for p in mechanism.parameters}
+    return tuple(
+        (a, b)
+        for a, b in combinations(names, 2)
+        if kinds[a] == kinds[b]
+        and equal(formula, substitute(formula, {a: Symbol(b), b: Symbol(a)}))
+    )

@@ -1,0 +1,233 @@
+"""Virtual power: from the plan to what was asked for."""
+
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import assert_never
+
+from ..algebra.formula import Formula, Symbol, product, symbols, total
+from ..algebra.product import Bound, Product, Sum
+from ..algebra.sums import canonical
+from ..diagnostics import Report
+from ..diagnostics import power as words
+from ..kinematics.plan import Plan
+from ..model.mechanism import (
+    Find,
+    Let,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Speed,
+    SpeedRatio,
+)
+from ..units import FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
+from .balance import Balance, Solved
+from .equations import Equations
+from .loads import terms
+from .numbers import check_numbers
+from .result import Definition, Result
+from .speeds import speed
+
+
+def balance(plan: Plan, report: Report) -> Balance:
+    """Return the power equations and everything that was asked for.
+
+    Reports E501 … E508 where a result is not determined or not finite at the default
+    pose, W501 … W504 for loads without work, zero and negative ratios, idle freedoms.
+    """
+    return _Asked(plan, report).balance()
+
+
+class _Asked:
+    """Solves one find after another."""
+
+    def __init__(self, plan: Plan, report: Report) -> None:
+        self._plan, self._report = plan, report
+        self._mechanism = plan.graph.pose.mechanism
+        self._terms = terms(plan)
+        self._equations = Equations(self._terms)
+        self._loads = {load.name: load for load in self._mechanism.loads}
+
+    def balance(self) -> Balance:
+        """Return the whole."""
+        self._remark()
+        solved: list[Solved] = []
+        for find in self._mechanism.finds:
+            if (found := self._find(find)) is not None:
+                solved.append(found)
+        self._report.stop_on_errors()
+        results = [s.result for s in solved]
+        solved.extend(Solved(_let(let, self._mechanism, results)) for let in self._mechanism.lets)
+        done = Balance(self._plan, self._terms, tuple(solved))
+        return check_numbers(done, self._report)
+
+    def _remark(self) -> None:
+        for name in self._equations.idle_loads:
+            self._report.add(words.load_does_no_work(self._loads[name].span, name))
+        asks_for_loads = any(not isinstance(f.target, SpeedRatio) for f in self._mechanism.finds)
+        if self._equations.idle_motions and asks_for_loads:
+            self._report.add(words.idle_freedom(self._mechanism.span, "the mechanism"))
+
+    def _find(self, find: Find) -> Solved | None:
+        match find.target:
+            case LoadRatio(above, below):
+                return self._ratio(find, above, below)
+            case LoadForm(load):
+                return self._form(find, load)
+            case SpeedRatio(above, below):
+                return self._speeds(find, above, below)
+            case _:
+                assert_never(find.target)
+
+    # -------------------------------------------------------------------------- loads
+
+    def _ratio(self, find: Find, above: str, below: str) -> Solved | None:
+        columns = self._equations.columns
+        others = [n for n in columns if n not in (above, below)]
+        unknown = [above, *others]
+        if above not in columns:
+            self._report.add(words.load_not_balanced(find.span, below, above))
+            return None
+        if below not in columns:
+            return self._solved(find, Product(0), above, below)
+        if len(unknown) != self._equations.number or not self._equations.determines(unknown):
+            self._report.add(words.ratio_not_determined(find.span, above, below, others or [below]))
+            return None
+        return self._solved(find, self._equations.solve(above, unknown, below), above, below)
+
+    def _solved(self, find: Find, value: Product, above: str, below: str) -> Solved:
+        dimension = _over(self._dimension(above), self._dimension(below))
+        result = self._result(find, value.formula(), dimension, [value])
+        return Solved(result, value, above, below)
+
+    def _form(self, find: Find, load: str) -> Solved | None:
+        asked = [f.target.load for f in self._mechanism.finds if isinstance(f.target, LoadForm)]
+        unknown = asked if len(asked) == self._equations.number else [load]
+        if len(unknown) != self._equations.number:
+            words_ = words.unknown_loads_do_not_match(find.span, asked, self._equations.number)
+            self._report.add(words_)
+            return None
+        if not self._equations.determines(unknown):
+            self._report.add(words.load_not_balanced(find.span, "the other loads", load))
+            return None
+        known = [n for n in self._equations.columns if n not in unknown]
+        values = {n: self._equations.solve(load, unknown, n) for n in known}
+        return Solved(self._linear(find, load, values), None, load)
+
+    def _linear(self, find: Find, load: str, values: dict[str, Product]) -> Result:
+        coefficients = {n: v.formula() for n, v in values.items() if v}
+        formula = total(product([(c, 1), (Symbol(n), 1)]) for n, c in coefficients.items())
+        result = self._result(find, formula, self._dimension(load), list(values.values()))
+        given = [Definition(n, f) for n in values if (f := self._given(n)) is not None]
+        return replace(result, where=(*given, *result.where), coefficients=coefficients)
+
+    def _given(self, load: str) -> Formula | None:
+        """Return the value of a known load: a weight, or one that a let defines."""
+        for let in self._mechanism.lets:
+            if let.name == load:
+                return let.value
+        return self._loads[load].tie
+
+    def _dimension(self, load: str) -> Dimension:
+        return TORQUE if hasattr(self._loads[load], "link") else FORCE
+
+    # ------------------------------------------------------------------------- speeds
+
+    def _speeds(self, find: Find, above: Speed, below: Speed) -> Solved | None:
+        upper, lower = speed(self._plan, above), speed(self._plan, below)
+        moving = [i for i, v in enumerate(lower) if v]
+        if not moving:
+            self._report.add(words.speed_vanishes(find.span, _called(below)))
+            return None
+        if len(moving) > 1 or any(v for i, v in enumerate(upper) if i not in moving):
+            ratio = f"{_called(above)}/{_called(below)}"
+            self._report.add(words.speeds_independent(find.span, ratio))
+            return None
+        value = canonical(upper[moving[0]] / lower[moving[0]])
+        dimension = _over(_rate(above), _rate(below))
+        return Solved(self._result(find, value.formula(), dimension, [value]), value)
+
+    # ------------------------------------------------------------------------ results
+
+    def _result(
+        self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
+    ) -> Result:
+        where = self._where(values)
+        self._check_lengths(find, [formula, *(d.formula for d in where)])
+        return Result(find.name, find.target, dimension, formula, where)
+
+    def _where(self, values: Sequence[Product]) -> tuple[Definition, ...]:
+        """Return the definitions that values rest on: bound sums, intermediate angles."""
+        bound = {b for v in values for b in bound_names(v)}
+        chosen = []
+        for binding in reversed(self._plan.bindings):
+            if binding.name in bound:
+                chosen.append(Definition(binding.name, binding.value.formula()))
+                bound |= set(bound_names(binding.value))
+        chosen.reverse()
+        formulas = [*(v.formula() for v in values), *(d.formula for d in chosen)]
+        return (*self._intermediates(formulas), *chosen)
+
+    def _intermediates(self, formulas: Sequence[Formula]) -> list[Definition]:
+        used = {s for f in formulas for s in symbols(f)}
+        chosen = []
+        for definition in reversed(self._plan.graph.pose.definitions):
+            if definition.name in used:
+                chosen.append(Definition(*definition))
+                used |= symbols(definition.formula)
+        return chosen[::-1]
+
+    def _check_lengths(self, find: Find, formulas: Sequence[Formula]) -> None:
+        used = {s for f in formulas for s in symbols(f)}
+        missing = [n for n in self._plan.graph.pose.placeholders if n in used]
+        if missing:
+            names = [n.removeprefix("len_") for n in missing]
+            self._report.add(words.length_not_given(find.span, find.name, names))
+
+
+def bound_names(value: Product) -> Iterator[str]:
+    """Yield the bound names that a product mentions, in its sums too."""
+    for factor in value.factors:
+        if isinstance(factor, Bound):
+            yield factor.name
+        elif isinstance(factor, Sum):
+            for term in factor.terms:
+                yield from bound_names(term)
+
+
+def _let(let: Let, mechanism: Mechanism, results: Sequence[Result]) -> Result:
+    """Return a formula of the user's own, with the results it uses as its definitions."""
+    where: dict[str, Formula] = {}
+    _gather(let.value, {r.name: r for r in results}, {k.name: k for k in mechanism.lets}, where)
+    definitions = tuple(Definition(n, f) for n, f in where.items())
+    return Result(let.name, None, let.dimension, let.value, definitions)
+
+
+def _gather(
+    formula: Formula,
+    results: dict[str, Result],
+    lets: dict[str, Let],
+    where: dict[str, Formula],
+) -> None:
+    """Put what a formula uses into ``where``, each definition after those it needs."""
+    for name in sorted(symbols(formula)):
+        if name in where:
+            continue
+        if name in results:
+            for inner in results[name].where:
+                where.setdefault(inner.name, inner.formula)
+            where[name] = results[name].formula
+        elif name in lets:
+            _gather(lets[name].value, results, lets, where)
+            where[name] = lets[name].value
+
+
+def _over(above: Dimension, below: Dimension) -> Dimension:
+    return Dimension(above.length - below.length, above.mass - below.mass, above.time - below.time)
+
+
+def _rate(wanted: Speed) -> Dimension:
+    return FREQUENCY if wanted.kind == "link" else VELOCITY
+
+
+def _called(wanted: Speed) -> str:
+    return f"{'omega' if wanted.kind == 'link' else 'V'}_{wanted.of}"

@@ -1,0 +1,52 @@
+"""Loads as terms of the power equations."""
+
+from fractions import Fraction
+
+from ..algebra.angle import rational
+from ..algebra.formula import Formula, Number, substitute, symbols
+from ..algebra.from_formula import to_product
+from ..algebra.product import Product
+from ..kinematics.plan import Plan
+from ..model.mechanism import Force, Load, Mechanism
+from .balance import Term
+
+
+def terms(plan: Plan) -> tuple[Term, ...]:
+    """Return the term of every load, in declared order."""
+    mechanism = plan.graph.pose.mechanism
+    names = {load.name for load in mechanism.loads}
+    return tuple(_term(plan, load, names) for load in mechanism.loads)
+
+
+def _term(plan: Plan, load: Load, names: set[str]) -> Term:
+    count = Product(rational(load.times * occurrences(plan.graph.pose.mechanism, load)))
+    tie = _tie(load.tie, names) if load.tie is not None else None
+    if isinstance(load, Force):
+        line = plan.graph.pose.lines[load.name]
+        return Term(load, count, plan.component(load.point, line), line, tie)
+    return Term(load, count, plan.spin(load.link), None, tie)
+
+
+def _tie(formula: Formula, names: set[str]) -> tuple[str, Product] | None:
+    """Split ``f*R`` into the load R and the factor f; None for a known load (a weight)."""
+    for name in sorted(symbols(formula) & names):
+        return name, to_product(substitute(formula, {name: Number(Fraction(1))}))
+    return None
+
+
+def occurrences(mechanism: Mechanism, load: Load) -> Fraction:
+    """Return how often a load acts: once on what is shared, else on each half or branch."""
+    count = Fraction(1)
+    for group, times in (
+        (mechanism.mirror, Fraction(2)),
+        (mechanism.copies, mechanism.copies.number if mechanism.copies else Fraction(1)),
+    ):
+        if group is not None and not set(_points(mechanism, load)) <= set(group.sharing):
+            count *= times
+    return count
+
+
+def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
+    if isinstance(load, Force):
+        return (load.point,)
+    return next(k.points for k in mechanism.links if k.name == load.link)

@@ -1,0 +1,95 @@
+"""The results at the default pose: signs, zeros, poles, branch points."""
+
+import math
+from collections.abc import Mapping
+from dataclasses import replace
+
+from ..algebra.formula import Formula, evaluate, symbols, text
+from ..algebra.product import Product
+from ..diagnostics import Report
+from ..diagnostics import power as words
+from ..kinematics.plan import Plan
+from ..kinematics.rank import numeric_rank
+from ..model.mechanism import Find, LoadRatio
+from .balance import Balance, Solved
+from .result import Definition, Result
+
+NIL = 1e-12
+"""Below this a value of order one counts as zero."""
+
+
+def check_numbers(balance: Balance, report: Report) -> Balance:
+    """Return the balance with every result's default value; report what is not regular there."""
+    values = default_values(balance.plan)
+    spans = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
+    if values.keys() >= _needed(balance.plan):
+        _check_branch(balance.plan, values, report)
+    solved = []
+    for item in balance.solved:
+        number = value_of(item.result, values)
+        if item.result.name in spans and number is not None:
+            _remark(item, number, values, spans[item.result.name], report)
+        finite = number if number is not None and math.isfinite(number) else None
+        solved.append(replace(item, result=replace(item.result, default=finite)))
+    return replace(balance, solved=tuple(solved))
+
+
+def default_values(plan: Plan) -> dict[str, float]:
+    """Return the values of parameters, intermediates, and bound sums at the default pose."""
+    pose = plan.graph.pose
+    values: dict[str, float] = {}
+    definitions = [Definition(p.name, p.value) for p in pose.mechanism.parameters if p.value]
+    for name, formula in (*definitions, *pose.definitions):
+        if symbols(formula) <= values.keys():
+            values[name] = evaluate(formula, values)
+    values.update(dict.fromkeys(pose.placeholders, 1.0))
+    return values
+
+
+def value_of(result: Result, values: Mapping[str, float]) -> float | None:
+    """Return a result at given values; None where something it needs has none."""
+    known = dict(values)
+    for name, formula in result.where:
+        if symbols(formula) <= known.keys():
+            known[name] = evaluate(formula, known)
+    if not symbols(result.formula) <= known.keys():
+        return None
+    return evaluate(result.formula, known)
+
+
+def _needed(plan: Plan) -> set[str]:
+    return {s for r in plan.graph.relations for p in r.form.values() for s in symbols(p.formula())}
+
+
+def _check_branch(plan: Plan, values: Mapping[str, float], report: Report) -> None:
+    """Compare the rank of the relations at the pose with their rank in general."""
+    rows = []
+    for relation in plan.graph.relations:
+        try:
+            rows.append({u: p.evaluate(values) for u, p in relation.form.items()})
+        except ZeroDivisionError:
+            return
+    if numeric_rank(rows) < len(plan.graph.unknowns) - plan.mobility:
+        mechanism = plan.graph.pose.mechanism
+        report.add(words.branch_point(mechanism.span, [k.name for k in mechanism.links]))
+
+
+def _remark(
+    item: Solved, number: float, values: Mapping[str, float], find: Find, report: Report
+) -> None:
+    if not math.isfinite(number) or abs(number) > 1 / NIL:
+        factor = _vanishing(item.value, values) if item.value else None
+        report.add(words.pole_at_default(find.span, find.name, text(factor) if factor else ""))
+    elif isinstance(find.target, LoadRatio):
+        if abs(number) < NIL:
+            report.add(words.result_zero(find.span, find.name))
+        elif number < 0:
+            report.add(words.result_negative(find.span, find.name, find.target.below))
+
+
+def _vanishing(value: Product, values: Mapping[str, float]) -> Formula | None:
+    """Return the factor below the line that vanishes."""
+    for factor, exponent in value.factors.items():
+        if exponent < 0 and abs(factor.evaluate(values)) < NIL:
+            return factor.formula()
+    return None
