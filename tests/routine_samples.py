@@ -1,8 +1,10 @@
 """Mechanisms with results made by hand, for the routine and the code targets."""
 
 from fractions import Fraction
+from functools import cache
 from typing import Literal
 
+from mechc import driver
 from mechc.algebra.formula import (
     PI,
     Call,
@@ -16,8 +18,10 @@ from mechc.algebra.formula import (
     quotient,
     total,
 )
+from mechc.data import data
 from mechc.derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
 from mechc.emit.target import Compiled
+from mechc.files import find, read
 from mechc.model.mechanism import (
     Absolute,
     Force,
@@ -40,6 +44,8 @@ from mechc.statics.verdict import Trial, Verdict
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER, Dimension
 
 HERE = Span(0, 0)
+
+LIBRARY = sorted(p.stem for p in data("library").iterdir() if p.suffix in (".mech", ".yaml"))
 
 Operator = Literal["<", "<=", ">", ">=", "=", "!="]
 
@@ -244,6 +250,14 @@ def compiled(sample: str) -> Compiled:
     trial = Trial("k", {"a": 0.1}, 0.5, float("inf"), 1e-16, 3.0)
     routine = program(mechanism, results)
     return Compiled(mechanism, derivation, routine, Verdict((trial,), ("nothing more",)), "0.0.0")
+
+
+@cache
+def solved(name: str) -> Compiled:
+    """Return a sample, or a mechanism of the library, as it comes to a target."""
+    if name in SAMPLES:
+        return compiled(name)
+    return driver.compiled(driver.compile_source(read(find(name))))
 
 
 def guarded_by(operators: tuple[Operator, ...]) -> Compiled:

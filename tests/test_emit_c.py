@@ -15,7 +15,7 @@ from mechc.diagnostics import MechcError
 from mechc.emit.target import Emitted, Options
 from mechc.emit.to_c import TARGET
 from mechc.routine.evaluate import evaluate
-from routine_samples import SAMPLES, compiled, guarded_by
+from routine_samples import LIBRARY, SAMPLES, compiled, guarded_by, solved
 
 WARNINGS = ["-Wall", "-Wextra", "-Wconversion", "-Werror", "-fsyntax-only"]
 COMPILERS = {
@@ -33,15 +33,13 @@ def write(files: tuple[Emitted, ...], folder: Path) -> None:
 
 @pytest.mark.parametrize("language", COMPILERS)
 @pytest.mark.parametrize("single", [False, True], ids=["pair", "single"])
-def test_every_sample_compiles_without_a_warning(
-    language: str, single: bool, tmp_path: Path
-) -> None:
+def test_everything_compiles_without_a_warning(language: str, single: bool, tmp_path: Path) -> None:
     command = COMPILERS[language]
     if shutil.which(command[0]) is None:
         pytest.skip(f"no {command[0]}")
-    for sample in SAMPLES:
-        write(TARGET.emit(compiled(sample), Options(sample, single=single)), tmp_path)
-    sources = [f"{sample}.c" for sample in SAMPLES]
+    for name in (*SAMPLES, *LIBRARY):
+        write(TARGET.emit(solved(name), Options(name, single=single)), tmp_path)
+    sources = [f"{name}.c" for name in (*SAMPLES, *LIBRARY)]
     done = subprocess.run([*command, *sources], cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
 

@@ -5,7 +5,6 @@ import math
 import shutil
 import subprocess
 from collections.abc import Callable
-from functools import cache
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -13,29 +12,17 @@ import numpy as np
 import pytest
 
 from mechc.algebra.to_sympy import to_sympy
-from mechc.data import data
-from mechc.derivation.steps import Derivation
-from mechc.diagnostics import Report
 from mechc.emit.target import Compiled, Options
 from mechc.emit.to_c import TARGET as C
 from mechc.emit.to_python import TARGET as PYTHON
-from mechc.kinematics.from_pose import arrange
-from mechc.model.from_syntax import resolve
-from mechc.pose.from_model import settle
-from mechc.power.from_plan import balance
 from mechc.routine.evaluate import evaluate
-from mechc.routine.from_results import program
 from mechc.routine.steps import Function, Input, Routine
-from mechc.source import Source
-from mechc.statics.verdict import Verdict
-from mechc.syntax.notation import read
 from mechc.units import LENGTH
-from routine_samples import SAMPLES, compiled
+from routine_samples import LIBRARY, SAMPLES, solved
 
 COMPILER = shutil.which("gcc") or shutil.which("cc")
 ULP = 2.0**-52
 POSES = 40
-LIBRARY = sorted(p.stem for p in data("library").iterdir() if p.suffix in (".mech", ".yaml"))
 
 Outputs = dict[str, np.ndarray]
 
@@ -52,20 +39,6 @@ def span(item: Input) -> tuple[float, float]:
     if item.default is not None:
         return 0.9 * item.default, 1.1 * item.default
     return (0.5, 2.0) if item.dimension == LENGTH else (-100.0, 100.0)
-
-
-@cache
-def solved(name: str) -> Compiled:
-    """Return a sample, or a mechanism of the library, ready for a target."""
-    if name in SAMPLES:
-        return compiled(name)
-    path = next(p for p in data("library").glob(f"{name}.*") if p.suffix in (".mech", ".yaml"))
-    source = Source(path.name, path.read_text(encoding="utf-8"))
-    report = Report(source)
-    mechanism = resolve(read(source, report), report)
-    results = balance(arrange(settle(mechanism, report), report), report).results
-    derivation = Derivation((), (), (), results)
-    return Compiled(mechanism, derivation, program(mechanism, results), Verdict(()), "0.0.0")
 
 
 def by_interpreter(found: Compiled) -> Outputs:
