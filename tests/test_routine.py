@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -16,7 +17,6 @@ from mechc.algebra.formula import (
     degrees,
     number,
     product,
-    symbols,
     text,
     total,
     walk,
@@ -24,13 +24,26 @@ from mechc.algebra.formula import (
 from mechc.algebra.formula import evaluate as value_of
 from mechc.model.mechanism import Mechanism, Require
 from mechc.power.result import Definition, Result
+from mechc.routine.check import broken_promises
 from mechc.routine.evaluate import evaluate
 from mechc.routine.from_results import program
 from mechc.routine.sharing import share
 from mechc.routine.steps import Function, Step
 from mechc.routine.to_text import to_text
 from mechc.units import NUMBER
-from routine_samples import SAMPLES, chain_of, chained, clamp, cos, f, s, sin, whole_language
+from routine_samples import (
+    LIBRARY,
+    SAMPLES,
+    chain_of,
+    chained,
+    clamp,
+    cos,
+    f,
+    s,
+    sin,
+    solved,
+    whole_language,
+)
 
 
 def functions(sample: tuple[Mechanism, tuple[Result, ...]]) -> dict[str, Function]:
@@ -159,15 +172,18 @@ def test_a_chain_has_linear_size(stages: int) -> None:
     assert function.operations <= 4 * stages
 
 
-@pytest.mark.parametrize("sample", SAMPLES)
-def test_steps_use_inputs_and_earlier_steps_only(sample: str) -> None:
-    for function in program(*SAMPLES[sample]()).functions:
-        known = {i.name for i in function.inputs}
-        for step in function.steps:
-            assert symbols(step.formula) <= known
-            assert step.name not in known
-            known.add(step.name)
-        assert symbols(function.output) <= known
+@pytest.mark.parametrize("name", [*SAMPLES, *LIBRARY])
+def test_promises_are_kept(name: str) -> None:
+    for function in solved(name).routine.functions:
+        assert broken_promises(function) == []
+
+
+def test_broken_promises_are_seen() -> None:
+    k = functions(chained())["k"]
+    shuffled = replace(k, steps=k.steps[::-1], output=total([k.output, sin(s("phi"))]))
+    assert "theta uses sin_phi too early" in broken_promises(shuffled)
+    assert "sin(phi) is computed twice" in broken_promises(shuffled)
+    assert broken_promises(replace(k, steps=())) != []
 
 
 @pytest.mark.parametrize("name", [r.name for r in whole_language()[1]])

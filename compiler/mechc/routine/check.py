@@ -1,0 +1,46 @@
+"""What a routine promises, as a check for tests and for whoever builds routines."""
+
+from collections import Counter
+from collections.abc import Iterator
+
+from ..algebra.formula import Call, Formula, Number, Power, Sum, symbols, text, walk
+from .steps import Function
+
+
+def broken_promises(function: Function) -> list[str]:
+    """Return a sentence for each promise of this folder that a function breaks."""
+    return [*_open_names(function), *_idle_inputs(function), *_repeated(function)]
+
+
+def _formulas(function: Function) -> list[Formula]:
+    return [*(step.formula for step in function.steps), function.output]
+
+
+def _open_names(function: Function) -> Iterator[str]:
+    known = {i.name for i in function.inputs}
+    for step in function.steps:
+        yield from (f"{step.name} uses {n} too early" for n in symbols(step.formula) - known)
+        if step.name in known:
+            yield f"{step.name} means two things"
+        known.add(step.name)
+    sides = [side for guard in function.guards for side in (guard.left, guard.right)]
+    for formula in (function.output, *sides):
+        yield from (f"{n} is not defined" for n in symbols(formula) - known)
+
+
+def _idle_inputs(function: Function) -> Iterator[str]:
+    used = frozenset[str]().union(*map(symbols, _formulas(function)))
+    yield from (f"input {i.name} is not used" for i in function.inputs if i.name not in used)
+
+
+def _repeated(function: Function) -> Iterator[str]:
+    parts = [part for formula in _formulas(function) for part in walk(formula)]
+    counted = Counter(part for part in parts if isinstance(part, Call | Sum) and symbols(part))
+    yield from (f"{text(part)} is computed twice" for part, n in counted.items() if n > 1)
+    for part in parts:
+        if isinstance(part, Power) and _is_small(part.exponent) and symbols(part):
+            yield f"{text(part)} is no product"
+
+
+def _is_small(exponent: Formula) -> bool:
+    return isinstance(exponent, Number) and exponent.value.denominator == 1 and exponent.value != -1
