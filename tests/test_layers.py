@@ -33,6 +33,7 @@ VOCABULARY = {
     "derivation.wording",
     "kinematics.forms",
     "kinematics.rank",
+    "kinematics.solving",
     "power.numbers",
     "routine.quotient",
     "syntax.words",

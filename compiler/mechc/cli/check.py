@@ -65,10 +65,11 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
 
 
 def _of_result(result: Result) -> Iterator[str]:
-    value = "" if result.default is None else f"  = {result.default:.9g}"
-    yield f"  {result.name} = {text(result.formula)}{value}"
+    yield f"  {result.name} = {text(result.formula)}"
     for name, formula in result.where:
         yield f"    where {name} = {text(formula)}"
+    if result.default is not None:
+        yield f"    = {result.default:.9g} at the default pose"
     if result.independent:
         yield f"    does not depend on {', '.join(result.independent)}"
 
@@ -86,5 +87,5 @@ def _of_verdict(verdict: Verdict, verbose: bool) -> Iterator[str]:
         yield from (f"  {line}" for line in to_text(verdict).splitlines())
         return
     number = len(verdict.trials)
-    yield f"  equilibrium of the free bodies agrees: {number} trials, worst {verdict.worst:.1e}"
+    yield f"  equilibrium of the free bodies agrees in {number} trials"
     yield from (f"    {remark}" for remark in verdict.remarks)
