@@ -187,8 +187,12 @@ def whole_language() -> tuple[Mechanism, tuple[Result, ...]]:
             [f(name, total([x, y])) for name in ("sin", "cos", "tan", "cot", "sec", "csc")]
         ),
         "inverse": total([f("asin", x), f("acos", y), f("atan", x), f("atan2", x, y)]),
-        "other": total([f("sqrt", x), f("hypot", x, y), f("abs", negative(x)), f("log", y)]),
-        "chosen": total([f("min", x, y), f("max", x, product([(y, 1), (x, 1)])), f("exp", x)]),
+        "other": total(
+            [f("sqrt", x), f("hypot", x, y, number(2)), f("abs", negative(x)), f("log", y)]
+        ),
+        "chosen": total(
+            [f("min", x, y, number(1)), f("max", y, x, product([(y, 1), (x, 1)])), f("exp", x)]
+        ),
         "powers": total([Power(x, number(n)) for n in (2, 3, 5, 13, -1, -4)]),
         "roots": total([Power(x, number(Fraction(n, 2))) for n in (1, 3, -1, -5)]),
         "other_powers": total([Power(x, number(Fraction(3, 10))), Power(x, y)]),

@@ -23,8 +23,6 @@ RESERVED = frozenset(_WORDS.split())
 """Keywords of C and C++, the functions called, and what common headers define as macros."""
 
 _FUNCTIONS = {"abs": "fabs", "min": "mechc_min", "max": "mechc_max"}
-_OPERATORS = {"=": "=="}
-
 CIRCULAR = ("sin", "cos", "tan")
 """Functions that the loops compute by a polynomial of their own."""
 
@@ -35,12 +33,8 @@ class CPrinter(Printer):
     pi = "MECHC_PI"
 
     def call(self, function: str, arguments: list[str]) -> str:
-        """Return a call of ``math.h``; those of two arguments are nested."""
-        name = _FUNCTIONS.get(function, function)
-        if len(arguments) > 2:
-            *rest, last = arguments
-            return f"{name}({self.call(function, rest)}, {last})"
-        return f"{name}({', '.join(arguments)})"
+        """Return a call of ``math.h``."""
+        return f"{_FUNCTIONS.get(function, function)}({', '.join(arguments)})"
 
     def power(self, base: str, exponent: str) -> str:
         """Return a call of ``pow``."""
@@ -55,12 +49,6 @@ class QuickPrinter(CPrinter):
         if function in CIRCULAR:
             return f"mechc_{function}({arguments[0]})"
         return super().call(function, arguments)
-
-
-def condition(guard: Guard, printer: Printer) -> str:
-    """Return a guard as a C expression."""
-    operator = _OPERATORS.get(guard.operator, guard.operator)
-    return f"{printer.print(guard.left)} {operator} {printer.print(guard.right)}"
 
 
 def guarded(guard: Guard, printer: Printer, output: str) -> str:

@@ -13,6 +13,7 @@ from typing import assert_never
 
 from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from ..routine.quotient import is_decimal, quotient_of
+from ..routine.steps import Guard
 
 
 class Level(IntEnum):
@@ -40,7 +41,7 @@ class Printer(ABC):
 
     @abstractmethod
     def call(self, function: str, arguments: list[str]) -> str:
-        """Return a call of one of the language's functions."""
+        """Return a call of one of the language's functions with one or two arguments."""
 
     @abstractmethod
     def power(self, base: str, exponent: str) -> str:
@@ -70,6 +71,11 @@ class Printer(ABC):
             case _:
                 assert_never(formula)
 
+    def condition(self, guard: Guard) -> str:
+        """Return a guard as a comparison."""
+        operator = "==" if guard.operator == "=" else guard.operator
+        return f"{self.print(guard.left)} {operator} {self.print(guard.right)}"
+
     def _term(self, term: Formula) -> str:
         return self.print(term, Level.PRODUCT if isinstance(term, Sum) else Level.SUM)
 
@@ -86,7 +92,13 @@ class Printer(ABC):
             return self._product(
                 Product((*upper, Power(Call(below, arguments), _MINUS_ONE))), level
             )
-        return self.call(function, [self.print(a) for a in arguments])
+        return self._nested(function, [self.print(a) for a in arguments])
+
+    def _nested(self, function: str, arguments: list[str]) -> str:
+        """Return a call of two arguments at most: min, max and hypot take their own results."""
+        if len(arguments) <= 2:
+            return self.call(function, arguments)
+        return reduce(lambda left, right: self.call(function, [left, right]), arguments)
 
     def _product(self, formula: Product, level: Level) -> str:
         negative, above, below = quotient_of(formula)

@@ -9,7 +9,7 @@ from ..diagnostics.diagnostic import MechcError
 from ..diagnostics.emission import unspeakable_file_name
 from ..routine.steps import Function
 from . import describe
-from .c_printer import CIRCULAR, RESERVED, CPrinter, QuickPrinter, condition, guarded
+from .c_printer import CIRCULAR, RESERVED, CPrinter, QuickPrinter, guarded
 from .names import Names, mangle, transliterate
 from .printer import Printer
 from .render import Line, render
@@ -177,7 +177,7 @@ def _function(function: Function, linked: Symbols, arguments: Mapping[str, str])
 
 
 def _plain(function: Function, printer: Printer) -> Body:
-    conditions = [condition(guard, printer) for guard in function.guards]
+    conditions = [printer.condition(guard) for guard in function.guards]
     return Body(_lines(function, printer), conditions, printer.print(function.output))
 
 

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..algebra.formula import Call, Formula, Number, Power, symbols, walk
-from ..routine.steps import Function, Guard
+from ..routine.steps import Function
 from . import describe
 from .names import Names, mangle
 from .printer import Printer
@@ -31,7 +31,6 @@ _FUNCTIONS = {
     "max": "np.maximum",
 }
 _MAY_FAIL = ("asin", "acos", "sqrt", "log", "exp", "tan", "cot", "sec", "csc")
-_OPERATORS = {"=": "=="}
 
 
 class PythonPrinter(Printer):
@@ -40,12 +39,8 @@ class PythonPrinter(Printer):
     pi = "np.pi"
 
     def call(self, function: str, arguments: list[str]) -> str:
-        """Return a call of a NumPy function; those of two arguments are nested."""
-        name = _FUNCTIONS.get(function, f"np.{function}")
-        if len(arguments) > 2:
-            *rest, last = arguments
-            return f"{name}({self.call(function, rest)}, {last})"
-        return f"{name}({', '.join(arguments)})"
+        """Return a call of a NumPy function."""
+        return f"{_FUNCTIONS.get(function, f'np.{function}')}({', '.join(arguments)})"
 
     def power(self, base: str, exponent: str) -> str:
         """Return ``np.power``, which gives NaN where ``**`` on floats would be complex."""
@@ -144,14 +139,8 @@ def _function(function: Function, name: str, arguments: Mapping[str, str]) -> Fu
 def _returned(function: Function, result: str, printer: Printer) -> list[Line]:
     lines = [Line(result, printer.print(function.output))]
     for guard in function.guards:
-        lines.append(Line(result, f"np.where({_condition(guard, printer)}, {result}, np.nan)"))
+        lines.append(Line(result, f"np.where({printer.condition(guard)}, {result}, np.nan)"))
     return lines
-
-
-def _condition(guard: Guard, printer: Printer) -> str:
-    operator = _OPERATORS.get(guard.operator, guard.operator)
-    left, right = (printer.print(side) for side in (guard.left, guard.right))
-    return f"{left} {operator} {right}"
 
 
 def _may_fail(function: Function) -> bool:
