@@ -12,7 +12,7 @@ from mechc.algebra.formula import count_operations, symbols
 
 SEEDS = st.integers(0, 10**6)
 
-law = settings(max_examples=30, deadline=None, derandomize=True, database=None)
+law = settings(max_examples=20, deadline=None, derandomize=True, database=None)
 
 
 def solve(text):
@@ -86,7 +86,7 @@ def test_from_drive_to_load_times_from_load_to_drive_is_one(seed):
 def test_virtual_power_is_linear_in_the_loads(seed):
     """Two loads in one place add up, each with its k alone."""
     linkage = sample(seed).linkage.untied()
-    assume(len(linkage.drivers) == 1)
+    assume(len(linkage.drivers) == 1 and linkage.solve() is not None)
     alone = value(solve(linkage.text()))
     both = solve(linkage.with_the_output_twice().text(Style(find="find P")))
     assert set(both.results["P"].coefficients) == {"F", "G"}
