@@ -83,6 +83,14 @@ def test_loops_give_what_single_calls_give_at_the_edges(level: str, tmp_path: Pa
         np.testing.assert_allclose(found, expected, rtol=4e-15, equal_nan=True)
 
 
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+def test_gcc_vectorises_the_loop_with_its_guard(tmp_path: Path) -> None:
+    write(TARGET.emit(solved("clamp"), Options("clamp")), tmp_path)
+    command = ["gcc", "-std=c99", "-O3", "-fopt-info-vec", "-c", "clamp.c"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    assert "loop vectorized" in done.stderr
+
+
 def test_a_pair_is_source_and_header_and_single_is_one_file() -> None:
     found = compiled("clamp")
     assert [e.name for e in TARGET.emit(found, Options("k"))] == ["k.c", "k.h"]
