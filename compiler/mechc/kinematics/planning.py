@@ -4,13 +4,13 @@ from collections.abc import Iterable, Sequence
 
 from ..algebra.modular import Point
 from ..algebra.product import ONE, ZERO
+from ..algebra.rank import Echelon, Residues, independent, residues
 from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as words
 from .graph import Graph, Kind, Relation
 from .ordering import blocks, match
 from .plan import Block, Plan, Speeds
-from .rank import Echelon, Residues, independent, residues
 from .solving import Binder, solve
 
 

@@ -1,10 +1,10 @@
 """Solving a block: single steps by division, larger ones by determinants."""
 
 from collections.abc import Mapping, Sequence
-from functools import cache
 
+from ..algebra.determinant import determinant
 from ..algebra.laurent import size
-from ..algebra.product import ONE, ZERO, Bound, Product, Sum
+from ..algebra.product import ZERO, Bound, Product, Sum
 from ..algebra.sums import add
 from .graph import Form
 from .plan import Binding, Speeds
@@ -69,19 +69,3 @@ def _replaced(
     matrix: Sequence[Sequence[Product]], column: int, side: Sequence[Product]
 ) -> list[list[Product]]:
     return [[*row[:column], s, *row[column + 1 :]] for row, s in zip(matrix, side, strict=True)]
-
-
-def determinant(matrix: Sequence[Sequence[Product]]) -> Product:
-    """Return a determinant by expansion along rows, each minor computed once."""
-
-    @cache
-    def minor(row: int, columns: tuple[int, ...]) -> Product:
-        if not columns:
-            return ONE
-        return add(
-            (matrix[row][c] * minor(row + 1, columns[:i] + columns[i + 1 :])).scaled((-1) ** i)
-            for i, c in enumerate(columns)
-            if matrix[row][c]
-        )
-
-    return minor(0, tuple(range(len(matrix))))

@@ -71,14 +71,20 @@ def reverse(vector: Vector) -> Vector:
 def gathered(arms: Iterable[Arm]) -> Vector:
     """Return a vector with arms of one line added up, and none that vanishes.
 
-    An arm points the way in which its line was first met.
+    An arm points the way in which its length is positive, as far as that can be seen.
     """
     lines: dict[Angle, list[Product]] = {}
     for length, angle in arms:
         back = _turned_back(angle, lines)
         lines.setdefault(back or _wrapped(angle), []).append(-length if back else length)
     sums = ((add(lengths), angle) for angle, lengths in lines.items())
-    return tuple(Arm(length, angle) for length, angle in sums if length)
+    return tuple(_positive(Arm(length, angle)) for length, angle in sums if length)
+
+
+def _positive(arm: Arm) -> Arm:
+    if arm.length.coefficient > 0:
+        return arm
+    return Arm(-arm.length, arm.angle + Angle.constant(180))
 
 
 def _wrapped(angle: Angle) -> Angle:

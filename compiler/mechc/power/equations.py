@@ -2,11 +2,11 @@
 
 from collections.abc import Mapping, Sequence
 
+from ..algebra.determinant import determinant
 from ..algebra.modular import Point
 from ..algebra.product import Product
+from ..algebra.rank import independent, residues
 from ..algebra.sums import add, canonical
-from ..kinematics.rank import independent, residues
-from ..kinematics.solving import determinant
 from .balance import Term
 
 

@@ -6,10 +6,10 @@ from dataclasses import replace
 
 from ..algebra.formula import Formula, evaluate, symbols, text
 from ..algebra.product import Product
+from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as words
 from ..kinematics.plan import Plan
-from ..kinematics.rank import numeric_rank
 from ..model.mechanism import Find, LoadRatio
 from .balance import Balance, Solved
 from .result import Definition, Result

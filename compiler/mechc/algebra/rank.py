@@ -1,21 +1,24 @@
-"""Rank of the relations: for independent symbols (exactly), and at one numeric pose."""
+"""Rank of a matrix of products: for independent symbols (exactly), and at one numeric pose.
+
+Rows are sparse: column → entry.
+"""
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from ..algebra.modular import PRIME, Point
-from .graph import Form
+from .modular import PRIME, Point
+from .product import Product
 
 Residues = dict[int, int]
 
 
-def residues(form: Form, point: Point) -> Residues:
-    """Return the coefficients of a form at a random point of a finite field."""
-    values = {u: p.residue(point) for u, p in form.items()}
+def residues(row: Mapping[int, Product], point: Point) -> Residues:
+    """Return the entries of a row at a random point of a finite field."""
+    values = {u: p.residue(point) for u, p in row.items()}
     return {u: v for u, v in values.items() if v}
 
 
 class Echelon:
-    """Rows of a matrix over the field, reduced as they come; columns are unknowns."""
+    """Rows of a matrix over the field, reduced as they come; a column is named by a number."""
 
     def __init__(self) -> None:
         self._rows: dict[int, Residues] = {}
