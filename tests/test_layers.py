@@ -32,8 +32,6 @@ VOCABULARY = {
     "derivation.remarks",
     "derivation.wording",
     "kinematics.forms",
-    "kinematics.rank",
-    "kinematics.solving",
     "power.numbers",
     "routine.quotient",
     "syntax.words",

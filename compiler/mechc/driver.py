@@ -87,20 +87,20 @@ class Compilation:
         """The power equation, solved for what was asked."""
         return self._sound(balance(self.plan, self.report))
 
-    @property
+    @cached_property
     def results(self) -> tuple[Result, ...]:
-        """What was asked for, in the order of the text."""
-        return self.balance.results
+        """What was asked for, in the order of the text, with what follows from each."""
+        return self._sound(conclude(self.balance))
 
     @cached_property
     def verdict(self) -> Verdict:
         """The second opinion: the results by equilibrium of the free bodies."""
-        return self._sound(judge(self.pose, self.results, self.report))
+        return self._sound(judge(self.pose, self.balance.results, self.report))
 
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
         """What each ``expect`` came to."""
-        return self._sound(compare(self.mechanism, self.results, self.report))
+        return self._sound(compare(self.mechanism, self.balance.results, self.report))
 
     @cached_property
     def derivation(self) -> Derivation:
@@ -110,7 +110,7 @@ class Compilation:
     @cached_property
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(program(self.mechanism, self.results))
+        return self._sound(program(self.mechanism, self.balance.results))
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

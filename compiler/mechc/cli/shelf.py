@@ -43,7 +43,7 @@ def command(as_json: bool) -> None:
 def _row(name: str, path: Path) -> Row:
     compilation = Compilation(read(path))
     try:
-        mechanism, (first, *_) = compilation.mechanism, compilation.results
+        mechanism, (first, *_) = compilation.mechanism, compilation.balance.results
     except MechcError as error:
         return Row(name, "", "", f"({error.diagnostics[0].code})")
     return Row(name, mechanism.title, mechanism.source, f"{first.name} = {text(first.formula)}")
