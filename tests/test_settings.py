@@ -34,7 +34,7 @@ def test_range_label_and_other_parameters_stay() -> None:
     text = 'param a = 10 mm in 1 mm .. 50 mm as "arm"\nparam b = 2 mm\n'
     first, second = applied(text, "a=20mm").splitlines()
     assert first == 'param a: length = 20 mm in 1 mm .. 50 mm as "arm"'
-    assert second.split() == "param b = 2 mm".split()
+    assert second.split() == ["param", "b", "=", "2", "mm"]
 
 
 def test_messages_point_at_the_declaration() -> None:
