@@ -12,11 +12,11 @@ import tempfile
 from collections.abc import Callable
 from pathlib import Path
 
-import peers
 import sympy
+
+import peers
 from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
 from measure import exponent, medians, table, timed
-
 from mechc.algebra.to_sympy import to_sympy
 from mechc.diagnostics import Report
 from mechc.driver import Compilation, compile_source, emit

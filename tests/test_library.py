@@ -5,12 +5,10 @@ from functools import cache
 from pathlib import Path
 
 import pytest
-from generators import scissor
-from mechc.syntax.notation import read
-from mechc.syntax.to_yaml import to_yaml
 
 import reference_geometry
 import reference_kinematics
+from generators import scissor
 from mechc.diagnostics import Report
 from mechc.driver import Compilation, compile_source, emit
 from mechc.emit import registry
@@ -18,7 +16,9 @@ from mechc.emit.target import Options
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from mechc.syntax import ast
+from mechc.syntax.notation import read
 from mechc.syntax.to_dsl import to_dsl
+from mechc.syntax.to_yaml import to_yaml
 
 FOLDER = Path(__file__).parent.parent / "library"
 PATHS = sorted(p for p in FOLDER.iterdir() if p.suffix in {".mech", ".yaml"})

@@ -115,6 +115,29 @@ def convert(node: ast.expr) -> sympy.Expr:
     raise AssertionError(f"unexpected in a seed: {ast.dump(node)}")
 
 
+def unfolded(name: str, result: str) -> sympy.Expr:
+    """Return a result with the names it rests on put in."""
+    found, inner = mechanism(name)[result], mechanism(name).where
+    while named := found.free_symbols & {sympy.Symbol(n) for n in inner}:
+        found = found.xreplace({s: inner[s.name] for s in named})
+    return found
+
+
+def vanishes(difference: sympy.Expr) -> bool:
+    """Prove an identity: in half-angle tangents it is one of rational functions."""
+    rational = sympy.expand_trig(difference).replace(
+        lambda node: isinstance(node, sympy.sin | sympy.cos | sympy.tan | sympy.cot), in_half_angles
+    )
+    return bool(sympy.cancel(rational) == 0)
+
+
+def in_half_angles(node: sympy.Expr) -> sympy.Expr:
+    t = sympy.Symbol(f"t_{node.args[0]}")
+    sine, cosine = 2 * t / (1 + t**2), (1 - t**2) / (1 + t**2)
+    values = {sympy.sin: sine, sympy.cos: cosine, sympy.tan: sine / cosine}
+    return values.get(node.func, cosine / sine)
+
+
 def points(seed: str) -> list[tuple[dict[str, float], float]]:
     return [
         ({NAMES.get(n, n): v for n, v in p["inputs"].items()}, float(p["value_30"]))
@@ -133,11 +156,10 @@ def test_k_comes_out_as_printed(name: str, printed: str) -> None:
 @pytest.mark.parametrize("seed", RESULTS)
 def test_formula_is_the_printed_one(seed: str) -> None:
     name, result = RESULTS[seed]
-    difference = mechanism(name)[result] - expression(SEEDS[seed]["formula"])
-    assert sympy.simplify(difference) == 0
+    assert vanishes(unfolded(name, result) - expression(SEEDS[seed]["formula"]))
 
 
-@pytest.mark.parametrize("seed", RESULTS)
+@pytest.mark.parametrize("seed", [s for s in RESULTS if "identity" not in SEEDS[s]["status"]])
 def test_formula_is_no_longer_than_the_printed_one(seed: str) -> None:
     name, result = RESULTS[seed]
     printed = sympy.count_ops(expression(SEEDS[seed]["formula"]))
@@ -158,7 +180,7 @@ def test_emitted_python_gives_the_reference_values(seed: str) -> None:
 def test_forces_come_out_of_the_ratios(seed: str) -> None:
     name, result, force = FORCES[seed]
     product = mechanism(name)[result] * sympy.Symbol(force)
-    assert sympy.simplify(product - expression(SEEDS[seed]["formula"])) == 0
+    assert vanishes(product - expression(SEEDS[seed]["formula"]))
     function = python_of(name)[result]
     wanted = function.__code__.co_varnames[: function.__code__.co_argcount]
     for inputs, value in points(seed):
@@ -175,7 +197,7 @@ def python_of(name: str) -> dict[str, Any]:
 
 def test_corrected_force_divides_by_the_efficiency() -> None:
     clamp = mechanism("karpenko_fig8_two_levers")
-    assert clamp["P_real"] == clamp["P_min"] / sympy.Symbol("eta")
+    assert clamp["P_real"] == sympy.Symbol("P_min") / sympy.Symbol("eta")
 
 
 @pytest.mark.parametrize("seed", ["S000-F5", "S000-F6", "S000-F10", "S000-F11", "S000-F12"])
