@@ -33,10 +33,9 @@ def _add_link(name: ast.Name, label: str, points: Points) -> None:
     carried = points.declare(name)
     if carried is None:
         return
-    for other in points.links.values():
-        if set(other.points) == set(carried):
-            points.report.add(words.link_again(name.span, name.text, other.span))
-            return
+    if other := points.bodies.get(frozenset(carried)):
+        points.report.add(words.link_again(name.span, name.text, other.span))
+        return
     points.add(Link(name.text, carried, name.span, label))
 
 

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Iterable
 from dataclasses import dataclass, field
+from itertools import accumulate, pairwise
 
 from ..diagnostics import Report
 from ..diagnostics.model import names as words
@@ -16,7 +17,8 @@ from .mechanism import Link
 class Points:
     """The points of one description, filled while its joints are read.
 
-    ``places`` tells where each point was first named; ``carried`` the links through it;
+    ``places`` tells where each point was first named; ``carried`` the links through it,
+    ``bodies`` the link through a set of points;
     ``fixed`` and ``guided`` hold the pivots and sliders; ``used`` counts
     what acts at a point or asks for it.
     """
@@ -25,6 +27,7 @@ class Points:
     places: dict[str, Span] = field(default_factory=dict)
     carried: dict[str, list[Link]] = field(default_factory=dict)
     links: dict[str, Link] = field(default_factory=dict)
+    bodies: dict[frozenset[str], Link] = field(default_factory=dict)
     fixed: set[str] = field(default_factory=set)
     guided: set[str] = field(default_factory=set)
     used: Counter[str] = field(default_factory=Counter)
@@ -32,8 +35,8 @@ class Points:
     def split(self, name: ast.Name) -> tuple[str, ...] | None:
         """Take a name apart into different points; report a repeated one."""
         points = points_of(name.text)
-        for i, point in enumerate(points):
-            if point in points[:i]:
+        for point, count in Counter(points).items():
+            if count > 1:
                 self.report.add(words.repeated_point(name.span, name.text, point))
                 return None
         return points
@@ -41,16 +44,17 @@ class Points:
     def declare(self, name: ast.Name) -> tuple[str, ...] | None:
         """Enter the points of a joint or body."""
         points = self.split(name)
-        for point in points or ():
-            self.places.setdefault(point, within(name, point))
+        for point, place in places_in(name).items():
+            self.places.setdefault(point, place)
         return points
 
     def known(self, name: ast.Name) -> tuple[str, ...] | None:
         """Return the points of a name if all of them are declared; report those that are not."""
         points = self.split(name)
         strange = [p for p in points or () if p not in self.places]
+        places = places_in(name) if strange else {}
         for point in strange:
-            self.report.add(words.unknown_point(within(name, point), point, self.places))
+            self.report.add(words.unknown_point(places[point], point, self.places))
         return None if strange else points
 
     def acting(self, name: ast.Name) -> tuple[str, ...] | None:
@@ -62,6 +66,7 @@ class Points:
     def add(self, link: Link) -> None:
         """Enter a link."""
         self.links[link.name] = link
+        self.bodies[frozenset(link.points)] = link
         for point in link.points:
             self.carried.setdefault(point, []).append(link)
 
@@ -70,9 +75,8 @@ class Points:
         points = self.known(name)
         if points is None:
             return None
-        found = self._through(points)
-        exact = [link for link in found if len(link.points) == len(points)]
-        match exact or found:
+        exact = self.bodies.get(frozenset(points))
+        match [exact] if exact else self._through(points):
             case [link]:
                 return link
             case []:
@@ -88,13 +92,10 @@ class Points:
         return [link for link in candidates if all(p in link.points for p in rest)]
 
 
-def within(name: ast.Name, point: str) -> Span:
-    """Return the place of one point inside a name, where the text shows it."""
+def places_in(name: ast.Name) -> dict[str, Span]:
+    """Return the place of each point inside a name, where the text shows them."""
+    points = points_of(name.text)
     if name.span.end - name.span.start != len(name.text):
-        return name.span
-    offset = 0
-    for candidate in points_of(name.text):
-        if candidate == point:
-            break
-        offset += len(candidate)
-    return Span(name.span.start + offset, name.span.start + offset + len(point))
+        return dict.fromkeys(points, name.span)
+    ends = list(accumulate(map(len, points), initial=name.span.start))
+    return {p: Span(*pair) for p, pair in zip(points, pairwise(ends), strict=True)}

@@ -121,7 +121,7 @@ class Scope:
         """Return what a name in a formula stands for; None where that is an error."""
         entry = self.entries.get(symbol.name)
         if entry is None:
-            known = self.names(usage.kinds)
+            known = self.names(usage.kinds) if len(self.entries) <= words.MANY else ()
             self.report.add(words.unknown_name(symbol.span, symbol.name, known))
             return None
         self.used.add(symbol.name)

@@ -1,12 +1,15 @@
 """Words for names: unknown, taken twice, out of place, in a circle (E20x)."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 
 from ...source import Span
 from ..diagnostic import Related, Words, coded, near_miss
 
+MANY = 200
+"""Names among which no near miss is looked for: thousands of errors would take minutes."""
 
-def offered(name: str, known: Iterable[str], what: str) -> str:
+
+def offered(name: str, known: Collection[str], what: str) -> str:
     """Return the near miss, or the names themselves where they are few.
 
     >>> offered("G", ["P", "F"], "loads")
@@ -14,6 +17,8 @@ def offered(name: str, known: Iterable[str], what: str) -> str:
     >>> offered("alhpa", ["alpha", "beta"], "parameters")
     "did you mean 'alpha'?"
     """
+    if len(known) > MANY:
+        return ""
     known = sorted(known)
     if near := near_miss(name, known):
         return near
@@ -26,7 +31,7 @@ def offered(name: str, known: Iterable[str], what: str) -> str:
 
 
 @coded("E201")
-def unknown_name(span: Span, name: str, known: Iterable[str]) -> Words:
+def unknown_name(span: Span, name: str, known: Collection[str]) -> Words:
     """An expression mentions a name that nothing declares.
 
     A name in an expression is a parameter, a load, or the name of a ``find`` or ``let``.
@@ -41,7 +46,7 @@ def unknown_name(span: Span, name: str, known: Iterable[str]) -> Words:
 
 
 @coded("E202")
-def unknown_point(span: Span, point: str, known: Iterable[str]) -> Words:
+def unknown_point(span: Span, point: str, known: Collection[str]) -> Words:
     """A statement names a point that stands on no link, pivot or slider.
 
     Points come into being with ``link``, ``pivot`` and ``slider``. A vector, a load or
@@ -56,7 +61,7 @@ def unknown_point(span: Span, point: str, known: Iterable[str]) -> Words:
 
 
 @coded("E203")
-def unknown_link(span: Span, points: str, known: Iterable[str]) -> Words:
+def unknown_link(span: Span, points: str, known: Collection[str]) -> Words:
     """Points are named as a link, but no one link carries them all.
 
     A link is named by two or more of its points in any order.
@@ -176,5 +181,6 @@ def lonely_point(span: Span, point: str, link: str) -> Words:
         link OA
         link BC      # warned of, where AC was meant
     """
-    message = f"only link {link} goes through point {point}, and nothing acts there"
+    short = link if len(link) <= 40 else f"{link[:40]}…"
+    message = f"only link {short} goes through point {point}, and nothing acts there"
     return Words(span, message, "is it a mistyped pin?")

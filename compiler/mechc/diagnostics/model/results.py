@@ -1,6 +1,6 @@
 """Words for what is asked for: find, let, expect (E28x)."""
 
-from collections.abc import Iterable
+from collections.abc import Collection
 
 from ...source import Span
 from ..diagnostic import Words, coded
@@ -33,7 +33,7 @@ def not_findable(span: Span, hint: str = "") -> Words:
 
 
 @coded("E282")
-def unknown_load(span: Span, name: str, loads: Iterable[str]) -> Words:
+def unknown_load(span: Span, name: str, loads: Collection[str]) -> Words:
     """A ``find`` names a load that is not there.
 
     force P at A along x
@@ -55,7 +55,7 @@ def still_point(span: Span, point: str) -> Words:
 
 
 @coded("E284")
-def unknown_subject(span: Span, known: Iterable[str]) -> Words:
+def unknown_subject(span: Span, known: Collection[str]) -> Words:
     """An ``expect`` speaks of something that nothing asks for.
 
     Its left side is the name of a ``find`` or ``let``, or the same ratio as a ``find``.
