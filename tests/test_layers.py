@@ -116,3 +116,10 @@ def test_no_import_cycle() -> None:
 def test_every_folder_says_what_it_promises() -> None:
     for path in PACKAGE.rglob("__init__.py"):
         assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))), path
+
+
+def test_the_lists_above_name_what_there_is() -> None:
+    used = {name for path in modules() for name in own(path) if stage(name) != stage(name_of(path))}
+    assert used >= VOCABULARY
+    for name in DATA | VOCABULARY:
+        assert PACKAGE.joinpath(*name.split(".")).with_suffix(".py").is_file(), name
