@@ -149,7 +149,7 @@ def lengths() -> None:
             for e in compilation.mechanism.expects
             if e.subject == result.name and not e.at
         ]
-        rows.append((name, sympy.count_ops(to_sympy(result.formula)), min(printed)))
+        rows.append((name, sympy.count_ops(to_sympy(result.formula)), printed[0]))
     table("Operations in k", ("mechanism", "own", "printed"), rows)
 
 

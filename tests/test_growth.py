@@ -36,7 +36,21 @@ def test_k_agrees_with_coordinates(chain: Callable[[int], str], n: int) -> None:
     assert float(found) == pytest.approx(values["k"], rel=1e-9)
 
 
-@every_chain
+WRITTEN_OUT = pytest.mark.xfail(
+    strict=True, reason="a velocity summed along a path is written out anew at every stage"
+)
+
+
+@pytest.mark.parametrize(
+    "chain",
+    [
+        scissor,
+        four_bar_chain,
+        pytest.param(uneven_scissor, marks=WRITTEN_OUT),
+        pytest.param(coupler_chain, marks=WRITTEN_OUT),
+    ],
+    ids=lambda c: c.__name__,
+)
 def test_operations_grow_as_the_stages_do(chain: Callable[[int], str]) -> None:
     few, many = (function_of(chain, n).operations for n in (6, 12))
     assert many <= 2.1 * few + 2
