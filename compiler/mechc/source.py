@@ -34,9 +34,9 @@ class Position(NamedTuple):
 
 @dataclass(frozen=True)
 class Source:
-    """One text and the name that messages give it.
+    r"""One text and the name that messages give it.
 
-    >>> s = Source("clamp.mech", "pivot O\\nlink AB\\n")
+    >>> s = Source("clamp.mech", "pivot O\nlink AB\n")
     >>> s.position(13)
     Position(line=2, column=6)
     >>> s.line(2)
