@@ -1,132 +1,136 @@
-"""From a Laurent polynomial back to a product: contents, sines, cosines, one primitive sum.
+"""From a polynomial back to a product: contents, sines, cosines, one primitive sum.
 
 What is found: the rational content, the common monomial, every factor sin u or cos u
 with u in the lattice of the angles that occur, and a pure length factor that splits
 off as a whole. What remains is one canonical :class:`~.product.Sum`, written as
 (monomial) · (its trigonometric coefficient, itself factored), first term positive.
+
+>>> a, b = Angle.of("alpha"), Angle.of("beta")
+>>> difference = [cosine(a - b), -cosine(a + b)]
+>>> factored(difference) == sine(a) * sine(b) * Product(2)
+True
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd, lcm
 
 from .angle import Angle, Rational, rational
-from .laurent import Gaussian, Key, Laurent, Monomial, binomial, divide, monomial
+from .laurent import Polynomial, Ring, Terms
 from .product import ONE, ZERO, Factor, Product, Sum, Trig, cosine, sine
 
 
-def factor(p: Laurent) -> Product:
-    """Return a real polynomial as a factored product.
+def factored(products: Sequence[Product], deep: bool = True) -> Product:
+    """Return a sum of products, multiplied out and factored.
 
-    >>> from .product import cosine
-    >>> from .laurent import expand_all
-    >>> a, b = Angle.of("alpha"), Angle.of("beta")
-    >>> difference = expand_all([cosine(a - b), -cosine(a + b)])
-    >>> factor(difference) == sine(a) * sine(b) * Product(2)
-    True
+    Sums inside the products are multiplied out if ``deep``, else they stay whole.
     """
-    if not p:
+    ring = Ring(products, deep)
+    return factor(ring, ring.expand(products))
+
+
+def factor(ring: Ring, p: Polynomial) -> Product:
+    """Return a real polynomial as a factored product."""
+    if not p.terms:
         return ZERO
-    content, common, p = _primitive(p)
-    head = Product(content, dict(common))
-    lengths, p = _separate(p)
-    trigs, p = _extract(p)
-    for part in (lengths, p):
-        head = head * _as_sum(part)
-    return head * trigs
+    content, common, terms = _primitive(ring, p.terms)
+    lengths, terms = _separate(ring, terms)
+    trigs, terms = _extract(ring, terms)
+    head = Product(rational(p.scale * content), common) * trigs
+    return head * _as_sum(ring, lengths) * _as_sum(ring, terms)
 
 
-def _primitive(p: Laurent) -> tuple[Rational, Monomial, Laurent]:
-    """Split off the rational content and the common monomial."""
-    content = _content(x for v in p.terms.values() for x in v if x)
+def _primitive(ring: Ring, terms: Terms) -> tuple[int, dict[Factor, int], Terms]:
+    """Split off the integer content and the common monomial."""
+    content = gcd(*(x for value in terms.values() for x in value))
     powers: dict[Factor, int] | None = None
-    for key in p.terms:
-        here = dict(key.monomial)
-        if powers is None:
-            powers = here
-        else:
-            powers = {f: min(e, here[f]) for f, e in powers.items() if f in here}
+    for key in terms:
+        here = ring.monomial(key)
+        powers = here if powers is None else _lower(powers, here)
         if not powers:
             break
-    common = monomial(powers or {})
-    rest = p.shifted(tuple((f, -e) for f, e in common)).scaled(rational(1 / Fraction(content)))
+    common = powers or {}
+    shift = sum(ring.factor_shift(f, e) for f, e in common.items())
+    rest = {k - shift: (re // content, im // content) for k, (re, im) in terms.items()}
     return content, common, rest
 
 
-def _content(values: Iterable[Rational]) -> Rational:
-    """Return the largest positive rational of which all values are integer multiples."""
-    parts = [Fraction(x) for x in values]
-    return rational(
-        Fraction(gcd(*(x.numerator for x in parts)), lcm(*(x.denominator for x in parts)))
-    )
+def _lower(a: dict[Factor, int], b: dict[Factor, int]) -> dict[Factor, int]:
+    return {f: min(e, b[f]) for f, e in a.items() if f in b}
 
 
-def _separate(p: Laurent) -> tuple[Laurent, Laurent]:
-    """Split p into (lengths) · (angles) if it is such a product, else into 1 · p."""
-    groups = list(p.grouped().items())
-    first = groups[0][1]
-    if len(groups) == 1 or len(first) == 1:
-        return Laurent.constant(1), p
-    unit = Key((), Angle())
-    ratios: dict[Key, Gaussian] = {}
-    for powers, group in groups:
-        ratio = _proportion(group, first)
-        if ratio is None:
-            return Laurent.constant(1), p
-        ratios[Key(powers, unit.angle)] = Gaussian(ratio, 0)
-    return Laurent(ratios), first
+def grouped(ring: Ring, terms: Terms) -> dict[int, Terms]:
+    """Return the trigonometric polynomial that stands before each (packed) monomial."""
+    groups: dict[int, Terms] = {}
+    for key, value in terms.items():
+        monomial, angle = ring.split(key)
+        groups.setdefault(monomial, {})[angle] = value
+    return groups
 
 
-def _proportion(a: Laurent, b: Laurent) -> Rational | None:
-    """Return r with a = r·b, if there is such a rational."""
-    if a.terms.keys() != b.terms.keys():
-        return None
-    key = next(iter(b.terms))
-    index = 0 if b.terms[key].re else 1
-    ratio = rational(Fraction(a.terms[key][index]) / Fraction(b.terms[key][index]))
-    return ratio if ratio and b.scaled(ratio) == a else None
+def _separate(ring: Ring, terms: Terms) -> tuple[Terms, Terms]:
+    """Split a polynomial into (lengths) · (angles) if it is such a product, else into 1 · p."""
+    one: Terms = {0: (1, 0)}
+    groups = grouped(ring, terms)
+    if len(groups) == 1 or any(len(g) == 1 for g in groups.values()):
+        return one, terms
+    contents = {m: gcd(*(x for v in g.values() for x in v)) for m, g in groups.items()}
+    base = {
+        k: _scaled(v, contents[m]) for m, g in [next(iter(groups.items()))] for k, v in g.items()
+    }
+    lengths: Terms = {}
+    for monomial, group in groups.items():
+        ratio = _ratio({k: _scaled(v, contents[monomial]) for k, v in group.items()}, base)
+        if not ratio:
+            return one, terms
+        lengths[monomial] = (ratio * contents[monomial], 0)
+    return lengths, base
+
+
+def _scaled(value: tuple[int, int], by: int) -> tuple[int, int]:
+    return value[0] // by, value[1] // by
+
+
+def _ratio(a: Terms, b: Terms) -> int:
+    """Return +1 or −1 if a = ±b, else 0."""
+    if a == b:
+        return 1
+    return -1 if a == {k: (-re, -im) for k, (re, im) in b.items()} else 0
 
 
 # ------------------------------------------------------------------- sines and cosines
 
 
-def _extract(p: Laurent) -> tuple[Product, Laurent]:
-    """Divide out every sine and cosine that divides p."""
-    groups = p.grouped().values()
+def _extract(ring: Ring, terms: Terms) -> tuple[Product, Terms]:
+    """Divide out every sine and cosine that divides a polynomial."""
     found = ONE
-    for trig in _candidates(min(groups, key=len)):
-        pair = binomial(trig)
-        while len(p) > 1 and (quotient := divide(p, pair)) is not None:
-            found, p = found * Product.of(trig), quotient
-    return found, p
+    smallest = min(grouped(ring, terms).values(), key=len)
+    for trig in _candidates(ring, smallest):
+        while len(terms) > 1 and (quotient := ring.divide(terms, trig)) is not None:
+            found, terms = found * Product(2, {trig: 1}), quotient
+    return found, terms
 
 
-def _candidates(p: Laurent) -> Iterator[Trig]:
+def _candidates(ring: Ring, terms: Terms) -> Iterator[Trig]:
     """Yield the sines and cosines that could divide a trigonometric polynomial.
 
     Such a factor makes an edge of the polytope of exponents, so twice its angle is a
     part of the difference between an extreme exponent and another one.
     """
-    angles = [key.angle for key in p.terms]
-    if len(angles) < 2:
+    if len(terms) < 2:
         return
-    extreme = max(angles, key=lambda a: _vector(a, angles))
-    scale = lcm(*(Fraction(c).denominator for a in angles for _, c in a.terms))
-    shifts = (0, 90) if any(a.degrees for a in angles) else (0,)
+    top = max(terms)
+    extreme = ring.angle(top)
+    shifts = (0, 90) if ring.has_constants else (0,)
     seen: set[Angle] = set()
-    for other in sorted(angles, key=str):
-        span = extreme - other
-        for parts in _divisors(span, scale):
+    for key in sorted(terms):
+        span = extreme - ring.angle(key)
+        for parts in _divisors(span, ring.scale):
             for shift in shifts:
                 half = (span + Angle.constant(shift)) * Fraction(1, 2 * parts)
                 if half not in seen:
                     seen.add(half)
                     yield from _both(half)
-
-
-def _vector(angle: Angle, angles: Iterable[Angle]) -> list[Rational]:
-    turns = dict(angle.terms)
-    return [turns.get(n, 0) for n in sorted({n for a in angles for n, _ in a.terms})]
 
 
 def _divisors(span: Angle, scale: int) -> Iterator[int]:
@@ -147,26 +151,39 @@ def _both(angle: Angle) -> Iterator[Trig]:
 # ---------------------------------------------------------------------- the sum itself
 
 
-def _as_sum(p: Laurent) -> Product:
+def _as_sum(ring: Ring, terms: Terms) -> Product:
     """Return a primitive polynomial as a constant or as one canonical sum."""
-    terms = _readable(p)
-    if len(terms) == 1:
-        return terms[0]
-    content = _content(t.coefficient for t in terms)
-    if terms[0].coefficient < 0:
+    if terms == {0: (1, 0)}:
+        return ONE
+    read = _readable(ring, terms)
+    if len(read) == 1:
+        return read[0]
+    content = _content(t.coefficient for t in read)
+    if read[0].coefficient < 0:
         content = -content
-    return Product(content, {Sum(tuple(t.scaled(1 / Fraction(content)) for t in terms)): 1})
+    return Product(content, {Sum(tuple(t.scaled(1 / Fraction(content)) for t in read)): 1})
 
 
-def _readable(p: Laurent) -> list[Product]:
+def _content(values: Iterable[Rational]) -> Rational:
+    """Return the largest positive rational of which all values are integer multiples."""
+    parts = [Fraction(x) for x in values]
+    return rational(
+        Fraction(gcd(*(x.numerator for x in parts)), lcm(*(x.denominator for x in parts)))
+    )
+
+
+def _readable(ring: Ring, terms: Terms) -> list[Product]:
     """Return the terms as they are read: by monomials, each coefficient factored."""
-    groups = p.grouped()
+    groups = grouped(ring, terms)
     if len(groups) == 1:
-        ((powers, group),) = groups.items()
-        terms = [Product(1, dict(powers)) * t for t in _linear(group)]
+        ((monomial, group),) = groups.items()
+        powers = Product(1, ring.monomial(monomial))
+        read = [powers * t for t in _linear(ring, group)]
     else:
-        terms = [Product(1, dict(powers)) * factor(group) for powers, group in groups.items()]
-    return sorted(terms, key=_place)
+        read = [
+            Product(1, ring.monomial(m)) * factor(ring, Polynomial(1, g)) for m, g in groups.items()
+        ]
+    return sorted(read, key=_place)
 
 
 def _place(term: Product) -> tuple[int, list[tuple[tuple[int, str], int]]]:
@@ -174,12 +191,11 @@ def _place(term: Product) -> tuple[int, list[tuple[tuple[int, str], int]]]:
     return degree, sorted((f.order(), e) for f, e in term.factors.items())
 
 
-def _linear(p: Laurent) -> list[Product]:
+def _linear(ring: Ring, terms: Terms) -> list[Product]:
     """Return a real trigonometric polynomial as a sum of single sines and cosines."""
     sums: dict[frozenset[tuple[Factor, int]], Rational] = {}
-    for key, value in p.terms.items():
-        for part in (cosine(key.angle).scaled(value.re), -sine(key.angle).scaled(value.im)):
-            if part:
-                name = frozenset(part.factors.items())
-                sums[name] = rational(sums.get(name, 0) + part.coefficient)
+    for key, value in terms.items():
+        for part in ring.single(key, value):
+            name = frozenset(part.factors.items())
+            sums[name] = rational(sums.get(name, 0) + part.coefficient)
     return [Product(c, dict(name)) for name, c in sums.items() if c]

@@ -2,182 +2,327 @@
 
 A real sum of products of lengths, sines and cosines has one such form: that makes
 equality decidable and lets factors z^u ± z^-u be found and turned back into cosines
-and sines. A constant of a multiple of 90° is a power of i and goes into the
-coefficient; other constants stay in the exponent, between 0° and 90°.
+and sines.
 
->>> from .product import sine, cosine
->>> a, b = Angle.of("alpha"), Angle.of("beta")
->>> expand(sine(a) * cosine(b)) + expand(cosine(a) * sine(b)) == expand(sine(a + b))
-True
+A term's exponents are packed into one integer, so that multiplying terms is adding
+integers and comparing them is the lexicographic order of exponents. The lowest field
+holds the constant part of the angle, in units of a common part of 90°, and is always
+wrapped into [0°, 90°): a quarter turn is a factor i of the coefficient.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
+from math import gcd, lcm
 from typing import NamedTuple
 
 from .angle import Angle, Rational, rational
-from .product import Factor, Product, Sum, Trig
+from .product import Factor, Product, Sum, Trig, cosine, sine
 
-Monomial = tuple[tuple[Factor, int], ...]
-"""Powers of lengths and of whatever is not expanded, in reading order."""
+BITS = 20
+"""Width of a field; exponents stay below 2¹⁹, which the limits of the language ensure."""
+_HALF, _FULL = 1 << (BITS - 1), 1 << BITS
 
+Gaussian = tuple[int, int]
+"""A Gaussian integer (real part, imaginary part)."""
 
-class Gaussian(NamedTuple):
-    """A complex number with rational parts."""
-
-    re: Rational
-    im: Rational
-
-
-class Key(NamedTuple):
-    """The exponents of one term: ``Π factor^e · exp(i·angle)``, angle.degrees in [0, 90)."""
-
-    monomial: Monomial
-    angle: Angle
+Terms = dict[int, Gaussian]
+"""Packed exponents → coefficient, without zero coefficients."""
 
 
-Terms = Mapping[Key, Gaussian]
-_POWERS_OF_I = (Gaussian(1, 0), Gaussian(0, 1), Gaussian(-1, 0), Gaussian(0, -1))
+class Polynomial(NamedTuple):
+    """``scale · Σ coefficient · Π factor^e · exp(i·angle)`` over the terms of a ring."""
+
+    scale: Rational
+    terms: Terms
 
 
-class Laurent:
-    """A Laurent polynomial; immutable, no zero coefficients."""
+class Binomial(NamedTuple):
+    """z^u ± z^-u as two packed shifts, each with a power of i; the first one leads."""
 
-    __slots__ = ("terms",)
-
-    def __init__(self, terms: Terms) -> None:
-        self.terms = terms
-
-    @staticmethod
-    def constant(value: Rational) -> "Laurent":
-        """Return a constant polynomial."""
-        return Laurent({Key((), Angle()): Gaussian(value, 0)} if value else {})
-
-    def __eq__(self, other: object) -> bool:
-        return isinstance(other, Laurent) and self.terms == other.terms
-
-    __hash__ = None  # type: ignore[assignment]
-
-    def __bool__(self) -> bool:
-        return bool(self.terms)
-
-    def __len__(self) -> int:
-        return len(self.terms)
-
-    def __add__(self, other: "Laurent") -> "Laurent":
-        return gather([*self.terms.items(), *other.terms.items()])
-
-    def __mul__(self, other: "Laurent") -> "Laurent":
-        return gather(
-            _multiplied(key, value, k, v)
-            for key, value in self.terms.items()
-            for k, v in other.terms.items()
-        )
-
-    def scaled(self, factor: Rational) -> "Laurent":
-        """Return the polynomial times a rational number."""
-        by = Gaussian(factor, 0)
-        return Laurent({k: _times(v, by) for k, v in self.terms.items()})
-
-    def shifted(self, by: Monomial) -> "Laurent":
-        """Return the polynomial times a monomial."""
-        return Laurent({Key(_joined(k.monomial, by), k.angle): v for k, v in self.terms.items()})
-
-    def grouped(self) -> dict[Monomial, "Laurent"]:
-        """Return the trigonometric polynomial that stands before each monomial."""
-        groups: dict[Monomial, dict[Key, Gaussian]] = {}
-        for key, value in self.terms.items():
-            groups.setdefault(key.monomial, {})[Key((), key.angle)] = value
-        return {m: Laurent(terms) for m, terms in groups.items()}
+    up: int
+    up_power: int
+    down: int
+    down_power: int
 
 
-def gather(terms: Iterable[tuple[Key, Gaussian]]) -> Laurent:
-    """Add up terms of equal exponents and drop those that vanish."""
-    sums: dict[Key, Gaussian] = {}
-    for key, value in terms:
-        old = sums.get(key)
-        if old is not None:
-            value = Gaussian(rational(old.re + value.re), rational(old.im + value.im))
-        sums[key] = value
-    return Laurent({k: v for k, v in sums.items() if v.re or v.im})
+def rotated(value: Gaussian, power: int) -> Gaussian:
+    """Return a Gaussian integer times a power of i."""
+    re, im = value
+    match power & 3:
+        case 0:
+            return value
+        case 1:
+            return (-im, re)
+        case 2:
+            return (-re, -im)
+    return (im, -re)
 
 
-def _times(a: Gaussian, b: Gaussian) -> Gaussian:
-    if not a.im and not b.im:
-        return Gaussian(rational(a.re * b.re), 0)
-    return Gaussian(rational(a.re * b.re - a.im * b.im), rational(a.re * b.im + a.im * b.re))
+class Ring:
+    """The exponents that some products need, and the arithmetic on their packed form.
 
-
-def _inverse(a: Gaussian) -> Gaussian:
-    norm = a.re * a.re + a.im * a.im
-    return Gaussian(rational(Fraction(a.re) / norm), rational(Fraction(-a.im) / norm))
-
-
-def _wrapped(angle: Angle, value: Gaussian) -> tuple[Angle, Gaussian]:
-    """Move whole quarter turns of an exponent into the coefficient."""
-    quarters = int(angle.degrees // 90)
-    if quarters:
-        angle = Angle(angle.terms, rational(angle.degrees - 90 * quarters))
-        value = _times(value, _POWERS_OF_I[quarters % 4])
-    return angle, value
-
-
-def _multiplied(a: Key, value: Gaussian, b: Key, other: Gaussian) -> tuple[Key, Gaussian]:
-    angle, result = _wrapped(a.angle + b.angle, _times(value, other))
-    return Key(_joined(a.monomial, b.monomial), angle), result
-
-
-def _joined(a: Monomial, b: Monomial) -> Monomial:
-    if not a or not b:
-        return a or b
-    powers = dict(a)
-    for factor, e in b:
-        powers[factor] = powers.get(factor, 0) + e
-    return monomial(powers)
-
-
-def monomial(powers: Mapping[Factor, int]) -> Monomial:
-    """Return powers in reading order, without those that vanish."""
-    return tuple(sorted(((f, e) for f, e in powers.items() if e), key=lambda fe: fe[0].order()))
-
-
-# -------------------------------------------------------------------------- expansion
-
-
-def binomial(trig: Trig) -> Laurent:
-    """Return a sine or cosine as (z^u ∓ z^-u)/2i or /2."""
-    half = Fraction(1, 2)
-    if trig.function == "cos":
-        up, down = Gaussian(half, 0), Gaussian(half, 0)
-    else:
-        up, down = Gaussian(0, -half), Gaussian(0, half)
-    pairs = (_wrapped(trig.angle, up), _wrapped(-trig.angle, down))
-    return gather((Key((), angle), value) for angle, value in pairs)
-
-
-def expand(product: Product, deep: bool = True) -> Laurent:
-    """Return a product multiplied out; sums in it too if ``deep``, else they stay whole.
-
-    Sines, cosines and sums must have positive exponents.
+    >>> from .product import sine, cosine
+    >>> a, b = Angle.of("alpha"), Angle.of("beta")
+    >>> ring = Ring([sine(a + b)])
+    >>> ring.expand([sine(a) * cosine(b), cosine(a) * sine(b)]) == ring.expand([sine(a + b)])
+    True
     """
-    whole: dict[Factor, int] = {}
-    result = Laurent.constant(product.coefficient)
-    for factor, exponent in product.factors.items():
-        if isinstance(factor, Trig):
-            part = binomial(factor)
-        elif isinstance(factor, Sum) and deep:
-            part = expand_all(factor.terms)
-        else:
-            whole[factor] = exponent
-            continue
-        for _ in range(exponent):
-            result = result * part
-    return result.shifted(monomial(whole))
+
+    def __init__(self, products: Sequence[Product], deep: bool = True) -> None:
+        self.deep = deep
+        angles, factors = _generators(products, deep)
+        self._names = sorted({name for a in angles for name, _ in a.terms})
+        self._factors = sorted(factors, key=lambda f: f.order())
+        self._scale = lcm(*(c.denominator for a in angles for _, c in a.terms))
+        self._part = _common_part(angles)
+        self._wrap = int(90 / self._part) if self._part else 0
+        places = (*self._names, *self._factors)
+        self._fields: dict[object, int] = {x: BITS * (i + 1) for i, x in enumerate(places)}
+
+    # -------------------------------------------------------------------- packing
+
+    def _packed(self, angle: Angle) -> tuple[int, int]:
+        """Return the packed exponents of exp(i·angle) and the power of i that goes with it."""
+        key = 0
+        for name, c in angle.terms:
+            key += int(c * self._scale) << self._fields[name]
+        if not self._wrap:
+            return key, int(angle.degrees // 90)
+        quarters, part = divmod(int(Fraction(angle.degrees) / self._part), self._wrap)
+        return key + part, quarters
+
+    def factor_shift(self, factor: Factor, exponent: int) -> int:
+        """Return the packed exponents of a power of a factor."""
+        return exponent << self._fields[factor]
+
+    def exponents(self, key: int) -> list[int]:
+        """Return all exponents but the constant's, symbols of angles first, as integers."""
+        key >>= BITS
+        result = []
+        for _ in self._fields:
+            low = ((key + _HALF) & (_FULL - 1)) - _HALF
+            result.append(low)
+            key = (key - low) >> BITS
+        return result
+
+    def split(self, key: int) -> tuple[int, int]:
+        """Return the packed factors and the packed angle of a term."""
+        width = BITS * (len(self._names) + 1)
+        half = 1 << (width - 1)
+        angle = ((key + half) & ((1 << width) - 1)) - half
+        return key - angle, angle
+
+    def angle(self, key: int) -> Angle:
+        """Return the angle of a term."""
+        turns = self.exponents(key)
+        terms = (
+            (name, rational(Fraction(c, self._scale)))
+            for name, c in zip(self._names, turns, strict=False)
+            if c
+        )
+        constant = (key & (_FULL - 1)) * self._part if self._wrap else 0
+        return Angle(tuple(terms), rational(constant))
+
+    def monomial(self, key: int) -> dict[Factor, int]:
+        """Return the powers of factors of a term."""
+        powers = self.exponents(key)[len(self._names) :]
+        return {f: e for f, e in zip(self._factors, powers, strict=True) if e}
+
+    @property
+    def scale(self) -> int:
+        """Return the common denominator of the coefficients of angles."""
+        return self._scale
+
+    @property
+    def has_constants(self) -> bool:
+        """Tell whether some angle has a constant that is no multiple of 90°."""
+        return bool(self._wrap)
+
+    def shifted(self, key: int, value: Gaussian, shift: int, power: int) -> tuple[int, Gaussian]:
+        """Return a term times i^power and a packed shift, its constant wrapped."""
+        key += shift
+        if self._wrap and key & (_FULL - 1) >= self._wrap:
+            key, power = key - self._wrap, power + 1
+        return key, rotated(value, power) if power & 3 else value
+
+    # ------------------------------------------------------------------ expansion
+
+    def expand(self, products: Iterable[Product]) -> Polynomial:
+        """Return a sum of products multiplied out.
+
+        Sines, cosines and (if the ring is deep) sums must have positive exponents.
+        """
+        parts = [self._expanded(p) for p in products]
+        scale = Fraction(1, lcm(*(Fraction(p.scale).denominator for p in parts)))
+        total: Terms = {}
+        for part in parts:
+            times = int(part.scale / scale)
+            for key, (re, im) in part.terms.items():
+                _accumulate(total, key, (re * times, im * times))
+        return Polynomial(rational(scale), total)
+
+    def _expanded(self, product: Product) -> Polynomial:
+        scale: Rational = product.coefficient
+        terms: Terms = {0: (1, 0)}
+        for factor, exponent in product.factors.items():
+            if isinstance(factor, Trig):
+                binomial = self.binomial(factor)
+                scale = rational(scale * Fraction(1, 2**exponent))
+                for _ in range(exponent):
+                    terms = self._times_binomial(terms, binomial)
+            elif isinstance(factor, Sum) and self.deep:
+                inner = self.expand(factor.terms)
+                scale = rational(scale * Fraction(inner.scale) ** exponent)
+                for _ in range(exponent):
+                    terms = self.times(terms, inner.terms)
+            else:
+                shift = self.factor_shift(factor, exponent)
+                terms = {key + shift: value for key, value in terms.items()}
+        return Polynomial(scale, terms)
+
+    def binomial(self, trig: Trig) -> Binomial:
+        """Return twice a cosine, z^u + z^-u, or twice a sine, −i·z^u + i·z^-u."""
+        up, up_power = self._packed(trig.angle)
+        down, down_power = self._packed(-trig.angle)
+        if trig.function == "sin":
+            up_power, down_power = up_power - 1, down_power + 1
+        if up >> BITS < down >> BITS:
+            return Binomial(down, down_power, up, up_power)
+        return Binomial(up, up_power, down, down_power)
+
+    def _times_binomial(self, terms: Terms, by: Binomial) -> Terms:
+        result: Terms = {}
+        for key, value in terms.items():
+            _accumulate(result, *self.shifted(key, value, by.up, by.up_power))
+            _accumulate(result, *self.shifted(key, value, by.down, by.down_power))
+        return result
+
+    def times(self, left: Terms, right: Terms) -> Terms:
+        """Return the product of two sums of terms."""
+        result: Terms = {}
+        for key, value in right.items():
+            for k, (re, im) in left.items():
+                product = (re * value[0] - im * value[1], re * value[1] + im * value[0])
+                _accumulate(result, *self.shifted(k, product, key, 0))
+        return result
+
+    # ------------------------------------------------------------------- division
+
+    def divide(self, terms: Terms, trig: Trig) -> Terms | None:
+        """Return the quotient by twice a sine or cosine, or None if it does not divide.
+
+        The exponent along the angle's first symbol falls at each step and is bounded
+        below, so this ends.
+        """
+        by = self.binomial(trig)
+        field = max(self._fields[name] for name, _ in trig.angle.terms) // BITS - 1
+        lowest = min(self.exponents(key)[field] for key in terms)
+        lowest += abs(self.exponents(by.up)[field])
+        rest, quotient = dict(terms), {}
+        while rest:
+            top = max(rest) >> BITS
+            for key in [k for k in rest if k >> BITS == top]:
+                k, value = self._lowered(key, rest.pop(key), by)
+                if self.exponents(k)[field] < lowest:
+                    return None
+                quotient[k] = value
+                re, im = value
+                _accumulate(rest, *self.shifted(k, (-re, -im), by.down, by.down_power))
+        return quotient
+
+    def _lowered(self, key: int, value: Gaussian, by: Binomial) -> tuple[int, Gaussian]:
+        """Return a term divided by the leading term of a binomial."""
+        key, power = key - by.up, -by.up_power
+        if self._wrap and (key & (_FULL - 1)) >= self._wrap:
+            key, power = key + self._wrap, power - 1
+        return key, rotated(value, power)
+
+    def divide_exactly(self, upper: Polynomial, lower: Polynomial) -> Polynomial | None:
+        """Return the quotient of two polynomials with integer content 1, or None.
+
+        Long division by the leading term. The constant part of an angle takes no part in
+        the order, so a divisor whose leading coefficient is a sum of constants is refused.
+        """
+        top = max(lower.terms) >> BITS
+        leads = [k for k in lower.terms if k >> BITS == top]
+        if len(leads) != 1:
+            return None
+        return self._long_division(upper, lower, leads[0])
+
+    def _long_division(self, upper: Polynomial, lower: Polynomial, lead: int) -> Polynomial | None:
+        floor = [a - b for a, b in zip(*map(self._lowest, (upper, lower)), strict=True)]
+        rest, quotient = dict(upper.terms), {}
+        while rest:
+            top = max(rest) >> BITS
+            for key in [k for k in rest if k >> BITS == top]:
+                k, value = self._lowered(key, rest[key], Binomial(lead, 0, 0, 0))
+                part = _divided(value, lower.terms[lead])
+                exponents = self.exponents(k)
+                if part is None or any(e < f for e, f in zip(exponents, floor, strict=True)):
+                    return None
+                quotient[k] = part
+                for other, v in self.times({k: (-part[0], -part[1])}, lower.terms).items():
+                    _accumulate(rest, other, v)
+        return Polynomial(rational(Fraction(upper.scale) / lower.scale), quotient)
+
+    def _lowest(self, polynomial: Polynomial) -> list[int]:
+        return [min(column) for column in zip(*map(self.exponents, polynomial.terms), strict=True)]
+
+    # -------------------------------------------------------------------- reading
+
+    def single(self, key: int, value: Gaussian) -> Iterator[Product]:
+        """Yield the real part of one term: a cosine and a sine of its angle."""
+        angle = self.angle(key)
+        re, im = value
+        if re:
+            yield cosine(angle).scaled(re)
+        if im:
+            yield sine(angle).scaled(-im)
 
 
-def expand_all(products: Iterable[Product], deep: bool = True) -> Laurent:
-    """Return the sum of several products, multiplied out."""
-    return gather(item for p in products for item in expand(p, deep).terms.items())
+def _accumulate(terms: Terms, key: int, value: Gaussian) -> None:
+    old = terms.get(key)
+    if old is None:
+        terms[key] = value
+        return
+    value = (old[0] + value[0], old[1] + value[1])
+    if value == (0, 0):
+        del terms[key]
+    else:
+        terms[key] = value
+
+
+def _divided(value: Gaussian, by: Gaussian) -> Gaussian | None:
+    """Return the quotient of two Gaussian integers if it is one."""
+    norm = by[0] * by[0] + by[1] * by[1]
+    re = value[0] * by[0] + value[1] * by[1]
+    im = value[1] * by[0] - value[0] * by[1]
+    return None if re % norm or im % norm else (re // norm, im // norm)
+
+
+def _generators(products: Iterable[Product], deep: bool) -> tuple[list[Angle], set[Factor]]:
+    """Return the angles and the whole factors that occur in products."""
+    angles: list[Angle] = []
+    factors: set[Factor] = set()
+    waiting = list(products)
+    while waiting:
+        for factor in waiting.pop().factors:
+            if isinstance(factor, Trig):
+                angles.append(factor.angle)
+            elif isinstance(factor, Sum) and deep:
+                waiting.extend(factor.terms)
+            else:
+                factors.add(factor)
+    return angles, factors
+
+
+def _common_part(angles: Iterable[Angle]) -> Fraction:
+    """Return the largest part of 90° of which all constants are multiples; 0 if none is needed."""
+    constants = [Fraction(a.degrees) for a in angles if a.degrees % 90]
+    if not constants:
+        return Fraction(0)
+    below = lcm(*(c.denominator for c in constants))
+    return Fraction(gcd(90 * below, *(int(c * below) for c in constants)), below)
 
 
 def size(product: Product, deep: bool = True) -> int:
@@ -189,59 +334,3 @@ def size(product: Product, deep: bool = True) -> int:
         elif isinstance(factor, Sum) and deep:
             terms *= sum(size(t) for t in factor.terms) ** exponent
     return terms
-
-
-# --------------------------------------------------------------------------- division
-
-Order = Callable[[Key], tuple[Rational, ...]]
-
-
-def divide(dividend: Laurent, divisor: Laurent) -> Laurent | None:
-    """Return the exact quotient, or None where there is none.
-
-    Ordinary long division by the leading term; it ends because the lowest exponent of
-    every symbol is known beforehand (lowest exponents add up in a product). The
-    constant part of an angle takes no part in the order of terms, so a divisor whose
-    leading coefficient is a sum of constants is refused (None).
-    """
-    order = _lexicographic(dividend, divisor)
-    lead = _leading(divisor, order)
-    if lead is None:
-        return None
-    inverse = Key(tuple((f, -e) for f, e in lead.monomial), -lead.angle)
-    by = _inverse(divisor.terms[lead])
-    lowest = [x - y for x, y in zip(_lowest(dividend, order), _lowest(divisor, order), strict=True)]
-    quotient: list[tuple[Key, Gaussian]] = []
-    rest = dividend
-    while rest:
-        top = max(map(order, rest.terms))
-        part = [_multiplied(k, v, inverse, by) for k, v in rest.terms.items() if order(k) == top]
-        if any(e < low for k, _ in part for e, low in zip(order(k), lowest, strict=True)):
-            return None
-        quotient.extend(part)
-        rest = rest + (gather(part) * divisor).scaled(-1)
-    return gather(quotient)
-
-
-def _leading(p: Laurent, order: Order) -> Key | None:
-    top = max(map(order, p.terms))
-    keys = [k for k in p.terms if order(k) == top]
-    return keys[0] if len(keys) == 1 else None
-
-
-def _lowest(p: Laurent, order: Order) -> list[Rational]:
-    """Return the lowest exponent of each symbol."""
-    return [min(exponents) for exponents in zip(*map(order, p.terms), strict=True)]
-
-
-def _lexicographic(*polynomials: Laurent) -> Order:
-    """Return the order of exponents, name by name, over all names that occur."""
-    keys = [k for p in polynomials for k in p.terms]
-    factors = sorted({f for k in keys for f, _ in k.monomial}, key=lambda f: f.order())
-    names = sorted({n for k in keys for n, _ in k.angle.terms})
-
-    def order(key: Key) -> tuple[Rational, ...]:
-        powers, turns = dict(key.monomial), dict(key.angle.terms)
-        return (*(powers.get(f, 0) for f in factors), *(turns.get(n, 0) for n in names))
-
-    return order

@@ -9,6 +9,7 @@ import math
 from collections.abc import Hashable, Iterable, Mapping
 from dataclasses import dataclass
 from fractions import Fraction
+from functools import lru_cache
 from typing import Literal, Protocol
 
 from .angle import Angle, Rational, rational
@@ -322,6 +323,7 @@ def _with_tangents(
 # -------------------------------------------------------------------- sines, cosines
 
 
+@lru_cache(maxsize=4096)
 def sine(angle: Angle) -> Product:
     """Return sin(angle) in canonical form: a sign and a first-quadrant-like factor.
 
@@ -331,6 +333,7 @@ def sine(angle: Angle) -> Product:
     return _trig(angle, 0)
 
 
+@lru_cache(maxsize=4096)
 def cosine(angle: Angle) -> Product:
     """Return cos(angle) in canonical form.
 
@@ -350,7 +353,7 @@ def _trig(angle: Angle, quarter: int) -> Product:
     if _leads_negative(angle):
         angle = -angle
         sign, quarter = (-1, quarter) if quarter % 2 == 0 else (1, quarter)
-    turns = math.ceil(Fraction(angle.degrees - 45, 90))
+    turns = -((45 - angle.degrees) // 90)
     angle = Angle(angle.terms, rational(angle.degrees - 90 * turns))
     quarter = (quarter + turns) % 4
     if quarter >= 2:

@@ -13,8 +13,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
 
 from .angle import Angle, Rational, rational
-from .factoring import factor
-from .laurent import divide, expand_all, size
+from .factoring import factor, factored
+from .laurent import Ring, size
 from .product import ZERO, Factor, Product, Sum, Trig, cosine, sine
 
 LIMIT = 96
@@ -56,7 +56,7 @@ def _common(terms: Sequence[Product]) -> Product:
 def _factored(rests: Sequence[Product]) -> Product:
     for deep in (True, False):
         if sum(size(r, deep) for r in rests) <= LIMIT:
-            return factor(expand_all(rests, deep))
+            return factored(rests, deep)
     return _kept(rests)
 
 
@@ -94,8 +94,9 @@ def _cancelled(product: Product) -> Product:
 def _quotient(upper: Sum, lower: Sum) -> Product | None:
     if sum(map(size, upper.terms)) > LIMIT or sum(map(size, lower.terms)) > LIMIT:
         return None
-    result = divide(expand_all(upper.terms), expand_all(lower.terms))
-    return None if result is None else factor(result)
+    ring = Ring((*upper.terms, *lower.terms))
+    result = ring.divide_exactly(ring.expand(upper.terms), ring.expand(lower.terms))
+    return None if result is None else factor(ring, result)
 
 
 def _squares(product: Product) -> Product:

@@ -5,12 +5,15 @@ names and become definitions (``beta`` where ``beta = asin(…)``).
 """
 
 from ..algebra.angle import Angle
-from ..algebra.formula import Formula, substitute
+from ..algebra.formula import Formula, count_operations, substitute, symbols
 from ..algebra.from_formula import is_transparent, to_angle, to_product
 from ..algebra.product import Product
-from ..model.mechanism import Mechanism
+from ..model.mechanism import Mechanism, Parameter
 from ..units import ANGLE
 from .pose import Definition
+
+LONG = 40
+"""A dependent parameter of more operations than this keeps its name."""
 
 
 class Terms:
@@ -19,30 +22,48 @@ class Terms:
     def __init__(self, mechanism: Mechanism) -> None:
         self.definitions: list[Definition] = []
         self._inner: dict[str, Formula] = {}
-        for parameter in mechanism.parameters:
-            if parameter.dependent and parameter.value is not None:
-                self._define(parameter.name, parameter.value, parameter.dimension == ANGLE)
+        dependent = {p.name: p for p in mechanism.parameters if p.dependent}
+        while dependent:
+            self._define(next(iter(dependent.values())), dependent)
 
-    def _define(self, name: str, value: Formula, is_angle: bool) -> None:
-        formula = self.inner(value)
-        if to_angle(formula) is None if is_angle else not is_transparent(to_product(formula)):
-            self.definitions.append(Definition(name, formula))
+    def _define(self, parameter: Parameter, waiting: dict[str, Parameter]) -> None:
+        """Put a dependent parameter in or define it, those it needs first."""
+        del waiting[parameter.name]
+        assert parameter.value is not None
+        for name in sorted(symbols(parameter.value) & waiting.keys()):
+            if name in waiting:
+                self._define(waiting[name], waiting)
+        formula = self._inside(parameter.value)
+        settled = _angle_formula(formula) if parameter.dimension == ANGLE else _length(formula)
+        if settled is not None and count_operations(settled) <= LONG:
+            self._inner[parameter.name] = settled
         else:
-            self._inner[name] = formula
+            self.definitions.append(Definition(parameter.name, formula))
 
-    def inner(self, formula: Formula) -> Formula:
-        """Return a formula with dependent parameters put in."""
+    def _inside(self, formula: Formula) -> Formula:
         return substitute(formula, self._inner) if self._inner else formula
 
     def angle(self, formula: Formula, name: str) -> Angle:
         """Return a formula as an angle; what is not linear is defined under a name of its own."""
-        formula = self.inner(formula)
+        formula = self._inside(formula)
         angle = to_angle(formula)
         if angle is not None:
             return angle
-        self.definitions.append(Definition(name, formula))
+        definition = Definition(name, formula)
+        if definition not in self.definitions:
+            self.definitions.append(definition)
         return Angle.of(name)
 
     def length(self, formula: Formula) -> Product:
         """Return a formula as a product."""
-        return to_product(self.inner(formula))
+        return to_product(self._inside(formula))
+
+
+def _angle_formula(formula: Formula) -> Formula | None:
+    angle = to_angle(formula)
+    return None if angle is None else angle.formula()
+
+
+def _length(formula: Formula) -> Formula | None:
+    product = to_product(formula)
+    return product.formula() if is_transparent(product) else None

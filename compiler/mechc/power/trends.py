@@ -14,8 +14,8 @@ from ..units import ANGLE
 from .intervals import Box, Interval, sign, widened
 from .result import Trend
 
-DEPTH = 7
-"""The box is halved along its widest range at most this many times."""
+PARTS = 48
+"""A factor's sign is looked for on at most this many parts of the box."""
 
 
 def ranges(mechanism: Mechanism) -> Box:
@@ -34,28 +34,47 @@ def _range(parameter: Parameter) -> Interval | None:
     return None if parameter.dimension == ANGLE else Interval(5e-324, math.inf)
 
 
-def trend(slope: Product, box: Box) -> Trend:
-    """Return how a result moves with a parameter, from its derivative."""
+def trend(slope: Product, name: str, box: Box) -> Trend:
+    """Return how a result moves with a parameter, from its derivative by it."""
     if not slope:
         return "constant"
-    signs = set(_signs(slope, box))
-    if signs == {1}:
-        return "rises"
-    if signs == {-1}:
-        return "falls"
-    return "turns" if {1, -1} <= signs else "unknown"
+    ends = {sign(slope, _corner(box, name, end)) for end in (0, 1)}
+    if ends == {1, -1}:
+        return "turns"
+    if ends in ({1}, {-1}) and _keeps_sign(slope, box):
+        return "rises" if ends == {1} else "falls"
+    return "unknown"
 
 
-def _signs(slope: Product, box: Box) -> Iterator[int | None]:
-    """Yield the signs over parts of the box, halved until each is proved."""
-    waiting = [(box, 0)]
-    while waiting:
-        part, depth = waiting.pop()
-        found = sign(slope, part)
-        if found is None and depth < DEPTH and (name := _widest(part)):
-            waiting.extend((half, depth + 1) for half in _halves(part, name))
-        else:
-            yield found
+def _corner(box: Box, name: str, end: int) -> Box:
+    """Return one end of a parameter's range, the others standing in the middle of theirs."""
+    middles = {n: (low + high) / 2 for n, (low, high) in box.items() if math.isfinite(high)}
+    at = {n: middles.get(n, 1.0) for n in box}
+    if name in middles:
+        at[name] = box[name][end]
+    return {n: widened(x, x) for n, x in at.items()}
+
+
+def _keeps_sign(slope: Product, box: Box) -> bool:
+    """Tell whether no factor that could change sign does so in the box."""
+    return all(
+        _is_free_of_zeros(Product(1, {f: 1}), box) for f, e in slope.factors.items() if e % 2
+    )
+
+
+def _is_free_of_zeros(factor: Product, box: Box) -> bool:
+    """Prove that one factor has no zero in a box, halving the box where needed."""
+    waiting = [box]
+    for _ in range(PARTS):
+        if not waiting:
+            return True
+        part = waiting.pop()
+        if sign(factor, part) is None:
+            name = _widest(part)
+            if name is None:
+                return False
+            waiting.extend(_halves(part, name))
+    return not waiting
 
 
 def _widest(box: Box) -> str | None:
