@@ -54,7 +54,7 @@ def test_emit_gives_what_the_command_line_gives(clamp: mechc.SolvedMechanism) ->
 
 
 def test_notebooks_get_latex(clamp: mechc.SolvedMechanism) -> None:
-    assert clamp._repr_latex_().startswith("$\\displaystyle k = ")
+    assert clamp._repr_latex_().startswith(r"$\displaystyle \begin{aligned} k &= \frac{a ")
     assert repr(clamp) == "<packet_clamp: k>"
 
 

@@ -82,3 +82,32 @@ def test_commands_of_the_table_work(
     monkeypatch.chdir(tmp_path)
     (tmp_path / "clamp.mech").write_bytes((ROOT / "examples" / "clamp.mech").read_bytes())
     assert main(shlex.split(row.replace("STAGE", "power"))) == 0
+
+
+LATER = {
+    "Gears": "gear O r, O2 r",
+    "racks": "rack K on O r",
+    "belts": "belt O r, O2 r",
+    "screws": "screw K pitch r on OB",
+    "slots": "slot K in OB",
+    "telescopes": "telescope OK",
+    "wedges": "slide KL along x",
+    "cams": "contact K on OB normal x",
+    "springs": "spring c between B and K free r",
+    "actuators": "actuator Q between B and K",
+    "friction": "friction slider K mu",
+    "`find R_O`": "find R_O",
+    "`drive`": "drive alpha from 2 deg to 40 deg",
+    "`assembly`": "assembly K forward",
+}
+"""What the README calls not done yet, and a line that asks for it."""
+
+
+@pytest.mark.parametrize("word", LATER)
+def test_what_is_not_done_yet_is_refused(word: str) -> None:
+    section = TEXT.split("## What it does not do yet")[1]
+    assert word in section
+    declared = "param r = 1 m\nparam mu = 0.1\nparam c = 1 N/m\npivot O2\n"
+    with pytest.raises(mechc.MechcError) as caught:
+        mechc.loads(f"{blocks('mech')[0]}{declared}{LATER[word]}\n", "later.mech")
+    assert "E249" in {d.code for d in caught.value.diagnostics}

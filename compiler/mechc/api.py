@@ -141,8 +141,10 @@ class SolvedMechanism:
     def _repr_latex_(self) -> str:
         import sympy
 
-        lines = (f"{sympy.latex(sympy.Symbol(n))} = {sympy.latex(self[n])}" for n in self.results)
-        return "$\\displaystyle " + " \\\\ ".join(lines) + "$"
+        sides = ((sympy.Symbol(name), self[name]) for name in self.results)
+        lines = [f"{sympy.latex(name)} &= {sympy.latex(value)}" for name, value in sides]
+        rows = r" \\ ".join(lines)
+        return rf"$\displaystyle \begin{{aligned}} {rows} \end{{aligned}}$"
 
     def __repr__(self) -> str:
         """Return name and results in one line."""
