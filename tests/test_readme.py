@@ -9,6 +9,9 @@ import pytest
 
 import mechc
 from mechc.cli import main
+from mechc.diagnostics import Report
+from mechc.source import Source
+from mechc.syntax.notation import read
 from readme_commands import commands
 
 ROOT = Path(__file__).parents[1]
@@ -111,3 +114,20 @@ def test_what_is_not_done_yet_is_refused(word: str) -> None:
     with pytest.raises(mechc.MechcError) as caught:
         mechc.loads(f"{blocks('mech')[0]}{declared}{LATER[word]}\n", "later.mech")
     assert "E249" in {d.code for d in caught.value.diagnostics}
+
+
+def rows() -> list[tuple[str, str]]:
+    """Return the first example in lines and in YAML of each row of the table of the language."""
+    section = TEXT.split("| lines | YAML | meaning |")[1].split("\n\n")[0]
+    return re.findall(r"^\| `([^`]+)`.*? \| `([^`]+)`.* \| ", section, re.MULTILINE)[1:]
+
+
+@pytest.mark.parametrize(("line", "yaml"), rows(), ids=[line for line, _ in rows()])
+def test_both_columns_of_the_language_say_the_same(line: str, yaml: str) -> None:
+    trees = []
+    for source in (Source("row.mech", f"{line}\n"), Source("row.yaml", f"{yaml}\n")):
+        report = Report(source)
+        trees.append(read(source, report))
+        assert report.diagnostics == []
+    assert trees[0].statements
+    assert trees[0] == trees[1]
