@@ -75,8 +75,6 @@ def uneven_scissor(n: int) -> str:
     """
     arms = [f"param a{i} = {300 + 17 * i} mm" for i in range(n)]
     arms += [f"param b{i} = {310 + 13 * i} mm" for i in range(n + 1)]
-    sum_a = " + ".join(f"a{i}" for i in range(n))
-    sum_b = " + ".join(f"b{i}" for i in range(1, n + 1))
     return _joined(
         [
             f'mechanism uneven_scissor_{n} "Scissor lift, {n} different stages"',
@@ -92,6 +90,16 @@ def uneven_scissor(n: int) -> str:
             "force P at B0 along 180 deg",
             f"force F at A{n} along -90 deg",
             "find k = P / F",
+        ]
+    )
+
+
+def uneven_expectation(n: int) -> str:
+    """Return the lines that say what k of :func:`uneven_scissor` is."""
+    sum_a = " + ".join(f"a{i}" for i in range(n))
+    sum_b = " + ".join(f"b{i}" for i in range(1, n + 1))
+    return _joined(
+        [
             f"let rise = b0*({sum_a}) + a0*({sum_b})",
             "expect k = cos(alpha)*cos(beta)*rise/(a0*b0*sin(alpha + beta))",
         ]

@@ -6,7 +6,13 @@ from functools import cache
 import pytest
 
 import reference_kinematics
-from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
+from generators import (
+    coupler_chain,
+    four_bar_chain,
+    scissor,
+    uneven_expectation,
+    uneven_scissor,
+)
 from mechc.driver import Compilation, compile_source
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function
@@ -34,6 +40,13 @@ def test_k_agrees_with_coordinates(chain: Callable[[int], str], n: int) -> None:
     function = function_of(chain, n)
     found = evaluate(function, {i.name: values[i.name] for i in function.inputs})
     assert float(found) == pytest.approx(values["k"], rel=1e-9)
+
+
+@pytest.mark.parametrize("n", [1, 2, 5])
+def test_uneven_stages_add_up(n: int) -> None:
+    text = uneven_scissor(n) + uneven_expectation(n)
+    (finding,) = compile_source(Source("chain.mech", text)).findings
+    assert finding.outcome == "proved"
 
 
 WRITTEN_OUT = pytest.mark.xfail(
