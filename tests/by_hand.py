@@ -4,9 +4,10 @@ import json
 import math
 from fractions import Fraction
 from pathlib import Path
-from typing import NamedTuple
 
 from mechc.algebra import formula
+from mechc.algebra.angle import Angle
+from mechc.algebra.product import Product
 from mechc.model import mechanism as model
 from mechc.pose.pose import Arm, Pose
 from mechc.power.result import Result
@@ -17,33 +18,15 @@ HERE = Span(0, 1)
 SEEDS = Path(__file__).parent / "seeds"
 
 
-class Fixed(NamedTuple):
-    """Stands for a Product or an Angle that is a number."""
-
-    value: float
-
-    def evaluate(self, values):
-        return self.value
-
-    def __neg__(self):
-        return Fixed(-self.value)
-
-
-class Named(NamedTuple):
-    """Stands for an Angle or a Product that is a formula of the parameters."""
-
-    function: object
-
-    def evaluate(self, values):
-        return self.function(values)
-
-    def __neg__(self):
-        return Named(lambda values: -self.function(values))
-
-
 def arm(vector):
     x, y = vector
-    return (Arm(Fixed(math.hypot(x, y)), Fixed(math.atan2(y, x))),) if x or y else ()
+    if not (x or y):
+        return ()
+    return (Arm(Product(Fraction(math.hypot(x, y))), at(math.degrees(math.atan2(y, x)))),)
+
+
+def at(degrees):
+    return Angle.constant(Fraction(degrees))
 
 
 def force(name, point, times=1, tie=None):
@@ -77,9 +60,9 @@ def build(points, bodies, pivots, guides, loads, lines, **more):
     return Pose(
         mechanism,
         frames,
-        {p: Fixed(math.radians(d)) for p, d in guides.items()},
-        {name: Fixed(math.radians(d)) for name, d in lines.items()},
-        None if axis is None else Fixed(math.radians(axis)),
+        {p: at(d) for p, d in guides.items()},
+        {name: at(d) for name, d in lines.items()},
+        None if axis is None else at(axis),
         (),
         {},
         (),

@@ -3,8 +3,9 @@ from fractions import Fraction
 
 import pytest
 
-from by_hand import HERE, Named, build, force, result, torque
+from by_hand import HERE, at, build, force, result, torque
 from mechc.algebra import formula
+from mechc.algebra.product import Product
 from mechc.diagnostics import Report
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadRatio
@@ -97,12 +98,12 @@ def test_the_referee_stops_a_pose_that_does_not_fit():
 def test_a_made_up_length_that_no_loop_fixes_is_not_measured():
     """A loop whose rods are given by their directions alone closes with lengths nobody knows."""
     pose = four_bar(model.Offset("O", "C", exact(5), exact(0), HERE))
-    made_up = Named(lambda values: values["len_AB"])
-    along = Named(lambda values: math.atan2(1, 3))
+    made_up = Product.symbol("len_AB")
+    along = at(math.degrees(math.atan2(1, 3)))
     frames = {**pose.frames, "AB": {"A": (), "B": (Arm(made_up, along),)}}
     fields = {n: getattr(pose, n) for n in pose.__slots__}
     pose = type(pose)(**{**fields, "frames": frames, "placeholders": {"len_AB": None}})
     assert worst_gap(pose, {"len_AB": 1.7}) is None
-    fixed = type(pose)(**{**fields, "frames": frames, "placeholders": {"len_AB": Named(None)}})
+    fixed = type(pose)(**{**fields, "frames": frames, "placeholders": {"len_AB": made_up}})
     assert worst_gap(fixed, {"len_AB": math.sqrt(10)}) is None
     assert worst_gap(fixed, {"len_AB": 1.7}).size == pytest.approx(math.sqrt(10) - 1.7)
