@@ -8,6 +8,8 @@ from mechc.algebra.formula import text
 from mechc.derivation.text_printer import ASCII, UNICODE, print_formula
 from mechc.derivation.to_text import WIDTH, render
 from mechc.derivation.wording import as_ratio
+from mechc.driver import compile_source
+from mechc.files import find, read
 from report_samples import equations, formula, packet_clamp, six_bar
 
 
@@ -61,3 +63,10 @@ def test_a_speed_in_terms_of_one_other_reads_as_a_ratio() -> None:
 def test_what_the_rule_says_is_not_said_twice() -> None:
     clamp = packet_clamp()
     assert render(clamp.derivation, clamp.mechanism).count("V_A/V_B") == 1
+
+
+def test_long_equations_beside_a_wide_left_side_keep_to_the_width() -> None:
+    press = compile_source(read(find("triad_press")))
+    lines = render(press.derivation, press.mechanism).splitlines()
+    assert max(map(len, lines)) <= WIDTH
+    assert not any(line.startswith(" " * 40) for line in lines)

@@ -9,7 +9,18 @@ from collections.abc import Set
 from fractions import Fraction
 from typing import NamedTuple
 
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, split_fraction
+from .formula import (
+    Call,
+    Formula,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    children,
+    split_fraction,
+)
 
 INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
 """Functions whose value is an angle."""
@@ -34,14 +45,18 @@ def fractions(formula: Product) -> Fractions:
     """Return a product as the fractions to be set.
 
     The two are kept apart where each looks like a fraction of its own: ``b/a · cot α``
-    but ``a cos α / 2``, ``V_A sin θ / cos(α + θ)`` as a speed times a fraction.
+    but ``a cos α / 2``, ``V_A sin θ / cos(α + θ)`` as a speed times a fraction. Letters
+    lead each row, sums of lengths follow, then functions: ``V_B sin α``, not ``sin α V_B``.
 
     >>> from .formula import product
     >>> a, b, t = Symbol("a"), Symbol("b"), Call("cot", (Symbol("t"),))
     >>> fractions(product([(b, 1), (a, -1), (t, 1)])).second == ((t,), ())
     True
+    >>> fractions(product([(t, 1), (a, 1)])).first == ((a, t), ())
+    True
     """
     coefficient, above, below = _flat(formula)
+    above, below = sorted(above, key=_place), sorted(below, key=_place)
     upper = _numeral(abs(coefficient.numerator))
     lower = _numeral(coefficient.denominator)
     sign = -1 if coefficient < 0 else 1
@@ -74,14 +89,28 @@ def _numeral(value: int) -> tuple[Formula, ...]:
 
 
 def _split(factors: list[Formula]) -> tuple[tuple[Formula, ...], tuple[Formula, ...]]:
-    """Separate symbols and their powers from functions and sums, keeping the order."""
+    """Separate symbols, sums of them, and their powers from functions, keeping the order."""
     plain = tuple(f for f in factors if _is_plain(f))
     return plain, tuple(f for f in factors if not _is_plain(f))
 
 
 def _is_plain(factor: Formula) -> bool:
+    return _place(factor) < _FUNCTIONS
+
+
+_LETTERS, _LENGTHS, _FUNCTIONS = range(3)
+
+
+def _place(factor: Formula) -> int:
+    """Return where a factor stands in its row: ``2``, ``V_A``, ``(a + b)``, ``sin(alpha)``."""
     base = factor.base if isinstance(factor, Power) else factor
-    return isinstance(base, Number | Pi | Symbol)
+    if isinstance(base, Number | Pi | Symbol):
+        return _LETTERS
+    return _FUNCTIONS if _has_function(base) else _LENGTHS
+
+
+def _has_function(formula: Formula) -> bool:
+    return isinstance(formula, Call) or any(map(_has_function, children(formula)))
 
 
 def in_degrees(formula: Formula) -> Fraction | None:

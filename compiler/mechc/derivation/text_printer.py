@@ -55,11 +55,13 @@ def print_formula(formula: Formula, signs: Signs, angle: bool = False) -> str:
 def print_name(name: str, signs: Signs) -> str:
     """Return a quantity's name.
 
-    >>> print_name("alpha_1", UNICODE), print_name("omega_O1B", UNICODE)
-    ('α₁', 'ω_O₁B')
+    >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B")]
+    ['α₁', 'ω_O₁B', 'O₁B']
     """
     if not signs.fancy:
         return name
+    if name.startswith("len_"):
+        return print_point(name.removeprefix("len_"), signs)
     head, primes, indices = split_name(name)
     letter = GREEK.get(head, head) + primes
     if indices and indices[0].isdigit():

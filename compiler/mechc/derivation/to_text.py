@@ -17,7 +17,7 @@ from .steps import Derivation, Equation, Step
 from .text_printer import ASCII, UNICODE, Signs, print_formula, print_point
 from .wording import as_ratio, sentence, solved
 
-WIDTH = 100
+WIDTH = 80
 """Columns that lines keep to where they can."""
 
 _DEEP = " " * 8
@@ -51,7 +51,7 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     """Return the derivation as text, ending in a line feed.
 
     Velocities are named ``V_A``, angular velocities ``ω_OA``; with ``unicode`` False
-    only ASCII characters are used in formulas. Lines keep to 100 columns, except a
+    only ASCII characters are used in formulas. Lines keep to 80 columns, except a
     formula that has no place to break.
     """
     spell = Speller(_signs(derivation, mechanism, unicode))
@@ -77,8 +77,7 @@ def _signs(derivation: Derivation, mechanism: Mechanism, unicode: bool) -> Signs
 
 
 def _title(mechanism: Mechanism) -> list[str]:
-    title = " ".join((mechanism.title or mechanism.name).split())
-    return [title, *([" ".join(mechanism.source.split())] if mechanism.source else [])]
+    return [*_wrapped(mechanism.title or mechanism.name, ""), *_wrapped(mechanism.source, "")]
 
 
 def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
@@ -127,7 +126,10 @@ def _equations(equations: Iterable[Equation], spell: Speller) -> list[str]:
     """Return equations, aligned at the equals sign where that costs no width."""
     pairs = [tuple(spell.relation((side,), (), False) for side in e) for e in equations]
     widest = max((len(left) for left, _ in pairs), default=0)
-    return [line for left, right in pairs for line in _broken(f"{left:>{widest}} = {right}")]
+    aligned = [f"{left:>{widest}} = {right}" for left, right in pairs]
+    if max(map(len, aligned), default=0) > WIDTH - len(_DEEP):
+        aligned = [line.lstrip() for line in aligned]
+    return [part for line in aligned for part in _broken(line)]
 
 
 def _broken(equation: str) -> list[str]:
