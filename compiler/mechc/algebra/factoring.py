@@ -19,6 +19,9 @@ from .angle import Angle, Rational, rational
 from .laurent import Polynomial, Ring, Terms
 from .product import ONE, ZERO, Factor, Product, Sum, Trig, cosine, sine
 
+MULTIPLES = 8
+"""sin 8u is the highest multiple angle whose factors are looked for."""
+
 
 def factored(products: Sequence[Product], deep: bool = True) -> Product:
     """Return a sum of products, multiplied out and factored.
@@ -138,7 +141,7 @@ def _divisors(span: Angle, scale: int) -> Iterator[int]:
     if not span.terms:
         return
     whole = gcd(*(int(c * scale) for _, c in span.terms))
-    for parts in range(1, whole // 2 + 1):
+    for parts in range(1, min(whole // 2, MULTIPLES) + 1):
         if whole % (2 * parts) == 0:
             yield parts
 

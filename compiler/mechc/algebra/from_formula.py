@@ -12,6 +12,7 @@ from typing import assert_never
 
 from .angle import RADIAN, Angle, rational
 from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .modular import PARTS
 from .product import Opaque, cosine, sine
 from .product import Product as Factored
 from .sums import add
@@ -21,7 +22,17 @@ _QUOTIENTS = {"tan": (1, -1), "cot": (-1, 1), "sec": (0, -1), "csc": (-1, 0)}
 
 
 def to_angle(formula: Formula) -> Angle | None:
-    """Return a formula as an angle if it is linear in its symbols with rational coefficients."""
+    """Return a formula as an angle if it is linear in its symbols with rational coefficients.
+
+    Constants are exact to twenty decimals of a degree, coefficients must be.
+    """
+    angle = _linear(formula)
+    if angle is None or any((c * PARTS).denominator != 1 for _, c in angle.terms):
+        return None
+    return Angle(angle.terms, rational(Fraction(round(angle.degrees * PARTS), PARTS)))
+
+
+def _linear(formula: Formula) -> Angle | None:
     match formula:
         case Number(value):
             return Angle(((RADIAN, rational(value)),)) if value else Angle()
@@ -42,7 +53,7 @@ def to_angle(formula: Formula) -> Angle | None:
 def _sum_of_angles(terms: tuple[Formula, ...]) -> Angle | None:
     result = Angle()
     for term in terms:
-        angle = to_angle(term)
+        angle = _linear(term)
         if angle is None:
             return None
         result = result + angle
@@ -55,12 +66,12 @@ def _scaled_angle(factors: tuple[Formula, ...]) -> Angle | None:
         if isinstance(factor, Number):
             scale *= factor.value
         elif angle is None:
-            angle = to_angle(factor)
+            angle = _linear(factor)
             if angle is None:
                 return None
         else:
             return None
-    return angle * scale if angle is not None else to_angle(Number(scale))
+    return angle * scale if angle is not None else _linear(Number(scale))
 
 
 def to_product(formula: Formula) -> Factored:

@@ -18,9 +18,8 @@ from typing import NamedTuple
 from .angle import Angle, Rational, rational
 from .product import Factor, Product, Sum, Trig, cosine, sine
 
-BITS = 20
-"""Width of a field; exponents stay below 2¹⁹, which the limits of the language ensure."""
-_HALF, _FULL = 1 << (BITS - 1), 1 << BITS
+SPARE = 10
+"""Bits of a field beyond the largest coefficient of an angle: products of 500 such fit."""
 
 Gaussian = tuple[int, int]
 """A Gaussian integer (real part, imaginary part)."""
@@ -77,7 +76,12 @@ class Ring:
         self._part = _common_part(angles)
         self._wrap = int(90 / self._part) if self._part else 0
         places = (*self._names, *self._factors)
-        self._fields: dict[object, int] = {x: BITS * (i + 1) for i, x in enumerate(places)}
+        largest = max((abs(int(c * self._scale)) for a in angles for _, c in a.terms), default=1)
+        self._bits = largest.bit_length() + SPARE
+        self._low = self._wrap.bit_length() + 2
+        self._fields: dict[object, int] = {
+            x: self._low + self._bits * i for i, x in enumerate(places)
+        }
 
     # -------------------------------------------------------------------- packing
 
@@ -97,17 +101,22 @@ class Ring:
 
     def exponents(self, key: int) -> list[int]:
         """Return all exponents but the constant's, symbols of angles first, as integers."""
-        key >>= BITS
+        key >>= self._low
+        half, mask = 1 << (self._bits - 1), (1 << self._bits) - 1
         result = []
         for _ in self._fields:
-            low = ((key + _HALF) & (_FULL - 1)) - _HALF
+            low = ((key + half) & mask) - half
             result.append(low)
-            key = (key - low) >> BITS
+            key = (key - low) >> self._bits
         return result
+
+    def _constant(self, key: int) -> int:
+        """Return the field of the constant."""
+        return key & ((1 << self._low) - 1)
 
     def split(self, key: int) -> tuple[int, int]:
         """Return the packed factors and the packed angle of a term."""
-        width = BITS * (len(self._names) + 1)
+        width = self._low + self._bits * len(self._names)
         half = 1 << (width - 1)
         angle = ((key + half) & ((1 << width) - 1)) - half
         return key - angle, angle
@@ -120,7 +129,7 @@ class Ring:
             for name, c in zip(self._names, turns, strict=False)
             if c
         )
-        constant = (key & (_FULL - 1)) * self._part if self._wrap else 0
+        constant = self._constant(key) * self._part if self._wrap else 0
         return Angle(tuple(terms), rational(constant))
 
     def monomial(self, key: int) -> dict[Factor, int]:
@@ -141,7 +150,7 @@ class Ring:
     def shifted(self, key: int, value: Gaussian, shift: int, power: int) -> tuple[int, Gaussian]:
         """Return a term times i^power and a packed shift, its constant wrapped."""
         key += shift
-        if self._wrap and key & (_FULL - 1) >= self._wrap:
+        if self._wrap and self._constant(key) >= self._wrap:
             key, power = key - self._wrap, power + 1
         return key, rotated(value, power) if power & 3 else value
 
@@ -186,7 +195,7 @@ class Ring:
         down, down_power = self._packed(-trig.angle)
         if trig.function == "sin":
             up_power, down_power = up_power - 1, down_power + 1
-        if up >> BITS < down >> BITS:
+        if up >> self._low < down >> self._low:
             return Binomial(down, down_power, up, up_power)
         return Binomial(up, up_power, down, down_power)
 
@@ -215,13 +224,13 @@ class Ring:
         below, so this ends.
         """
         by = self.binomial(trig)
-        field = max(self._fields[name] for name, _ in trig.angle.terms) // BITS - 1
+        field = max(self._names.index(name) for name, _ in trig.angle.terms)
         lowest = min(self.exponents(key)[field] for key in terms)
         lowest += abs(self.exponents(by.up)[field])
         rest, quotient = dict(terms), {}
         while rest:
-            top = max(rest) >> BITS
-            for key in [k for k in rest if k >> BITS == top]:
+            top = max(rest) >> self._low
+            for key in [k for k in rest if k >> self._low == top]:
                 k, value = self._lowered(key, rest.pop(key), by)
                 if self.exponents(k)[field] < lowest:
                     return None
@@ -233,7 +242,7 @@ class Ring:
     def _lowered(self, key: int, value: Gaussian, by: Binomial) -> tuple[int, Gaussian]:
         """Return a term divided by the leading term of a binomial."""
         key, power = key - by.up, -by.up_power
-        if self._wrap and (key & (_FULL - 1)) >= self._wrap:
+        if self._wrap and self._constant(key) >= self._wrap:
             key, power = key + self._wrap, power - 1
         return key, rotated(value, power)
 
@@ -243,8 +252,8 @@ class Ring:
         Long division by the leading term. The constant part of an angle takes no part in
         the order, so a divisor whose leading coefficient is a sum of constants is refused.
         """
-        top = max(lower.terms) >> BITS
-        leads = [k for k in lower.terms if k >> BITS == top]
+        top = max(lower.terms) >> self._low
+        leads = [k for k in lower.terms if k >> self._low == top]
         if len(leads) != 1:
             return None
         return self._long_division(upper, lower, leads[0])
@@ -253,8 +262,8 @@ class Ring:
         floor = [a - b for a, b in zip(*map(self._lowest, (upper, lower)), strict=True)]
         rest, quotient = dict(upper.terms), {}
         while rest:
-            top = max(rest) >> BITS
-            for key in [k for k in rest if k >> BITS == top]:
+            top = max(rest) >> self._low
+            for key in [k for k in rest if k >> self._low == top]:
                 k, value = self._lowered(key, rest[key], Binomial(lead, 0, 0, 0))
                 part = _divided(value, lower.terms[lead])
                 exponents = self.exponents(k)

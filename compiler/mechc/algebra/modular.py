@@ -3,7 +3,7 @@
 Every expression of angle algebra is a rational function of its lengths and of
 z = exp(iα) for each angle α. At a random point of a prime field it can be evaluated
 in one pass, and a non-zero expression vanishes there with probability about
-(its degree)/p, some 1e-17 for what a mechanism gives (Schwartz 1980, Zippel 1979).
+(its degree)/p, some 1e-32 for what a mechanism gives (Schwartz 1980, Zippel 1979).
 The prime is chosen so that i and the roots of unity of constant angles exist in the
 field; a constant such as 40° is then what it is, not a free symbol.
 """
@@ -15,21 +15,26 @@ from typing import Literal
 
 from .angle import Angle, Rational
 
-_PARTS = 720720
-"""Angles may be divided by any number that divides this (2⁴·3²·5·7·11·13)."""
-_ORDER = 360 * _PARTS
-PRIME = 4611686018276937601
-"""A prime below 2⁶² with ``PRIME % _ORDER == 1``; a test proves both."""
+PARTS = 10**20 * 16 * 9009
+"""Angles are exact in this part of a degree: twenty decimals, and 3²·7·11·13 besides."""
+_ORDER = 360 * PARTS
+PRIME = 5441342018112000000000000000000001
+"""A prime of 113 bits with ``PRIME % _ORDER == 1``; a test proves both."""
 
 
 @lru_cache(maxsize=1)
 def _root_of_unity() -> int:
-    """Return an element of order exactly ``_ORDER``: exp(i·1°/_PARTS)."""
+    """Return an element of order exactly ``_ORDER``: exp(i·1°/PARTS)."""
     for base in range(2, 1000):
         root = pow(base, (PRIME - 1) // _ORDER, PRIME)
         if all(pow(root, _ORDER // q, PRIME) != 1 for q in (2, 3, 5, 7, 11, 13)):
             return root
     raise AssertionError("no generator below 1000")
+
+
+@lru_cache(maxsize=1)
+def _imaginary_unit() -> int:
+    return pow(_root_of_unity(), 90 * PARTS, PRIME)
 
 
 class Point:
@@ -45,6 +50,7 @@ class Point:
         self._lengths: dict[str, int] = {}
         self._trig: dict[tuple[str, Angle], int] = {}
         self._bound: dict[str, int] = {}
+        self._turns: dict[str, tuple[int, int]] = {}
 
     def length(self, name: str) -> int:
         """Return the random value of a symbol."""
@@ -81,7 +87,7 @@ class Point:
         if value is None:
             z = self.exponential(angle)
             conjugate = pow(z, -1, PRIME)
-            i = pow(_root_of_unity(), 90 * _PARTS, PRIME)
+            i = _imaginary_unit()
             if function == "cos":
                 value = (z + conjugate) * pow(2, -1, PRIME) % PRIME
             else:
@@ -91,13 +97,25 @@ class Point:
 
     def exponential(self, angle: Angle) -> int:
         """Return exp(i·angle): a power product of one random value per symbol."""
-        z = pow(_root_of_unity(), self._parts(angle.degrees), PRIME)
+        z = pow(_root_of_unity(), _parts(angle.degrees), PRIME) if angle.degrees else 1
         for name, coefficient in angle.terms:
-            z = z * pow(self.length("z " + name), self._parts(coefficient), PRIME) % PRIME
+            root, whole = self._exponentials(name)
+            if isinstance(coefficient, int):
+                z = z * pow(whole, coefficient, PRIME) % PRIME
+            else:
+                z = z * pow(root, _parts(coefficient), PRIME) % PRIME
         return z
 
-    @staticmethod
-    def _parts(value: Rational) -> int:
-        """Return the value in ``1/_PARTS``; a finer part is rounded to a part of its own."""
-        scaled = value * _PARTS
-        return scaled.numerator if scaled.denominator == 1 else hash(scaled)
+    def _exponentials(self, name: str) -> tuple[int, int]:
+        """Return exp(i·symbol/PARTS), a random value, and exp(i·symbol), its power."""
+        if name not in self._turns:
+            root = random.Random(f"{self._seed}/angle {name}").randrange(1, PRIME)
+            self._turns[name] = root, pow(root, PARTS, PRIME)
+        return self._turns[name]
+
+
+def _parts(value: Rational) -> int:
+    """Return the value in ``1/PARTS``; :func:`~.from_formula.to_angle` lets no finer one pass."""
+    scaled = value * PARTS
+    assert scaled.denominator == 1, value
+    return scaled.numerator
