@@ -47,11 +47,24 @@ def parse(line: Sequence[Token], start: Start, end: int) -> object:
         try:
             at.feed_token(token)
         except UnexpectedToken:
-            raise Fault(unexpected(line, position, accepted(at), start)) from None
+            allowed = allowed_after(line[:position], start)
+            raise Fault(unexpected(line, position, allowed, start)) from None
     try:
         return at.feed_token(Token("$END", "", start_pos=end, end_pos=end))
     except UnexpectedToken:
-        raise Fault(unfinished(line, accepted(at), end, start)) from None
+        raise Fault(unfinished(line, allowed_after(line, start), end, start)) from None
+
+
+def allowed_after(tokens: Sequence[Token], start: Start) -> set[str]:
+    """Return what may follow tokens that fit.
+
+    The parser that has refused a token can't be asked: it may have closed what was open
+    before it found that the token does not fit.
+    """
+    at = reading(start)
+    for token in tokens:
+        at.feed_token(token)
+    return accepted(at)
 
 
 def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start) -> Diagnostic:
