@@ -111,11 +111,29 @@ def _squares(product: Product) -> Product:
 
 def _double_angles(product: Product) -> Product:
     """Split sin 2u where a half of it cancels; then join sin u · cos u left together."""
+    if not _shares_a_line(product):
+        return product
     while (split := _split_one(product)) is not None:
         product = split
     while (joined := _join_one(product)) is not None:
         product = joined
     return product
+
+
+def _shares_a_line(product: Product) -> bool:
+    """Tell whether two angles are multiples of one another, their constants apart.
+
+    Most products have no such pair, and a long one is not to be searched for nothing.
+    """
+    lines = set()
+    for trig in product.factors:
+        if isinstance(trig, Trig):
+            terms = trig.angle.terms
+            line = tuple((name, Fraction(c) / terms[0][1]) for name, c in terms)
+            if line in lines:
+                return True
+            lines.add(line)
+    return False
 
 
 def _split_one(product: Product) -> Product | None:
