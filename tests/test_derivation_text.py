@@ -70,3 +70,38 @@ def test_long_equations_beside_a_wide_left_side_keep_to_the_width() -> None:
     lines = render(press.derivation, press.mechanism).splitlines()
     assert max(map(len, lines)) <= WIDTH
     assert not any(line.startswith(" " * 40) for line in lines)
+
+
+def derived(name: str) -> str:
+    compilation = compile_source(read(find(name)))
+    return render(compilation.derivation, compilation.mechanism)
+
+
+def test_table_1_by_hand() -> None:
+    shown = derived("karpenko_fig1_parallel_levers")
+    for line in (
+        "V_B · sin α = V_A · cos α",
+        "V_B/V_A = cot α",
+        "V_D/V_B = OD/OB = b/a",
+        "P · V_A − 2F · V_D = 0",
+        "i_A = V_A/V_D = a/b · tan α",
+    ):
+        assert line in shown
+
+
+def test_what_a_step_gives_is_reduced_to_the_drive() -> None:
+    shown = derived("stephenson_six_bar")
+    assert "V_A = O₁A · ω_O₁A = a · ω_O₁A" in shown
+    assert "ω_ABC/ω_O₁A = " in shown
+
+
+def test_a_link_that_does_not_turn_is_left_out_of_the_power() -> None:
+    shown = derived("roberval_balance")
+    assert "ω_ACG = 0" in shown
+    assert "ω_ACG" not in shown.partition("Power equation")[2]
+
+
+def test_a_long_speed_has_a_step_of_its_own() -> None:
+    shown = derived("scissor_4")
+    assert "V_A₄_F/V_B₀ = −4 · cot θ" in shown
+    assert "P · V_B₀ + F · V_A₄_F / 2 + E · V_B₄_E / 2 = 0" in shown

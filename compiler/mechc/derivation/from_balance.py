@@ -1,8 +1,9 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
-from ..algebra.formula import ZERO, Formula, Symbol, product, total
+from ..algebra.formula import ZERO, Formula, Number, Sum, Symbol, negative, number, product, total
+from ..algebra.formula import Product as Factors
 from ..algebra.product import Product
 from ..algebra.sums import add, canonical
 from ..kinematics.forms import projection, spin
@@ -16,6 +17,9 @@ from .notation import Named, Notation
 from .steps import Derivation, Equation, PowerTerm, Rule, Step
 
 Names = Mapping[int, Named]
+
+_SPELLED_OUT = 2
+"""Speeds that a load's power is written with; more get a step of their own."""
 
 
 def derive(balance: Balance, results: Sequence[Result]) -> Derivation:
@@ -34,6 +38,7 @@ class _Writer:
         self._notation = Notation(balance)
         self._names: dict[int, Named] = {}
         self._levered: set[str] = set()
+        self._along: dict[str, Symbol] = {}
         self._pivots = {p.point for p in self._graph.pose.mechanism.pivots}
 
     # -------------------------------------------------------------------------- steps
@@ -47,6 +52,8 @@ class _Writer:
             if not needed.isdisjoint(block.unknowns):
                 yield from self._block(block)
         yield from self._levers_of_outputs()
+        for term in self._balance.terms:
+            yield from self._along_load(term)
 
     def _first_name(self, unknown: int) -> Named:
         """Name a drive by the first loaded point that moves with it."""
@@ -76,9 +83,13 @@ class _Writer:
                         yield from self._lever(u, named)
         self._names[unknown] = local.get(unknown) or self._notation.of_itself(unknown)
         names = {**self._names, **local}
-        relations, results = self._written(relation.form, unknown, names)
+        said, solved = self._written(relation.form, unknown, names)
+        results = [solved]
+        others = {names[u] for u in relation.form if u != unknown}
+        if len(others) > 1 and others != {self._names[d] for d in self._plan.drives}:
+            results.append(Equation(solved.left, self._by_drives(unknown)))
         rule, subject = self._rule(relation)
-        yield Step(rule, subject, (relations,), (results,))
+        yield Step(rule, subject, (said,), tuple(results))
 
     def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
         for unknown in unknowns:
@@ -113,7 +124,7 @@ class _Writer:
 
     def _rule(self, relation: Relation) -> tuple[Rule, tuple[str, ...]]:
         """Return the textbook's rule for a relation and what it is applied to."""
-        turns = any(self._graph.unknowns[u].kind is Kind.SPIN for u in relation.form)
+        turns = self._graph.spins.get(relation.link) in relation.form
         match relation.rule:
             case Law.PROJECTION:
                 return Rule.PROJECTION, relation.points
@@ -121,6 +132,8 @@ class _Writer:
                 return Rule.GUIDE, relation.points
             case Law.ROTATION if not turns:
                 return Rule.PROJECTION, relation.points
+            case Law.BODY:
+                return Rule.BODY, (relation.link, *relation.points)
             case Law.ROTATION | Law.JOINT | Law.REST:
                 return Rule.ROTATION, (relation.link, *relation.points)
 
@@ -135,10 +148,24 @@ class _Writer:
         if named.symbol.name in self._levered:
             return
         self._levered.add(named.symbol.name)
-        equation = Equation(named.symbol, _times(known.factor / named.factor, known))
+        ratio = known.factor / named.factor
+        result = Equation(named.symbol, _times(ratio, known))
         pivot = next(p for p in self._points(what.of) if p in self._pivots)
+        arms = [(self._arm(pivot, named.point), 1)]
+        if known.point:
+            arms.append((self._arm(pivot, known.point), -1))
+        said = Equation(named.symbol, product([*arms, (known.symbol, 1)]))
         points = (known.point, named.point) if known.point else (named.point,)
-        yield Step(Rule.LEVER, (pivot, *points), (equation,), (equation,))
+        rule = Rule.LEVER if known.point else Rule.ARM
+        # Signed speeds may differ in sign from their arms.
+        relation = said if self._notation.sign(ratio) > 0 else result
+        yield Step(rule, (pivot, *points), (relation,), (result,))
+
+    def _arm(self, pivot: str, point: str) -> Formula:
+        """Return the length from a pivot to a point, under the name it has."""
+        given = f"len_{point}{pivot}"
+        known = given in self._graph.pose.placeholders
+        return Symbol(given if known else f"len_{pivot}{point}")
 
     def _levers_of_outputs(self) -> Iterator[Step]:
         for point in self._output_points():
@@ -185,18 +212,36 @@ class _Writer:
             form, at = projection(velocity, term.line), load.point
         else:
             form, at = spin(self._graph, load.link), load.link
-        names = dict(self._names)
-        for u in form:
-            if named := self._notation.of_point(u, at):
-                names[u] = named
-        return PowerTerm(load.name, at, term.count.formula(), _sum(form, names))
+        moving = {u: p for u, p in form.items() if any(self._plan.speeds[u])}
+        speed = self._along.get(load.name) or _sum(moving, self._names_at(moving, at))
+        return PowerTerm(load.name, at, term.count.formula(), speed)
+
+    def _names_at(self, form: Form, at: str) -> Names:
+        """Return the names of a form's unknowns, by the speed of a point where it has one."""
+        own = {u: named for u in form if (named := self._notation.of_point(u, at))}
+        return {**self._names, **own}
+
+    def _along_load(self, term: Term) -> Iterator[Step]:
+        """Yield the step to a speed that the power equation has no room to spell out."""
+        if not isinstance(term.load, Force) or term.line is None or self._plan.mobility != 1:
+            return
+        name, point = term.load.name, term.load.point
+        form = projection(self._graph.velocities[point], term.line)
+        if len({self._names[u] for u in form}) <= _SPELLED_OUT:
+            return
+        self._along[name] = symbol = Symbol(f"V_{point}_{name}")
+        drive = self._names[self._plan.drives[0]]
+        said = Equation(symbol, _sum(form, self._names_at(form, point)))
+        result = Equation(symbol, _times(term.speed[0] * drive.factor, drive))
+        yield Step(Rule.COMPONENT, (point, name), (said,), (result,))
 
     def balances(self) -> Iterator[Equation]:
         """Yield the power equation, or one for each motion."""
         terms = [self.term(t) for t in self._balance.terms if any(t.power)]
+        if not terms:
+            return
         if self._plan.mobility == 1:
-            parts = [_power(t) for t in terms]
-            yield Equation(total(parts), ZERO)
+            yield Equation(total(_positive_first(_power(t) for t in terms)), ZERO)
             return
         for motion, drive in enumerate(self._plan.drives):
             yield Equation(self._motion(motion, drive), ZERO)
@@ -209,7 +254,7 @@ class _Writer:
             for t in self._balance.terms
             if t.power[motion]
         ]
-        return total(parts)
+        return total(_positive_first(parts))
 
 
 def _load(term: Term) -> Formula:
@@ -217,7 +262,10 @@ def _load(term: Term) -> Formula:
 
 
 def _power(term: PowerTerm) -> Formula:
-    return product([(term.times, 1), (Symbol(term.load), 1), (term.speed, 1)])
+    sign, speed = 1, term.speed
+    if isinstance(speed, Sum) and all(map(_has_minus, speed.terms)):
+        sign, speed = -1, negative(speed)
+    return product([(number(sign), 1), (term.times, 1), (Symbol(term.load), 1), (speed, 1)])
 
 
 def _times(factor: Product, named: Named) -> Formula:
@@ -231,4 +279,20 @@ def _sum(form: Form, names: Names) -> Formula:
     for u, p in form.items():
         parts.setdefault(names[u], []).append(p * names[u].factor)
     sums = [(add(ps), named) for named, ps in parts.items()]
-    return total(_times(p, named) for p, named in sums if p)
+    return total(_positive_first(_times(p, named) for p, named in sums if p))
+
+
+def _positive_first(terms: Iterable[Formula]) -> list[Formula]:
+    """Return terms with one that has no minus in front, where there is one."""
+    ordered = list(terms)
+    lead = next((t for t in ordered if not _has_minus(t)), ordered[0])
+    ordered.remove(lead)
+    return [lead, *ordered]
+
+
+def _has_minus(term: Formula) -> bool:
+    match term:
+        case Factors((Number(value), *_)):
+            return value < 0
+        case _:
+            return False

@@ -18,6 +18,8 @@ class Rule(StrEnum):
 
     LEVER = "lever"
     """Points of a link that turns about a pivot: V = ω·r, so speeds are as the arms."""
+    ARM = "arm"
+    """One point of a link that turns about a pivot: V = ω·r."""
     PROJECTION = "projection"
     """Equal projections of the end velocities on the line of a rod."""
     ROTATION = "rotation"
@@ -30,6 +32,8 @@ class Rule(StrEnum):
     """Relations that must be solved together."""
     GUIDE = "guide"
     """A point that moves along its guide."""
+    COMPONENT = "component"
+    """The component of a point's velocity along the load that acts on it."""
 
 
 class Equation(NamedTuple):
@@ -43,8 +47,9 @@ class Equation(NamedTuple):
 class Step:
     """One numbered step: the rule, the points and link it is applied to, what it gives.
 
-    ``subject`` are names of the drawing: for LEVER the pivot first, then the points;
-    for PROJECTION the two ends of the rod; for TOGETHER the links involved.
+    ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
+    for PROJECTION the two ends of the rod; for TOGETHER the links involved; for
+    COMPONENT the point and the load, ``V_A_P`` being the speed of A along P.
     ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
     """
 

@@ -13,9 +13,9 @@ from ..power.result import Result
 from ..units import ANGLE
 from ..words.en import WORDS
 from .remarks import asked, conditions, heading, is_nameless, ratio, remarks
-from .steps import Derivation, Equation, Step
+from .steps import Derivation, Step
 from .text_printer import ASCII, UNICODE, Signs, print_formula, print_point
-from .wording import as_ratio, sentence, solved
+from .wording import Sides, lines, sentence
 
 WIDTH = 80
 """Columns that lines keep to where they can."""
@@ -90,8 +90,8 @@ def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
 
 def _step(number: int, step: Step, spell: Speller) -> Iterator[str]:
     yield from _wrapped(sentence(step, WORDS, spell.point), f"{number:>3}. ")
-    relations = tuple(as_ratio(e) for e in step.relations)
-    yield from _equations((*relations, *solved(step)), spell)
+    said, hence = lines(step)
+    yield from _equations((*said, *hence), spell)
 
 
 def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
@@ -122,11 +122,11 @@ def _definition(name: str, formula: Formula, spell: Speller) -> list[str]:
     return _broken(f"{left} = {right}")
 
 
-def _equations(equations: Iterable[Equation], spell: Speller) -> list[str]:
-    """Return equations, aligned at the equals sign where that costs no width."""
-    pairs = [tuple(spell.relation((side,), (), False) for side in e) for e in equations]
-    widest = max((len(left) for left, _ in pairs), default=0)
-    aligned = [f"{left:>{widest}} = {right}" for left, right in pairs]
+def _equations(equations: Iterable[Sides], spell: Speller) -> list[str]:
+    """Return equations, aligned at the first equals sign where that costs no width."""
+    rows = [[spell.relation((side,), (), False) for side in e] for e in equations]
+    widest = max((len(row[0]) for row in rows), default=0)
+    aligned = [" = ".join((row[0].rjust(widest), *row[1:])) for row in rows]
     if max(map(len, aligned), default=0) > WIDTH - len(_DEEP):
         aligned = [line.lstrip() for line in aligned]
     return [part for line in aligned for part in _broken(line)]

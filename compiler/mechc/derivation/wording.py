@@ -37,12 +37,15 @@ def as_ratio(equation: Equation) -> Equation:
     ... )
     >>> f"{text(left)} = {text(right)}"
     'V_B/V_A = cot(alpha)'
+
+    A velocity and an angular velocity make no ratio: ``V_A = a·omega_OA`` stays.
     """
     match equation:
         case Equation(Symbol(name), Product(factors)) if is_speed(name):
             speeds = [f for f in factors if isinstance(f, Symbol) and is_speed(f.name)]
             others = [f for f in factors if f not in speeds]
-            if len(speeds) == 1 and not any(_mentions_speed(f) for f in others):
+            alike = [f for f in speeds if f.name[0] == name[0]]
+            if len(alike) == len(speeds) == 1 and not any(_mentions_speed(f) for f in others):
                 ratio = quotient(equation.left, speeds[0])
                 return Equation(ratio, product((f, 1) for f in others))
     return equation
@@ -58,8 +61,17 @@ def _mentions_speed(factor: Formula) -> bool:
     return isinstance(base, Symbol) and is_speed(base.name)
 
 
-def solved(step: Step) -> tuple[Equation, ...]:
-    """Return what a step gives beyond what its rule already says, as ratios."""
-    said = {as_ratio(e) for e in step.relations}
-    ratios = dict.fromkeys(as_ratio(e) for e in step.results)
-    return tuple(e for e in ratios if e not in said)
+Sides = tuple[Formula, ...]
+"""Two or more sides of a chain of equations, ``V_D/V_B = OD/OB = b/a``."""
+
+
+def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
+    """Return what a step's rule says and what follows from it, speeds as ratios.
+
+    What follows for the same left side continues its chain; nothing is said twice.
+    """
+    said = [as_ratio(e) for e in step.relations]
+    hence = [e for e in dict.fromkeys(map(as_ratio, step.results)) if e not in said]
+    if len(said) == len(hence) == 1 and said[0].left == hence[0].left:
+        return ((*said[0], hence[0].right),), ()
+    return tuple(map(tuple, said)), tuple(map(tuple, hence))

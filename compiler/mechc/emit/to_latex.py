@@ -14,15 +14,15 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from ..algebra.formula import symbols
 from ..algebra.layout import is_angle
 from ..derivation.remarks import conditions
-from ..derivation.steps import Derivation, Equation, Step
-from ..derivation.wording import as_ratio, sentence, solved
+from ..derivation.steps import Derivation, Step
+from ..derivation.wording import Sides, lines, sentence
 from ..units import ANGLE
 from ..words import en, ru, uk
 from ..words.table import Words
 from .latex_display import Line, display
 from .latex_given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
 from .latex_notation import Notation, notation, spellings
-from .latex_printer import box
+from .latex_printer import Box, box, plain, row
 from .latex_results import ResultBlock, Speller, check, numbers, result_block
 from .latex_text import escape, has_cyrillic
 from .target import Compiled, Emitted, Options
@@ -147,19 +147,24 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
 
 
 def _step(step: Step, words: Words, style: Notation) -> StepBlock:
+    said, hence = lines(step)
     return StepBlock(
         sentence(step, words, Speller(style).point),
-        _equations(step.relations, words, style),
-        _equations(solved(step), words, style),
+        _equations(said, words, style),
+        _equations(hence, words, style),
     )
 
 
-def _equations(equations: tuple[Equation, ...], words: Words, style: Notation) -> str:
+def _equations(equations: tuple[Sides, ...], words: Words, style: Notation) -> str:
     if not equations:
         return ""
-    ratios = (as_ratio(e) for e in equations)
-    lines = tuple(Line(box(e.left, style), e.right) for e in ratios)
-    return display(lines, style, words.where)
+    rows = tuple(Line(_chained(sides[:-1], style), sides[-1]) for sides in equations)
+    return display(rows, style, words.where)
+
+
+def _chained(sides: Sides, style: Notation) -> Box:
+    first, *others = (box(side, style) for side in sides)
+    return row((first, *(part for b in others for part in (plain("="), b))))
 
 
 def _several(derivation: Derivation, words: Words) -> str:

@@ -33,6 +33,8 @@ WORDS = Words(
     rules={
         "lever": "Lever rule: about the pivot {first} the velocities of {rest} are proportional "
         "to their arms.",
+        "arm": "The link turns about the pivot {first}: the velocity of {rest} is the angular "
+        "velocity times the arm.",
         "projection": "Theorem on the projections of the velocities of two points of a rigid "
         "body: on the line {joined} the velocities of {all} have equal projections.",
         "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
@@ -42,6 +44,7 @@ WORDS = Words(
         "the two links.",
         "together": "The relations for {all} are solved together.",
         "guide": "The guide fixes the direction of the velocity of {all}.",
+        "component": "Component of the velocity of {first} along the load {rest}.",
     },
     hence="hence",
     power="Power equation",
@@ -58,8 +61,8 @@ WORDS = Words(
     swaps="{result} does not change when {first} and {second} change places.",
     trends={
         "rises": "Within the ranges given, {result} rises with {names}.",
-        "falls": "Within the ranges given, {result} falls as {names} grows.",
-        "constant": "{result} stays constant as {names} changes.",
+        "falls": "Within the ranges given, {result} falls with increasing {names}.",
+        "constant": "{result} does not change with {names}.",
         "turns": "Within the ranges given, {result} does not vary monotonically with {names}.",
         "unknown": "",
     },
