@@ -207,10 +207,12 @@ class Sum:
     Made by ``sums.add`` only, which takes out whatever is common to the terms.
     """
 
-    __slots__ = ("_hash", "terms")
+    __slots__ = ("_hash", "terms", "weight")
 
     def __init__(self, terms: tuple[Product, ...]) -> None:
         self.terms = terms
+        self.weight = sum(map(_weight, terms))
+        """How many terms there are, those of inner sums included."""
         self._hash = hash(terms)
 
     def __eq__(self, other: object) -> bool:
@@ -237,6 +239,10 @@ class Sum:
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
         return (3, repr(self.terms))
+
+
+def _weight(term: Product) -> int:
+    return 1 + sum(f.weight for f in term.factors if isinstance(f, Sum))
 
 
 class Bound:
@@ -280,7 +286,8 @@ class Bound:
 def _without_minus(product: Product) -> tuple[Rational, Mapping[Factor, int]]:
     """Let a minus sign turn a difference round: −sin(a − b) is read as sin(b − a)."""
     if product.coefficient < 0:
-        for factor, exponent in product.factors.items():
+        above_first = sorted(product.factors.items(), key=lambda fe: (fe[1] < 0, fe[0].order()))
+        for factor, exponent in above_first:
             turned = _turned(factor) if exponent % 2 else None
             if turned is not None:
                 factors = {turned if f == factor else f: e for f, e in product.factors.items()}

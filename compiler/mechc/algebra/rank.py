@@ -58,12 +58,15 @@ def independent(rows: Iterable[Residues]) -> list[bool]:
     return [echelon.take(row) for row in rows]
 
 
-def numeric_rank(rows: Sequence[Mapping[int, float]], tolerance: float = 1e-9) -> int:
+def numeric_rank(
+    rows: Sequence[Mapping[int, float]], tolerance: float = 1e-9, scaled: bool = True
+) -> int:
     """Return the rank of a numeric matrix by elimination with complete pivoting.
 
-    Rows are scaled to unit length first; a pivot below ``tolerance`` counts as zero.
+    A pivot below ``tolerance`` counts as zero. Rows are scaled to a largest entry of 1
+    first, unless they are ``scaled`` otherwise already (then say False).
     """
-    rest = [_normalised(row) for row in rows]
+    rest = [_normalised(row) for row in rows] if scaled else [dict(row) for row in rows]
     rank = 0
     while True:
         best = max(((abs(v), i, u) for i, r in enumerate(rest) for u, v in r.items()), default=None)

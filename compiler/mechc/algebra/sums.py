@@ -34,7 +34,10 @@ def add(products: Iterable[Product]) -> Product:
         return terms[0] if terms else ZERO
     common = _common(terms)
     rests = [t / common for t in terms]
-    return canonical(common * _factored(rests))
+    for deep in (True, False):
+        if sum(size(r, deep) for r in rests) <= LIMIT:
+            return canonical(common * factored(rests, deep))
+    return _kept(terms)
 
 
 def _merged(products: Iterable[Product]) -> list[Product]:
@@ -53,15 +56,30 @@ def _common(terms: Sequence[Product]) -> Product:
     return Product(1, {f: e for f, e in lowest.items() if e})
 
 
-def _factored(rests: Sequence[Product]) -> Product:
-    for deep in (True, False):
-        if sum(size(r, deep) for r in rests) <= LIMIT:
-            return factored(rests, deep)
-    return _kept(rests)
+def _shared(terms: Sequence[Product]) -> Product:
+    """Return what all terms have above the line, or all below it."""
+    first, *others = terms
+    shared: dict[Factor, int] = {}
+    for factor, e in first.factors.items():
+        exponents = [e, *(t.factors.get(factor, 0) for t in others)]
+        if min(exponents) > 0:
+            shared[factor] = min(exponents)
+        elif max(exponents) < 0:
+            shared[factor] = max(exponents)
+    return Product(1, shared)
 
 
-def _kept(rests: Sequence[Product]) -> Product:
-    """Return the sum as it stands, its terms in a fixed order and the first one positive."""
+def _kept(terms: Sequence[Product]) -> Product:
+    """Return a long sum as it stands, its terms in a fixed order and the first one positive.
+
+    Its terms are not brought over one denominator: that would multiply each by those of
+    all the others.
+    """
+    shared = _shared(terms)
+    return shared * _as_written([t / shared for t in terms])
+
+
+def _as_written(rests: Sequence[Product]) -> Product:
     ordered = tuple(
         sorted(rests, key=lambda t: sorted((f.order(), e) for f, e in t.factors.items()))
     )

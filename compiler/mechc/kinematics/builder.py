@@ -18,6 +18,10 @@ from .forms import QUARTER, projection, subtract, turned
 from .graph import Flow, Graph, Kind, Relation, Rule, Unknown, Velocity
 
 
+LONGEST = 3
+"""A velocity of more parts than this gets unknowns of its own before a link is based on it."""
+
+
 class Builder:
     """Gathers unknowns, velocities and relations of one pose."""
 
@@ -28,6 +32,7 @@ class Builder:
         self._velocities: dict[str, Velocity] = {}
         self._spins: dict[str, int] = {}
         self._relations: list[Relation] = []
+        self._carriers: dict[str, tuple[Link, str]] = {}
         self._links_at: dict[str, list[Link]] = defaultdict(list)
         for link in self._mechanism.links:
             for point in link.points:
@@ -113,6 +118,7 @@ class Builder:
         """Express a body's points by the velocity of one of them and the body's spin."""
         known = [p for p in link.points if p in self._velocities]
         base = known[0] if known else self._loosen(link, rods)
+        self._name_if_long(base)
         spin = self._spin_of(link)
         for point in link.points:
             if point != base:
@@ -166,12 +172,34 @@ class Builder:
         known = self._velocities.get(point)
         if known is None:
             self._velocities[point] = velocity
+            self._carriers[point] = link, base
             return
         rule = Rule.REST if known == () else Rule.ROTATION if base else Rule.JOINT
         points = (base, point) if base else (point,)
         for direction in self._both_directions(link, base, point, velocity):
             form = subtract(projection(velocity, direction), projection(known, direction))
             self._relations.append(Relation(rule, link.name, points, direction, form, link.span))
+
+    def _name_if_long(self, point: str) -> None:
+        """Give a velocity with many parts two unknowns of its own, along and across a guide.
+
+        Without this each link of a chain would carry the parts of all links before it.
+        """
+        velocity = self._velocities[point]
+        if len(velocity) <= LONGEST or point not in self._carriers:
+            return
+        link, base = self._carriers[point]
+        along = next(iter(self._guides.values()), Angle())
+        flows = []
+        for direction in (along, along + QUARTER):
+            unknown = self._unknown(Unknown(Kind.COMPONENT, point, direction))
+            form = subtract(projection(velocity, direction), {unknown: ONE})
+            points = (base, point) if base else (point,)
+            self._relations.append(
+                Relation(Rule.BODY, link.name, points, direction, form, link.span)
+            )
+            flows.append(Flow(ONE, direction, unknown))
+        self._velocities[point] = tuple(flows)
 
     def _both_directions(
         self, link: Link, base: str, point: str, velocity: Velocity

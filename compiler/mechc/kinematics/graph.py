@@ -57,6 +57,8 @@ class Rule(StrEnum):
     """The ends of a rod have equal projections on it."""
     ROTATION = "rotation"
     """The difference of two velocities of a link is its rotation."""
+    BODY = "body"
+    """A point's velocity is another point's of its link and the link's rotation."""
     JOINT = "joint"
     """A point of two links has one velocity."""
     GUIDE = "guide"

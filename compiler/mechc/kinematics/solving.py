@@ -3,14 +3,50 @@
 from collections.abc import Mapping, Sequence
 
 from ..algebra.determinant import determinant
-from ..algebra.laurent import size
+from ..algebra.modular import PRIME, Point
 from ..algebra.product import ZERO, Bound, Product, Sum
 from ..algebra.sums import add
 from .graph import Form
 from .plan import Binding, Speeds
 
-LONG = 24
-"""A sum with more terms than this, multiplied out, is bound to a name."""
+LONG = 12
+"""A sum with more terms than this, inner ones included, is bound to a name."""
+
+
+class Memory:
+    """Speeds already solved, known again at a random point of a finite field.
+
+    A new speed's value there follows from its relation in a few multiplications. If an
+    earlier speed has the same, the two are equal, and the earlier form is taken, however
+    long the sums that would have to cancel to show it.
+    """
+
+    def __init__(self) -> None:
+        self._point = Point(3)
+        self._residues: dict[int, tuple[int, ...]] = {}
+        self._met: dict[int, Product] = {0: ZERO}
+
+    def note(self, unknown: int, speeds: Speeds) -> None:
+        """Remember a solved speed."""
+        residues = tuple(s.residue(self._point) for s in speeds)
+        self._residues[unknown] = residues
+        for residue, speed in zip(residues, speeds, strict=True):
+            self._met.setdefault(residue, speed)
+            self._met.setdefault(-residue % PRIME, -speed)
+
+    def recall(self, form: Form, unknown: int) -> Speeds | None:
+        """Return the speed that a relation gives, if all its parts are known already."""
+        lead = form[unknown].residue(self._point)
+        if not lead:
+            return None
+        sums = [0] * len(next(iter(self._residues.values())))
+        for u, size in form.items():
+            if u != unknown:
+                part = size.residue(self._point)
+                sums = [s - part * r for s, r in zip(sums, self._residues[u], strict=True)]
+        inverse = pow(lead, -1, PRIME)
+        known = [self._met.get(s * inverse % PRIME) for s in sums]
+        return tuple(k for k in known if k is not None) if None not in known else None
 
 
 class Binder:
@@ -23,7 +59,7 @@ class Binder:
     def bound(self, product: Product) -> Product:
         """Return the product with its long sums replaced by bound names."""
         for factor, exponent in product.factors.items():
-            if isinstance(factor, Sum) and sum(map(size, factor.terms)) > LONG:
+            if isinstance(factor, Sum) and factor.weight > LONG:
                 name = self._name(factor)
                 product = product * Product(1, {factor: -exponent, name: exponent})
         return product

@@ -39,7 +39,8 @@ def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> R
         proportional=_proportional(item.value),
         independent=_independent(item.result, mechanism),
     )
-    names = [p.name for p in mechanism.parameters if p.name in symbols(result.formula)]
+    used = symbols(result.formula)
+    names = [p.name for p in mechanism.parameters if p.name in used]
     if len(names) > MANY or result.where or not depends_openly(item.value):
         return result
     slopes = {name: derivative(item.value, name) for name in names}

@@ -1,7 +1,7 @@
 """The results at the default pose: signs, zeros, poles, branch points."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 
 from ..algebra.formula import Formula, evaluate, symbols, text
@@ -9,7 +9,7 @@ from ..algebra.product import Product
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as words
-from ..kinematics.plan import Plan
+from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Find, LoadRatio
 from .balance import Balance, Solved
 from .result import Definition, Result
@@ -62,16 +62,29 @@ def _needed(plan: Plan) -> set[str]:
 
 
 def _check_branch(plan: Plan, values: Mapping[str, float], report: Report) -> None:
-    """Compare the rank of the relations at the pose with their rank in general."""
-    rows = []
-    for relation in plan.graph.relations:
-        try:
-            rows.append({u: p.evaluate(values) for u, p in relation.form.items()})
-        except ZeroDivisionError:
-            return
-    if numeric_rank(rows) < len(plan.graph.unknowns) - plan.mobility:
+    """Compare the rank of the relations at the pose with their rank in general.
+
+    Where every block of the plan has its full rank, so have all relations together; only
+    if one has not is the whole looked at, which is dear.
+    """
+    try:
+        rows = [{u: p.evaluate(values) for u, p in r.form.items()} for r in plan.relations]
+    except ZeroDivisionError:
+        return
+    regular = all(_is_regular(block, rows) for block in plan.blocks)
+    if not regular and numeric_rank(rows) < len(rows):
         mechanism = plan.graph.pose.mechanism
         report.add(words.branch_point(mechanism.span, [k.name for k in mechanism.links]))
+
+
+def _is_regular(block: Block, rows: Sequence[Mapping[int, float]]) -> bool:
+    """Tell whether a block's unknowns follow from its relations, against the rows' size."""
+    scales = [max(map(abs, rows[r].values())) or 1.0 for r in block.relations]
+    inner = [
+        {u: rows[r].get(u, 0.0) / scale for u in block.unknowns}
+        for r, scale in zip(block.relations, scales, strict=True)
+    ]
+    return numeric_rank(inner, scaled=False) == len(inner)
 
 
 def _remark(
