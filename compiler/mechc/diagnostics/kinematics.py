@@ -3,13 +3,12 @@
 from collections.abc import Sequence
 
 from ..source import Span
-from .diagnostic import Diagnostic, Words, coded
-
-__all__ = ["Diagnostic"]
+from .diagnostic import Words, coded
+from .syntax import listed
 
 
 @coded("E401")
-def nothing_can_move(at: Span, links: Sequence[str], moving: int) -> Words:
+def nothing_can_move(parts: Sequence[str], at: Span) -> Words:
     """The constraints leave no motion: mobility 0.
 
     Virtual power needs something that moves. Three rods in a triangle, a link with two
@@ -22,10 +21,12 @@ def nothing_can_move(at: Span, links: Sequence[str], moving: int) -> Words:
     Take a pivot, a guide or a rod away, or check that each rod is written between the
     points it really joins.
     """
-    named = ", ".join(links)
+    if not parts:
+        return Words(at, "nothing can move: no link or slider is described", "add a link")
+    held = f"{listed(parts, 'and')} hold one another" if len(parts) > 1 else f"{parts[0]} is held"
     return Words(
         at,
-        f"nothing can move: the {moving} links ({named}) have mobility 0, expected 1 or more",
+        f"nothing can move: {held}, expected a mobility of 1 or more",
         "look for a link with two pivots, a point with two guides, or a rod too many",
     )
 

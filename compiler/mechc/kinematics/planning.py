@@ -9,9 +9,10 @@ from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as words
 from .graph import Graph, Kind, Relation
+from .locked import locked
 from .ordering import blocks, match
 from .plan import Block, Plan, Speeds
-from .solving import Binder, solve
+from .solving import Binder, Memory, solve
 
 
 def plan_of(graph: Graph, report: Report) -> Plan:
@@ -25,7 +26,7 @@ def plan_of(graph: Graph, report: Report) -> Plan:
     for relation in redundant:
         report.add(words.redundant_constraint(relation.span, _described(relation)))
     if mobility <= 0:
-        raise report.fail(_nothing_moves(graph))
+        raise report.fail(words.nothing_can_move(*locked(graph, relations)))
     drives = _drives(graph, [residues(r.form, point) for r in relations])
     return _solved(graph, relations, drives, redundant)
 
@@ -34,12 +35,6 @@ def _described(relation: Relation) -> str:
     if relation.link:
         return f"link {relation.link}"
     return f"the guide of {relation.points[0]}"
-
-
-def _nothing_moves(graph: Graph) -> "words.Diagnostic":
-    mechanism = graph.pose.mechanism
-    links = [k.name for k in mechanism.links]
-    return words.nothing_can_move(mechanism.span, links, len(mechanism.links))
 
 
 def _drives(graph: Graph, rows: Sequence[Residues]) -> tuple[int, ...]:
@@ -84,12 +79,18 @@ def _solved(
     matched = match(columns)
     speeds: dict[int, Speeds] = {d: tuple(ONE if d == e else ZERO for e in drives) for d in drives}
     binder = Binder(frozenset(p.name for p in graph.pose.mechanism.parameters))
+    memory = Memory()
+    for drive in drives:
+        memory.note(drive, speeds[drive])
     steps: list[Block] = []
     for group in blocks(columns, matched):
         chosen = [matched[u] for u in group]
         forms = [relations[r].form for r in chosen]
-        for unknown, values in zip(group, solve(forms, group, speeds, len(drives)), strict=True):
+        recalled = memory.recall(forms[0], group[0]) if len(group) == 1 else None
+        solved = [recalled] if recalled else solve(forms, group, speeds, len(drives))
+        for unknown, values in zip(group, solved, strict=True):
             speeds[unknown] = tuple(binder.bound(canonical(v)) for v in values)
+            memory.note(unknown, speeds[unknown])
         steps.append(Block(tuple(chosen), tuple(group)))
     bindings = tuple(binder.bindings)
     return Plan(graph, tuple(relations), drives, tuple(steps), speeds, bindings, redundant)

@@ -1,0 +1,47 @@
+"""What locks a mechanism of mobility 0: the smallest group of parts that hold one another."""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple
+
+from ..source import Span
+from .graph import Graph, Kind, Relation
+from .ordering import blocks, match
+
+
+class Locked(NamedTuple):
+    """Parts that leave one another no motion, and where the first of them stands."""
+
+    parts: tuple[str, ...]
+    span: Span
+
+
+def locked(graph: Graph, relations: Sequence[Relation]) -> Locked:
+    """Return the smallest group whose relations by themselves hold all speeds they mention.
+
+    ``relations`` are independent, and as many as the unknowns.
+    """
+    columns = [frozenset(r.form) for r in relations]
+    matched = match(columns)
+    groups = (
+        (group, [matched[u] for u in group])
+        for group in blocks(columns, matched)
+        if all(columns[matched[u]] <= set(group) for u in group)
+    )
+    smallest = min(groups, key=lambda g: len(g[0]), default=None)
+    if smallest is None:
+        return Locked((), graph.pose.mechanism.span)
+    unknowns, rows = smallest
+    held = sorted((relations[r] for r in rows), key=lambda r: r.span)
+    return Locked(tuple(dict.fromkeys(_parts(graph, unknowns, held))), held[0].span)
+
+
+def _parts(graph: Graph, unknowns: Sequence[int], held: Sequence[Relation]) -> Iterator[str]:
+    """Yield the links that turn, then those whose pins and guides hold them."""
+    for unknown in unknowns:
+        kind, of, _ = graph.unknowns[unknown]
+        if kind is Kind.SPIN:
+            yield f"link {of}"
+        elif kind is Kind.SLIDE:
+            yield f"slider {of}"
+    for relation in held:
+        yield f"link {relation.link}" if relation.link else f"the guide of {relation.points[0]}"
