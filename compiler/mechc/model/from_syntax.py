@@ -43,7 +43,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     sliders, guides, guide_places = read_sliders(file, scope)
     geometry = read_geometry(file, scope)
     loads = read_loads(file, scope)
-    mirror = read_mirror(file, loads, scope)
+    mirror = read_mirror(file, sliders, loads, scope)
     copies = read_copies(file, scope)
     check_pending(file, scope)
     spread_feeding(found, scope)

@@ -10,14 +10,19 @@ from ..units import NUMBER
 from .constants import rational
 from .directions import parallel, read_direction
 from .expressions import Reader
-from .mechanism import Copies, Direction, Force, Load, Mirror
+from .mechanism import Copies, Direction, Force, Load, Mirror, Slider
 from .parameters import constant
 from .scope import DESCRIPTION, Scope
 from .statements import only
 
 
-def read_mirror(file: ast.File, loads: Sequence[Load], scope: Scope) -> Mirror | None:
-    """Return the mirror; twins must not be declared, and gravity lies along its line."""
+def read_mirror(
+    file: ast.File, sliders: Sequence[Slider], loads: Sequence[Load], scope: Scope
+) -> Mirror | None:
+    """Return the mirror.
+
+    Twins must not be declared; gravity and the guides of shared points lie along its line.
+    """
     statement = only(file, ast.Mirror)
     if statement is None:
         return None
@@ -30,6 +35,10 @@ def read_mirror(file: ast.File, loads: Sequence[Load], scope: Scope) -> Mirror |
         if isinstance(load, Force) and not _symmetric(load, across, shared, scope):
             what = "gravity" if load.weight else f"force {load.name} on the shared {load.point}"
             scope.report.add(load_words.off_the_mirror(load.along.span, what, statement.span))
+    for slider in sliders:
+        if slider.point in shared and not parallel(slider.along, across, scope):
+            what = f"the guide of the shared {slider.point}"
+            scope.report.add(load_words.off_the_mirror(slider.along.span, what, statement.span))
     return Mirror(across, shared, statement.span)
 
 

@@ -51,9 +51,11 @@ def off_the_mirror(span: Span, what: str, mirror: Span) -> Words:
     """A direction does not lie along the mirror line, but symmetry wants it to.
 
     Gravity acts on both halves alike only along the line; so does a force on a point
-    that the halves share.
+    that the halves share. Such a point can move along the line only, as a guide of it must.
 
         mirror across 90 deg sharing K
+        slider K along 45 deg         # wrong
+        slider K along 90 deg         # right
         force F at K along x          # wrong
         force F at K along 90 deg     # right
     """
