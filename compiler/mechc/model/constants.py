@@ -7,6 +7,7 @@ from typing import assert_never
 
 from ..algebra.formula import Formula, Number, Power, Product, Sum
 from ..syntax import ast
+from ..units import ANGLE, Dimension
 
 LARGEST_EXPONENT = 64
 """Beyond, a constant power is refused: powers of powers would fill the memory."""
@@ -16,6 +17,24 @@ LARGEST = 10**308
 
 LARGEST_BITS = 4096
 """Size of a constant's denominator; that of a literal has 1,200 at most."""
+
+FAR = 1e60
+"""Quantities lie between this and its reciprocal, in SI: cubes of them are still doubles."""
+
+MANY_TURNS = math.radians(1_000_000)
+"""Beyond this angle sines lose their digits."""
+
+
+def out_of_reach(value: float, dimension: Dimension) -> bool:
+    """Tell whether a quantity, in SI or radians, is none that a mechanism can have.
+
+    >>> from mechc.units import NUMBER
+    >>> out_of_reach(1e70, NUMBER), out_of_reach(1e7, NUMBER), out_of_reach(1e7, ANGLE)
+    (True, False, True)
+    """
+    if dimension == ANGLE:
+        return abs(value) > MANY_TURNS
+    return value != 0 and not 1 / FAR <= abs(value) <= FAR
 
 
 def names_in(expression: ast.Expr) -> Iterator[ast.Symbol]:

@@ -3,8 +3,11 @@
 import math
 
 from ..algebra.formula import Formula, degrees, evaluate, symbols
+from ..diagnostics.model import quantities
+from ..source import Span
 from ..syntax import ast
-from ..units import ANGLE, LENGTH
+from ..units import ANGLE, LENGTH, Dimension
+from .constants import out_of_reach
 from .expressions import Reader
 from .mechanism import Absolute, Along, Direction, Offset
 from .scope import DESCRIPTION, Scope
@@ -24,6 +27,7 @@ def read_direction(direction: ast.Direction, scope: Scope) -> Direction | None:
             return Along(ends[0], ends[1], quarter, span) if ends else None
         case _:
             angle = Reader(scope, DESCRIPTION).wanted(direction, ANGLE, "the direction")
+            check_reach(angle, ANGLE, direction.span, scope)
             return Absolute(angle, direction.span) if angle else None
 
 
@@ -32,6 +36,8 @@ def read_place(tail: str, head: str, place: ast.Cartesian, scope: Scope) -> Offs
     reader = Reader(scope, DESCRIPTION)
     x = reader.wanted(place.x, LENGTH, "the place")
     y = reader.wanted(place.y, LENGTH, "the place")
+    for part, written in ((x, place.x), (y, place.y)):
+        check_reach(part, LENGTH, written.span, scope)
     return Offset(tail, head, x, y, place.span) if x and y else None
 
 
@@ -40,6 +46,17 @@ def value_of(formula: Formula, scope: Scope) -> float | None:
     if not symbols(formula) <= scope.values.keys():
         return None
     return evaluate(formula, scope.values)
+
+
+def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope: Scope) -> None:
+    """Report a value at the given parameters that is no real number, or none to compute with."""
+    value = value_of(formula, scope) if formula else None
+    if value is None:
+        return
+    if not math.isfinite(value):
+        scope.report.add(quantities.no_value(span))
+    elif out_of_reach(value, dimension):
+        scope.report.add(quantities.out_of_reach(span, dimension))
 
 
 def parallel(a: Direction, b: Direction, scope: Scope) -> bool:

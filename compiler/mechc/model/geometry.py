@@ -8,7 +8,7 @@ from ..diagnostics.model import joints as words
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, LENGTH
-from .directions import read_direction, read_place, value_of
+from .directions import check_reach, read_direction, read_place, value_of
 from .expressions import Reader
 from .mechanism import Arrow, Geometry, Offset, Turn
 from .scope import DESCRIPTION, Scope
@@ -66,6 +66,7 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
     """Read a length, which is positive at the given parameters."""
     formula = Reader(scope, DESCRIPTION).wanted(length, LENGTH, "the length")
     value = value_of(formula, scope) if formula else None
+    check_reach(formula, LENGTH, length.span, scope)
     if value is not None and value <= 0:
         shown = f"{value * 1000:g} mm"
         scope.report.add(words.length_not_positive(length.span, statement.points.text, shown))

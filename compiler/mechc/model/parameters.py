@@ -8,7 +8,7 @@ from ..algebra.formula import evaluate, symbols
 from ..diagnostics.model import names, quantities
 from ..syntax import ast
 from ..units import DIMENSIONS, UNITS, Dimension
-from .constants import leaves, names_in
+from .constants import leaves, names_in, out_of_reach
 from .expressions import Quantity, Reader
 from .mechanism import Interval, Parameter
 from .scope import DESCRIPTION, Scope
@@ -119,13 +119,15 @@ def _units(expression: ast.Expr, known: Mapping[str, Parameter]) -> Iterator[str
 def _note_value(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
     """Keep the default value for later checks; report a formula that has none."""
     formula = parameter.value
-    if formula is None or not symbols(formula) <= scope.values.keys():
+    if not formula or not statement.value or not symbols(formula) <= scope.values.keys():
         return
     value = evaluate(formula, scope.values)
-    if math.isfinite(value):
+    if not math.isfinite(value):
+        scope.report.add(quantities.no_value(statement.value.span))
+    elif out_of_reach(value, parameter.dimension):
+        scope.report.add(quantities.out_of_reach(statement.value.span, parameter.dimension))
+    else:
         scope.values[parameter.name] = value
-    elif statement.value:
-        scope.report.add(quantities.no_value(statement.value.span, parameter.name))
 
 
 def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
@@ -133,6 +135,9 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
         return
     edge = statement.low.span.to(statement.high.span)
     low, high = (evaluate(end, {}) for end in parameter.range)
+    if any(out_of_reach(end, parameter.dimension) for end in (low, high)):
+        scope.report.add(quantities.out_of_reach(edge, parameter.dimension))
+        return
     value = scope.values.get(parameter.name)
     if parameter.dependent:
         scope.report.add(quantities.range_of_dependent(edge, parameter.name))

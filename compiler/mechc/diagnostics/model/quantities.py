@@ -85,14 +85,14 @@ def divided_by_zero(span: Span) -> Words:
 
 
 @coded("E226")
-def no_value(span: Span, name: str) -> Words:
-    """The formula of a parameter has no real value for the given parameters.
+def no_value(span: Span) -> Words:
+    """A formula has no real value for the given parameters.
 
     param s = 2
     param beta = asin(s)         # wrong: no angle has the sine 2
     param beta = asin(s/4)       # right
     """
-    message = f"the formula of '{name}' has no real value at the given parameters"
+    message = "this formula has no real value at the given parameters"
     return Words(span, message, "is the argument of a root or an arc function out of its domain?")
 
 
@@ -143,6 +143,25 @@ def not_constant(span: Span, name: str, what: str) -> Words:
         param a = 2 mm in 1 mm .. 5 mm     # right
     """
     return Words(span, f"{what} is a constant, found the name '{name}'")
+
+
+@coded("E231")
+def out_of_reach(span: Span, dimension: Dimension) -> Words:
+    """A quantity is larger, or smaller, than anything that a mechanism has.
+
+    Results are computed with some sixteen digits. Sums with such quantities lose all of
+    them, and of an angle of very many turns even the sine has none left.
+
+        param a = 1e300 mm     # wrong
+        param t = 1e9 deg      # wrong
+    """
+    if dimension == ANGLE:
+        return Words(span, "this angle is out of reach, expected at most 1000000 deg")
+    return Words(
+        span,
+        "this quantity is out of reach, expected 1e-60 to 1e60 in SI units",
+        "is the exponent mistyped?",
+    )
 
 
 @coded("W220")
