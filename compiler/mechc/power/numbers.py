@@ -22,8 +22,7 @@ def check_numbers(balance: Balance, report: Report) -> Balance:
     """Return the balance with every result's default value; report what is not regular there."""
     values = default_values(balance.plan)
     spans = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
-    if values.keys() >= _needed(balance.plan):
-        _check_branch(balance.plan, values, report)
+    _check_branch(balance.plan, values, report)
     solved = []
     for item in balance.solved:
         number = value_of(item.result, values)
@@ -57,10 +56,6 @@ def value_of(result: Result, values: Mapping[str, float]) -> float | None:
     return evaluate(result.formula, known)
 
 
-def _needed(plan: Plan) -> set[str]:
-    return {s for r in plan.graph.relations for p in r.form.values() for s in symbols(p.formula())}
-
-
 def _check_branch(plan: Plan, values: Mapping[str, float], report: Report) -> None:
     """Compare the rank of the relations at the pose with their rank in general.
 
@@ -69,7 +64,7 @@ def _check_branch(plan: Plan, values: Mapping[str, float], report: Report) -> No
     """
     try:
         rows = [{u: p.evaluate(values) for u, p in r.form.items()} for r in plan.relations]
-    except ZeroDivisionError:
+    except (KeyError, ZeroDivisionError):
         return
     regular = all(_is_regular(block, rows) for block in plan.blocks)
     if not regular and numeric_rank(rows) < len(rows):
