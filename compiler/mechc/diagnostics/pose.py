@@ -91,17 +91,20 @@ def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) 
 
 @coded("E305")
 def no_direction_of_its_own(at: Span, points: str) -> Words:
-    """A direction is asked of two points whose vector is a sum of several arms.
+    """A direction is asked of two points whose vector rests on a length that is not given.
 
-    ``along AB`` takes the direction of the vector AB. Where AB is known only as a sum of
-    other vectors it has no direction that could be written as an angle: give it one::
+    ``along AC`` takes the direction of the vector AC. Where that is a sum of other
+    vectors, their lengths decide which way it points::
 
-        AB = @ gamma
+        AB = @ alpha         # wrong: AC = AB + BC turns with the length of AB
+        AB = b @ alpha       # right
+        BC = c @ beta
+        force P at A along AC
     """
     return Words(
         at,
-        f"{points} is known only as a sum of other vectors, so it has no angle of its own",
-        f"give its direction: `{points} = @ gamma`, or write the angle itself",
+        f"{points} is a sum of other vectors, not all of known length, so its direction is open",
+        f"give the lengths, or the direction: `{points} = @ gamma`",
     )
 
 

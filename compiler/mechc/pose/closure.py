@@ -6,7 +6,7 @@ that does not ties symbols which were given as independent.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
@@ -21,6 +21,8 @@ from .pose import Arm, Vector, evaluate_vector
 
 Row = dict[str, int]
 """A linear equation in the open lengths, modulo the prime; the constant stands under ''."""
+
+Values = Mapping[str, float]
 
 GAP = 1e-9
 """A gap below this part of the longest arm counts as closed at the values given."""
@@ -38,21 +40,43 @@ class Condition(NamedTuple):
 class Closure:
     """The equations so far, in echelon form."""
 
-    def __init__(self, open_lengths: Iterable[str]) -> None:
-        self._open = frozenset(open_lengths)
+    def __init__(self, open_lengths: Iterable[str], defined: Iterable[str] = ()) -> None:
+        self._open, self._defined = frozenset(open_lengths), frozenset(defined)
         self._point = Point(1)
         self._rows: list[tuple[str, Row]] = []
 
-    def check(self, condition: Condition, values: Mapping[str, float]) -> Diagnostic | None:
-        """Take a condition in; return the error if it cannot hold for independent symbols."""
-        for direction in condition.across:
+    def check(self, condition: Condition, poses: Sequence[Values]) -> Diagnostic | None:
+        """Take a condition in; return the error if it cannot hold for independent symbols.
+
+        ``poses`` begin with the default one.
+        """
+        for direction in self._directions(condition):
             row = self._reduced(self._row(condition.arms, direction))
             unknowns = [name for name, v in row.items() if name and v]
             if unknowns:
                 self._rows.append((unknowns[0], row))
-            elif row.get(""):
-                return self._refused(condition, direction, values)
+            elif row.get("") and not self._holds_by_definition(condition.arms, direction, poses):
+                return self._refused(condition, direction, poses[0])
         return None
+
+    def _directions(self, condition: Condition) -> Sequence[Angle]:
+        """Return the directions to project on: along an open arm and across it, where one is."""
+        if len(condition.across) == 2:
+            for length, angle in condition.arms:
+                if not self._open.isdisjoint(_names(length)):
+                    return angle, across(angle)
+        return condition.across
+
+    def _holds_by_definition(self, arms: Vector, direction: Angle, poses: Sequence[Values]) -> bool:
+        """Tell whether arms add up to zero because some of their angles were defined so.
+
+        Algebra takes ``beta = asin(a/l*sin(alpha))`` for one more free symbol; numbers at a
+        few poses tell.
+        """
+        counted = tuple(arm for arm in arms if cosine(arm.angle - direction))
+        if self._defined.isdisjoint(_symbols(counted)) or self._mentions_open(counted):
+            return False
+        return not any(abs(_along(counted, direction, values)) > GAP for values in poses)
 
     def _row(self, arms: Vector, direction: Angle) -> Row:
         row: Row = {}
@@ -102,6 +126,16 @@ def _gap(condition: Condition, values: Mapping[str, float]) -> float:
         return 0.0
     gap = math.hypot(*parts)
     return gap if gap > GAP * longest else 0.0
+
+
+def _along(arms: Vector, direction: Angle, values: Values) -> float:
+    """Return the part of a sum of arms along a direction, relative to the longest arm."""
+    try:
+        (x, y), t = evaluate_vector(arms, values), direction.evaluate(values)
+        longest = max(abs(arm.length.evaluate(values)) for arm in arms)
+    except (KeyError, ZeroDivisionError):
+        return 0.0
+    return (x * math.cos(t) + y * math.sin(t)) / longest
 
 
 def _metres(gap: float) -> str:

@@ -21,10 +21,11 @@ class Compass:
     def __init__(self, mechanism: Mechanism, terms: Terms, report: Report) -> None:
         self._terms, self._report = terms, report
         self._known: dict[Pair, tuple[Angle, Span]] = {}
+        self._oblique: dict[frozenset[str], Offset] = {}
         waiting = [g for g in mechanism.geometry if not isinstance(g, Offset)]
         for offset in mechanism.geometry:
             if isinstance(offset, Offset):
-                self._note_axis(offset)
+                self._note_offset(offset)
         while waiting:
             left = [g for g in waiting if not self._follow(g)]
             if len(left) == len(waiting):
@@ -52,6 +53,8 @@ class Compass:
                 return (tail, head) in self._known
             case Arrow(tail, head, _, direction, span):
                 assert direction is not None
+                if isinstance(direction, Along):
+                    self._name(direction.tail, direction.head)
                 angle = self.resolve(direction, f"theta_{tail}{head}")
                 if angle is not None:
                     self._note(tail, head, angle, span)
@@ -61,6 +64,8 @@ class Compass:
 
     def _follow_turn(self, turn: Turn) -> bool:
         gamma = self._terms.angle(turn.angle, f"turn_{turn.first}{turn.vertex}{turn.second}")
+        self._name(turn.vertex, turn.first)
+        self._name(turn.vertex, turn.second)
         first, second = self.of(turn.vertex, turn.first), self.of(turn.vertex, turn.second)
         if first is not None:
             self._note(turn.vertex, turn.second, first + gamma, turn.span)
@@ -68,13 +73,22 @@ class Compass:
             self._note(turn.vertex, turn.first, second - gamma, turn.span)
         return first is not None or second is not None
 
-    def _note_axis(self, offset: Offset) -> None:
+    def _name(self, tail: str, head: str) -> None:
+        """Give a vector of two components an angle of its own, as another entry asks for it."""
+        if offset := self._oblique.pop(frozenset((tail, head)), None):
+            x, y = self._terms.length(offset.x), self._terms.length(offset.y)
+            _, angle = self._terms.polar(x, y, f"{offset.tail}{offset.head}")
+            self._note(offset.tail, offset.head, angle, offset.span)
+
+    def _note_offset(self, offset: Offset) -> None:
         """A component that is literally zero leaves the direction of the other axis."""
         x, y = self._terms.length(offset.x), self._terms.length(offset.y)
         if bool(x) != bool(y):
             sign = (x or y).coefficient
             angle = Angle.constant((0 if x else 90) + (0 if sign > 0 else 180))
             self._note(offset.tail, offset.head, angle, offset.span)
+        elif x and y:
+            self._oblique[frozenset((offset.tail, offset.head))] = offset
 
     def _note(self, tail: str, head: str, angle: Angle, span: Span) -> None:
         known = self._known.get((tail, head))

@@ -3,13 +3,13 @@
 from collections.abc import Mapping
 
 from ..algebra.angle import Angle
-from ..algebra.formula import evaluate
 from ..diagnostics import Report
 from ..diagnostics import pose as words
 from ..model.mechanism import Along, Direction, Force, Link, Mechanism
 from .closure import Closure, Condition, across
 from .compass import Compass
-from .pose import Definition, Pose, Vector
+from .nearby import poses_nearby
+from .pose import Pose, Vector
 from .terms import Terms
 from .vectors import Vectors
 
@@ -24,12 +24,13 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
     survey = _Survey(mechanism, terms, compass, vectors, report)
+    guides, lines, axis = survey.guides(), survey.lines(), survey.axis()
     pose = Pose(
         mechanism=mechanism,
         frames={link.name: survey.frame(link) for link in mechanism.links},
-        guides=survey.guides(),
-        lines=survey.lines(),
-        axis=survey.axis(),
+        guides=guides,
+        lines=lines,
+        axis=axis,
         definitions=tuple(terms.definitions),
         placeholders=dict.fromkeys(vectors.placeholders),
         free=tuple(p.name for p in mechanism.parameters if not p.dependent),
@@ -100,7 +101,7 @@ class _Survey:
         return angle or Angle()
 
     def _along_path(self, direction: Along, for_what: str) -> Angle | None:
-        """Return the direction of a vector that is a sum, where that sum is a single arm."""
+        """Return the direction of a vector that is a sum, named where it is no single arm."""
         tail, head, quarter, span = (
             direction.tail,
             direction.head,
@@ -110,8 +111,10 @@ class _Survey:
         vector = self._vectors.path(tail, head)
         if vector is None:
             self._report.add(words.missing_direction(span, f"{tail}{head}", for_what))
-        elif len(vector) != 1:
+        elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):
             self._report.add(words.no_direction_of_its_own(span, f"{tail}{head}"))
+        elif len(vector) > 1:
+            return self._vectors.straighten(tail, head) + Angle.constant(90 * quarter)
         else:
             sign = -1 if vector[0].length.coefficient < 0 else 1
             return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
@@ -119,7 +122,8 @@ class _Survey:
 
     def close_loops(self, pose: Pose) -> None:
         """Report every loop that does not close for independent symbols."""
-        closure, values = Closure(pose.placeholders), defaults(self._mechanism, pose.definitions)
+        closure = Closure(pose.placeholders, {d.name for d in pose.definitions})
+        values = poses_nearby(self._mechanism, pose.definitions)
         for condition in (*self._loops(), *self._guide_lines(pose)):
             if fault := closure.check(condition, values):
                 self._report.add(fault)
@@ -142,21 +146,3 @@ class _Survey:
                 arms, normal = self._vectors.arms(chain), across(pose.guides[slider.point])
                 conditions.append(Condition("-".join(chain), arms, (normal,), slider.span))
         return conditions
-
-
-def defaults(mechanism: Mechanism, definitions: tuple[Definition, ...]) -> dict[str, float]:
-    """Return the default pose: every parameter and definition that has a value, in SI."""
-    values: dict[str, float] = {}
-    for parameter in mechanism.parameters:
-        if parameter.value is not None:
-            _put(values, parameter.name, Definition(parameter.name, parameter.value))
-    for definition in definitions:
-        _put(values, definition.name, definition)
-    return values
-
-
-def _put(values: dict[str, float], name: str, definition: Definition) -> None:
-    try:
-        values[name] = evaluate(definition.formula, values)
-    except KeyError:
-        return

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.formula import Formula
-from ..algebra.product import Product
+from ..algebra.product import Product, cosine, sine
 from ..algebra.sums import add
 from ..model.mechanism import Mechanism
 
@@ -94,6 +94,12 @@ def _wrapped(angle: Angle) -> Angle:
 def _turned_back(angle: Angle, lines: Collection[Angle]) -> Angle | None:
     opposite = _wrapped(angle + Angle.constant(180))
     return opposite if opposite in lines else None
+
+
+def components(vector: Vector) -> tuple[Product, Product]:
+    """Return the components of a vector along x and y."""
+    x = add(arm.length * cosine(arm.angle) for arm in vector)
+    return x, add(arm.length * sine(arm.angle) for arm in vector)
 
 
 def evaluate_vector(vector: Vector, values: Mapping[str, float]) -> tuple[float, float]:

@@ -5,7 +5,7 @@ names and become definitions (``beta`` where ``beta = asin(…)``).
 """
 
 from ..algebra.angle import Angle
-from ..algebra.formula import Formula, count_operations, substitute, symbols
+from ..algebra.formula import Call, Formula, count_operations, substitute, symbols
 from ..algebra.from_formula import is_transparent, to_angle, to_product
 from ..algebra.product import Product
 from ..model.mechanism import Mechanism, Parameter
@@ -53,6 +53,15 @@ class Terms:
         if definition not in self.definitions:
             self.definitions.append(definition)
         return Angle.of(name)
+
+    def polar(self, x: Product, y: Product, name: str) -> tuple[Product, Angle]:
+        """Return a vector of two components as ``len_name @ phi_name``, both defined."""
+        parts = (x.formula(), y.formula())
+        angle = self.angle(Call("atan2", parts[::-1]), f"phi_{name}")
+        length = Definition(f"len_{name}", Call("hypot", parts))
+        if length not in self.definitions:
+            self.definitions.append(length)
+        return Product.symbol(length.name), angle
 
     def length(self, formula: Formula) -> Product:
         """Return a formula as a product."""

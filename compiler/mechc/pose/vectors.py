@@ -6,11 +6,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
+from ..algebra.formula import symbols
 from ..algebra.product import Product
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .compass import Compass
-from .pose import Arm, Vector, gathered, reverse
+from .pose import Arm, Vector, components, gathered, reverse
 from .terms import Terms
 
 
@@ -37,6 +38,9 @@ class Vectors:
             for g in mechanism.geometry
             if isinstance(g, Arrow) and g.length is not None
         }
+        self._cartesian = {
+            frozenset((g.tail, g.head)) for g in mechanism.geometry if isinstance(g, Offset)
+        }
         self.placeholders: list[str] = []
         self.loops: list[Loop] = []
         for item in mechanism.geometry:
@@ -53,6 +57,22 @@ class Vectors:
     def arms(self, points: Sequence[str]) -> Vector:
         """Return the arms along a chain, as given."""
         return tuple(arm for a, b in pairwise(points) for arm in self._edges[a][b])
+
+    def straighten(self, tail: str, head: str) -> Angle:
+        """Give two points one arm between them, ``len_AB @ phi_AB``; return its direction.
+
+        Whatever is measured along or across it is then seen to vanish, or not to.
+        """
+        vector = self.path(tail, head)
+        assert vector
+        arm = Arm(*self._terms.polar(*components(vector), f"{tail}{head}"))
+        self._join(tail, head, (arm,))
+        return arm.angle
+
+    def is_open(self, vector: Vector) -> bool:
+        """Return whether a vector rests on a length that is not given."""
+        made_up = set(self.placeholders)
+        return any(not made_up.isdisjoint(symbols(arm.length.formula())) for arm in vector)
 
     def chain(
         self, tail: str, head: str, within: Collection[str] | None = None
@@ -83,6 +103,8 @@ class Vectors:
                     Arm(self._terms.length(y), Angle.constant(90)),
                 )
                 self._connect(tail, head, tuple(a for a in arms if a.length), span)
+                if all(a.length for a in arms) and self._compass.of(tail, head) is not None:
+                    self.straighten(tail, head)
             case Arrow(tail, head, _, _, span):
                 self._enter_polar(tail, head, span)
             case Turn(first, vertex, second, _, span):
@@ -90,8 +112,10 @@ class Vectors:
                 self._enter_polar(vertex, second, span)
 
     def _enter_polar(self, tail: str, head: str, span: Span) -> None:
+        if frozenset((tail, head)) in self._cartesian or head in self._edges.get(tail, ()):
+            return
         angle = self._compass.of(tail, head)
-        if angle is None or head in self._edges.get(tail, ()):
+        if angle is None:
             return
         length = self._lengths.get(frozenset((tail, head)))
         if length is None:
@@ -104,5 +128,8 @@ class Vectors:
         if chain := self.chain(tail, head):
             arms = (*self.arms(chain), *reverse(vector))
             self.loops.append(Loop((*chain, tail), arms, span))
+        self._join(tail, head, vector)
+
+    def _join(self, tail: str, head: str, vector: Vector) -> None:
         self._edges.setdefault(tail, {})[head] = vector
         self._edges.setdefault(head, {})[tail] = reverse(vector)
