@@ -52,11 +52,12 @@ def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int) -
     others: write one `find` for each of them.
     """
     named = ", ".join(unknown)
+    number = "1 load is" if len(unknown) == 1 else f"{len(unknown)} loads are"
     return Words(
         at,
         f"{motions} independent motions give {motions} power equations, "
-        f"but {len(unknown)} loads are asked for: {named}",
-        f"write `find` for exactly {motions} loads",
+        f"but {number} asked for: {named}",
+        f"write `find` for exactly {motions} loads, or add the constraint that ties the motions",
     )
 
 

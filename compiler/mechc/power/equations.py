@@ -19,7 +19,8 @@ class Equations:
     """
 
     def __init__(self, terms: Sequence[Term]) -> None:
-        columns = _columns(terms)
+        self._owners = _factors(terms)
+        columns = _columns(terms, self._owners)
         self.idle_loads = [name for name, column in columns.items() if not any(column)]
         active = {n: c for n, c in columns.items() if any(c)}
         motions = len(terms[0].speed) if terms else 0
@@ -30,6 +31,10 @@ class Equations:
         self.columns = {
             n: [p for p, keep in zip(c, kept, strict=True) if keep] for n, c in active.items()
         }
+
+    def owner(self, load: str) -> tuple[str, Product]:
+        """Return the free load that a load is tied to in the end, and the factor."""
+        return self._owners[load]
 
     @property
     def number(self) -> int:
@@ -52,9 +57,10 @@ class Equations:
         )
 
 
-def _columns(terms: Sequence[Term]) -> Mapping[str, list[Product]]:
+def _columns(
+    terms: Sequence[Term], factors: Mapping[str, tuple[str, Product]]
+) -> Mapping[str, list[Product]]:
     """Return the power of every free load, with those tied to it."""
-    factors = _factors(terms)
     parts: dict[str, list[list[Product]]] = {}
     for term in terms:
         owner, factor = factors[term.load.name]

@@ -25,7 +25,7 @@ from .equations import Equations
 from .loads import terms
 from .numbers import check_numbers
 from .result import Definition, Result
-from .speeds import speed
+from .speeds import magnitude, speed
 
 
 def balance(plan: Plan, report: Report) -> Balance:
@@ -81,18 +81,27 @@ class _Asked:
     # -------------------------------------------------------------------------- loads
 
     def _ratio(self, find: Find, above: str, below: str) -> Solved | None:
+        (upper, factor), (lower, below_factor) = map(self._equations.owner, (above, below))
+        factor = factor / below_factor
+        if upper == lower:
+            return self._solved(find, factor, above, below)
         columns = self._equations.columns
-        others = [n for n in columns if n not in (above, below)]
-        unknown = [above, *others]
-        if above not in columns:
+        others = [n for n in columns if n not in (upper, lower)]
+        unknown = [upper, *others]
+        if upper not in columns:
             self._report.add(words.load_not_balanced(find.span, below, above))
             return None
-        if below not in columns:
-            return self._solved(find, Product(0), above, below)
-        if len(unknown) != self._equations.number or not self._equations.determines(unknown):
-            self._report.add(words.ratio_not_determined(find.span, above, below, others or [below]))
+        if len(unknown) < self._equations.number:
+            number = self._equations.number
+            self._report.add(words.unknown_loads_do_not_match(find.span, unknown, number))
             return None
-        return self._solved(find, self._equations.solve(above, unknown, below), above, below)
+        if len(unknown) > self._equations.number or not self._equations.determines(unknown):
+            self._report.add(words.ratio_not_determined(find.span, above, below, others or [lower]))
+            return None
+        if lower not in columns:
+            return self._solved(find, Product(0), above, below)
+        value = canonical(factor * self._equations.solve(upper, unknown, lower))
+        return self._solved(find, value, above, below)
 
     def _solved(self, find: Find, value: Product, above: str, below: str) -> Solved:
         dimension = _over(self._dimension(above), self._dimension(below))
@@ -133,7 +142,7 @@ class _Asked:
     # ------------------------------------------------------------------------- speeds
 
     def _speeds(self, find: Find, above: Speed, below: Speed) -> Solved | None:
-        upper, lower = speed(self._plan, above), speed(self._plan, below)
+        (upper, signed), (lower, signed_below) = (speed(self._plan, s) for s in (above, below))
         moving = [i for i, v in enumerate(lower) if v]
         if not moving:
             self._report.add(words.speed_vanishes(find.span, _called(below)))
@@ -143,6 +152,8 @@ class _Asked:
             self._report.add(words.speeds_independent(find.span, ratio))
             return None
         value = canonical(upper[moving[0]] / lower[moving[0]])
+        if not (signed and signed_below):
+            value = magnitude(value, self._mechanism)
         dimension = _over(_rate(above), _rate(below))
         return Solved(self._result(find, value.formula(), dimension, [value]), value)
 
@@ -151,12 +162,12 @@ class _Asked:
     def _result(
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
-        where = self._where(values)
+        where = self._where(formula, values)
         self._check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)
 
-    def _where(self, values: Sequence[Product]) -> tuple[Definition, ...]:
-        """Return the definitions that values rest on: bound sums, intermediate angles."""
+    def _where(self, formula: Formula, values: Sequence[Product]) -> tuple[Definition, ...]:
+        """Return the definitions that a formula rests on: bound sums, intermediate angles."""
         bound = {b for v in values for b in bound_names(v)}
         chosen = []
         for binding in reversed(self._plan.bindings):
@@ -164,10 +175,11 @@ class _Asked:
                 chosen.append(Definition(binding.name, binding.value.formula()))
                 bound |= set(bound_names(binding.value))
         chosen.reverse()
-        formulas = [*(v.formula() for v in values), *(d.formula for d in chosen)]
-        return (*self._intermediates(formulas), *chosen)
+        return (*self._intermediates([formula, *(d.formula for d in chosen)]), *chosen)
 
     def _intermediates(self, formulas: Sequence[Formula]) -> list[Definition]:
+        if not self._plan.graph.pose.definitions:
+            return []
         used = {s for f in formulas for s in symbols(f)}
         chosen = []
         for definition in reversed(self._plan.graph.pose.definitions):

@@ -1,41 +1,102 @@
 """The speeds that are asked for: signed where a sign is defined, magnitudes elsewhere."""
 
 import math
+from collections.abc import Iterator
 from fractions import Fraction
+from typing import NamedTuple
 
-from ..algebra.angle import Angle, Rational
+from ..algebra.angle import Rational
 from ..algebra.formula import Call
-from ..algebra.product import ZERO, Opaque, Product, cosine
+from ..algebra.product import Factor, Opaque, Product, Sum, Trig, cosine
 from ..algebra.sums import add
-from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan, Speeds
-from ..model.mechanism import Speed
-from ..pose.pose import Vector
+from ..model.mechanism import Mechanism, Speed
+from ..pose.pose import Arm, Vector, gathered
+from .intervals import Box, sign
+from .trends import ranges
 
 
-def speed(plan: Plan, wanted: Speed) -> Speeds:
+class Rate(NamedTuple):
+    """A speed per unit of each drive; ``signed`` if one of its two senses is positive."""
+
+    speeds: Speeds
+    signed: bool = True
+
+
+def speed(plan: Plan, wanted: Speed) -> Rate:
     """Return a speed per unit of each drive.
 
     A link's is counter-clockwise; a point's is signed along its guide, counter-clockwise
     about its link's pivot, and a magnitude elsewhere.
     """
     if wanted.kind == "link":
-        return plan.spin(wanted.of)
+        return Rate(plan.spin(wanted.of))
     guides = plan.graph.pose.guides
     if wanted.of in guides:
-        return plan.component(wanted.of, guides[wanted.of])
-    return _about_pivot(plan, wanted.of) or _magnitude(plan, wanted.of)
+        return Rate(plan.component(wanted.of, guides[wanted.of]))
+    return _about_pivot(plan, wanted.of) or Rate(_lengths(plan, wanted.of), signed=False)
 
 
-def _about_pivot(plan: Plan, point: str) -> Speeds | None:
+def _about_pivot(plan: Plan, point: str) -> Rate | None:
     pose = plan.graph.pose
-    fixed = {p.point for p in pose.mechanism.pivots}
+    fixed = {p.point for p in pose.mechanism.pivots} - {point}
     for link in pose.mechanism.links:
         pivot = next((p for p in link.points if p in fixed), None)
-        if pivot and point in link.points and point != pivot:
-            reach = length(pose.vector(link.name, pivot, point))
-            return tuple(w * reach for w in plan.spin(link.name))
+        if pivot and point in link.points:
+            reach = magnitude(length(pose.vector(link.name, pivot, point)), pose.mechanism)
+            return Rate(tuple(w * reach for w in plan.spin(link.name)))
     return None
+
+
+def magnitude(value: Product, mechanism: Mechanism) -> Product:
+    """Return the absolute value of a product.
+
+    A length, or a sum of lengths, keeps the sign that it has over the ranges given; what
+    depends on angles changes sign beyond a dead centre and is put between bars.
+    """
+    box, barred = ranges(mechanism), Product(1)
+    result = Product(value.coefficient).scaled(1 if value.coefficient > 0 else -1)
+    for factor, exponent in value.factors.items():
+        part = Product.of(factor, exponent)
+        sense = 1 if exponent % 2 == 0 or _is_root(factor) else _sense(Product.of(factor), box)
+        result, barred = (result * part.scaled(sense), barred) if sense else (result, barred * part)
+    return result * _bars(barred)
+
+
+def _sense(factor: Product, box: Box) -> int:
+    """Return the sign of a factor that no angle enters, 0 for others and where it is open."""
+    if any(isinstance(f, Trig) and f.angle.terms for f in _leaves(factor)):
+        return 0
+    return sign(factor, box) or 0
+
+
+def _leaves(value: Product) -> Iterator[Factor]:
+    for factor in value.factors:
+        if isinstance(factor, Sum):
+            for term in factor.terms:
+                yield from _leaves(term)
+        else:
+            yield factor
+
+
+def _is_root(factor: Factor) -> bool:
+    return (
+        isinstance(factor, Opaque)
+        and isinstance(factor.inside, Call)
+        and (factor.inside.function == "sqrt")
+    )
+
+
+def _bars(value: Product) -> Product:
+    above = Product(1, {f: e for f, e in value.factors.items() if e > 0})
+    below = Product(1, {f: -e for f, e in value.factors.items() if e < 0})
+    return _barred(above) / _barred(below)
+
+
+def _barred(value: Product) -> Product:
+    if not value.factors:
+        return value
+    return Product.of(Opaque(Call("abs", (value.formula(),))))
 
 
 def length(vector: Vector) -> Product:
@@ -47,12 +108,12 @@ def length(vector: Vector) -> Product:
 
 
 def root(square: Product) -> Product:
-    """Return the square root of a product: even powers outside, the rest under the root."""
+    """Return a square root, its sign open: even powers outside, the rest under the root."""
     outside = Product(1, {f: e // 2 for f, e in square.factors.items() if e % 2 == 0})
     inside = {f: e for f, e in square.factors.items() if e % 2}
     coefficient: Rational = 1
     parts = (square.coefficient.numerator, square.coefficient.denominator)
-    whole = [math.isqrt(n) for n in parts]
+    whole = [math.isqrt(abs(n)) for n in parts]
     if [n * n for n in whole] == list(parts):
         outside = outside.scaled(Fraction(*whole))
     else:
@@ -63,8 +124,10 @@ def root(square: Product) -> Product:
     return outside * Product.of(Opaque(Call("sqrt", (under,))))
 
 
-def _magnitude(plan: Plan, point: str) -> Speeds:
-    """Return |V| per unit of the one drive that moves a point (its sign is lost)."""
-    parts = [plan.component(point, d) for d in (Angle(), QUARTER)]
-    squares = [add([x * x, y * y]) for x, y in zip(*parts, strict=True)]
-    return tuple(root(s) if s else ZERO for s in squares)
+def _lengths(plan: Plan, point: str) -> Speeds:
+    """Return |V| per unit of each drive, its sign open."""
+    velocity = plan.graph.velocities[point]
+    return tuple(
+        length(gathered(Arm(f.size * plan.speeds[f.unknown][i], f.direction) for f in velocity))
+        for i in range(plan.mobility)
+    )

@@ -7,7 +7,7 @@ from typing import Literal
 
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.formula import Formula
-from ..algebra.product import Factor, Product, Sum, Trig
+from ..algebra.product import Bound, Factor, Product, Sum, Trig
 from ..algebra.sums import canonical
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
@@ -41,17 +41,29 @@ def _conditions(
 ) -> Iterator[Vanishing]:
     assert item.value is not None
     for factor, exponent in item.value.factors.items():
-        if exponent * side > 0 and isinstance(factor, Trig | Sum):
+        if exponent * side > 0 and _may_vanish(factor):
             kind = _kind(factor, item, balance, side)
             yield Vanishing(factor.formula(), solution(factor, near), kind)
+
+
+def _may_vanish(factor: Factor) -> bool:
+    """Tell a sum, or a sine or cosine of something that varies, from lengths and constants."""
+    match factor:
+        case Trig(angle=angle):
+            return any(name != RADIAN for name, _ in angle.terms)
+        case _:
+            return isinstance(factor, Sum | Bound)
 
 
 def _kind(factor: Factor, item: Solved, balance: Balance, side: int) -> Kind:
     """Tell a point that stands still from one that moves across its load."""
     still, moving = (item.below, item.above) if side > 0 else (item.above, item.below)
-    if not still or balance.plan.mobility != 1:
+    tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
+    if not still or still in tied or balance.plan.mobility != 1:
         return "other"
     terms = {t.load.name: t for t in balance.terms}
+    if not terms[moving].power[0]:
+        return "other"
     across = _across(balance.plan, terms[still])
     ratio = canonical(across / terms[moving].power[0]) if across else across
     if ratio and ratio.factors.get(factor, 0) <= 0:

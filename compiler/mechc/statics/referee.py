@@ -26,7 +26,7 @@ from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio
 from .closure import worst_gap
 from .poses import Replay, Values, candidates
-from .speeds import has_sign, speed_ratio
+from .speeds import speed_ratio
 from .unfold import Unfolding
 from .verdict import Trial, Verdict
 
@@ -63,7 +63,6 @@ class Question(NamedTuple):
     formula: Formula
     where: tuple[Definition, ...]
     ask: Callable[[Unfolding], Answer]
-    signed: Callable[[Unfolding], bool] = lambda _: True
 
 
 class Judged(NamedTuple):
@@ -116,8 +115,7 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
             case LoadForm(load):
                 yield from _coefficients(result, load, given)
             case SpeedRatio():
-                ask, signed = partial(speed_ratio, target=target), partial(has_sign, target=target)
-                yield Question(name, formula, where, ask, signed)
+                yield Question(name, formula, where, partial(speed_ratio, target=target))
             case None:
                 pass
             case _:
@@ -166,8 +164,7 @@ def _evaluate(question: Question, unfolding: Unfolding) -> float:
     values = dict(unfolding.values)
     for name, formula in question.where:
         values[name] = evaluate(formula, values)
-    power = evaluate(question.formula, values)
-    return power if question.signed(unfolding) else abs(power)
+    return evaluate(question.formula, values)
 
 
 def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> str:
