@@ -225,6 +225,8 @@ class _Writer:
         """Yield the step to a speed that the power equation has no room to spell out."""
         if not isinstance(term.load, Force) or term.line is None or self._plan.mobility != 1:
             return
+        if not any(term.power):
+            return
         name, point = term.load.name, term.load.point
         form = projection(self._graph.velocities[point], term.line)
         if len({self._names[u] for u in form}) <= _SPELLED_OUT:
@@ -244,7 +246,8 @@ class _Writer:
             yield Equation(total(_positive_first(_power(t) for t in terms)), ZERO)
             return
         for motion, drive in enumerate(self._plan.drives):
-            yield Equation(self._motion(motion, drive), ZERO)
+            if any(t.power[motion] for t in self._balance.terms):
+                yield Equation(self._motion(motion, drive), ZERO)
 
     def _motion(self, motion: int, drive: int) -> Formula:
         """Return the power in one motion, the other drives being held."""
@@ -285,9 +288,8 @@ def _sum(form: Form, names: Names) -> Formula:
 def _positive_first(terms: Iterable[Formula]) -> list[Formula]:
     """Return terms with one that has no minus in front, where there is one."""
     ordered = list(terms)
-    lead = next((t for t in ordered if not _has_minus(t)), ordered[0])
-    ordered.remove(lead)
-    return [lead, *ordered]
+    lead = next((i for i, t in enumerate(ordered) if not _has_minus(t)), 0)
+    return [*ordered[lead : lead + 1], *ordered[:lead], *ordered[lead + 1 :]]
 
 
 def _has_minus(term: Formula) -> bool:
