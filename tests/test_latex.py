@@ -10,7 +10,11 @@ from string import Formatter
 import pytest
 from jinja2 import meta
 
+import mechc
+from mechc.algebra.formula import Call, Sum, Symbol
 from mechc.derivation.steps import Rule
+from mechc.emit.latex_display import vanishing
+from mechc.emit.latex_notation import notation
 from mechc.emit.target import Options
 from mechc.emit.to_latex import _TEMPLATES, TARGET, Report
 from mechc.words import en, ru, uk
@@ -60,6 +64,31 @@ def test_template_uses_every_field_of_the_report() -> None:
     assert loader is not None
     source, _, _ = loader.get_source(_TEMPLATES, "report_body.tex.jinja")
     assert meta.find_undeclared_variables(_TEMPLATES.parse(source)) == set(Report._fields)
+
+
+def test_library_reports_say_no_more_than_there_is() -> None:
+    plain, labelled = mechc.load("four_bar").emit("latex"), mechc.load("wheelbarrow").emit("latex")
+    assert "Quantity" not in plain
+    assert "Quantity" in labelled
+    assert "W=mg$, $g=9.80665" in labelled
+
+
+def test_a_length_between_points_keeps_off_the_speed() -> None:
+    assert r"V_A=O_{1}A\cdot \omega_{O_{1}A}" in mechc.load("stephenson_six_bar").emit("latex")
+
+
+def test_signed_speeds_are_not_called_magnitudes() -> None:
+    clamp = mechc.load("equalising_clamp").emit("latex")
+    assert en.WORDS.signed in clamp
+    assert en.WORDS.magnitudes not in clamp
+
+
+def test_a_long_power_equation_is_broken() -> None:
+    terms = [Call("sin", (Symbol(f"alpha_{i}"),)) for i in range(40)]
+    shown = vanishing(Sum(tuple(terms)), notation("en"), "where")
+    assert shown.startswith("\\begin{multline*}")
+    assert shown.endswith("=0\n\\end{multline*}")
+    assert shown.count("\\\\\n") > 2
 
 
 # --------------------------------------------------------------------------- words

@@ -29,6 +29,7 @@ DATA = {
 """What one stage may know of another; the driver and what is above it know all."""
 
 VOCABULARY = {
+    "derivation.definitions",
     "derivation.remarks",
     "derivation.wording",
     "kinematics.forms",

@@ -6,9 +6,13 @@ import click
 
 from ..algebra.formula import text
 from ..check.expectations import Finding
+from ..derivation.definitions import definitions, is_by_letter
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
+from ..emit.describe import si_unit
+from ..model.mechanism import GRAVITY
 from ..power.result import Result
+from ..source import Source
 from ..statics.to_text import to_text
 from ..statics.verdict import Verdict
 from ..syntax.settings import Settings
@@ -57,29 +61,31 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
     results = compilation.results
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
-    for result in results:
-        yield from _of_result(result)
+    for number, result in enumerate(results):
+        yield from _of_result(result, {r.name for r in results[:number]})
     for finding in compilation.findings:
-        yield f"  {_of_finding(finding)}"
+        yield f"  {_of_finding(finding, compilation.source)}"
     yield from _of_verdict(compilation.verdict, verbose)
 
 
-def _of_result(result: Result) -> Iterator[str]:
+def _of_result(result: Result, told: set[str]) -> Iterator[str]:
     yield f"  {result.name} = {text(result.formula)}"
-    for name, formula in result.where:
-        yield f"    where {name} = {text(formula)}"
+    for name, formula in definitions(result, told):
+        g = f", g = {float(GRAVITY.value)} m/s^2" if is_by_letter(formula) else ""
+        yield f"    where {name} = {text(formula)}{g}"
     if result.default is not None:
-        yield f"    = {result.default:.9g} at the default pose"
+        unit = si_unit(result.dimension)
+        yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
     if result.independent:
         yield f"    does not depend on {', '.join(result.independent)}"
 
 
-def _of_finding(finding: Finding) -> str:
-    expect, outcome = finding.expect, finding.outcome
-    if outcome == "proved":
-        return f"expect {expect.subject} = {text(expect.value)}: proved"
-    at = ", ".join(f"{name} = {value:.9g}" for name, value in finding.at.items())
-    return f"expect {expect.subject} = {finding.expected:.9g} at {at}: agrees ({finding.found:.9g})"
+def _of_finding(finding: Finding, source: Source) -> str:
+    span = finding.expect.span
+    written = " ".join(source.text[span.start : span.end].split()).removeprefix("expect ")
+    if finding.outcome == "proved":
+        return f"expect {written}: proved"
+    return f"expect {written}: agrees ({finding.found:.9g})"
 
 
 def _of_verdict(verdict: Verdict, verbose: bool) -> Iterator[str]:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ..algebra.formula import Symbol
 from ..algebra.product import ONE, Product
-from ..kinematics.graph import Kind, Unknown
+from ..kinematics.graph import Kind, Rule, Unknown
 from ..kinematics.plan import Plan
 from ..power.balance import Balance
 from ..power.numbers import default_values
@@ -89,12 +89,21 @@ def _name(unknown: Unknown, plan: Plan) -> str:
         case Kind.SLIDE:
             return f"V_{unknown.of}"
         case Kind.COMPONENT:
-            return f"V_{unknown.of}_{_line(unknown, plan)}"
+            return f"V_{unknown.of}_{_axis(unknown) or _rod(unknown, plan)}"
 
 
-def _line(unknown: Unknown, plan: Plan) -> str:
+def _axis(unknown: Unknown) -> str:
+    """Return the axis along which a velocity is projected, "" for another direction."""
+    direction = unknown.direction
+    if direction is None or direction.terms or direction.degrees % 90:
+        return ""
+    return "y" if direction.degrees % 180 else "x"
+
+
+def _rod(unknown: Unknown, plan: Plan) -> str:
     """Return the rod on which a velocity is projected, or n for its normal."""
     for relation in plan.graph.relations:
-        if relation.along == unknown.direction and unknown.of in relation.points:
+        on_rod = relation.rule is Rule.PROJECTION and relation.along == unknown.direction
+        if on_rod and unknown.of in relation.points:
             return relation.link
     return "n"

@@ -114,6 +114,11 @@ def _number(value: Fraction, signs: Signs, around: int) -> str:
 
 
 def _product(formula: Product, signs: Signs, around: int, angle: bool) -> str:
+    match formula.factors:
+        case (Number(value), *rest) if decimal := short_decimal(abs(value)):
+            follows = _row(tuple(rest), signs, angle)
+            line = f"{signs.minus if value < 0 else ''}{decimal}{signs.times}{follows}"
+            return f"({line})" if around == BASE or (around and value < 0) else line
     sign, first, second = fractions(formula)
     pieces = [_fraction(*part, signs, angle) for part in (first, second) if part != ((), ())]
     whole = ("" if sign > 0 else signs.minus) + signs.times.join(pieces)

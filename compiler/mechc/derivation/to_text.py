@@ -1,17 +1,18 @@
 """The derivation for the terminal: numbered steps, the rule in words, what it gives."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import replace
 from textwrap import wrap
 from typing import NamedTuple
 
 from ..algebra.formula import Formula, Symbol
 from ..algebra.layout import is_angle
-from ..model.mechanism import Mechanism
-from ..power.result import Result
+from ..model.mechanism import GRAVITY, Mechanism
+from ..power.result import Definition, Result
 from ..units import ANGLE
 from ..words.en import WORDS
+from .definitions import definitions, is_by_letter
 from .remarks import asked, conditions, heading, is_nameless, ratio, remarks
 from .steps import Derivation, Step
 from .text_printer import ASCII, UNICODE, Signs, print_formula, print_point
@@ -56,8 +57,9 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     """
     spell = Speller(_signs(derivation, mechanism, unicode))
     lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
-    for result in derivation.results:
-        lines += _result(result, spell)
+    for number, result in enumerate(derivation.results):
+        told = {r.name for r in derivation.results[:number]}
+        lines += _result(result, definitions(result, told), spell)
     if mechanism.requires:
         lines += [
             "",
@@ -101,17 +103,19 @@ def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
         yield from _equations(derivation.balances, spell)
 
 
-def _result(result: Result, spell: Speller) -> Iterator[str]:
+def _result(result: Result, where: Sequence[Definition], spell: Speller) -> Iterator[str]:
     yield from ("", heading(result, WORDS) or WORDS.results)
     asked_for = ratio(result)
     left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
     sides = (*left, result.formula)
     angle = is_angle(result.formula, spell.angles)
     yield from _broken(spell.relation(sides, ("=",) * len(left), angle))
-    if result.where:
+    if where:
         yield f"     {WORDS.where}"
-        for name, formula in result.where:
+        for name, formula in where:
             yield from _definition(name, formula, spell)
+    if any(is_by_letter(d.formula) for d in where):
+        yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
     for remark in remarks(result, WORDS, spell):
         yield from _wrapped(remark, "   - ")
 

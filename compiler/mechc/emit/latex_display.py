@@ -36,22 +36,6 @@ class Line(NamedTuple):
     angle: bool = False
 
 
-def display(lines: tuple[Line, ...], style: Notation, where: str, boxed: bool = False) -> str:
-    """Return the equations as displays; ``where`` is the word before names made up here."""
-    taken = frozenset().union(*(symbols(line.right) for line in lines))
-    names = _Names(_fresh(taken))
-    rows = [(line.left, _fitted(line, style, names)) for line in lines]
-    whole = _environment(rows, boxed)
-    told = 0
-    made: list[tuple[Box, list[Box]]] = []
-    while told < len(names.given):
-        formula, symbol = list(names.given.items())[told]
-        left = box(symbol, style)
-        made.append((left, _fitted(Line(left, formula), style, names)))
-        told += 1
-    return f"{whole}\n{where}\n{_environment(made)}" if made else whole
-
-
 class _Names:
     """The names made up within one display, by the sum that each stands for."""
 
@@ -64,6 +48,34 @@ class _Names:
         if formula not in self.given:
             self.given[formula] = next(self._fresh)
         return self.given[formula]
+
+
+def display(lines: tuple[Line, ...], style: Notation, where: str, boxed: bool = False) -> str:
+    """Return the equations as displays; ``where`` is the word before names made up here."""
+    names = _Names(_fresh(frozenset().union(*(symbols(line.right) for line in lines))))
+    rows = [(line.left, _fitted(line, style, names)) for line in lines]
+    return _with_names(_environment(rows, boxed), names, style, where)
+
+
+def vanishing(formula: Formula, style: Notation, where: str) -> str:
+    """Return ``formula = 0`` as a display, broken between the terms of its sum."""
+    names = _Names(_fresh(symbols(formula)))
+    parts = _fitted(Line(plain(""), formula), style, names)
+    text = "\\\\\n".join(part.tex for part in parts)
+    whole = f"\\begin{{multline*}}\n{text}=0\n\\end{{multline*}}"
+    return _with_names(whole, names, style, where)
+
+
+def _with_names(whole: str, names: _Names, style: Notation, where: str) -> str:
+    """Return a display followed by the definitions of the names made up in it."""
+    told = 0
+    made: list[tuple[Box, list[Box]]] = []
+    while told < len(names.given):
+        formula, symbol = list(names.given.items())[told]
+        left = box(symbol, style)
+        made.append((left, _fitted(Line(left, formula), style, names)))
+        told += 1
+    return f"{whole}\n{where}\n{_environment(made)}" if made else whole
 
 
 def _fresh(taken: Set[str]) -> Iterator[Symbol]:

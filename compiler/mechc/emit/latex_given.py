@@ -3,9 +3,11 @@
 from collections.abc import Iterable
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import number
+from ..algebra.formula import ZERO, number
+from ..derivation.definitions import by_letter, is_by_letter
 from ..derivation.wording import enumeration
 from ..model.mechanism import (
+    GRAVITY,
     Absolute,
     Arrow,
     Direction,
@@ -18,10 +20,11 @@ from ..model.mechanism import (
     Torque,
     Turn,
 )
+from ..units import DIMENSIONS
 from ..words.table import Words
 from .latex_notation import Notation, name, points
 from .latex_printer import latex
-from .latex_quantity import quantity
+from .latex_quantity import quantity, unit_symbol, usual_unit
 from .latex_text import escape
 
 
@@ -69,16 +72,18 @@ def _value(parameter: Parameter, words: Words, style: Notation) -> str:
 def _range(parameter: Parameter, words: Words, style: Notation) -> str:
     if parameter.range is None:
         return ""
-    low, high = (
-        quantity(end, parameter.dimension, parameter.unit, words, style) for end in parameter.range
-    )
-    return math(rf"{low}\ \ldots\ {high}")
+    dimension, unit = parameter.dimension, parameter.unit
+    low, high = (quantity(end, dimension, unit, words, style) for end in parameter.range)
+    mark = unit_symbol(unit or usual_unit(dimension), words)
+    if mark.startswith(r"\,"):
+        low = low.removesuffix(mark)
+    return math(rf"{low}\ \ldots\ {{{high}}}")
 
 
 def direction(given: Direction, style: Notation) -> str:
     r"""Return a direction as mathematics: an angle, or along or square to a vector."""
     if isinstance(given, Absolute):
-        return latex(given.angle, style, angle=True)
+        return r"0^\circ" if given.angle == ZERO else latex(given.angle, style, angle=True)
     ends = (given.tail, given.head) if given.quarter < 2 else (given.head, given.tail)
     vector = rf"\overrightarrow{{{''.join(map(points, ends))}}}"
     return rf"\perp {vector}" if given.quarter % 2 else rf"\parallel {vector}"
@@ -138,7 +143,7 @@ def _load(load: Load, words: Words, style: Notation) -> str:
     symbol = name(load.name, style)
     if load.times != 1:
         symbol = rf"{latex(number(load.times), style)}\,{symbol}"
-    tie = rf", ${name(load.name, style)}={latex(load.tie, style)}$" if load.tie else ""
+    tie = _tie(load, words, style) if load.tie else ""
     match load:
         case Force(_, point, along):
             template = words.weight if load.weight else words.force
@@ -149,6 +154,17 @@ def _load(load: Load, words: Words, style: Notation) -> str:
         case _:
             assert_never(load)
     return said + tie
+
+
+def _tie(load: Load, words: Words, style: Notation) -> str:
+    """Return what a load is tied to, with the value of g where a weight takes the usual one."""
+    assert load.tie
+    tie = by_letter(load.tie)
+    said = ", " + math(f"{name(load.name, style)}={latex(tie, style)}")
+    if not is_by_letter(tie):
+        return said
+    g = quantity(GRAVITY, DIMENSIONS["acceleration"], "m/s^2", words, style)
+    return f"{said}, {math(f'g={g}')}"
 
 
 def _symmetry(mechanism: Mechanism, words: Words, style: Notation) -> list[str]:

@@ -33,8 +33,8 @@ EM_PER_GLYPH = 0.58
 class Box(NamedTuple):
     """A piece of mathematics: its LaTeX, its estimated width in em, whether it is tall.
 
-    ``open`` is True for a function with a bare argument, behind which a letter would
-    be read as part of the argument.
+    ``open`` is True for a function with a bare argument and for a distance ``OA``, behind
+    which a letter would be read as part of them.
     """
 
     tex: str
@@ -93,7 +93,7 @@ def _set(formula: Formula, style: Notation, around: int, angle: bool) -> Box:
         case Pi():
             return plain(r"\pi")
         case Symbol(symbol):
-            return plain(name(symbol, style))
+            return plain(name(symbol, style))._replace(open=symbol.startswith("len_"))
         case Sum(terms):
             joined = row(signed(t, style, i == 0, angle) for i, t in enumerate(terms))
             return parentheses(joined) if around else joined

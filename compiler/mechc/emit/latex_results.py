@@ -1,12 +1,14 @@
 """The report's last part: what was found and what follows from it."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from math import isfinite
 from typing import NamedTuple
 
 from ..algebra.formula import ZERO, Formula, Symbol, product, total
+from ..derivation.definitions import definitions
 from ..derivation.remarks import asked, heading, is_nameless, ratio, remarks
-from ..power.result import Result
+from ..model.mechanism import SpeedRatio
+from ..power.result import Definition, Result
 from ..statics.verdict import Verdict
 from ..words.table import Words
 from .latex_display import LINE, Line, display
@@ -24,11 +26,13 @@ class ResultBlock(NamedTuple):
     derivatives: str
 
 
-def result_block(result: Result, words: Words, style: Notation) -> ResultBlock:
-    """Return everything the report says of one result."""
+def result_block(
+    result: Result, told: Container[str], words: Words, style: Notation
+) -> ResultBlock:
+    """Return everything the report says of one result; ``told`` are those before it."""
     return ResultBlock(
         heading(result, words),
-        (*_main(result, words, style), *_where(result, words, style)),
+        (*_main(result, words, style), *_where(definitions(result, told), words, style)),
         remarks(result, words, Speller(style)),
         _derivatives(result, words, style),
     )
@@ -62,16 +66,18 @@ def _as_form(
     return first, words.where, display(lines, style, words.where)
 
 
-def _where(result: Result, words: Words, style: Notation) -> tuple[str, ...]:
-    if not result.where:
-        return ()
+def _where(where: Iterable[Definition], words: Words, style: Notation) -> tuple[str, ...]:
     lines = tuple(
-        Line(plain(name(d.name, style)), d.formula, d.name in style.angles) for d in result.where
+        Line(plain(name(d.name, style)), d.formula, d.name in style.angles) for d in where
     )
+    if not lines:
+        return ()
     return words.where, display(lines, style, words.where)
 
 
 def _derivatives(result: Result, words: Words, style: Notation) -> str:
+    if isinstance(result.target, SpeedRatio):
+        return ""
     symbol = latex(asked(result), style)
     lines = tuple(
         Line(_partial(symbol, parameter, style), formula)

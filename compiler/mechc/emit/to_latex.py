@@ -14,12 +14,12 @@ from jinja2 import Environment, FileSystemLoader, StrictUndefined
 from ..algebra.formula import symbols
 from ..algebra.layout import is_angle
 from ..derivation.remarks import conditions
-from ..derivation.steps import Derivation, Step
+from ..derivation.steps import Derivation, Equation, Step
 from ..derivation.wording import Sides, lines, sentence
 from ..units import ANGLE
 from ..words import en, ru, uk
 from ..words.table import Words
-from .latex_display import Line, display
+from .latex_display import LINE, Line, display, vanishing
 from .latex_given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
 from .latex_notation import Notation, notation, spellings
 from .latex_printer import Box, box, plain, row
@@ -45,6 +45,7 @@ class Report(NamedTuple):
     made_by: str
     section: str
     conventions: str
+    convention_of_speeds: str
     title: str
     source: str
     parameters: tuple[ParameterRow, ...]
@@ -129,6 +130,7 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
         words=words,
         made_by=words.made_by.format(version=compiled.version),
         conventions=words.conventions.format(x="$x$"),
+        convention_of_speeds=_convention(derivation, words),
         section="subsection" if fragment else "section",
         title=escape(mechanism.title or mechanism.name),
         source=escape(mechanism.source),
@@ -137,12 +139,20 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
         vectors=tuple(vector_row(entry, style) for entry in mechanism.geometry),
         steps=tuple(_step(step, words, style) for step in derivation.steps),
         several=_several(derivation, words),
-        balances=_equations(derivation.balances, words, style),
-        results=tuple(result_block(r, words, style) for r in derivation.results),
+        balances=_balances(derivation.balances, words, style),
+        results=_results(derivation, words, style),
         conditions=conditions(mechanism.requires, Speller(style)),
         numbers=numbers(derivation.results, words, style),
         check=check(verdict, words, style),
         remarks=tuple(map(escape, verdict.remarks)),
+    )
+
+
+def _results(derivation: Derivation, words: Words, style: Notation) -> tuple[ResultBlock, ...]:
+    names = [r.name for r in derivation.results]
+    return tuple(
+        result_block(result, names[:number], words, style)
+        for number, result in enumerate(derivation.results)
     )
 
 
@@ -162,9 +172,19 @@ def _equations(equations: tuple[Sides, ...], words: Words, style: Notation) -> s
     return display(rows, style, words.where)
 
 
+def _balances(balances: tuple[Equation, ...], words: Words, style: Notation) -> str:
+    if any(box(e.left, style).width > LINE for e in balances):
+        return "\n".join(vanishing(e.left, style, words.where) for e in balances)
+    return _equations(balances, words, style)
+
+
 def _chained(sides: Sides, style: Notation) -> Box:
     first, *others = (box(side, style) for side in sides)
     return row((first, *(part for b in others for part in (plain("="), b))))
+
+
+def _convention(derivation: Derivation, words: Words) -> str:
+    return words.signed if len(derivation.balances) > 1 else words.magnitudes
 
 
 def _several(derivation: Derivation, words: Words) -> str:

@@ -13,7 +13,6 @@ from ..algebra.formula import (
     Sum,
     Symbol,
     degrees,
-    number,
     product,
     symbols,
 )
@@ -25,14 +24,11 @@ from ..units import ACCELERATION, FORCE, MASS, NUMBER, TORQUE, Dimension
 from .constants import rational
 from .directions import read_direction
 from .expressions import Reader
-from .mechanism import Absolute, Direction, Force, Load, Torque
+from .mechanism import GRAVITY, Absolute, Direction, Force, Load, Torque
 from .order import ordered
 from .parameters import constant
 from .scope import DESCRIPTION, TIE, Scope
 from .statements import every, only
-
-GRAVITY = number(Fraction("9.80665"))
-"""The standard acceleration of free fall in m/s²."""
 
 
 def read_loads(file: ast.File, scope: Scope) -> list[Load]:

@@ -10,9 +10,13 @@ from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal, NamedTuple
 
-from ..algebra.formula import Formula
+from ..algebra.formula import Formula, Number
 from ..source import Span
 from ..units import Dimension
+
+
+GRAVITY = Number(Fraction("9.80665"))
+"""The standard acceleration of free fall in m/s²."""
 
 
 class Interval(NamedTuple):

@@ -30,6 +30,8 @@ WORDS = Words(
     direction="Direction",
     velocities="Velocities",
     magnitudes="Velocities are given by their magnitudes in the motion considered.",
+    signed="Velocities along guides are positive in the guide's direction, angular velocities "
+    "counter-clockwise.",
     rules={
         "lever": "Lever rule: about the pivot {first} the velocities of {rest} are proportional "
         "to their arms.",
@@ -38,8 +40,8 @@ WORDS = Words(
         "projection": "Theorem on the projections of the velocities of two points of a rigid "
         "body: on the line {joined} the velocities of {all} have equal projections.",
         "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
-        "body": "Plane motion of the link: the velocity of one point and the rotation about it "
-        "give the velocity of another ({all}).",
+        "body": "Plane motion of the link {first}: the velocity of one point and the rotation "
+        "about it give the velocity of another ({rest}).",
         "dyad": "Dyad {joined}: the velocity of the common pin follows from its projections on "
         "the two links.",
         "together": "The relations for {all} are solved together.",

@@ -42,6 +42,7 @@ class Words(NamedTuple):
 
     velocities: str
     magnitudes: str
+    signed: str
     rules: Mapping[str, str]
     hence: str
 
