@@ -33,6 +33,7 @@ VOCABULARY = {
     "derivation.remarks",
     "derivation.wording",
     "kinematics.forms",
+    "model.order",
     "power.numbers",
     "routine.quotient",
     "syntax.words",

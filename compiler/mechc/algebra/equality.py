@@ -8,67 +8,103 @@ True
 False
 """
 
+from collections.abc import Sequence
 from typing import assert_never
 
+from .angle import Angle
 from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .from_formula import to_angle
 from .modular import Point
 
 _TRIES = 3
 
+Definitions = Sequence[tuple[str, Formula]]
+"""Names and what they stand for, each after those it needs."""
 
-def equal(left: Formula, right: Formula) -> bool:
+
+def equal(left: Formula, right: Formula, definitions: Definitions = ()) -> bool:
     """Tell whether two formulas are the same function of their symbols.
+
+    Names that ``definitions`` explain are looked into, without writing them out.
 
     True is a proof up to a chance of some 1e-50. False is certain for what angle
     algebra sees; functions it does not look into (roots, arc functions) count as
     unknown quantities of their own, so two forms of one such function may be called
     different: compare numerically then.
     """
-    return all(_agree(left, right, seed) for seed in range(_TRIES))
+    return all(_agree(left, right, definitions, seed) for seed in range(_TRIES))
 
 
-def _agree(left: Formula, right: Formula, seed: int) -> bool:
-    point = Point(seed)
+def _agree(left: Formula, right: Formula, definitions: Definitions, seed: int) -> bool:
+    place = _Place(seed)
     try:
-        return residue(left, point) == residue(right, point)
+        for name, formula in definitions:
+            place.define(name, formula)
+        return place.residue(left) == place.residue(right)
     except ZeroDivisionError:
         return False
 
 
-def residue(formula: Formula, point: Point) -> int:
-    """Return the value of a formula at a random point of a finite field."""
-    match formula:
-        case Number(value):
-            return point.rational(value)
-        case Symbol(name):
-            return point.length(name)
-        case Sum(terms):
-            return sum(residue(t, point) for t in terms) % point.prime
-        case Product(factors):
-            result = 1
-            for factor in factors:
-                result = result * residue(factor, point) % point.prime
-            return result
-        case Power(base, Number(value)) if value.denominator == 1:
-            return point.power(residue(base, point), value.numerator)
-        case Call(function, (argument,)) if (angle := to_angle(argument)) is not None:
-            sin, cos = point.trig("sin", angle), point.trig("cos", angle)
-            match function:
-                case "sin":
-                    return sin
-                case "cos":
-                    return cos
-                case "tan":
-                    return sin * point.power(cos, -1) % point.prime
-                case "cot":
-                    return cos * point.power(sin, -1) % point.prime
-                case "sec":
-                    return point.power(cos, -1)
-                case "csc":
-                    return point.power(sin, -1)
-            return point.length(str(formula))
-        case Pi() | Power() | Call():
-            return point.length(str(formula))
-        case _:
-            assert_never(formula)
+class _Place:
+    """A random point of a finite field, and what defined names are there."""
+
+    def __init__(self, seed: int) -> None:
+        self._point = Point(seed)
+        self._values: dict[str, int] = {}
+        self._angles: dict[str, Angle] = {}
+
+    def define(self, name: str, formula: Formula) -> None:
+        """Give a name the value of a formula, and its angle if it is one."""
+        self._values[name] = self.residue(formula)
+        if (angle := to_angle(formula)) is not None:
+            self._angles[name] = self._inside(angle)
+
+    def _inside(self, angle: Angle) -> Angle:
+        """Return an angle with defined angles put in."""
+        result = Angle.constant(angle.degrees)
+        for name, c in angle.terms:
+            result = result + self._angles.get(name, Angle.of(name)) * c
+        return result
+
+    def residue(self, formula: Formula) -> int:
+        """Return the value of a formula."""
+        point = self._point
+        match formula:
+            case Number(value):
+                return point.rational(value)
+            case Symbol(name):
+                known = self._values.get(name)
+                return point.length(name) if known is None else known
+            case Sum(terms):
+                return sum(map(self.residue, terms)) % point.prime
+            case Product(factors):
+                result = 1
+                for factor in factors:
+                    result = result * self.residue(factor) % point.prime
+                return result
+            case Power(base, Number(value)) if value.denominator == 1:
+                return point.power(self.residue(base), value.numerator)
+            case Call(function, (argument,)) if (angle := to_angle(argument)) is not None:
+                return self._trigonometric(formula, function, self._inside(angle))
+            case Pi() | Power() | Call():
+                return point.length(str(formula))
+            case _:
+                assert_never(formula)
+
+    def _trigonometric(self, formula: Formula, function: str, angle: Angle) -> int:
+        point = self._point
+        sin, cos = point.trig("sin", angle), point.trig("cos", angle)
+        match function:
+            case "sin":
+                return sin
+            case "cos":
+                return cos
+            case "tan":
+                return sin * point.power(cos, -1) % point.prime
+            case "cot":
+                return cos * point.power(sin, -1) % point.prime
+            case "sec":
+                return point.power(cos, -1)
+            case "csc":
+                return point.power(sin, -1)
+        return point.length(str(formula))
