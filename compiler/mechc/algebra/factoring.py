@@ -108,7 +108,7 @@ def _extract(ring: Ring, terms: Terms) -> tuple[Product, Terms]:
     """Divide out every sine and cosine that divides a polynomial."""
     found = ONE
     smallest = min(grouped(ring, terms).values(), key=len)
-    for trig in _candidates(ring, smallest):
+    for trig in _candidates(ring, ring.short(smallest)):
         while len(terms) > 1 and (quotient := ring.divide(terms, trig)) is not None:
             found, terms = found * Product(2, {trig: 1}), quotient
     return found, terms
@@ -131,7 +131,7 @@ def _candidates(ring: Ring, terms: Terms) -> Iterator[Trig]:
         for parts in _divisors(span, ring.scale):
             for shift in shifts:
                 half = (span + Angle.constant(shift)) * Fraction(1, 2 * parts)
-                if half not in seen:
+                if half not in seen and ring.holds(half):
                     seen.add(half)
                     yield from _both(half)
 
@@ -197,7 +197,7 @@ def _place(term: Product) -> tuple[int, list[tuple[tuple[int, str], int]]]:
 def _linear(ring: Ring, terms: Terms) -> list[Product]:
     """Return a real trigonometric polynomial as a sum of single sines and cosines."""
     sums: dict[frozenset[tuple[Factor, int]], Rational] = {}
-    for key, value in terms.items():
+    for key, value in ring.short(terms).items():
         for part in ring.single(key, value):
             name = frozenset(part.factors.items())
             sums[name] = rational(sums.get(name, 0) + part.coefficient)

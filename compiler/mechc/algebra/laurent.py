@@ -10,19 +10,20 @@ holds the constant part of the angle, in units of a common part of 90°, and is 
 wrapped into [0°, 90°): a quarter turn is a factor i of the coefficient.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from fractions import Fraction
 from math import gcd, lcm
 from typing import NamedTuple
 
 from .angle import Angle, Rational, rational
+from .cyclotomic import Directions, Gaussian, accumulate, rotated, short, stars, unique
 from .product import Factor, Product, Sum, Trig, cosine, sine
 
 SPARE = 10
 """Bits of a field beyond the largest coefficient of an angle: products of 500 such fit."""
 
-Gaussian = tuple[int, int]
-"""A Gaussian integer (real part, imaginary part)."""
+LONGEST = 256
+"""Terms of a quotient that is still simpler: sin(1000001·u)/sin u is not multiplied out."""
 
 Terms = dict[int, Gaussian]
 """Packed exponents → coefficient, without zero coefficients."""
@@ -42,19 +43,6 @@ class Binomial(NamedTuple):
     up_power: int
     down: int
     down_power: int
-
-
-def rotated(value: Gaussian, power: int) -> Gaussian:
-    """Return a Gaussian integer times a power of i."""
-    re, im = value
-    match power & 3:
-        case 0:
-            return value
-        case 1:
-            return (-im, re)
-        case 2:
-            return (-re, -im)
-    return (im, -re)
 
 
 class Ring:
@@ -147,6 +135,10 @@ class Ring:
         """Tell whether some angle has a constant that is no multiple of 90°."""
         return bool(self._wrap)
 
+    def holds(self, angle: Angle) -> bool:
+        """Tell whether the constant of an angle is one of the ring's."""
+        return not (angle.degrees % self._part if self._wrap else angle.degrees % 90)
+
     def shifted(self, key: int, value: Gaussian, shift: int, power: int) -> tuple[int, Gaussian]:
         """Return a term times i^power and a packed shift, its constant wrapped."""
         key += shift
@@ -154,10 +146,29 @@ class Ring:
             key, power = key - self._wrap, power + 1
         return key, rotated(value, power) if power & 3 else value
 
+    def unique(self, terms: Terms) -> Terms:
+        """Return a sum of terms in the form that no other sum of the same value has."""
+        return self._rewritten(terms, unique)
+
+    def short(self, terms: Terms) -> Terms:
+        """Return a sum of terms in unique form with fewer constants, for reading."""
+        return self._rewritten(terms, short)
+
+    def _rewritten(self, terms: Terms, rule: Callable[[Directions, int], Directions]) -> Terms:
+        """Rewrite the constants that stand before each monomial."""
+        if not self._wrap or not stars(self._wrap):
+            return terms
+        groups: dict[int, Directions] = {}
+        for key, value in terms.items():
+            constant = self._constant(key)
+            groups.setdefault(key - constant, {})[constant] = value
+        rewritten = ((base, rule(group, self._wrap)) for base, group in groups.items())
+        return {base + c: value for base, group in rewritten for c, value in group.items()}
+
     # ------------------------------------------------------------------ expansion
 
     def expand(self, products: Iterable[Product]) -> Polynomial:
-        """Return a sum of products multiplied out.
+        """Return a sum of products multiplied out, its integer content in the scale.
 
         Sines, cosines and (if the ring is deep) sums must have positive exponents.
         """
@@ -167,8 +178,8 @@ class Ring:
         for part in parts:
             times = int(part.scale / scale)
             for key, (re, im) in part.terms.items():
-                _accumulate(total, key, (re * times, im * times))
-        return Polynomial(rational(scale), total)
+                accumulate(total, key, (re * times, im * times))
+        return _primitive(scale, self.unique(total))
 
     def _expanded(self, product: Product) -> Polynomial:
         scale: Rational = product.coefficient
@@ -202,8 +213,8 @@ class Ring:
     def _times_binomial(self, terms: Terms, by: Binomial) -> Terms:
         result: Terms = {}
         for key, value in terms.items():
-            _accumulate(result, *self.shifted(key, value, by.up, by.up_power))
-            _accumulate(result, *self.shifted(key, value, by.down, by.down_power))
+            accumulate(result, *self.shifted(key, value, by.up, by.up_power))
+            accumulate(result, *self.shifted(key, value, by.down, by.down_power))
         return result
 
     def times(self, left: Terms, right: Terms) -> Terms:
@@ -212,7 +223,7 @@ class Ring:
         for key, value in right.items():
             for k, (re, im) in left.items():
                 product = (re * value[0] - im * value[1], re * value[1] + im * value[0])
-                _accumulate(result, *self.shifted(k, product, key, 0))
+                accumulate(result, *self.shifted(k, product, key, 0))
         return result
 
     # ------------------------------------------------------------------- division
@@ -227,17 +238,21 @@ class Ring:
         field = max(self._names.index(name) for name, _ in trig.angle.terms)
         lowest = min(self.exponents(key)[field] for key in terms)
         lowest += abs(self.exponents(by.up)[field])
-        rest, quotient = dict(terms), {}
+        rest, quotient = dict(terms), Terms()
         while rest:
-            top = max(rest) >> self._low
-            for key in [k for k in rest if k >> self._low == top]:
-                k, value = self._lowered(key, rest.pop(key), by)
-                if self.exponents(k)[field] < lowest:
+            for key, value in self._top(rest).items():
+                k, value = self._lowered(key, value, by)
+                if self.exponents(k)[field] < lowest or len(quotient) == LONGEST:
                     return None
                 quotient[k] = value
                 re, im = value
-                _accumulate(rest, *self.shifted(k, (-re, -im), by.down, by.down_power))
-        return quotient
+                accumulate(rest, *self.shifted(k, (-re, -im), by.down, by.down_power))
+        return self.unique(quotient)
+
+    def _top(self, terms: Terms) -> Terms:
+        """Take the terms with the highest exponents out of a sum."""
+        top = max(terms) >> self._low
+        return self.unique({k: terms.pop(k) for k in [k for k in terms if k >> self._low == top]})
 
     def _lowered(self, key: int, value: Gaussian, by: Binomial) -> tuple[int, Gaussian]:
         """Return a term divided by the leading term of a binomial."""
@@ -252,6 +267,7 @@ class Ring:
         Long division by the leading term. The constant part of an angle takes no part in
         the order, so a divisor whose leading coefficient is a sum of constants is refused.
         """
+        lower = Polynomial(lower.scale, self.short(lower.terms))
         top = max(lower.terms) >> self._low
         leads = [k for k in lower.terms if k >> self._low == top]
         if len(leads) != 1:
@@ -260,19 +276,22 @@ class Ring:
 
     def _long_division(self, upper: Polynomial, lower: Polynomial, lead: int) -> Polynomial | None:
         floor = [a - b for a, b in zip(*map(self._lowest, (upper, lower)), strict=True)]
-        rest, quotient = dict(upper.terms), {}
+        rest, quotient = dict(upper.terms), Terms()
+        below = {k: v for k, v in lower.terms.items() if k != lead}
         while rest:
-            top = max(rest) >> self._low
-            for key in [k for k in rest if k >> self._low == top]:
-                k, value = self._lowered(key, rest[key], Binomial(lead, 0, 0, 0))
+            for key, value in self._top(rest).items():
+                k, value = self._lowered(key, value, Binomial(lead, 0, 0, 0))
                 part = _divided(value, lower.terms[lead])
                 exponents = self.exponents(k)
-                if part is None or any(e < f for e, f in zip(exponents, floor, strict=True)):
+                if part is None or len(quotient) == LONGEST:
+                    return None
+                if any(e < f for e, f in zip(exponents, floor, strict=True)):
                     return None
                 quotient[k] = part
-                for other, v in self.times({k: (-part[0], -part[1])}, lower.terms).items():
-                    _accumulate(rest, other, v)
-        return Polynomial(rational(Fraction(upper.scale) / lower.scale), quotient)
+                for other, v in self.times({k: (-part[0], -part[1])}, below).items():
+                    accumulate(rest, other, v)
+        scale = rational(Fraction(upper.scale) / lower.scale)
+        return Polynomial(scale, self.unique(quotient))
 
     def _lowest(self, polynomial: Polynomial) -> list[int]:
         return [min(column) for column in zip(*map(self.exponents, polynomial.terms), strict=True)]
@@ -289,16 +308,10 @@ class Ring:
             yield sine(angle).scaled(-im)
 
 
-def _accumulate(terms: Terms, key: int, value: Gaussian) -> None:
-    old = terms.get(key)
-    if old is None:
-        terms[key] = value
-        return
-    value = (old[0] + value[0], old[1] + value[1])
-    if value == (0, 0):
-        del terms[key]
-    else:
-        terms[key] = value
+def _primitive(scale: Fraction, terms: Terms) -> Polynomial:
+    content = gcd(*(x for value in terms.values() for x in value)) or 1
+    terms = {k: (re // content, im // content) for k, (re, im) in terms.items()}
+    return Polynomial(rational(scale * content), terms)
 
 
 def _divided(value: Gaussian, by: Gaussian) -> Gaussian | None:
@@ -326,12 +339,16 @@ def _generators(products: Iterable[Product], deep: bool) -> tuple[list[Angle], s
 
 
 def _common_part(angles: Iterable[Angle]) -> Fraction:
-    """Return the largest part of 90° of which all constants are multiples; 0 if none is needed."""
+    """Return a part of 90° of which all halves of constants are multiples; 0 if none is needed."""
     constants = [Fraction(a.degrees) for a in angles if a.degrees % 90]
     if not constants:
         return Fraction(0)
     below = lcm(*(c.denominator for c in constants))
-    return Fraction(gcd(90 * below, *(int(c * below) for c in constants)), below)
+    return Fraction(gcd(90 * below, *(int(c * below) for c in constants)), 2 * below)
+
+
+ENDLESS = 1 << 30
+"""The size of what can't be multiplied out: a sum with denominators."""
 
 
 def size(product: Product, deep: bool = True) -> int:
@@ -339,7 +356,11 @@ def size(product: Product, deep: bool = True) -> int:
     terms = 1
     for factor, exponent in product.factors.items():
         if isinstance(factor, Trig):
-            terms *= 2**exponent
+            terms *= 2**exponent if exponent > 0 else ENDLESS
         elif isinstance(factor, Sum) and deep:
-            terms *= sum(size(t) for t in factor.terms) ** exponent
+            terms *= sum(size(t) for t in factor.terms) ** exponent if exponent > 0 else ENDLESS
+        elif exponent < 0:
+            terms *= ENDLESS
+        if terms >= ENDLESS:
+            return ENDLESS
     return terms

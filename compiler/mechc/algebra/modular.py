@@ -9,7 +9,6 @@ field; a constant such as 40° is then what it is, not a free symbol.
 """
 
 import random
-from collections.abc import Callable
 from functools import lru_cache
 from typing import Literal
 
@@ -46,25 +45,18 @@ class Point:
     prime = PRIME
 
     def __init__(self, seed: int = 0) -> None:
-        self._seed = seed
+        self.seed = seed
         self._lengths: dict[str, int] = {}
         self._trig: dict[tuple[str, Angle], int] = {}
-        self._bound: dict[str, int] = {}
         self._turns: dict[str, tuple[int, int]] = {}
 
     def length(self, name: str) -> int:
         """Return the random value of a symbol."""
         value = self._lengths.get(name)
         if value is None:
-            value = random.Random(f"{self._seed}/{name}").randrange(1, PRIME)
+            value = random.Random(f"{self.seed}/{name}").randrange(1, PRIME)
             self._lengths[name] = value
         return value
-
-    def bound(self, name: str, definition: Callable[["Point"], int]) -> int:
-        """Return the value of a bound name, computed from its definition once."""
-        if name not in self._bound:
-            self._bound[name] = definition(self)
-        return self._bound[name]
 
     def rational(self, value: Rational) -> int:
         """Return a rational number in the field."""
@@ -109,7 +101,7 @@ class Point:
     def _exponentials(self, name: str) -> tuple[int, int]:
         """Return exp(i·symbol/PARTS), a random value, and exp(i·symbol), its power."""
         if name not in self._turns:
-            root = random.Random(f"{self._seed}/angle {name}").randrange(1, PRIME)
+            root = random.Random(f"{self.seed}/angle {name}").randrange(1, PRIME)
             self._turns[name] = root, pow(root, PARTS, PRIME)
         return self._turns[name]
 

@@ -81,11 +81,21 @@ class Trig:
 
     def formula(self) -> Formula:
         """Return ``sin(angle)`` or ``cos(angle)``."""
-        return Call(self.function, (self.angle.formula(),))
+        return _trig_formula(self)
 
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
-        return (1, f"{self.angle}{self.function}")
+        return _trig_order(self)
+
+
+@lru_cache(maxsize=4096)
+def _trig_formula(trig: Trig) -> Formula:
+    return Call(trig.function, (trig.angle.formula(),))
+
+
+@lru_cache(maxsize=4096)
+def _trig_order(trig: Trig) -> tuple[int, str]:
+    return (1, f"{trig.angle}{trig.function}")
 
 
 @dataclass(frozen=True, slots=True)
@@ -252,10 +262,11 @@ class Bound:
     evaluates, in the order in which the names were bound.
     """
 
-    __slots__ = ("definition", "name")
+    __slots__ = ("_residues", "definition", "name")
 
     def __init__(self, name: str, definition: Product) -> None:
         self.name, self.definition = name, definition
+        self._residues: dict[int, int] = {}
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Bound) and self.name == other.name
@@ -271,8 +282,10 @@ class Bound:
         return values[self.name]
 
     def residue(self, point: Point) -> int:
-        """Return the residue of the definition."""
-        return point.bound(self.name, self.definition.residue)
+        """Return the residue of the definition, computed once for each random point."""
+        if point.seed not in self._residues:
+            self._residues[point.seed] = self.definition.residue(point)
+        return self._residues[point.seed]
 
     def formula(self) -> Formula:
         """Return the name."""

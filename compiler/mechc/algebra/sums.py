@@ -9,13 +9,14 @@
 'sin(alpha + beta)/(cos(alpha)*cos(beta))'
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
 
 from .angle import Angle, Rational, rational
 from .factoring import factor, factored
 from .laurent import Ring, size
-from .product import ZERO, Factor, Product, Sum, Trig, cosine, sine
+from .modular import Point
+from .product import ZERO, Bound, Factor, Product, Sum, Trig, cosine, sine
 
 LIMIT = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""
@@ -31,13 +32,31 @@ def add(products: Iterable[Product]) -> Product:
     """
     terms = _merged(products)
     if len(terms) <= 1:
-        return terms[0] if terms else ZERO
+        return canonical(terms[0]) if terms else ZERO
     common = _common(terms)
     rests = [t / common for t in terms]
+    if sum(map(size, rests)) <= LIMIT and not any(map(_rests_on_names, rests)):
+        return canonical(common * factored(rests))
+    if _vanishes(rests):
+        return ZERO
     for deep in (True, False):
         if sum(size(r, deep) for r in rests) <= LIMIT:
             return canonical(common * factored(rests, deep))
     return _kept(terms)
+
+
+def _rests_on_names(product: Product) -> bool:
+    """Tell whether a product has a bound sum in it, about which the name says nothing."""
+    return any(
+        isinstance(f, Bound) or (isinstance(f, Sum) and any(map(_rests_on_names, f.terms)))
+        for f in product.factors
+    )
+
+
+def _vanishes(terms: Sequence[Product]) -> bool:
+    """Tell at a random point whether a sum vanishes that is not multiplied out to the end."""
+    point = Point()
+    return sum(t.residue(point) for t in terms) % point.prime == 0
 
 
 def _merged(products: Iterable[Product]) -> list[Product]:
@@ -60,12 +79,12 @@ def _shared(terms: Sequence[Product]) -> Product:
     """Return what all terms have above the line, or all below it."""
     first, *others = terms
     shared: dict[Factor, int] = {}
-    for factor, e in first.factors.items():
-        exponents = [e, *(t.factors.get(factor, 0) for t in others)]
+    for common, e in first.factors.items():
+        exponents = [e, *(t.factors.get(common, 0) for t in others)]
         if min(exponents) > 0:
-            shared[factor] = min(exponents)
+            shared[common] = min(exponents)
         elif max(exponents) < 0:
-            shared[factor] = max(exponents)
+            shared[common] = max(exponents)
     return Product(1, shared)
 
 
@@ -143,39 +162,44 @@ def _shares_a_line(product: Product) -> bool:
 
     Most products have no such pair, and a long one is not to be searched for nothing.
     """
-    lines = set()
+    lines: dict[tuple[str, ...], list[Angle]] = {}
     for trig in product.factors:
         if isinstance(trig, Trig):
-            terms = trig.angle.terms
-            line = tuple((name, Fraction(c) / terms[0][1]) for name, c in terms)
-            if line in lines:
+            others = lines.setdefault(tuple(name for name, _ in trig.angle.terms), [])
+            if any(_are_parallel(trig.angle, other) for other in others):
                 return True
-            lines.add(line)
+            others.append(trig.angle)
     return False
 
 
+def _are_parallel(a: Angle, b: Angle) -> bool:
+    """Tell whether angles of the same symbols are multiples, their constants apart."""
+    if not a.terms:
+        return True
+    p, q = a.terms[0][1], b.terms[0][1]
+    return all(c * q == d * p for (_, c), (_, d) in zip(a.terms, b.terms, strict=True))
+
+
 def _split_one(product: Product) -> Product | None:
-    for trig, e in product.factors.items():
-        if isinstance(trig, Trig) and any(product.factors.get(f, 0) * e < 0 for f in _halves(trig)):
-            half = _doubled(trig).half()
+    trigs = [(f, e) for f, e in product.factors.items() if isinstance(f, Trig)]
+    for whole, e in trigs:
+        if any(d * e < 0 and _is_part(part, whole) for part, d in trigs):
+            half = _as_sine(whole).half()
             parts = sine(half) * cosine(half) * Product(2)
-            return product * Product(1, {trig: -e}) * parts**e
+            return product * Product(1, {whole: -e}) * parts**e
     return None
 
 
-def _doubled(trig: Trig) -> Angle:
+def _is_part(part: Trig, whole: Trig) -> bool:
+    """Tell whether halving the angle of one, again and again, comes to the other."""
+    angle = _as_sine(part)
+    return any(whole in sine(angle * 2**n).factors for n in range(1, _HALVINGS + 1))
+
+
+def _as_sine(trig: Trig) -> Angle:
     """Return B with trig = sin B."""
     quarter = Angle.constant(90) if trig.function == "cos" else Angle()
     return trig.angle + quarter
-
-
-def _halves(trig: Trig) -> Iterator[Factor]:
-    """Yield sines and cosines of B/2, B/4 … whose product with one another is in sin B."""
-    angle = _doubled(trig)
-    for _ in range(_HALVINGS):
-        angle = angle.half()
-        yield from sine(angle).factors
-        yield from cosine(angle).factors
 
 
 def _join_one(product: Product) -> Product | None:
