@@ -34,6 +34,8 @@ VOCABULARY = {
     "derivation.wording",
     "kinematics.forms",
     "model.order",
+    "model.to_text",
+    "pose.to_text",
     "power.numbers",
     "routine.quotient",
     "syntax.words",

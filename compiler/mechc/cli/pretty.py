@@ -1,37 +1,21 @@
-"""Records as indented text, formulas in the notation of the language.
-
-Places in the text are left out, and a record of an earlier stage is only named.
-"""
+"""A syntax tree as indented text; places in the source are left out."""
 
 from collections.abc import Iterator, Mapping
 from dataclasses import MISSING, Field, fields, is_dataclass
-from fractions import Fraction
-from typing import Any, get_args
+from typing import Any
 
-from ..algebra import formula as algebra
-from ..kinematics.plan import Plan
-from ..model.mechanism import Mechanism
-from ..pose.pose import Pose
 from ..source import Span
-from ..units import DIMENSIONS, Dimension
 
-WIDTH = 96
-
-STAGES = (Mechanism, Pose, Plan)
-UNITS = {dimension: name for name, dimension in DIMENSIONS.items()}
-
-FORMULAS = get_args(algebra.Formula)
+WIDTH = 80
 
 
 def pretty(value: object, indent: str = "") -> str:
-    """Return a record of any stage as text, one field a line where it is long.
+    """Return a node as text, one field a line where it is long.
 
-    >>> from mechc.algebra.formula import Symbol, product
-    >>> pretty({"k": product([(Symbol("a"), 1), (Symbol("b"), -1)])})
-    "{'k': a/b}"
+    >>> from mechc.syntax.ast import Name, Pivot
+    >>> pretty(Pivot(point=Name("O", span=Span(6, 7)), span=Span(0, 7)))
+    "Pivot(point=Name(text='O'))"
     """
-    if indent and isinstance(value, STAGES):
-        return f"<{type(value).__name__}>"
     opening, parts, closing = _taken_apart(value)
     if not parts:
         return opening + closing
@@ -49,14 +33,6 @@ Parts = list[tuple[str, Any]]
 
 def _taken_apart(value: Any) -> tuple[str, Parts, str]:
     """Return how a value opens, its parts with what stands before each, and how it closes."""
-    if isinstance(value, FORMULAS):
-        return algebra.text(value), [], ""
-    if callable(formula := getattr(value, "formula", None)):
-        return algebra.text(formula()), [], ""
-    if isinstance(value, Fraction):
-        return str(value), [], ""
-    if isinstance(value, Dimension) and value in UNITS:
-        return UNITS[value], [], ""
     if is_dataclass(value):
         parts = [(f"{f.name}=", getattr(value, f.name)) for f in _telling(value)]
         return f"{type(value).__name__}(", parts, ")"

@@ -4,7 +4,10 @@ import click
 
 from ..derivation.to_text import render
 from ..driver import STAGES, Compilation
-from ..model.to_text import describe
+from ..kinematics import to_text as kinematics
+from ..model import to_text as model
+from ..pose import to_text as pose
+from ..power import to_text as power
 from ..routine import to_text as routine
 from ..statics import to_text as statics
 from ..syntax.settings import Settings
@@ -15,7 +18,7 @@ from .session import Command, session_options
 
 
 @click.command("show", cls=Command)
-@click.argument("stage", type=click.Choice(list(STAGES)))
+@click.argument("stage", type=click.Choice(list(STAGES)), metavar="STAGE")
 @description_argument
 @settings_option
 @stdin_option
@@ -25,7 +28,7 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
 
     The stages, in order: syntax, model, pose, kinematics, power, statics, derivation,
     routine. Later stages are not run. Formulas are printed in the notation of the
-    language, in SI and radians; what is empty or as usual is left out.
+    language, quantities in SI.
 
     \b
     mechc show kinematics clamp.mech
@@ -38,7 +41,13 @@ def _text(stage: str, compilation: Compilation) -> str:
     """Return a stage's own text where it has one, else its record."""
     match stage:
         case "model":
-            return describe(compilation.mechanism)
+            return model.describe(compilation.mechanism)
+        case "pose":
+            return pose.describe(compilation.pose)
+        case "kinematics":
+            return kinematics.describe(compilation.plan)
+        case "power":
+            return power.describe(compilation.balance, compilation.results)
         case "statics":
             return statics.to_text(compilation.verdict)
         case "derivation":
