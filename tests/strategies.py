@@ -6,6 +6,7 @@ vector are ``Toward``, a statement's optional fields keep the company they need.
 
 from hypothesis import strategies as st
 
+from mechc.frozen import fields
 from mechc.source import Span
 from mechc.syntax import ast
 from mechc.syntax.words import FUNCTIONS, points_of
@@ -231,7 +232,7 @@ def remarked(node):
     """Give a statement comments and a remark."""
     return st.builds(
         lambda made, above, remark: type(made)(
-            **{f: getattr(made, f) for f in made.__dataclass_fields__ if f not in KEPT},
+            **{f.name: getattr(made, f.name) for f in fields(made) if f.name not in KEPT},
             comments=tuple(above),
             remark=remark,
         ),

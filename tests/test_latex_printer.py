@@ -1,7 +1,5 @@
 """Formulas, names and texts as LaTeX."""
 
-from dataclasses import replace
-
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -10,6 +8,7 @@ from mechc.emit.latex_display import LINE, Line, display
 from mechc.emit.latex_notation import name, notation, points, spellings
 from mechc.emit.latex_printer import latex, plain
 from mechc.emit.latex_text import escape
+from mechc.frozen import replace
 from report_samples import LONG, formula
 
 EN, UK, RU = (notation(language) for language in ("en", "uk", "ru"))

@@ -8,7 +8,7 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1] / "compiler" / "mechc"
 
-BASE = ["source", "units", "diagnostics", "data", "files", "words", "algebra"]
+BASE = ["frozen", "source", "units", "diagnostics", "data", "files", "words", "algebra"]
 STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check"]
 OUTPUT = ["derivation", "routine", "emit"]
 TOP = ["driver", "api", "cli", "__main__"]

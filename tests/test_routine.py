@@ -2,7 +2,6 @@
 
 import math
 from collections.abc import Iterable
-from dataclasses import replace
 
 import numpy as np
 import pytest
@@ -22,6 +21,7 @@ from mechc.algebra.formula import (
     walk,
 )
 from mechc.algebra.formula import evaluate as value_of
+from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require
 from mechc.power.result import Definition, Result
 from mechc.routine.check import broken_promises

@@ -7,6 +7,7 @@ from by_hand import HERE, at, build, force, result, torque
 from mechc.algebra import formula
 from mechc.algebra.product import Product
 from mechc.diagnostics import Report
+from mechc.frozen import replace
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadRatio
 from mechc.pose.pose import Arm
@@ -71,7 +72,7 @@ def test_a_pose_that_does_not_fit_names_what_is_off(entry, what, size):
 def test_a_loop_of_links_that_stays_open_is_found():
     pose = four_bar(model.Offset("O", "C", exact(5), exact(0), HERE))
     bent = {**pose.frames, "AB": {**pose.frames["AB"], "B": pose.frames["OA"]["A"]}}
-    pose = type(pose)(**{**{n: getattr(pose, n) for n in pose.__slots__}, "frames": bent})
+    pose = replace(pose, frames=bent)
     assert gap(pose) == ("the loop through A and B", pytest.approx(math.hypot(2, 1)))
 
 
@@ -101,9 +102,8 @@ def test_a_made_up_length_that_no_loop_fixes_is_not_measured():
     made_up = Product.symbol("len_AB")
     along = at(math.degrees(math.atan2(1, 3)))
     frames = {**pose.frames, "AB": {"A": (), "B": (Arm(made_up, along),)}}
-    fields = {n: getattr(pose, n) for n in pose.__slots__}
-    pose = type(pose)(**{**fields, "frames": frames, "placeholders": {"len_AB": None}})
+    pose = replace(pose, frames=frames, placeholders={"len_AB": None})
     assert worst_gap(pose, {"len_AB": 1.7}) is None
-    fixed = type(pose)(**{**fields, "frames": frames, "placeholders": {"len_AB": made_up}})
+    fixed = replace(pose, placeholders={"len_AB": made_up})
     assert worst_gap(fixed, {"len_AB": math.sqrt(10)}) is None
     assert worst_gap(fixed, {"len_AB": 1.7}).size == pytest.approx(math.sqrt(10) - 1.7)

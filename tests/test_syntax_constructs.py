@@ -1,12 +1,12 @@
 """Each construct of the language means the same in both notations."""
 
 import json
-from dataclasses import replace
 
 import pytest
 
 from mechc.data import data
 from mechc.diagnostics import Report
+from mechc.frozen import replace
 from mechc.source import Source, Span
 from mechc.syntax import ast, from_dsl, from_yaml, grammar, tables
 from mechc.syntax.grammar import STARTS, statement_words

@@ -5,6 +5,7 @@ from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
 from mechc.diagnostics import Report
+from mechc.frozen import fields
 from mechc.source import Source
 from mechc.syntax import from_dsl, from_yaml
 from mechc.syntax.to_dsl import to_dsl
@@ -59,11 +60,11 @@ def spans(node):
     if isinstance(node, tuple):
         for part in node:
             yield from spans(part)
-    elif hasattr(node, "__dataclass_fields__"):
+    elif fields(node):
         yield node.span
-        for field in node.__dataclass_fields__:
-            if field != "span":
-                yield from spans(getattr(node, field))
+        for field in fields(node):
+            if field.name != "span":
+                yield from spans(getattr(node, field.name))
 
 
 @some

@@ -6,7 +6,6 @@ the pose. A stage that finds errors ends the compilation with :class:`MechcError
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from functools import cached_property
 from typing import TypeVar
 
@@ -50,17 +49,13 @@ STAGES: Mapping[str, str] = {
 """The stages in order, and the attribute of :class:`Compilation` that holds each one's value."""
 
 
-@dataclass(frozen=True)
 class Compilation:
     """One description on its way through the compiler; each stage runs when first asked for."""
 
-    source: Source
-    settings: Settings = field(default_factory=dict)
-    report: Report = field(init=False)
-
-    def __post_init__(self) -> None:
-        """Open the report that all stages write to."""
-        object.__setattr__(self, "report", Report(self.source))
+    def __init__(self, source: Source, settings: Settings | None = None) -> None:
+        self.source = source
+        self.settings = settings or {}
+        self.report = Report(source)
 
     @cached_property
     def tree(self) -> ast.File:
@@ -122,7 +117,7 @@ def compile_source(source: Source, settings: Settings | None = None) -> Compilat
 
     Raises :class:`MechcError` with all diagnostics of the stage that found errors.
     """
-    return complete(Compilation(source, settings or {}))
+    return complete(Compilation(source, settings))
 
 
 def complete(compilation: Compilation) -> Compilation:

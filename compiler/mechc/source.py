@@ -5,9 +5,10 @@ can still point at line 9 of the user's file.
 """
 
 from bisect import bisect_right
-from dataclasses import dataclass
-from functools import cached_property
+from functools import lru_cache
 from typing import NamedTuple
+
+from .frozen import frozen
 
 
 class Span(NamedTuple):
@@ -32,7 +33,7 @@ class Position(NamedTuple):
     column: int
 
 
-@dataclass(frozen=True)
+@frozen
 class Source:
     r"""One text and the name that messages give it.
 
@@ -46,19 +47,21 @@ class Source:
     name: str
     text: str
 
-    @cached_property
-    def _starts(self) -> list[int]:
-        starts = [0]
-        starts.extend(i + 1 for i, c in enumerate(self.text) if c == "\n")
-        return starts
-
     def position(self, offset: int) -> Position:
         """Return line and column of a character offset (both from 1)."""
-        line = bisect_right(self._starts, offset)
-        return Position(line, offset - self._starts[line - 1] + 1)
+        starts = _starts(self.text)
+        line = bisect_right(starts, offset)
+        return Position(line, offset - starts[line - 1] + 1)
 
     def line(self, number: int) -> str:
         """Return one line of the text, without its end, by its number from 1."""
-        start = self._starts[number - 1]
-        stop = self._starts[number] - 1 if number < len(self._starts) else len(self.text)
+        starts = _starts(self.text)
+        start = starts[number - 1]
+        stop = starts[number] - 1 if number < len(starts) else len(self.text)
         return self.text[start:stop].rstrip("\r")
+
+
+@lru_cache(maxsize=4)
+def _starts(text: str) -> list[int]:
+    """Return where the lines begin; messages ask for it again and again."""
+    return [0, *(i + 1 for i, c in enumerate(text) if c == "\n")]

@@ -10,9 +10,9 @@ its sine their determinant: that is why nothing is ever expanded.
 
 import math
 from collections.abc import Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 
+from ..frozen import frozen
 from .formula import Formula, Symbol, degrees, number, product, total
 
 Rational = int | Fraction
@@ -27,7 +27,7 @@ def rational(value: Rational) -> Rational:
     return value.numerator if value.denominator == 1 else value
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Angle:
     """``Σ coefficient · symbol + degrees``; terms sorted by name, no zero coefficients."""
 

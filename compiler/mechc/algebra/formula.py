@@ -15,46 +15,47 @@ Quantities are SI; angles are radians. A constant angle is a rational multiple o
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
+from ..frozen import frozen
 
-@dataclass(frozen=True, slots=True)
+
+@frozen
 class Number:
     """An exact rational."""
 
     value: Fraction
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pi:
     """The number π."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Symbol:
     """A named quantity: a parameter, a load, an intermediate angle, a velocity ``V_A``."""
 
     name: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sum:
     """Two or more terms; a subtracted term is a Product with a negative leading Number."""
 
     terms: tuple["Formula", ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Product:
     """Two or more factors in reading order; a divisor is a Power with a negative exponent."""
 
     factors: tuple["Formula", ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Power:
     """``base ** exponent``."""
 
@@ -62,7 +63,7 @@ class Power:
     exponent: "Formula"
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Call:
     """One of :data:`FUNCTIONS` applied to its arguments."""
 

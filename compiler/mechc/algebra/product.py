@@ -7,11 +7,11 @@ sum, or something opaque. Products are multiplied and divided, never added here:
 
 import math
 from collections.abc import Hashable, Iterable, Mapping
-from dataclasses import dataclass
 from fractions import Fraction
 from functools import lru_cache
 from typing import Literal, Protocol
 
+from ..frozen import frozen
 from .angle import Angle, Rational, rational
 from .formula import Call, Formula, evaluate, number, product, total
 from .formula import Symbol as SymbolFormula
@@ -40,7 +40,7 @@ class Factor(Hashable, Protocol):
         ...
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Length:
     """A symbol that is not inside an angle: a length, a radius, a pure number, a load."""
 
@@ -63,7 +63,7 @@ class Length:
         return (0, self.name)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Trig:
     """A sine or cosine of a canonical angle; made by :func:`sine` and :func:`cosine` only."""
 
@@ -98,7 +98,7 @@ def _trig_order(trig: Trig) -> tuple[int, str]:
     return (1, f"{trig.angle}{trig.function}")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Opaque:
     """A formula that angle algebra does not look into, ``sqrt(a^2 + b^2)`` for example."""
 

@@ -1,9 +1,9 @@
 """A syntax tree as indented text; places in the source are left out."""
 
 from collections.abc import Iterator, Mapping
-from dataclasses import MISSING, Field, fields, is_dataclass
 from typing import Any
 
+from ..frozen import Field, fields
 from ..source import Span
 
 WIDTH = 80
@@ -33,7 +33,7 @@ Parts = list[tuple[str, Any]]
 
 def _taken_apart(value: Any) -> tuple[str, Parts, str]:
     """Return how a value opens, its parts with what stands before each, and how it closes."""
-    if is_dataclass(value):
+    if fields(value):
         parts = [(f"{f.name}=", getattr(value, f.name)) for f in _telling(value)]
         return f"{type(value).__name__}(", parts, ")"
     if isinstance(value, tuple) and hasattr(value, "_fields"):
@@ -46,10 +46,9 @@ def _taken_apart(value: Any) -> tuple[str, Parts, str]:
     return str(value) if hasattr(value, "value") else repr(value), [], ""
 
 
-def _telling(value: Any) -> Iterator[Field[Any]]:
+def _telling(value: Any) -> Iterator[Field]:
     """Yield the fields that are not at their default."""
     for item in fields(value):
-        usual = item.default_factory() if item.default_factory is not MISSING else item.default
-        place = isinstance(getattr(value, item.name), Span)
-        if item.repr and not place and (usual is MISSING or getattr(value, item.name) != usual):
+        part = getattr(value, item.name)
+        if not isinstance(part, Span) and part != item.default:
             yield item

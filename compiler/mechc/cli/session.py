@@ -3,7 +3,6 @@
 import os
 import sys
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, replace
 from typing import Any, Literal, TypeVar
 
 import click
@@ -11,6 +10,7 @@ import click
 from ..diagnostics import Diagnostic, MechcError, Severity
 from ..diagnostics.render import Form, render
 from ..diagnostics.statics import BUGS
+from ..frozen import frozen, replace
 from ..source import Source
 
 F = TypeVar("F", bound=Callable[..., Any])
@@ -18,7 +18,7 @@ F = TypeVar("F", bound=Callable[..., Any])
 WRONG, ENVIRONMENT, LIMIT, INTERNAL = 1, 3, 4, 70
 
 
-@dataclass(frozen=True)
+@frozen
 class Session:
     """What the options say of messages."""
 

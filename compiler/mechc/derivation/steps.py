@@ -5,11 +5,11 @@ Every relation is a pair of formulas; the words for each rule, in each language,
 belong to whoever prints.
 """
 
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import NamedTuple
 
 from ..algebra.formula import Formula
+from ..frozen import frozen
 from ..power.result import Result
 
 
@@ -43,7 +43,7 @@ class Equation(NamedTuple):
     right: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """One numbered step: the rule, the points and link it is applied to, what it gives.
 
@@ -59,7 +59,7 @@ class Step:
     results: tuple[Equation, ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PowerTerm:
     """The power of one load: ``times · load · speed``; ``speed`` is signed along the load."""
 
@@ -69,7 +69,7 @@ class PowerTerm:
     speed: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Derivation:
     """The velocity steps, the power equation (or several, at mobility m), the results."""
 

@@ -13,7 +13,6 @@
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
 from itertools import pairwise
 from typing import assert_never
@@ -21,6 +20,7 @@ from typing import assert_never
 from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
 from ..algebra.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
 from ..algebra.names import GREEK, split_name
+from ..frozen import frozen
 
 SUM, FACTOR, BASE = 0, 1, 2
 """What stands around a formula: nothing or a sum, a product, a power."""
@@ -29,7 +29,7 @@ _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Signs:
     """The signs of one character set; ``fancy`` when it has Greek letters and raised digits."""
 
@@ -40,7 +40,7 @@ class Signs:
     degree: str
     pi: str
     relations: Mapping[str, str]
-    angles: frozenset[str] = field(default=frozenset())
+    angles: frozenset[str] = frozenset()
 
 
 UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠", "~": "∼"})

@@ -2,12 +2,12 @@
 
 import re
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import replace
 from textwrap import wrap
 from typing import NamedTuple
 
 from ..algebra.formula import Formula, Symbol
 from ..algebra.layout import is_angle
+from ..frozen import replace
 from ..model.mechanism import GRAVITY, Mechanism
 from ..power.result import Definition, Result
 from ..units import ANGLE

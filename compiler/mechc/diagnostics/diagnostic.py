@@ -7,13 +7,13 @@ says what is wrong, why it matters, and shows how to mend it.
 """
 
 from collections.abc import Callable, Iterable
-from dataclasses import dataclass, field
 from difflib import get_close_matches
 from enum import StrEnum
 from functools import wraps
 from inspect import cleandoc
 from typing import NamedTuple, ParamSpec
 
+from ..frozen import frozen
 from ..source import Source, Span
 
 
@@ -40,7 +40,7 @@ class Words(NamedTuple):
     related: tuple[Related, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Diagnostic:
     """One error or warning.
 
@@ -108,7 +108,6 @@ class MechcError(Exception):
         super().__init__("\n".join(f"{d.code}: {d.message}" for d in self.diagnostics))
 
 
-@dataclass(slots=True)
 class Report:
     """Collects diagnostics while one description goes through the stages.
 
@@ -116,9 +115,10 @@ class Report:
     would need what is missing.
     """
 
-    source: Source
-    diagnostics: list[Diagnostic] = field(default_factory=list)
-    _known: set[Diagnostic] = field(default_factory=set, init=False, repr=False, compare=False)
+    def __init__(self, source: Source) -> None:
+        self.source = source
+        self.diagnostics: list[Diagnostic] = []
+        self._known: set[Diagnostic] = set()
 
     def add(self, diagnostic: Diagnostic) -> None:
         """Note a diagnostic, once."""

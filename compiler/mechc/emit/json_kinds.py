@@ -6,24 +6,26 @@ two cannot drift apart.
 
 import math
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Generic, TypeAlias, TypeVar
+
+from ..frozen import frozen
 
 Json: TypeAlias = "bool | int | float | str | list[Json] | dict[str, Json] | None"
 T = TypeVar("T")
 R = TypeVar("R")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Kind(Generic[T]):
     """A kind of value: its schema, its writer, and the named schemas it refers to."""
 
     schema: dict[str, Json]
     write: Callable[[T], Json]
-    definitions: Mapping[str, Json] = field(default_factory=dict)
+    definitions: Mapping[str, Json] = MappingProxyType({})
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Field(Generic[R]):
     """A member of a record of R: its name, what it means, and its value's kind."""
 

@@ -5,10 +5,11 @@ ctg and a decimal comma; φ is ``\phi`` in the first and ``\varphi`` in the othe
 """
 
 from collections.abc import Iterable, Mapping
-from dataclasses import dataclass, field
+from types import MappingProxyType
 from typing import Literal
 
 from ..algebra.names import GREEK, Point, split_name, split_points
+from ..frozen import frozen
 
 Language = Literal["en", "uk", "ru"]
 
@@ -35,7 +36,7 @@ _EASTERN = _COMMON | {
 }
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Notation:
     """How functions, decimals and names are written, and which names are angles.
 
@@ -46,7 +47,7 @@ class Notation:
     decimal: str
     phi: str
     angles: frozenset[str] = frozenset()
-    spellings: Mapping[str, str] = field(default_factory=dict)
+    spellings: Mapping[str, str] = MappingProxyType({})
 
 
 def notation(language: Language) -> Notation:

@@ -7,7 +7,6 @@ reserves, and never lets two names become one.
 
 import re
 from collections.abc import Iterable, Mapping, Set
-from dataclasses import dataclass, field
 from unicodedata import normalize
 
 _GREEK = """
@@ -51,7 +50,6 @@ def _ascii(character: str) -> str:
     return letters or ("_" if character.isascii() else f"u{ord(character):x}")
 
 
-@dataclass(slots=True)
 class Names:
     """The names given out in one space of names of one target.
 
@@ -60,8 +58,9 @@ class Names:
     ['int_', 'int_2', 'alpha', 'alpha_2']
     """
 
-    reserved: Set[str]
-    taken: set[str] = field(default_factory=set)
+    def __init__(self, reserved: Set[str], taken: Iterable[str] = ()) -> None:
+        self.reserved = reserved
+        self.taken = set(taken)
 
     def claim(self, name: str) -> str:
         """Return a legal name near this one that was never given out, and take it."""

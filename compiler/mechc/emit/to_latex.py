@@ -5,7 +5,6 @@ also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
 from collections.abc import Iterator
-from dataclasses import replace
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,6 +15,7 @@ from ..algebra.layout import is_angle
 from ..derivation.remarks import conditions
 from ..derivation.steps import Derivation, Equation, Step
 from ..derivation.wording import Sides, lines, sentence
+from ..frozen import replace
 from ..units import ANGLE
 from ..words import en, ru, uk
 from ..words.table import Words

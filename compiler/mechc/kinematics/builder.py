@@ -17,7 +17,6 @@ from ..source import Span
 from .forms import QUARTER, projection, subtract, turned
 from .graph import Flow, Graph, Kind, Relation, Rule, Unknown, Velocity
 
-
 LONGEST = 3
 """A velocity of more parts than this gets unknowns of its own before a link is based on it."""
 

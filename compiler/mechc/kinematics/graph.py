@@ -6,12 +6,12 @@ projections of its velocity on two of them.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from enum import StrEnum
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
+from ..frozen import frozen
 from ..pose.pose import Pose
 from ..source import Span
 
@@ -81,7 +81,7 @@ class Relation(NamedTuple):
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Graph:
     """Unknowns, what every point's velocity and every link's spin is in them, and relations.
 

@@ -1,12 +1,12 @@
 """The plan: in which order the speeds follow from the drives, and what they are."""
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
+from ..frozen import frozen
 from .forms import projection, spin
 from .graph import Form, Graph, Relation
 
@@ -29,7 +29,7 @@ Speeds = tuple[Product, ...]
 """A speed as a linear form in the drives: one coefficient for each."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Plan:
     """The solved graph.
 

@@ -5,7 +5,7 @@ parameter by another word; it is handed on as one.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 from ..algebra.formula import Formula, Symbol, substitute, symbols, walk
 from ..diagnostics.model import names
@@ -24,18 +24,17 @@ LONGEST = 200
 Definition = ast.Param | ast.Let
 
 
-@dataclass(slots=True)
-class Definitions:
+class Definitions(NamedTuple):
     """What was defined, by name, each after those it needs."""
 
-    parameters: dict[str, Parameter] = field(default_factory=dict)
-    lets: dict[str, Let] = field(default_factory=dict)
+    parameters: dict[str, Parameter]
+    lets: dict[str, Let]
 
 
 def read_definitions(file: ast.File, scope: Scope) -> Definitions:
     """Read parameters and lets whose names the scope knows."""
     statements = _by_name(file, scope)
-    found = Definitions()
+    found = Definitions({}, {})
     for name in _ordered(statements, scope):
         match statements[name]:
             case ast.Param() as statement:

@@ -4,7 +4,6 @@ A formula that is wrong in one place is reported once and reads as None, so that
 uses it stays quiet.
 """
 
-from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
@@ -26,6 +25,7 @@ from ..algebra.formula import (
 )
 from ..diagnostics import Report
 from ..diagnostics.model import joints, names, quantities
+from ..frozen import frozen
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, NUMBER, UNITS, Dimension
@@ -54,7 +54,7 @@ class Quantity(NamedTuple):
         return self.sort.dimension
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Reader:
     """Reads expressions whose names may be of certain kinds."""
 

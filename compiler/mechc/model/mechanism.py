@@ -6,14 +6,14 @@ points are in the order the user named them.
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
 from fractions import Fraction
+from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 from ..algebra.formula import Formula, Number
+from ..frozen import frozen
 from ..source import Span
 from ..units import Dimension
-
 
 GRAVITY = Number(Fraction("9.80665"))
 """The standard acceleration of free fall in m/s²."""
@@ -26,7 +26,7 @@ class Interval(NamedTuple):
     high: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Parameter:
     """A quantity of the description.
 
@@ -49,7 +49,7 @@ class Parameter:
 # ---------------------------------------------------------------------- directions
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Absolute:
     """A direction given as an angle, counter-clockwise from +x."""
 
@@ -57,7 +57,7 @@ class Absolute:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Along:
     """The direction from ``tail`` to ``head``, turned by ``quarter`` · 90° (0 … 3)."""
 
@@ -73,7 +73,7 @@ Direction = Absolute | Along
 # ------------------------------------------------------------------ bodies, joints
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Link:
     """A rigid body through two or more points; ``name`` is the points as written (``OBA``)."""
 
@@ -83,7 +83,7 @@ class Link:
     label: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pivot:
     """A point pinned to the ground."""
 
@@ -91,7 +91,7 @@ class Pivot:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slider:
     """A point guided by the ground; ``through`` is a point of the guide's line, if given."""
 
@@ -104,7 +104,7 @@ class Slider:
 # ------------------------------------------------------------------------ geometry
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Arrow:
     """A vector from ``tail`` to ``head``: what is given of its length and direction."""
 
@@ -115,7 +115,7 @@ class Arrow:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Offset:
     """A vector from ``tail`` to ``head`` by its components.
 
@@ -129,7 +129,7 @@ class Offset:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turn:
     """The counter-clockwise angle at ``vertex`` from ``vertex→first`` to ``vertex→second``."""
 
@@ -146,7 +146,7 @@ Geometry = Arrow | Offset | Turn
 # --------------------------------------------------------------------------- loads
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Force:
     """A force on a point; ``tie`` is a formula linear in one other load, or None.
 
@@ -162,7 +162,7 @@ class Force:
     weight: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Torque:
     """A couple on a link, positive counter-clockwise."""
 
@@ -177,7 +177,7 @@ Load = Force | Torque
 """A weight is a :class:`Force` with ``weight`` True and ``tie`` = m·g (a known load)."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mirror:
     """The description is the half on one side of a line; shared points lie on it."""
 
@@ -186,7 +186,7 @@ class Mirror:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Copies:
     """The description is one of ``number`` identical branches around the shared points' guide."""
 
@@ -205,7 +205,7 @@ class Speed(NamedTuple):
     of: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LoadRatio:
     """``P / F``."""
 
@@ -213,14 +213,14 @@ class LoadRatio:
     below: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class LoadForm:
     """``P`` as a linear form of all other loads."""
 
     load: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SpeedRatio:
     """``V_D / V_A``."""
 
@@ -231,7 +231,7 @@ class SpeedRatio:
 Target = LoadRatio | LoadForm | SpeedRatio
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Find:
     """A result asked for. An unnamed one is called ``P_over_F``, ``V_D_over_V_A``, ``P``."""
 
@@ -240,7 +240,7 @@ class Find:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Let:
     """A formula of the user's own; it may mention parameters, loads, finds and other lets."""
 
@@ -250,7 +250,7 @@ class Let:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Require:
     """A condition of use, ``left OP right``; a chain is split into its links."""
 
@@ -260,7 +260,7 @@ class Require:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Expect:
     """What a book says of a result: a formula, or a number ``at`` given values.
 
@@ -274,7 +274,7 @@ class Expect:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mechanism:
     """A whole description, resolved and checked."""
 
@@ -294,5 +294,5 @@ class Mechanism:
     lets: tuple[Let, ...] = ()
     requires: tuple[Require, ...] = ()
     expects: tuple[Expect, ...] = ()
-    spans: Mapping[str, Span] = field(default_factory=dict)
+    spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""

@@ -2,7 +2,6 @@
 
 from collections import Counter
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from itertools import accumulate, pairwise
 
 from ..diagnostics import Report
@@ -13,7 +12,6 @@ from ..syntax.words import points_of
 from .mechanism import Link
 
 
-@dataclass(slots=True)
 class Points:
     """The points of one description, filled while its joints are read.
 
@@ -23,14 +21,15 @@ class Points:
     what acts at a point or asks for it.
     """
 
-    report: Report
-    places: dict[str, Span] = field(default_factory=dict)
-    carried: dict[str, list[Link]] = field(default_factory=dict)
-    links: dict[str, Link] = field(default_factory=dict)
-    bodies: dict[frozenset[str], Link] = field(default_factory=dict)
-    fixed: set[str] = field(default_factory=set)
-    guided: set[str] = field(default_factory=set)
-    used: Counter[str] = field(default_factory=Counter)
+    def __init__(self, report: Report) -> None:
+        self.report = report
+        self.places: dict[str, Span] = {}
+        self.carried: dict[str, list[Link]] = {}
+        self.links: dict[str, Link] = {}
+        self.bodies: dict[frozenset[str], Link] = {}
+        self.fixed: set[str] = set()
+        self.guided: set[str] = set()
+        self.used: Counter[str] = Counter()
 
     def split(self, name: ast.Name) -> tuple[str, ...] | None:
         """Take a name apart into different points; report a repeated one."""

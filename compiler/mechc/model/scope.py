@@ -2,7 +2,6 @@
 
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass, field
 from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
@@ -81,7 +80,6 @@ EXPECTED = TIE._replace(wanted="parameters and loads", feeds=False)
 FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity", False, False)
 
 
-@dataclass(slots=True)
 class Scope:
     """The names of one description, filled while it is read.
 
@@ -89,12 +87,13 @@ class Scope:
     uses; ``values`` the numbers of the parameters that have one, in SI.
     """
 
-    report: Report
-    points: Points
-    entries: dict[str, Entry] = field(default_factory=dict)
-    used: set[str] = field(default_factory=set)
-    feeding: set[str] = field(default_factory=set)
-    values: dict[str, float] = field(default_factory=dict)
+    def __init__(self, report: Report, points: Points) -> None:
+        self.report = report
+        self.points = points
+        self.entries: dict[str, Entry] = {}
+        self.used: set[str] = set()
+        self.feeding: set[str] = set()
+        self.values: dict[str, float] = {}
 
     def declare(self, name: ast.Name, kind: Kind, dimension: Dimension | None = None) -> bool:
         """Enter a name; False where it is taken or reserved, which is reported."""

@@ -6,13 +6,13 @@ A vector is a sum of ``length @ angle`` terms, never expanded into components:
 
 import math
 from collections.abc import Collection, Iterable, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.formula import Formula
 from ..algebra.product import Product, cosine, sine
 from ..algebra.sums import add
+from ..frozen import frozen
 from ..model.mechanism import Mechanism
 
 
@@ -34,7 +34,7 @@ class Definition(NamedTuple):
     formula: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pose:
     """A mechanism with its directions settled.
 

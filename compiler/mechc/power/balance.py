@@ -1,15 +1,14 @@
 """The power equations: ``Σ load · speed = 0``, one for each independent motion."""
 
-from dataclasses import dataclass
-
 from ..algebra.angle import Angle
 from ..algebra.product import Product
+from ..frozen import frozen
 from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Load
 from .result import Result
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Term:
     """The part of one load: ``count · load · speed``, for each independent motion.
 
@@ -30,7 +29,7 @@ class Term:
         return tuple(self.count * s for s in self.speed)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Solved:
     """A result as algebra, before it is turned into a formula.
 
@@ -43,7 +42,7 @@ class Solved:
     below: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Balance:
     """The plan with its loads, and what was asked for, solved."""
 

@@ -1,13 +1,13 @@
 """What follows from a result: zeros and poles, proportions, symmetries, trends, derivatives."""
 
 from collections.abc import Mapping
-from dataclasses import replace
 from itertools import combinations
 
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
 from ..algebra.formula import Formula, Symbol, evaluate, substitute, symbols
 from ..algebra.product import Length, Product
+from ..frozen import replace
 from ..model.mechanism import Mechanism
 from .balance import Balance, Solved
 from .numbers import default_values

@@ -1,7 +1,6 @@
 """Virtual power: from the plan to what was asked for."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import replace
 from typing import assert_never
 
 from ..algebra.formula import Formula, Symbol, product, symbols, total
@@ -9,6 +8,7 @@ from ..algebra.product import Bound, Product, Sum
 from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import power as words
+from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import (
     Find,

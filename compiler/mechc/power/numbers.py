@@ -2,13 +2,13 @@
 
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import replace
 
 from ..algebra.formula import Formula, evaluate, symbols, text
 from ..algebra.product import Product
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as words
+from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Find, LoadRatio
 from .balance import Balance, Solved

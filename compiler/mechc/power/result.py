@@ -5,10 +5,10 @@ All formulas are in SI and radians and mention free parameters and the names in
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass
 from typing import Literal, NamedTuple
 
 from ..algebra.formula import Formula
+from ..frozen import frozen
 from ..model.mechanism import Target
 from ..units import Dimension
 
@@ -35,7 +35,7 @@ class Vanishing(NamedTuple):
 Trend = Literal["rises", "falls", "constant", "turns", "unknown"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Result:
     """One ``find`` (or ``let``), solved.
 

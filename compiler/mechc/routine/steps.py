@@ -6,14 +6,14 @@ only. Parts that occur twice are steps of their own. The number of steps grows
 linearly with the mechanism.
 """
 
-from dataclasses import dataclass
 from typing import Literal
 
 from ..algebra.formula import Formula
+from ..frozen import frozen
 from ..units import Dimension
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Input:
     """A free parameter: what it is, its unit as the user writes it, default and range in SI."""
 
@@ -26,7 +26,7 @@ class Input:
     label: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Step:
     """``name = formula``."""
 
@@ -34,7 +34,7 @@ class Step:
     formula: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Guard:
     """A ``require``: where ``left OP right`` is false, the output is NaN."""
 
@@ -43,7 +43,7 @@ class Guard:
     right: Formula
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Function:
     """One result: inputs in declared order, only those it depends on.
 
@@ -65,7 +65,7 @@ class Function:
     operations: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Routine:
     """All functions of one mechanism."""
 

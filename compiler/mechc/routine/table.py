@@ -7,7 +7,6 @@ An entry's parts stand before it, so a pass over the entries needs no recursion.
 """
 
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
@@ -92,7 +91,6 @@ def parts(entry: Entry) -> tuple[int, ...]:
             assert_never(entry)
 
 
-@dataclass(slots=True)
 class Table:
     """The entries, and the arguments whose tangent is to be sine over cosine.
 
@@ -100,9 +98,10 @@ class Table:
     tangent costs one division.
     """
 
-    split: frozenset[int] = frozenset()
-    entries: list[Entry] = field(default_factory=list)
-    _known: dict[object, int] = field(default_factory=dict)
+    def __init__(self, split: frozenset[int] = frozenset()) -> None:
+        self.split = split
+        self.entries: list[Entry] = []
+        self._known: dict[object, int] = {}
 
     def lower(self, formula: Formula) -> int:
         """Return the entry of a formula, putting it and its parts into the table."""

@@ -7,10 +7,10 @@ vectors given in full, and then everything said about the geometry is measured.
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple, assert_never
 
 from ..algebra.formula import Formula, evaluate, symbols
+from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
 from ..pose.pose import Pose, evaluate_vector
 from .unfold import Plane, direction
@@ -103,7 +103,7 @@ def _places(edges: list[Edge]) -> dict[str, Place]:
     return places
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drawing:
     """Points in their places, and what can be measured between them."""
 

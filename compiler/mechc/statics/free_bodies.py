@@ -11,9 +11,9 @@ Forces are in newtons, and positive as they act on the pin; a tension is positiv
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
+from ..frozen import frozen
 from .unfold import Action, Assembly, Body, Couple, Plane, Push
 
 
@@ -25,7 +25,7 @@ class Unknown(NamedTuple):
     component: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class System:
     """Sums of forces and moments: ``rows · unknowns + Σ load · loads[load] = 0``.
 

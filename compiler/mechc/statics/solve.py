@@ -13,8 +13,9 @@ says of each unknown asked for whether it is determined.
 import heapq
 import math
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
 from typing import NamedTuple
+
+from ..frozen import frozen
 
 Row = Mapping[int, float]
 
@@ -40,7 +41,7 @@ class Pivot(NamedTuple):
     column: int
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Factors:
     """An eliminated system, ready for any right-hand side."""
 

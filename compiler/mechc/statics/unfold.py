@@ -13,9 +13,9 @@ cancel around the axis. In the plane of one branch a guide takes that cross part
 
 import math
 from collections.abc import Iterator, Mapping
-from dataclasses import dataclass
 from typing import NamedTuple
 
+from ..frozen import frozen
 from ..model.mechanism import Force, Load, Torque
 from ..pose.pose import Pose, evaluate_vector
 
@@ -70,7 +70,7 @@ class Couple(NamedTuple):
 Action = Push | Couple
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Assembly:
     """Everything that equilibrium needs, in numbers."""
 
@@ -85,7 +85,7 @@ def direction(angle: float) -> Plane:
     return Plane(math.cos(angle), math.sin(angle))
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Unfolding:
     """A pose at given values of its symbols, and the ways to its twin and its copies."""
 

@@ -9,16 +9,16 @@ Sums and products are flat (a sum of 2,000 terms is one node), so that a tree is
 never deeper than the nesting its author wrote, which the parsers limit to 64.
 """
 
-from dataclasses import dataclass, field
 from fractions import Fraction
 from typing import Literal
 
+from ..frozen import field, frozen
 from ..source import Span
 
 # --------------------------------------------------------------------- expressions
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Name:
     """An identifier as written: a point ``A``, points ``OBA``, a parameter ``alpha``."""
 
@@ -26,7 +26,7 @@ class Name:
     span: Span = field(compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Number:
     """A number with the unit attached to it; ``digits`` are as typed, ``unit`` may be ''."""
 
@@ -40,7 +40,7 @@ class Number:
         return Fraction(self.digits)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Symbol:
     """A name in an expression: a parameter, a load, a result, or ``V_D``, ``omega_OB``, ``R_O``."""
 
@@ -48,7 +48,7 @@ class Symbol:
     span: Span = field(compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Sum:
     """Terms in the order written, each with its sign (+1 or −1); a lone −x is a Sum too."""
 
@@ -56,7 +56,7 @@ class Sum:
     span: Span = field(compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Product:
     """Factors in the order written, each with +1 (times) or −1 (divided by)."""
 
@@ -64,7 +64,7 @@ class Product:
     span: Span = field(compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Power:
     """``base ^ exponent``."""
 
@@ -73,7 +73,7 @@ class Power:
     span: Span = field(compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Call:
     """A function of the language by its canonical name (``tg`` is read as ``tan``)."""
 
@@ -88,7 +88,7 @@ Expr = Number | Symbol | Sum | Product | Power | Call
 # ---------------------------------------------------------------------- directions
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Axis:
     """``x``, ``-x``, ``y`` or ``-y``."""
 
@@ -97,7 +97,7 @@ class Axis:
     span: Span = field(compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Toward:
     """``AB``, ``-AB``, ``perp AB`` or ``-perp AB``: from A to B, back, turned by ±90 deg."""
 
@@ -111,7 +111,7 @@ Direction = Axis | Toward | Expr
 """An angle counter-clockwise from +x, an axis, or the direction of a vector."""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Polar:
     """``length @ direction``; either may be missing, not both."""
 
@@ -120,7 +120,7 @@ class Polar:
     span: Span = field(compare=False)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Cartesian:
     """``(x, y)``."""
 
@@ -132,7 +132,7 @@ class Cartesian:
 # ---------------------------------------------------------------------- statements
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Statement:
     """One line of a description. ``comments`` stand above it, ``remark`` behind it."""
 
@@ -141,14 +141,14 @@ class Statement:
     remark: str = field(default="", kw_only=True)
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Version(Statement):
     """``mechc 1``."""
 
     number: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Heading(Statement):
     """``mechanism NAME "Title"``; the title is '' where there is none."""
 
@@ -156,14 +156,14 @@ class Heading(Statement):
     title: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class SourceNote(Statement):
     """``source "where it comes from"``."""
 
     text: str
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Param(Statement):
     """``param NAME = VALUE in LOW .. HIGH as "label"`` or ``param NAME: dimension``."""
 
@@ -176,7 +176,7 @@ class Param(Statement):
     about: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Pivot(Statement):
     """``pivot O at (x, y)``: a pin fixed to the ground."""
 
@@ -184,7 +184,7 @@ class Pivot(Statement):
     at: Cartesian | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slider(Statement):
     """``slider A along θ through O``: a point guided by the ground."""
 
@@ -193,7 +193,7 @@ class Slider(Statement):
     through: Name | Cartesian | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Link(Statement):
     """``link OBA "handle"``: one rigid body through its points."""
 
@@ -201,7 +201,7 @@ class Link(Statement):
     label: str = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slide(Statement):
     """``slide WXY along θ``: a body that only translates."""
 
@@ -209,7 +209,7 @@ class Slide(Statement):
     along: Direction
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Slot(Statement):
     """``slot B in OC``: pin B slides along the line OC of the link that carries it."""
 
@@ -217,14 +217,14 @@ class Slot(Statement):
     line: Name
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Telescope(Statement):
     """``telescope AB``: a two-part link of variable length."""
 
     points: Name
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Gear(Statement):
     """``gear O1 r1, O2 r2 inner``."""
 
@@ -235,7 +235,7 @@ class Gear(Statement):
     inner: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Rack(Statement):
     """``rack A on O r``."""
 
@@ -244,7 +244,7 @@ class Rack(Statement):
     radius: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Contact(Statement):
     """``contact A on BC normal θ``."""
 
@@ -253,7 +253,7 @@ class Contact(Statement):
     normal: Direction
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Belt(Statement):
     """``belt O1 r1, O2 r2 crossed``."""
 
@@ -264,7 +264,7 @@ class Belt(Statement):
     crossed: bool = False
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Screw(Statement):
     """``screw A pitch p on OB``: turning OB moves slider A by p per turn."""
 
@@ -273,7 +273,7 @@ class Screw(Statement):
     link: Name
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Drive(Statement):
     """``drive phi from a to b``."""
 
@@ -282,7 +282,7 @@ class Drive(Statement):
     high: Expr | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Vector(Statement):
     """``AB = l @ alpha`` and its kin."""
 
@@ -290,7 +290,7 @@ class Vector(Statement):
     value: Polar | Cartesian
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Turn(Statement):
     """``angle ABC = gamma``: counter-clockwise at B from BA to BC."""
 
@@ -298,7 +298,7 @@ class Turn(Statement):
     angle: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Assembly(Statement):
     """``assembly ABC ccw`` or ``assembly B forward``."""
 
@@ -306,7 +306,7 @@ class Assembly(Statement):
     mode: Literal["cw", "ccw", "forward", "back"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Force(Statement):
     """``force P = tie at A along θ times n``."""
 
@@ -317,7 +317,7 @@ class Force(Statement):
     times: Expr | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Torque(Statement):
     """``torque M = tie on OA times n``: positive counter-clockwise."""
 
@@ -327,7 +327,7 @@ class Torque(Statement):
     times: Expr | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Actuator(Statement):
     """``actuator P between A and B times n``: pushes A and B apart."""
 
@@ -337,7 +337,7 @@ class Actuator(Statement):
     times: Expr | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Spring(Statement):
     """``spring c between A and B free l0 times n``."""
 
@@ -348,7 +348,7 @@ class Spring(Statement):
     times: Expr | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Weight(Statement):
     """``weight W mass m at G times n``."""
 
@@ -358,14 +358,14 @@ class Weight(Statement):
     times: Expr | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Gravity(Statement):
     """``gravity along θ``."""
 
     along: Direction
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mirror(Statement):
     """``mirror across θ sharing K L``."""
 
@@ -373,7 +373,7 @@ class Mirror(Statement):
     sharing: tuple[Name, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Copies(Statement):
     """``copies n sharing A``."""
 
@@ -381,7 +381,7 @@ class Copies(Statement):
     sharing: tuple[Name, ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class PinFriction(Statement):
     """``friction pins f diameter d [journal|coulomb]``, or ``friction pin A f diameter d on AB``.
 
@@ -395,7 +395,7 @@ class PinFriction(Statement):
     link: Name | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class GuideFriction(Statement):
     """``friction slider K mu [guide s overhang l] [couple|linear|edges]``."""
 
@@ -406,7 +406,7 @@ class GuideFriction(Statement):
     law: Literal["", "couple", "linear", "edges"] = ""
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class RollerFriction(Statement):
     """``friction roller A f1 axle d wheel D``."""
 
@@ -416,7 +416,7 @@ class RollerFriction(Statement):
     wheel: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class ContactFriction(Statement):
     """``friction contact A mu``."""
 
@@ -424,21 +424,21 @@ class ContactFriction(Statement):
     coefficient: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Motion(Statement):
     """``motion tightening`` or ``motion releasing``."""
 
     sense: Literal["tightening", "releasing"]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Efficiency(Statement):
     """``efficiency eta``."""
 
     value: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Find(Statement):
     """``find k = P / F``, ``find P``, ``find R_B on AB``; ``name`` is None where none was given."""
 
@@ -447,7 +447,7 @@ class Find(Statement):
     on: Name | None = None
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Let(Statement):
     """``let p = 4*P/(pi*d^2)``."""
 
@@ -455,7 +455,7 @@ class Let(Statement):
     value: Expr
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Require(Statement):
     """``require 0 deg < alpha + theta < 90 deg``: a chain of comparisons.
 
@@ -466,7 +466,7 @@ class Require(Statement):
     operators: tuple[Literal["<", "<=", ">", ">=", "=", "!="], ...]
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Expect(Statement):
     """``expect k = FORMULA`` or ``expect k = NUMBER at alpha = 35 deg, beta = 7 deg``."""
 
@@ -475,7 +475,7 @@ class Expect(Statement):
     at: tuple[tuple[Name, Expr], ...] = ()
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class File:
     """A whole description: its statements in order, and the comments after the last one."""
 

@@ -1,8 +1,7 @@
 """The line notation (``.mech``) to the syntax tree."""
 
-from dataclasses import replace
-
 from ..diagnostics import Report
+from ..frozen import replace
 from ..source import Source
 from . import ast
 from .fault import Fault, check_length, note
@@ -22,7 +21,7 @@ def parse(source: Source, report: Report) -> ast.File:
 
     >>> source = Source("a.mech", "pivot O  # left pin")
     >>> parse(source, Report(source)).statements
-    (Pivot(span=Span(start=0, end=7), comments=(), remark='left pin', point=Name(text='O', ...
+    (Pivot(span=Span(start=0, end=7), point=Name(text='O', ...remark='left pin'),)
     """
     check_length(source, report)
     statements: list[ast.Statement] = []

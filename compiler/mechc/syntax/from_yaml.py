@@ -7,10 +7,10 @@ The statements stand in the order of the text, section by section.
 """
 
 from collections.abc import Iterator
-from dataclasses import replace
 from typing import Any
 
 from ..diagnostics import Report, syntax_yaml
+from ..frozen import replace
 from ..source import Source, Span
 from . import ast
 from .fault import Fault, check_length, note
@@ -33,7 +33,7 @@ def parse(source: Source, report: Report) -> ast.File:
 
     >>> source = Source("a.yaml", "pivots: [O]  # left pin")
     >>> parse(source, Report(source)).statements
-    (Pivot(span=Span(start=9, end=10), comments=(), remark='left pin', point=Name(text='O', ...
+    (Pivot(span=Span(start=9, end=10), point=Name(text='O', ...remark='left pin'),)
     """
     check_length(source, report)
     root = compose(report)

@@ -6,7 +6,6 @@ so that one forgotten bracket does not swallow the rest of the file.
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
 from typing import NamedTuple
 
 from lark import Token
@@ -35,14 +34,14 @@ def words_of(comment: Token) -> str:
     return str(comment)[1:].removeprefix(" ").rstrip()
 
 
-@dataclass(slots=True)
 class Gathered:
     """The statement that is being gathered."""
 
-    tokens: list[Token] = field(default_factory=list)
-    comments: list[str] = field(default_factory=list)
-    remarks: list[str] = field(default_factory=list)
-    open_brackets: int = 0
+    def __init__(self) -> None:
+        self.tokens: list[Token] = []
+        self.comments: list[str] = []
+        self.remarks: list[str] = []
+        self.open_brackets = 0
 
     def take(self, token: Token) -> None:
         """Take in a token of the statement or a comment."""

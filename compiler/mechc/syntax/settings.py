@@ -6,9 +6,9 @@ its own, so that what may stand there is exactly what may stand in a file.
 
 import re
 from collections.abc import Iterable, Mapping
-from dataclasses import replace
 
 from ..diagnostics import Report
+from ..frozen import replace
 from ..source import Source
 from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator
 from typing import Any
 
 from ..diagnostics import syntax, syntax_yaml
+from ..frozen import fields
 from ..source import Source, Span
 from . import ast
 from .fault import Fault
@@ -110,10 +111,9 @@ def needs_keys(entry: Entry) -> bool:
     return bool(entry.others) or any(key.required for key in entry.keys)
 
 
-def optional_field(entry: Entry, field: str) -> bool:
+def optional_field(entry: Entry, name: str) -> bool:
     """Tell whether the node can do without a field."""
-    fields = entry.node.__dataclass_fields__
-    return fields[field].default is None or fields[field].default == ""
+    return any(f.name == name and f.default in (None, "") for f in fields(entry.node))
 
 
 def empty(value: Node) -> bool:

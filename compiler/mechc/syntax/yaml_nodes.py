@@ -5,17 +5,18 @@ text of every scalar. Depth and number are counted while reading, before any rec
 """
 
 from collections.abc import Iterator
-from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import yaml
 
 from ..diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_yaml
+from ..frozen import frozen
 from ..source import Span
 from . import limits
 from .fault import note
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Scalar:
     """A single value as text; ``quoted`` tells whether it may not stand for 'nothing'."""
 
@@ -29,7 +30,7 @@ class Scalar:
         return not self.quoted and self.text in ("", "~", "null")
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Listing:
     """A list."""
 
@@ -37,7 +38,7 @@ class Listing:
     span: Span
 
 
-@dataclass(frozen=True, slots=True)
+@frozen
 class Mapping:
     """A mapping; its keys are scalars, in the order of the text, doubles included."""
 
@@ -48,12 +49,11 @@ class Mapping:
 Node = Scalar | Listing | Mapping
 
 
-@dataclass(slots=True)
-class Open:
+class Open(NamedTuple):
     """A list or mapping whose end has not been read yet."""
 
     event: yaml.SequenceStartEvent | yaml.MappingStartEvent
-    children: list[Node] = field(default_factory=list)
+    children: list[Node]
 
 
 def compose(report: Report) -> Node | None:
@@ -69,7 +69,7 @@ def compose(report: Report) -> Node | None:
         refuse_foreign(event, report)
         match event:
             case yaml.SequenceStartEvent() | yaml.MappingStartEvent():
-                stack.append(Open(event))
+                stack.append(Open(event, []))
                 if len(stack) > limits.YAML_DEPTH:
                     raise too_large(event, "levels", limits.YAML_DEPTH, report)
             case yaml.DocumentStartEvent() if roots:

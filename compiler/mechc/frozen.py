@@ -1,0 +1,172 @@
+"""Frozen classes: what ``dataclass(frozen=True, slots=True)`` means, without generated code.
+
+:mod:`dataclasses` writes and compiles the methods of every class anew, a third of a
+millisecond each; for the hundred small types of this package that is longer than a
+compilation takes. Here the methods are written once and go by the names of the fields.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from operator import attrgetter
+from typing import Any, NamedTuple, NoReturn, TypeVar, dataclass_transform
+
+T = TypeVar("T")
+
+REQUIRED: Any = object()
+"""The default of a field that has none."""
+
+
+class Field(NamedTuple):
+    """One field of a frozen class."""
+
+    name: str
+    default: Any = REQUIRED
+    compare: bool = True
+    kw_only: bool = False
+
+
+def field(*, default: Any = REQUIRED, compare: bool = True, kw_only: bool = False) -> Any:
+    """Say of a field that it does not count in comparisons, or is given by name only."""
+    return Field("", default, compare, kw_only)
+
+
+@dataclass_transform(frozen_default=True, field_specifiers=(field,))
+def frozen(cls: type[T]) -> type[T]:
+    """Return the class with ``__init__`` and the rest for its annotated fields.
+
+    Objects are equal when they are of one class and equal field by field.
+
+    >>> @frozen
+    ... class Rod:
+    ...     points: str
+    ...     label: str = field(default="", compare=False)
+    >>> Rod("AB", "coupler"), Rod("AB") == Rod("AB", "coupler"), Rod.__match_args__
+    (Rod(points='AB', label='coupler'), True, ('points', 'label'))
+    >>> Rod("AB").points = "BC"
+    Traceback (most recent call last):
+    AttributeError: a Rod cannot be changed: points
+    """
+    own = [_declared(name, vars(cls).get(name, REQUIRED)) for name in cls.__annotations__]
+    every = [*fields(cls), *own]
+    every.sort(key=lambda f: f.kw_only)
+    made = _with_slots(cls, own, every)
+    if "__init__" not in vars(cls):
+        made.__init__ = _init(made, every)  # type: ignore[method-assign]
+    return made
+
+
+def fields(of: object) -> tuple[Field, ...]:
+    """Return the fields of a frozen class or object in the order of its arguments.
+
+    What is neither has none.
+    """
+    return getattr(of, "__fields__", ())
+
+
+def replace(value: T, /, **changes: Any) -> T:
+    """Return a frozen object with some of its fields changed."""
+    kept = {f.name: getattr(value, f.name) for f in fields(value)}
+    return type(value)(**kept | changes)
+
+
+# ------------------------------------------------------------------- making the class
+
+
+def _declared(name: str, default: Any) -> Field:
+    if isinstance(default, Field):
+        return default._replace(name=name)
+    return Field(name, default)
+
+
+def _with_slots(cls: type[T], own: Iterable[Field], every: Iterable[Field]) -> type[T]:
+    """Return the class made once more: slots can only be given to a new one."""
+    names = tuple(f.name for f in own)
+    compared = [f.name for f in every if f.compare]
+    left_out = {"__dict__", "__weakref__", *names}
+    body = _METHODS | {name: part for name, part in vars(cls).items() if name not in left_out}
+    body["__slots__"] = names
+    body["__fields__"] = tuple(every)
+    body["__match_args__"] = tuple(f.name for f in every if not f.kw_only)
+    body["_compared"] = attrgetter(*compared) if compared else type
+    made: type[T] = type(cls)(cls.__name__, cls.__bases__, body)  # type: ignore[misc]
+    made.__qualname__ = cls.__qualname__
+    return made
+
+
+def _init(cls: type, every: list[Field]) -> Callable[..., None]:
+    """Return ``__init__``, which goes past the refusal by way of the slots themselves."""
+    puts = [getattr(cls, f.name).__set__ for f in every]
+    positional = sum(not f.kw_only for f in every)
+    number = len(every)
+
+    def __init__(self: object, /, *given: Any, **named: Any) -> None:
+        if named or len(given) != number or number > positional:
+            given = _bound(cls.__name__, every[:positional], every, given, named)
+        for put, value in zip(puts, given, strict=True):
+            put(self, value)
+
+    return __init__
+
+
+def _bound(
+    name: str,
+    positional: list[Field],
+    every: list[Field],
+    given: tuple[Any, ...],
+    named: Mapping[str, Any],
+) -> tuple[Any, ...]:
+    """Return the fields' values in order; TypeError where some are missing or too many."""
+    if len(given) > len(positional):
+        raise TypeError(f"{name} takes {len(positional)} values, {len(given)} were given")
+    values = {f.name: value for f, value in zip(positional, given, strict=False)}
+    if twice := values.keys() & named.keys():
+        raise TypeError(f"{name} got two values for {', '.join(sorted(twice))}")
+    values |= named
+    if unknown := values.keys() - {f.name for f in every}:
+        raise TypeError(f"{name} has no {', '.join(sorted(unknown))}")
+    whole = tuple(values.get(f.name, f.default) for f in every)
+    if missing := [f.name for f, value in zip(every, whole, strict=True) if value is REQUIRED]:
+        raise TypeError(f"{name} needs {', '.join(missing)}")
+    return whole
+
+
+# ------------------------------------------------------------------------ its methods
+
+
+def _eq(self: Any, other: Any) -> Any:
+    if other.__class__ is not self.__class__:
+        return NotImplemented
+    return self._compared(self) == self._compared(other)
+
+
+def _hash(self: Any) -> int:
+    return hash(self._compared(self))
+
+
+def _repr(self: Any) -> str:
+    shown = ", ".join(f"{f.name}={getattr(self, f.name)!r}" for f in fields(self))
+    return f"{type(self).__qualname__}({shown})"
+
+
+def _refuse(self: Any, name: str, *value: Any) -> NoReturn:
+    raise AttributeError(f"a {type(self).__name__} cannot be changed: {name}")
+
+
+def _getstate(self: Any) -> tuple[Any, ...]:
+    return tuple(getattr(self, f.name) for f in fields(self))
+
+
+def _setstate(self: Any, state: tuple[Any, ...]) -> None:
+    for one, value in zip(fields(self), state, strict=True):
+        object.__setattr__(self, one.name, value)
+
+
+_METHODS: dict[str, Any] = {
+    "__eq__": _eq,
+    "__hash__": _hash,
+    "__repr__": _repr,
+    "__setattr__": _refuse,
+    "__delattr__": _refuse,
+    "__getstate__": _getstate,
+    "__setstate__": _setstate,
+    "__replace__": replace,
+}
