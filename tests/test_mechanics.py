@@ -116,6 +116,31 @@ def test_a_second_motion_that_no_load_holds():
     assert codes(body) == ["E503"]
 
 
+@pytest.mark.parametrize(
+    ("loads", "hint"),
+    [
+        ("torque N on QB\nfind k = M/N", "clockwise"),
+        ("force N at B along -x\nfind k = N/M", "turn N"),
+    ],
+)
+def test_a_torque_has_no_arrow_to_turn(loads, hint):
+    body = """
+    param a = 10 mm
+    param alpha = 60 deg
+    pivot O
+    pivot Q
+    link OA
+    link AB
+    link QB
+    OA = a @ alpha
+    QB = a @ alpha + 20 deg
+    AB = @ 5 deg
+    torque M on OA
+    """
+    (warning,) = [w for w in solve(body + loads).warnings if w.code == "W502"]
+    assert hint in warning.hint
+
+
 # ---------------------------------------------------------------------------- speeds
 
 

@@ -144,12 +144,16 @@ def result_negative(at: Span, result: str, turn: str) -> Words:
     """A force ratio is negative: the loads as directed can't balance.
 
     k is the ratio for which the loads, acting as their arrows say, are in equilibrium. A
-    negative one means that one arrow points the other way.
+    negative one means that one arrow points the other way. A torque is positive
+    counter-clockwise: a negative ratio of two torques means that one of them acts clockwise.
     """
+    hint = f"turn {turn} round (add 180 deg to its direction)"
     return Words(
         at,
         f"{result} is negative at the default pose: the arrows do not balance as drawn",
-        f"turn {turn} round (add 180 deg to its direction)",
+        hint
+        if turn
+        else "torques are positive counter-clockwise, so one of the two acts clockwise",
     )
 
 

@@ -1,7 +1,7 @@
 """The results at the default pose: signs, zeros, poles, branch points."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..algebra.formula import Formula, evaluate, symbols, text
 from ..algebra.product import Product
@@ -10,8 +10,8 @@ from ..diagnostics import Report
 from ..diagnostics import power as words
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import Find, LoadRatio
-from .balance import Balance, Solved
+from ..model.mechanism import Find, Force, LoadRatio
+from .balance import Balance, Solved, Term
 from .result import Definition, Result
 
 NIL = 1e-12
@@ -27,7 +27,7 @@ def check_numbers(balance: Balance, report: Report) -> Balance:
     for item in balance.solved:
         number = value_of(item.result, values)
         if item.result.name in spans and number is not None:
-            _remark(item, number, values, spans[item.result.name], report)
+            _remark(item, number, values, spans[item.result.name], balance, report)
         finite = number if number is not None and math.isfinite(number) else None
         solved.append(replace(item, result=replace(item.result, default=finite)))
     return replace(balance, solved=tuple(solved))
@@ -83,7 +83,12 @@ def _is_regular(block: Block, rows: Sequence[Mapping[int, float]]) -> bool:
 
 
 def _remark(
-    item: Solved, number: float, values: Mapping[str, float], find: Find, report: Report
+    item: Solved,
+    number: float,
+    values: Mapping[str, float],
+    find: Find,
+    balance: Balance,
+    report: Report,
 ) -> None:
     if not math.isfinite(number) or abs(number) > 1 / NIL:
         factor = _vanishing(item.value, values) if item.value else None
@@ -92,7 +97,14 @@ def _remark(
         if abs(number) < NIL:
             report.add(words.result_zero(find.span, find.name))
         elif number < 0:
-            report.add(words.result_negative(find.span, find.name, find.target.below))
+            turn = _arrow(find.target, balance.terms)
+            report.add(words.result_negative(find.span, find.name, turn))
+
+
+def _arrow(target: LoadRatio, terms: Iterable[Term]) -> str:
+    """Return the force of a ratio that may be turned round, "" where both are torques."""
+    forces = {t.load.name for t in terms if isinstance(t.load, Force)}
+    return next((n for n in (target.below, target.above) if n in forces), "")
 
 
 def _vanishing(value: Product, values: Mapping[str, float]) -> Formula | None:
