@@ -94,7 +94,7 @@ def length_not_given(at: Span, result: str, points: Sequence[str]) -> Words:
     return Words(
         at,
         f"{result} depends on the length of {named}, which is not given",
-        f"give it: `{points[0]} = a @ …` with `param a: length`",
+        f"give it: `{points[0]} = l_{points[0]} @ …` with `param l_{points[0]}: length`",
     )
 
 

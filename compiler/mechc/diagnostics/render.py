@@ -20,7 +20,7 @@ from .diagnostic import Diagnostic, Severity
 
 Form = Literal["full", "concise", "json"]
 
-LINE = 96
+LINE = 72
 """Longest excerpt of a line, in characters; a longer line is cut around the caret."""
 
 COLOURS = {Severity.ERROR: "red", Severity.WARNING: "yellow"}

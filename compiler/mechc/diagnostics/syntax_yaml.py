@@ -72,8 +72,7 @@ def unknown_key(span: Span, key: str, place: str, allowed: Iterable[str]) -> Wor
     forces: {P: {at: A, along: 0 deg}}   # right
     """
     allowed = list(allowed)
-    keys = f"allowed here: {', '.join(allowed)}"
-    hint = "; ".join(filter(None, (near_miss(key, allowed), keys)))
+    hint = near_miss(key, allowed) or f"allowed here: {', '.join(allowed)}"
     return Words(span, f"unknown key '{key}' in {place}", hint)
 
 

@@ -82,8 +82,9 @@ class Reader:
             )
             self.report.add(quantities.bare_number(found.span, shown, dimension))
         else:
+            name = found.formula.name if isinstance(found.formula, Symbol) else ""
             self.report.add(
-                quantities.wrong_dimension(found.span, found.dimension, dimension, what)
+                quantities.wrong_dimension(found.span, found.dimension, dimension, what, name)
             )
         return False
 

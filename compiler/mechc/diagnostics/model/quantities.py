@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from ...source import Span
-from ...units import ANGLE, LENGTH, USUAL_UNITS, Dimension, described
+from ...units import ANGLE, LENGTH, NUMBER, USUAL_UNITS, Dimension, described
 from ..diagnostic import Related, Words, coded, near_miss
 
 
@@ -26,13 +26,19 @@ def mixed_dimensions(
 
 
 @coded("E221")
-def wrong_dimension(span: Span, found: Dimension, wanted: Dimension, what: str) -> Words:
+def wrong_dimension(
+    span: Span, found: Dimension, wanted: Dimension, what: str, name: str = ""
+) -> Words:
     """A quantity of another dimension stands where a length, an angle, a force … is wanted.
 
     OB = alpha @ a      # wrong: length and direction are exchanged
     OB = a @ alpha      # right
     """
-    return Words(span, f"{what}: expected {described(wanted)}, found {described(found)}")
+    said = f"{what}: expected {described(wanted)}, found {described(found)}"
+    unit = USUAL_UNITS.get(wanted, "")
+    bare = name and unit and found == NUMBER
+    hint = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else ""
+    return Words(span, said, hint)
 
 
 @coded("E222")
