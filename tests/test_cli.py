@@ -322,8 +322,10 @@ def test_fmt_goes_through_all_files(run: Mechc, tmp_path: Path) -> None:
 
 def test_list(run: Mechc) -> None:
     heading, *rows = run("list").out.splitlines()
-    assert heading.split() == ["NAME", "TITLE", "SOURCE", "RESULT"]
+    assert heading.split() == ["NAME", "TITLE"]
     assert len(rows) > 20
+    assert max(map(len, rows)) <= 80
+    assert run("list", "--long").out.split()[:4] == ["NAME", "TITLE", "SOURCE", "RESULT"]
     records = [json.loads(line) for line in run("list", "--json").out.splitlines()]
     assert [r["name"] for r in records] == [row.split()[0] for row in rows]
     assert not [r for r in records if r["k"].startswith("(E")]

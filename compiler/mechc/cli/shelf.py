@@ -27,16 +27,19 @@ class Row(NamedTuple):
 
 
 @click.command("list", cls=Command)
-@click.option("--json", "as_json", is_flag=True, help="One JSON object per line, uncut.")
-def command(as_json: bool) -> None:
-    """List the mechanisms of the library: name, title, source and k.
+@click.option("-l", "--long", is_flag=True, help="With source and k, wider than a terminal.")
+@click.option("--json", "as_json", is_flag=True, help="All of it, one object per line, uncut.")
+def command(long: bool, as_json: bool) -> None:
+    """List the mechanisms of the library by name and title.
 
     \b
     mechc list
+    mechc list --long | grep tan
     mechc list --json | jq -r .name
     """
     rows = [_row(name, path) for name, path in library().items()]
-    for line in map(_json, rows) if as_json else table(rows):
+    columns = 4 if long else 2
+    for line in map(_json, rows) if as_json else table(rows, columns):
         click.echo(line)
 
 
@@ -53,18 +56,18 @@ def _json(row: Row) -> str:
     return json.dumps(row._asdict(), ensure_ascii=False)
 
 
-def table(rows: list[Row]) -> Iterator[str]:
-    r"""Yield a heading and the rows in columns.
+def table(rows: list[Row], columns: int) -> Iterator[str]:
+    r"""Yield a heading and the rows in their first columns.
 
-    >>> print(*table([Row("jack", "Scissor jack", "a book", "k = tan(alpha)")]), sep="\n")
+    >>> print(*table([Row("jack", "Scissor jack", "a book", "k = tan(alpha)")], 4), sep="\n")
     NAME  TITLE         SOURCE  RESULT
     jack  Scissor jack  a book  k = tan(alpha)
     """
     lines = [Row("NAME", "TITLE", "SOURCE", "RESULT"), *map(_short, rows)]
-    widths = [max(len(row[i]) for row in lines) for i in range(3)]
+    widths = [max(len(row[i]) for row in lines) for i in range(columns)]
     for row in lines:
-        columns = [cell.ljust(width) for cell, width in zip(row, widths, strict=False)]
-        yield "  ".join([*columns, row.k]).rstrip()
+        cells = zip(row, widths, strict=False)
+        yield "  ".join(cell.ljust(width) for cell, width in cells).rstrip()
 
 
 def _short(row: Row) -> Row:
