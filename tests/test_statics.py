@@ -248,6 +248,15 @@ def test_the_referee_balances_as_many_loads_as_there_are_freedoms():
     assert ratio(pose) == pytest.approx(1.5)
 
 
+def test_rounded_zeros_are_no_equation():
+    # Nothing guides E, but Q pulls along the rod: cos 90° of it must not demand Q = 0.
+    points = {"A": (0, 0), "B": (-2, 0), "C": (3, 0), "D": (-2, -5), "E": (3, -5)}
+    loads = [force("P", "A"), force("F", "D"), force("Q", "E")]
+    lines = {"P": -90, "F": 90, "Q": 90}
+    pose = build(points, ["BAC", "BD", "CE"], "", {"A": -90, "D": -90}, loads, lines)
+    assert ratio(pose) == pytest.approx(5 / 3)
+
+
 def test_a_load_that_does_no_work_is_left_alone():
     points = {"O": (0, 0), "A": (2, 0), "B": (-3, 0)}
     loads = [force("P", "A"), force("F", "B"), force("Q", "B")]

@@ -16,6 +16,14 @@ from typing import NamedTuple
 from ..frozen import frozen
 from .unfold import Action, Assembly, Body, Couple, Plane, Push
 
+ROUNDED = 1e-13
+"""A component below this part of its vector is a zero that was rounded.
+
+A row of such entries alone would otherwise be an equation: cos 90° = 6e-17 of a force is 0.
+"""
+
+X, Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
+
 
 class Unknown(NamedTuple):
     """A force to be found: what exerts it, on which pin (``""`` for a tension), which component."""
@@ -68,12 +76,21 @@ class _Sums:
 
     def act(self, column: int, row: int, along: Plane) -> None:
         """Let an unknown force act on the pin or body whose rows begin here."""
-        self.rows[row][column] = along.x
-        self.rows[row + 1][column] = along.y
+        for i, part in enumerate(_components(along)):
+            self.rows[row + i][column] = part
 
     def _more(self, number: int) -> int:
         self.rows.extend({} for _ in range(number))
         return len(self.rows) - number
+
+
+def _components(vector: Plane) -> tuple[float, float]:
+    """Return x and y, a rounded zero as 0."""
+    least = ROUNDED * math.hypot(vector.x, vector.y)
+    return (
+        vector.x if abs(vector.x) > least else 0.0,
+        vector.y if abs(vector.y) > least else 0.0,
+    )
 
 
 def equilibrium(assembly: Assembly) -> System:
@@ -87,8 +104,8 @@ def equilibrium(assembly: Assembly) -> System:
         else:
             _pin_forces(sums, body)
     for point in assembly.pivots:
-        sums.force(Unknown("ground", point, "x"), point, Plane(1.0, 0.0))
-        sums.force(Unknown("ground", point, "y"), point, Plane(0.0, 1.0))
+        sums.force(Unknown("ground", point, "x"), point, X)
+        sums.force(Unknown("ground", point, "y"), point, Y)
     for guide in assembly.guides:
         sums.force(Unknown("guide", guide.point, "normal"), guide.point, guide.along.turned())
     loads = {name: _load(sums, actions) for name, actions in assembly.loads.items()}
@@ -106,10 +123,11 @@ def _tension(sums: _Sums, rod: Body) -> None:
 def _pin_forces(sums: _Sums, body: Body) -> None:
     first = sums.body(body.name)
     for point, arm in body.points.items():
-        for component, along in (("x", Plane(1.0, 0.0)), ("y", Plane(0.0, 1.0))):
+        x, y = _components(arm)
+        for component, along, lever in (("x", X, y), ("y", Y, -x)):
             column = sums.force(Unknown(body.name, point, component), point, along)
             sums.act(column, first, along.times(-1))
-            sums.rows[first + 2][column] = -arm.turned().dot(along)
+            sums.rows[first + 2][column] = lever
 
 
 def _load(sums: _Sums, actions: tuple[Action, ...]) -> dict[int, float]:
@@ -123,7 +141,6 @@ def _places(sums: _Sums, actions: tuple[Action, ...]) -> Iterator[tuple[int, flo
     for action in actions:
         match action:
             case Push(point, force):
-                yield sums.pin(point), force.x
-                yield sums.pin(point) + 1, force.y
+                yield from enumerate(_components(force), sums.pin(point))
             case Couple(name, moment):
                 yield sums.body(name) + 2, moment
