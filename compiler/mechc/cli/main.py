@@ -9,10 +9,11 @@ from collections.abc import Sequence
 import click
 
 from .. import __version__
+from ..files import reason
 from .commands import mechc
+from .session import ENVIRONMENT, INTERNAL
 
 INTERRUPTED = 130
-INTERNAL = 70
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -26,6 +27,8 @@ def main(arguments: Sequence[str] | None = None) -> int:
         return INTERRUPTED
     except BrokenPipeError:
         return _hush()
+    except OSError as error:
+        return _refused(error)
     except SystemExit as error:
         return _hush() if error.code else 0
     except Exception as error:
@@ -37,6 +40,13 @@ def _hush() -> int:
     """Let Python's own flush at exit find a standard output that can be written."""
     os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
     return 0
+
+
+def _refused(error: OSError) -> int:
+    """Say what the operating system refused: a name too long, a full disk behind a pipe."""
+    place = f": {str(error.filename)[:80]!r}" if error.filename else ""
+    click.echo(f"mechc: error: {reason(error)}{place}", err=True)
+    return ENVIRONMENT
 
 
 def _apologise(error: Exception) -> int:

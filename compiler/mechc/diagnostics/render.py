@@ -65,10 +65,10 @@ def _full(diagnostic: Diagnostic, source: Source | None, paint: Paint) -> str:
     if source and diagnostic.span:
         lines += _excerpt(source, diagnostic.span, paint, colour)
         for span, message in diagnostic.related:
-            lines.append(f"  {_place(source, span)}: {message}")
+            lines.append(f"  {_place(source, span)}: {_shown(message)}")
             lines += _excerpt(source, span, paint, "blue")
     if diagnostic.hint:
-        lines.append(f"  {paint('hint:', fg='cyan')} {diagnostic.hint}")
+        lines.append(f"  {paint('hint:', fg='cyan')} {_shown(diagnostic.hint)}")
     return "\n".join(lines)
 
 
@@ -76,14 +76,16 @@ def _headline(diagnostic: Diagnostic, source: Source | None, paint: Paint) -> st
     kind = f"{diagnostic.severity}[{diagnostic.code}]"
     place = _place(source, diagnostic.span) + ": " if source else ""
     colour = COLOURS[diagnostic.severity]
-    return f"{place}{paint(kind, fg=colour, bold=True)}: {paint(diagnostic.message, bold=True)}"
+    message = paint(_shown(diagnostic.message), bold=True)
+    return f"{place}{paint(kind, fg=colour, bold=True)}: {message}"
 
 
 def _place(source: Source, span: Span | None) -> str:
+    name = _shown(source.name)
     if span is None:
-        return source.name
+        return name
     line, column = source.position(span.start)
-    return f"{source.name}:{line}:{column}"
+    return f"{name}:{line}:{column}"
 
 
 def _excerpt(source: Source, span: Span, paint: Paint, colour: str) -> list[str]:
