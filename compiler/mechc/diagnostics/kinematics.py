@@ -31,6 +31,21 @@ def nothing_can_move(parts: Sequence[str], at: Span) -> Words:
     )
 
 
+@coded("E841")
+def too_many_motions(at: Span, motions: int, limit: int) -> Words:
+    """So much moves independently that a joint or a guide must have been forgotten.
+
+    Every speed is computed for every independent motion, which takes time and memory for
+    thousands of them. A mechanism of mobility m has m loads to be found; no clamp, press
+    or gripper has more than a handful.
+    """
+    return Words(
+        at,
+        f"the mechanism has {motions} independent motions, expected at most {limit}",
+        "do rods lack a guide, or links a second pin?",
+    )
+
+
 @coded("W401")
 def redundant_constraint(at: Span, what: str) -> Words:
     """A constraint follows from the others, so it may be left out.

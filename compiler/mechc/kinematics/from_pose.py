@@ -10,6 +10,7 @@ from .planning import plan_of
 def arrange(pose: Pose, report: Report) -> Plan:
     """Return the plan by which all velocities follow from the drives.
 
-    Reports E401 where nothing can move and W401 for a redundant constraint.
+    Reports E401 where nothing can move, E841 where too much does, and W401 for a redundant
+    constraint.
     """
     return plan_of(Builder(pose).graph(), report)

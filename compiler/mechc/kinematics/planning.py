@@ -14,6 +14,9 @@ from .ordering import blocks, match
 from .plan import Block, Plan, Speeds
 from .solving import Binder, Memory, solve
 
+MOTIONS = 64
+"""Independent motions of a description: each speed has a term for every one of them."""
+
 
 def plan_of(graph: Graph, report: Report) -> Plan:
     """Return the solved graph; report what cannot move or is held twice."""
@@ -27,6 +30,9 @@ def plan_of(graph: Graph, report: Report) -> Plan:
         report.add(words.redundant_constraint(relation.span, _described(relation)))
     if mobility <= 0:
         raise report.fail(words.nothing_can_move(*locked(graph, relations)))
+    if mobility > MOTIONS:
+        span = graph.pose.mechanism.span
+        raise report.fail(words.too_many_motions(span, mobility, MOTIONS))
     drives = _drives(graph, [residues(r.form, point) for r in relations])
     return _solved(graph, relations, drives, redundant)
 

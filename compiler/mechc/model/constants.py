@@ -7,7 +7,7 @@ from typing import assert_never
 
 from ..algebra.formula import Formula, Number, Power, Product, Sum
 from ..syntax import ast
-from ..units import ANGLE, Dimension
+from ..units import ANGLE, LENGTH, Dimension
 
 LARGEST_EXPONENT = 64
 """Beyond, a constant power is refused: powers of powers would fill the memory."""
@@ -21,6 +21,9 @@ LARGEST_BITS = 4096
 FAR = 1e60
 """Quantities lie between this and its reciprocal, in SI: cubes of them are still doubles."""
 
+LONG_WAY = 1e6
+"""Lengths lie between this and its reciprocal, in metres: sums of them keep their digits."""
+
 MANY_TURNS = math.radians(1_000_000)
 """Beyond this angle sines lose their digits."""
 
@@ -32,9 +35,12 @@ def out_of_reach(value: float, dimension: Dimension) -> bool:
     >>> out_of_reach(1e70, NUMBER), out_of_reach(1e7, NUMBER), out_of_reach(1e7, ANGLE)
     (True, False, True)
     """
+    if not math.isfinite(value):
+        return False
     if dimension == ANGLE:
         return abs(value) > MANY_TURNS
-    return value != 0 and not 1 / FAR <= abs(value) <= FAR
+    far = LONG_WAY if dimension == LENGTH else FAR
+    return value != 0 and not 1 / far <= abs(value) <= far
 
 
 def names_in(expression: ast.Expr) -> Iterator[ast.Symbol]:

@@ -49,11 +49,14 @@ def value_of(formula: Formula, scope: Scope) -> float | None:
 
 
 def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope: Scope) -> None:
-    """Report a value at the given parameters that is no real number, or none to compute with."""
-    value = value_of(formula, scope) if formula else None
-    if value is None:
+    """Report a value that is no real number, or none to compute with.
+
+    Parameters without a value count as 1: multiples of them must be in reach, too.
+    """
+    if formula is None:
         return
-    if not math.isfinite(value):
+    value = scope.size(formula)
+    if not math.isfinite(value) and symbols(formula) <= scope.values.keys():
         scope.report.add(quantities.no_value(span))
     elif out_of_reach(value, dimension):
         scope.report.add(quantities.out_of_reach(span, dimension))

@@ -118,16 +118,21 @@ def _units(expression: ast.Expr, known: Mapping[str, Parameter]) -> Iterator[str
 
 def _note_value(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:
     """Keep the default value for later checks; report a formula that has none."""
-    formula = parameter.value
-    if not formula or not statement.value or not symbols(formula) <= scope.values.keys():
+    formula, name = parameter.value, parameter.name
+    scope.sizes[name] = 1.0
+    if not formula or not statement.value:
         return
-    value = evaluate(formula, scope.values)
-    if not math.isfinite(value):
-        scope.report.add(quantities.no_value(statement.value.span))
-    elif out_of_reach(value, parameter.dimension):
+    size = scope.size(formula)
+    if out_of_reach(size, parameter.dimension):
         scope.report.add(quantities.out_of_reach(statement.value.span, parameter.dimension))
-    else:
-        scope.values[parameter.name] = value
+        return
+    known = symbols(formula) <= scope.values.keys()
+    if math.isfinite(size):
+        scope.sizes[name] = size
+    elif known:
+        scope.report.add(quantities.no_value(statement.value.span))
+    if known and math.isfinite(size):
+        scope.values[name] = size
 
 
 def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> None:

@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
+from ..algebra.formula import Formula, evaluate, symbols
 from ..diagnostics import Report
 from ..diagnostics.model import names as words
 from ..source import Span
@@ -84,7 +85,8 @@ class Scope:
     """The names of one description, filled while it is read.
 
     ``feeding`` holds the lets that the description itself (geometry, parameters, loads)
-    uses; ``values`` the numbers of the parameters that have one, in SI.
+    uses; ``values`` the numbers of the parameters that have one, in SI, and ``sizes`` those
+    of all parameters, 1 for an open one, which tell multiples that are out of reach.
     """
 
     def __init__(self, report: Report, points: Points) -> None:
@@ -94,6 +96,7 @@ class Scope:
         self.used: set[str] = set()
         self.feeding: set[str] = set()
         self.values: dict[str, float] = {}
+        self.sizes: dict[str, float] = {}
 
     def declare(self, name: ast.Name, kind: Kind, dimension: Dimension | None = None) -> bool:
         """Enter a name; False where it is taken or reserved, which is reported."""
@@ -131,6 +134,10 @@ class Scope:
         if entry.kind == "let" and usage.feeds:
             self.feeding.add(symbol.name)
         return entry if entry.dimension is not None else None
+
+    def size(self, formula: Formula) -> float:
+        """Return the value of a formula of the description, what is open being 1."""
+        return evaluate(formula, dict.fromkeys(symbols(formula), 1.0) | self.sizes)
 
     def names(self, kinds: Iterable[Kind]) -> list[str]:
         """Return the names of some kinds, in order of declaration."""

@@ -163,11 +163,10 @@ def out_of_reach(span: Span, dimension: Dimension) -> Words:
     """
     if dimension == ANGLE:
         return Words(span, "this angle is out of reach, expected at most 1000000 deg")
-    return Words(
-        span,
-        "this quantity is out of reach, expected 1e-60 to 1e60 in SI units",
-        "is the exponent mistyped?",
-    )
+    hint = "is the exponent mistyped?"
+    if dimension == LENGTH:
+        return Words(span, "this length is out of reach, expected 0.001 mm to 1000 km", hint)
+    return Words(span, "this quantity is out of reach, expected 1e-60 to 1e60 in SI units", hint)
 
 
 @coded("W220")
