@@ -3,6 +3,7 @@
 import ast
 from fractions import Fraction
 
+from known import Known
 from mechc.algebra.formula import (
     PI,
     Call,
@@ -109,7 +110,7 @@ def angle(name: str, value: str, low: int, high: int, label: str = "") -> Parame
 
 def compiled(mechanism: Mechanism, derivation: Derivation, verdict: Verdict) -> Compiled:
     routine = Routine(mechanism.name, mechanism.title, mechanism.source, ())
-    return Compiled(mechanism, derivation, routine, verdict, "0.1")
+    return Known(mechanism, derivation, routine, verdict, "0.1")
 
 
 def agreed(result: str, poses: int = 4) -> Verdict:

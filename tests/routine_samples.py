@@ -4,6 +4,7 @@ from fractions import Fraction
 from functools import cache
 from typing import Literal
 
+from known import Known
 from mechc import driver
 from mechc.algebra.formula import (
     PI,
@@ -253,7 +254,7 @@ def compiled(sample: str) -> Compiled:
     )
     trial = Trial("k", {"a": 0.1}, 0.5, float("inf"), 1e-16, 3.0)
     routine = program(mechanism, results)
-    return Compiled(mechanism, derivation, routine, Verdict((trial,), ("nothing more",)), "0.0.0")
+    return Known(mechanism, derivation, routine, Verdict((trial,), ("nothing more",)), "0.0.0")
 
 
 @cache
@@ -261,7 +262,7 @@ def solved(name: str) -> Compiled:
     """Return a sample, or a mechanism of the library, as it comes to a target."""
     if name in SAMPLES:
         return compiled(name)
-    return driver.compiled(driver.compile_source(read(find(name))))
+    return driver.compile_source(read(find(name)))
 
 
 def guarded_by(operators: tuple[Operator, ...]) -> Compiled:
@@ -274,4 +275,4 @@ def guarded_by(operators: tuple[Operator, ...]) -> Compiled:
         mechanism = Mechanism("guarded", "", "", HERE, parameters, requires=(require,))
         functions += program(mechanism, (Result(f"f{i}", None, NUMBER, formula),)).functions
     routine = Routine("guarded", "", "", tuple(functions))
-    return Compiled(mechanism, Derivation((), (), (), ()), routine, Verdict(()), "0.0.0")
+    return Known(mechanism, Derivation((), (), (), ()), routine, Verdict(()), "0.0.0")

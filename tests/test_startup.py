@@ -10,6 +10,7 @@ import pytest
 
 ROOT = Path(__file__).parents[1]
 CLAMP = str(ROOT / "examples" / "clamp.mech")
+YAML = str(ROOT / "examples" / "clamp.yaml")
 HEAVY = {"sympy", "numpy", "scipy", "matplotlib", "mpmath"}
 STAGES = {"mechc.driver", "mechc.model", "mechc.kinematics", "lark", "yaml", "jinja2"}
 
@@ -17,13 +18,13 @@ STAGES = {"mechc.driver", "mechc.model", "mechc.kinematics", "lark", "yaml", "ji
 def imports(*code: str) -> set[str]:
     """Return every module that a fresh interpreter imports, packages and modules of mechc."""
     run = subprocess.run(
-        [sys.executable, "-X", "importtime", *code],
+        [sys.executable, "-v", *code],
         env={**os.environ, "PYTHONPATH": str(ROOT / "compiler")},
         capture_output=True,
         text=True,
         check=True,
     )
-    return set(re.findall(r"import time:.*\|\s+(\S+)", run.stderr))
+    return set(re.findall(r"^import '(\S+)' #", run.stderr, re.M))
 
 
 def test_importing_the_package_is_free() -> None:
@@ -58,3 +59,17 @@ def test_compiling_needs_neither_sympy_nor_numpy(arguments: list[str]) -> None:
     found = imports("-m", "mechc", *arguments)
     assert "mechc.syntax.notation" in found
     assert not found & HEAVY
+
+
+@pytest.mark.parametrize("target", ["c", "python", "latex", "json"])
+def test_the_other_notation_is_not_imported(target: str) -> None:
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)
+    assert not {name for name in found if "yaml" in name}
+    assert "yaml" in imports("-m", "mechc", "compile", YAML, "--emit", target)
+
+
+@pytest.mark.parametrize("target", ["c", "python", "latex", "json"])
+def test_other_targets_are_not_imported(target: str) -> None:
+    others = {f"mechc.emit.to_{name}" for name in ("c", "python", "latex", "json")}
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)
+    assert found & others == {f"mechc.emit.to_{target}"}

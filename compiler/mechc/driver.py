@@ -14,7 +14,7 @@ from .check.expectations import Finding, compare
 from .derivation.from_balance import derive
 from .derivation.steps import Derivation
 from .diagnostics import Diagnostic, Report
-from .emit.target import Compiled, Emitted, Options, Target
+from .emit.target import Emitted, Options, Target
 from .kinematics.from_pose import arrange
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve
@@ -48,9 +48,14 @@ STAGES: Mapping[str, str] = {
 }
 """The stages in order, and the attribute of :class:`Compilation` that holds each one's value."""
 
+SECOND_OPINIONS = ("verdict", "findings")
+"""The attributes that hold what statics and the user's ``expect`` lines say of the results."""
+
 
 class Compilation:
     """One description on its way through the compiler; each stage runs when first asked for."""
+
+    version = __version__
 
     def __init__(self, source: Source, settings: Settings | None = None) -> None:
         self.source = source
@@ -122,20 +127,21 @@ def compile_source(source: Source, settings: Settings | None = None) -> Compilat
 
 def complete(compilation: Compilation) -> Compilation:
     """Run every stage that has not run yet."""
-    for value in (*STAGES.values(), "findings"):
+    for value in (*STAGES.values(), *SECOND_OPINIONS):
+        getattr(compilation, value)
+    return compilation
+
+
+def checked(compilation: Compilation) -> Compilation:
+    """Run what must agree before anything is emitted, and the stages that it needs."""
+    for value in SECOND_OPINIONS:
         getattr(compilation, value)
     return compilation
 
 
 def emit(compilation: Compilation, target: Target, options: Options) -> tuple[Emitted, ...]:
     """Return the files of one target; the first is the main one."""
-    return target.emit(compiled(compilation), options)
-
-
-def compiled(compilation: Compilation) -> Compiled:
-    """Return what a target reads, after every check."""
-    c = complete(compilation)
-    return Compiled(c.mechanism, c.derivation, c.routine, c.verdict, __version__)
+    return target.emit(checked(compilation), options)
 
 
 def warnings(compilation: Compilation) -> list[Diagnostic]:

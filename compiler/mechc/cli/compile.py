@@ -5,7 +5,7 @@ from typing import Literal
 
 import click
 
-from ..driver import Compilation, complete, emit, warnings
+from ..driver import Compilation, checked, emit, warnings
 from ..emit import registry
 from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
@@ -78,7 +78,7 @@ def command(
     mechc compile toggle_press --emit c -o build/ -D theta=5deg
     """
     wanted = outputs(paths, target)
-    compilation = complete(begin(file, stdin_name, settings))
+    compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     options = Options(stem="", fragment=fragment, language=language)
     made = [(output, _emitted(compilation, output, options)) for output in wanted]

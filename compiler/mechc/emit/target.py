@@ -12,15 +12,36 @@ from ..routine.steps import Routine
 from ..statics.verdict import Verdict
 
 
-class Compiled(NamedTuple):
-    """Everything known of a mechanism after the last stage but emission."""
+class Compiled(Protocol):
+    """Everything known of a mechanism after the last stage but emission.
 
-    mechanism: Mechanism
-    derivation: Derivation
-    routine: Routine
-    verdict: Verdict
-    version: str
-    """The version of mechc, for the header of what is emitted."""
+    Each is made when a target first asks for it: code needs no derivation.
+    """
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """Return the names, the quantities in SI, the geometry."""
+        ...
+
+    @property
+    def derivation(self) -> Derivation:
+        """Return the derivation in steps, with all that follows from the results."""
+        ...
+
+    @property
+    def routine(self) -> Routine:
+        """Return the straight-line program."""
+        ...
+
+    @property
+    def verdict(self) -> Verdict:
+        """Return the second opinion, which agrees."""
+        ...
+
+    @property
+    def version(self) -> str:
+        """Return the version of mechc, for the header of what is emitted."""
+        ...
 
 
 class Options(NamedTuple):

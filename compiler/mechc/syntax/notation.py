@@ -1,11 +1,14 @@
 """Which of the two notations a text is in, and reading it."""
 
 import re
+from collections.abc import Callable
+from importlib import import_module
 from pathlib import PurePath
+from typing import cast
 
 from ..diagnostics import Report
 from ..source import Source
-from . import ast, from_dsl, from_yaml
+from . import ast
 
 YAML_SUFFIXES = frozenset({".yaml", ".yml", ".json"})
 """JSON is YAML too."""
@@ -18,9 +21,14 @@ def read(source: Source, report: Report) -> ast.File:
 
     Errors go to the report; raises :class:`MechcError` where nothing can be read.
     """
-    if is_yaml(source):
-        return from_yaml.parse(source, report)
-    return from_dsl.parse(source, report)
+    return _parser("from_yaml" if is_yaml(source) else "from_dsl")(source, report)
+
+
+def _parser(module: str) -> Callable[[Source, Report], ast.File]:
+    """Return a notation's parser; the other notation's libraries are not imported."""
+    return cast(
+        Callable[[Source, Report], ast.File], import_module(f".{module}", __package__).parse
+    )
 
 
 def is_yaml(source: Source) -> bool:

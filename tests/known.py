@@ -1,0 +1,16 @@
+"""What a target reads, put together by hand."""
+
+from typing import NamedTuple
+
+from mechc.derivation.steps import Derivation
+from mechc.model.mechanism import Mechanism
+from mechc.routine.steps import Routine
+from mechc.statics.verdict import Verdict
+
+
+class Known(NamedTuple):
+    mechanism: Mechanism
+    derivation: Derivation
+    routine: Routine
+    verdict: Verdict
+    version: str
