@@ -9,7 +9,8 @@ import cmath
 import math
 import random
 import re
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
+from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
 from typing import NamedTuple, TypeVar
@@ -26,7 +27,11 @@ FUNCTIONS = {
     "tan": math.tan,
     "cot": lambda x: 1 / math.tan(x),
     "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "atan2": math.atan2,
     "sqrt": math.sqrt,
+    "hypot": math.hypot,
 }
 
 
@@ -61,10 +66,16 @@ def every(file: ast.File, kind: type[S]) -> list[S]:
 
 def defaults(file: ast.File) -> Values:
     """Return the values of the parameters that have one, in the order of the file."""
-    values: Values = {}
-    for p in every(file, ast.Param):
-        if p.value is not None:
-            values[p.name.text] = evaluate(p.value, values)
+    return defined(file, {})
+
+
+def defined(file: ast.File, given: Mapping[str, float]) -> Values:
+    """Return the values of parameters and lets, those given instead of the default ones."""
+    values = dict(given)
+    for p in (*every(file, ast.Param), *every(file, ast.Let)):
+        if p.value is not None and p.name.text not in values:
+            with suppress(KeyError):
+                values[p.name.text] = evaluate(p.value, values)
     return values
 
 
@@ -92,14 +103,36 @@ class Arms:
     def vector(self, tail: str, head: str) -> complex:
         return cmath.rect(self.lengths[tail, head], self.angles[tail, head])
 
+    def between(self, tail: str, head: str) -> complex:
+        """Return a vector along whatever chain of given ones leads there."""
+        return self.around(tail)[head]
+
+    def around(self, base: str, within: Collection[str] | None = None) -> dict[str, complex]:
+        """Return the places of all points that given vectors lead to from a point."""
+        placed, queue = {base: 0j}, [base]
+        for tail in queue:
+            for start, head in self.angles:
+                inside = within is None or head in within
+                if start == tail and head not in placed and (tail, head) in self.lengths and inside:
+                    placed[head] = placed[tail] + self.vector(tail, head)
+                    queue.append(head)
+        return placed
+
 
 def arms_of(file: ast.File, values: Values) -> Arms:
     """Return the given lengths and angles; a given turn is taken from the other arm."""
     arms = Arms({}, {})
-    for v in every(file, ast.Vector):
-        _take_vector(v, values, arms)
-    for t in every(file, ast.Turn):
-        _take_turn(t, values, arms)
+    waiting: list[ast.Vector | ast.Turn] = [*every(file, ast.Vector), *every(file, ast.Turn)]
+    while waiting:
+        later = []
+        for item in waiting:
+            take = _take_vector if isinstance(item, ast.Vector) else _take_turn
+            try:
+                take(item, values, arms)
+            except KeyError:
+                later.append(item)
+        assert len(later) < len(waiting), "directions rest on one another"
+        waiting = later
     return arms
 
 
@@ -134,7 +167,9 @@ def angle_of(direction: ast.Direction, values: Values, arms: Arms) -> float:
         case ast.Toward(points, sign, perp):
             tail, head = points_of(points.text)
             quarter = (math.pi / 2 if perp else 0.0) + (0.0 if sign > 0 else math.pi)
-            return arms.angles[tail, head] + quarter
+            if (tail, head) in arms.angles:
+                return arms.angles[tail, head] + quarter
+            return cmath.phase(arms.between(tail, head)) + quarter
         case _:
             return evaluate(direction, values)
 
@@ -144,15 +179,12 @@ def frame(points: tuple[str, ...], arms: Arms, guess: random.Random) -> dict[str
 
     A length that is not given is guessed: it must not matter.
     """
-    placed = {points[0]: 0j}
-    while len(placed) < len(points):
-        tail, head = next(
-            (t, h) for t in placed for h in points if h not in placed and (t, h) in arms.angles
-        )
-        if (tail, head) not in arms.lengths:
-            arms.set_length(tail, head, guess.uniform(0.5, 2.0))
-        placed[head] = placed[tail] + arms.vector(tail, head)
-    return placed
+    for pair in list(arms.angles):
+        if pair not in arms.lengths:
+            arms.set_length(*pair, guess.uniform(0.5, 2.0))
+    alone = arms.around(points[0], points)
+    placed = alone if set(points) <= alone.keys() else arms.around(points[0])
+    return {point: placed[point] for point in points}
 
 
 # ------------------------------------------------------------ the whole mechanism
@@ -175,6 +207,7 @@ class Assembly:
     pivots: set[str]
     guides: dict[str, complex]
     actions: list[Action]
+    lengths: dict[tuple[str, str], float]
 
 
 def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
@@ -191,6 +224,7 @@ def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
             for s in every(file, ast.Slider)
         },
         _actions(file, values, arms),
+        arms.lengths,
     )
     for m in every(file, ast.Mirror):
         axis = cmath.rect(1, angle_of(m.across, values, arms))

@@ -17,6 +17,7 @@ from reference_geometry import (
     Values,
     assemble,
     defaults,
+    defined,
     evaluate,
     every,
     points_of,
@@ -89,7 +90,7 @@ def results(file: ast.File, at: Values | None = None, seed: int = 1) -> Values:
     ``at`` replaces default values; ``seed`` chooses the lengths that are not given.
     An unnamed ``find`` goes by the name of the load it asks for.
     """
-    values = defaults(file) | (at or {})
+    values = defined(file, at) if at else defaults(file)
     motion = Motion(assemble(file, values, seed))
     known = _known_loads(file, values)
     for item in file.statements:
@@ -118,12 +119,15 @@ def _found(file: ast.File, find: ast.Find, motion: Motion, values: Values) -> tu
     columns = _power_columns(file, motion, values)
     match find.target:
         case ast.Symbol(load):
-            return load, _balancing(load, columns, values)
+            return load, _balancing(load, columns, values, _asked(file))
         case ast.Product(((1, ast.Symbol(above)), (-1, ast.Symbol(below)))):
             name = find.name.text if find.name else f"{above}/{below}"
             if above in columns:
                 return name, _load_ratio(above, below, columns)
-            return name, _speed(above, motion) / _speed(below, motion)
+            ratio = _speed(above, motion) / _speed(below, motion)
+            return name, ratio if _has_sense(above, motion) and _has_sense(below, motion) else abs(
+                ratio
+            )
         case _:
             raise AssertionError("a find of the library is a load or a ratio")
 
@@ -134,8 +138,9 @@ def _power_columns(file: ast.File, motion: Motion, values: Values) -> dict[str, 
     columns: dict[str, Array] = {}
     for load in motion.assembly.actions:
         name, factor = load.name, 1.0
-        if name in ties:
-            name, factor = _master(ties[name], {a.name for a in motion.assembly.actions}, values)
+        while name in ties:
+            name, part = _master(ties[name], {a.name for a in motion.assembly.actions}, values)
+            factor *= part
         empty = np.zeros(motion.basis.shape[1])
         columns[name] = columns.get(name, empty) + factor * motion.power(load)
     return columns
@@ -158,10 +163,17 @@ def _load_ratio(above: str, below: str, columns: dict[str, Array]) -> float:
     return float(ratios[0])
 
 
-def _balancing(load: str, columns: dict[str, Array], values: Values) -> float:
-    others = sum(columns[name] * values[name] for name in columns if name != load)
-    solution, *_ = np.linalg.lstsq(columns[load][:, None], -others, rcond=None)
-    return float(solution[0])
+def _asked(file: ast.File) -> list[str]:
+    """Return the loads that are asked for as linear forms of the others."""
+    targets = [f.target for f in every(file, ast.Find)]
+    return [t.name for t in targets if isinstance(t, ast.Symbol)]
+
+
+def _balancing(load: str, columns: dict[str, Array], values: Values, asked: list[str]) -> float:
+    others = sum(columns[name] * values[name] for name in columns if name not in asked)
+    matrix = np.column_stack([columns[name] for name in asked])
+    solution, *_ = np.linalg.lstsq(matrix, -others, rcond=None)
+    return float(solution[asked.index(load)])
 
 
 def _speed(name: str, motion: Motion) -> float:
@@ -181,7 +193,19 @@ def _speed(name: str, motion: Motion) -> float:
 
 def _sense(point: str, motion: Motion) -> float:
     """Return the sign of the rotation that carries a point about a pivot; +1 without one."""
-    for name, points in motion.assembly.links.items():
-        if point in points and motion.assembly.pivots & points.keys():
-            return float(np.sign((motion.turning(name) @ motion.basis)[0]))
-    return 1.0
+    link = _about_pivot(point, motion)
+    return float(np.sign((motion.turning(link) @ motion.basis)[0])) if link else 1.0
+
+
+def _about_pivot(point: str, motion: Motion) -> str | None:
+    links, pivots = motion.assembly.links, motion.assembly.pivots
+    return next((n for n, at in links.items() if point in at and pivots & at.keys()), None)
+
+
+def _has_sense(name: str, motion: Motion) -> bool:
+    kind, points = name.split("_", 1)
+    return (
+        kind == "omega"
+        or points in motion.assembly.guides
+        or _about_pivot(points, motion) is not None
+    )
