@@ -9,7 +9,7 @@ import cmath
 import math
 import random
 import re
-from collections.abc import Collection, Mapping
+from collections.abc import Collection, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -212,8 +212,31 @@ class Assembly:
 
 def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
     """Return the mechanism as numbers, unfolded where it is mirrored."""
+    whole = _as_described(file, values, seed)
+    for axis, shared in _mirrors(file, values):
+        _unfold(whole, axis, shared)
+    for c in every(file, ast.Copies):
+        _multiply(whole, evaluate(c.number, values), {name.text for name in c.sharing})
+    return whole
+
+
+def assemble_half(file: ast.File, values: Values, seed: int = 1) -> Assembly:
+    """Return what is described: one half or one branch, the mirror guiding what is shared."""
+    half = _as_described(file, values, seed)
+    for axis, shared in _mirrors(file, values):
+        half.guides |= dict.fromkeys(shared - half.pivots - half.guides.keys(), axis)
+    return half
+
+
+def _mirrors(file: ast.File, values: Values) -> Iterator[tuple[complex, set[str]]]:
+    arms = arms_of(file, values)
+    for m in every(file, ast.Mirror):
+        yield cmath.rect(1, angle_of(m.across, values, arms)), {name.text for name in m.sharing}
+
+
+def _as_described(file: ast.File, values: Values, seed: int) -> Assembly:
     arms, guess = arms_of(file, values), random.Random(seed)
-    half = Assembly(
+    return Assembly(
         {
             s.points.text: frame(points_of(s.points.text), arms, guess)
             for s in every(file, ast.Link)
@@ -226,12 +249,6 @@ def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
         _actions(file, values, arms),
         arms.lengths,
     )
-    for m in every(file, ast.Mirror):
-        axis = cmath.rect(1, angle_of(m.across, values, arms))
-        _unfold(half, axis, {name.text for name in m.sharing})
-    for c in every(file, ast.Copies):
-        _multiply(half, evaluate(c.number, values), {name.text for name in c.sharing})
-    return half
 
 
 def _actions(file: ast.File, values: Values, arms: Arms) -> list[Action]:
