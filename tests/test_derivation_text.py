@@ -107,6 +107,17 @@ def test_a_long_speed_has_a_step_of_its_own() -> None:
     assert "P · V_B₀ + F · V_A₄_F / 2" in shown
 
 
+def test_a_point_off_the_line_of_its_pivot_is_projected_on_its_load() -> None:
+    shown = derived("shoe_brake")
+    assert "V_S_N/V_H = −b/a" in shown
+    assert "P · V_H + N · V_S_N + T · V_S_T = 0" in shown
+
+
+def test_a_sum_of_lengths_does_not_vanish() -> None:
+    assert "vanishes" not in derived("equalising_clamp")
+    assert "vanishes when a − e = 0" in derived("differential_lever")
+
+
 def test_two_components_of_a_velocity_have_two_names() -> None:
     shown = derived("scissor_4")
     assert "V_A₃_x = " in shown

@@ -18,9 +18,6 @@ from .steps import Derivation, Equation, PowerTerm, Rule, Step
 
 Names = Mapping[int, Named]
 
-_SPELLED_OUT = 2
-"""Speeds that a load's power is written with; more get a step of their own."""
-
 
 def derive(balance: Balance, results: Sequence[Result]) -> Derivation:
     """Return the derivation of what was asked for, with the results as they are concluded."""
@@ -222,15 +219,16 @@ class _Writer:
         return {**self._names, **own}
 
     def _along_load(self, term: Term) -> Iterator[Step]:
-        """Yield the step to a speed that the power equation has no room to spell out."""
+        """Yield the step to the speed along a load of a point whose velocity is a sum."""
         if not isinstance(term.load, Force) or term.line is None or self._plan.mobility != 1:
             return
         if not any(term.power):
             return
         name, point = term.load.name, term.load.point
-        form = projection(self._graph.velocities[point], term.line)
-        if len({self._names[u] for u in form}) <= _SPELLED_OUT:
+        velocity = self._graph.velocities[point]
+        if len(velocity) < 2:
             return
+        form = projection(velocity, term.line)
         self._along[name] = symbol = Symbol(f"V_{point}_{name}")
         drive = self._names[self._plan.drives[0]]
         said = Equation(symbol, _sum(form, self._names_at(form, point)))

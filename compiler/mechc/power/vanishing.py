@@ -6,7 +6,8 @@ from fractions import Fraction
 from typing import Literal
 
 from ..algebra.angle import RADIAN, Angle
-from ..algebra.formula import Formula
+from ..algebra.formula import Call, Formula, evaluate, symbols, walk
+from ..algebra.formula import Sum as Terms
 from ..algebra.product import Bound, Factor, Product, Sum, Trig
 from ..algebra.sums import canonical
 from ..kinematics.forms import QUARTER
@@ -41,18 +42,31 @@ def _conditions(
 ) -> Iterator[Vanishing]:
     assert item.value is not None
     for factor, exponent in item.value.factors.items():
-        if exponent * side > 0 and _may_vanish(factor):
+        if exponent * side > 0 and _may_vanish(factor, near):
             kind = _kind(factor, item, balance, side)
             yield Vanishing(factor.formula(), solution(factor, near), kind)
 
 
-def _may_vanish(factor: Factor) -> bool:
-    """Tell a sum, or a sine or cosine of something that varies, from lengths and constants."""
+def _may_vanish(factor: Factor, near: Mapping[str, float]) -> bool:
+    """Tell a sum, or a sine or cosine of something that varies, from lengths and constants.
+
+    A sum of lengths that are all positive, ``a + b``, does not vanish.
+    """
     match factor:
         case Trig(angle=angle):
             return any(name != RADIAN for name, _ in angle.terms)
+        case Sum():
+            return not _all_positive(factor.formula(), near)
         case _:
-            return isinstance(factor, Sum | Bound)
+            return isinstance(factor, Bound)
+
+
+def _all_positive(formula: Formula, near: Mapping[str, float]) -> bool:
+    """Tell whether a sum has no functions and no term that is negative by default."""
+    if not isinstance(formula, Terms) or any(isinstance(f, Call) for f in walk(formula)):
+        return False
+    known = symbols(formula) <= near.keys()
+    return known and all(evaluate(t, near) > 0 for t in formula.terms)
 
 
 def _kind(factor: Factor, item: Solved, balance: Balance, side: int) -> Kind:

@@ -46,7 +46,7 @@ WORDS = Words(
         "the two links.",
         "together": "The relations for {all} are solved together.",
         "guide": "The guide fixes the direction of the velocity of {all}.",
-        "component": "Component of the velocity of {first} along the load {rest}.",
+        "component": "Component of the velocity of {first} in the direction of the load {rest}.",
     },
     hence="hence",
     power="Power equation",
