@@ -87,6 +87,11 @@ class Ring:
         """Return the packed exponents of a power of a factor."""
         return exponent << self._fields[factor]
 
+    def packed(self, exponents: Iterable[int], constant: int) -> int:
+        """Return the key of a term: the reverse of :meth:`exponents` and :meth:`constant`."""
+        fields = zip(exponents, self._fields.values(), strict=True)
+        return constant + sum(e << field for e, field in fields)
+
     def exponents(self, key: int) -> list[int]:
         """Return all exponents but the constant's, symbols of angles first, as integers."""
         key >>= self._low
@@ -98,8 +103,8 @@ class Ring:
             key = (key - low) >> self._bits
         return result
 
-    def _constant(self, key: int) -> int:
-        """Return the field of the constant."""
+    def constant(self, key: int) -> int:
+        """Return the constant of a term's angle, in parts of 90°/``parts``."""
         return key & ((1 << self._low) - 1)
 
     def split(self, key: int) -> tuple[int, int]:
@@ -117,7 +122,7 @@ class Ring:
             for name, c in zip(self._names, turns, strict=False)
             if c
         )
-        constant = self._constant(key) * self._part if self._wrap else 0
+        constant = self.constant(key) * self._part if self._wrap else 0
         return Angle(tuple(terms), rational(constant))
 
     def monomial(self, key: int) -> dict[Factor, int]:
@@ -131,6 +136,16 @@ class Ring:
         return self._scale
 
     @property
+    def angles(self) -> int:
+        """Return how many of the exponents are those of symbols of angles."""
+        return len(self._names)
+
+    @property
+    def parts(self) -> int:
+        """Return how many steps of the constants make a quarter turn."""
+        return self._wrap or 1
+
+    @property
     def has_constants(self) -> bool:
         """Tell whether some angle has a constant that is no multiple of 90°."""
         return bool(self._wrap)
@@ -142,7 +157,7 @@ class Ring:
     def shifted(self, key: int, value: Gaussian, shift: int, power: int) -> tuple[int, Gaussian]:
         """Return a term times i^power and a packed shift, its constant wrapped."""
         key += shift
-        if self._wrap and self._constant(key) >= self._wrap:
+        if self._wrap and self.constant(key) >= self._wrap:
             key, power = key - self._wrap, power + 1
         return key, rotated(value, power) if power & 3 else value
 
@@ -160,7 +175,7 @@ class Ring:
             return terms
         groups: dict[int, Directions] = {}
         for key, value in terms.items():
-            constant = self._constant(key)
+            constant = self.constant(key)
             groups.setdefault(key - constant, {})[constant] = value
         rewritten = ((base, rule(group, self._wrap)) for base, group in groups.items())
         return {base + c: value for base, group in rewritten for c, value in group.items()}
@@ -257,44 +272,9 @@ class Ring:
     def _lowered(self, key: int, value: Gaussian, by: Binomial) -> tuple[int, Gaussian]:
         """Return a term divided by the leading term of a binomial."""
         key, power = key - by.up, -by.up_power
-        if self._wrap and self._constant(key) >= self._wrap:
+        if self._wrap and self.constant(key) >= self._wrap:
             key, power = key + self._wrap, power - 1
         return key, rotated(value, power)
-
-    def divide_exactly(self, upper: Polynomial, lower: Polynomial) -> Polynomial | None:
-        """Return the quotient of two polynomials with integer content 1, or None.
-
-        Long division by the leading term. The constant part of an angle takes no part in
-        the order, so a divisor whose leading coefficient is a sum of constants is refused.
-        """
-        lower = Polynomial(lower.scale, self.short(lower.terms))
-        top = max(lower.terms) >> self._low
-        leads = [k for k in lower.terms if k >> self._low == top]
-        if len(leads) != 1:
-            return None
-        return self._long_division(upper, lower, leads[0])
-
-    def _long_division(self, upper: Polynomial, lower: Polynomial, lead: int) -> Polynomial | None:
-        floor = [a - b for a, b in zip(*map(self._lowest, (upper, lower)), strict=True)]
-        rest, quotient = dict(upper.terms), Terms()
-        below = {k: v for k, v in lower.terms.items() if k != lead}
-        while rest:
-            for key, value in self._top(rest).items():
-                k, value = self._lowered(key, value, Binomial(lead, 0, 0, 0))
-                part = _divided(value, lower.terms[lead])
-                exponents = self.exponents(k)
-                if part is None or len(quotient) == LONGEST:
-                    return None
-                if any(e < f for e, f in zip(exponents, floor, strict=True)):
-                    return None
-                quotient[k] = part
-                for other, v in self.times({k: (-part[0], -part[1])}, below).items():
-                    accumulate(rest, other, v)
-        scale = rational(Fraction(upper.scale) / lower.scale)
-        return Polynomial(scale, self.unique(quotient))
-
-    def _lowest(self, polynomial: Polynomial) -> list[int]:
-        return [min(column) for column in zip(*map(self.exponents, polynomial.terms), strict=True)]
 
     # -------------------------------------------------------------------- reading
 
@@ -312,14 +292,6 @@ def _primitive(scale: Fraction, terms: Terms) -> Polynomial:
     content = gcd(*(x for value in terms.values() for x in value)) or 1
     terms = {k: (re // content, im // content) for k, (re, im) in terms.items()}
     return Polynomial(rational(scale * content), terms)
-
-
-def _divided(value: Gaussian, by: Gaussian) -> Gaussian | None:
-    """Return the quotient of two Gaussian integers if it is one."""
-    norm = by[0] * by[0] + by[1] * by[1]
-    re = value[0] * by[0] + value[1] * by[1]
-    im = value[1] * by[0] - value[0] * by[1]
-    return None if re % norm or im % norm else (re // norm, im // norm)
 
 
 def _generators(products: Iterable[Product], deep: bool) -> tuple[list[Angle], set[Factor]]:

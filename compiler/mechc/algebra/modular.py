@@ -31,9 +31,10 @@ def _root_of_unity() -> int:
     raise AssertionError("no generator below 1000")
 
 
-@lru_cache(maxsize=1)
-def _imaginary_unit() -> int:
-    return pow(_root_of_unity(), 90 * PARTS, PRIME)
+@lru_cache(maxsize=256)
+def direction(parts: int) -> int:
+    """Return exp(i·90°/parts)."""
+    return pow(_root_of_unity(), 90 * PARTS // parts, PRIME)
 
 
 class Point:
@@ -79,7 +80,7 @@ class Point:
         if value is None:
             z = self.exponential(angle)
             conjugate = pow(z, -1, PRIME)
-            i = _imaginary_unit()
+            i = direction(1)
             if function == "cos":
                 value = (z + conjugate) * pow(2, -1, PRIME) % PRIME
             else:

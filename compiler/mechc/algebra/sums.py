@@ -14,9 +14,11 @@ from fractions import Fraction
 
 from .angle import Angle, Rational, rational
 from .factoring import factor, factored
+from .fine import named, valued
 from .laurent import Ring, size
 from .modular import Point
 from .product import ZERO, Bound, Factor, Product, Sum, Trig, cosine, sine
+from .reduction import is_searchable, reduced
 
 LIMIT = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""
@@ -116,24 +118,28 @@ def canonical(product: Product) -> Product:
 
 
 def _cancelled(product: Product) -> Product:
-    """Divide sums above the line by sums below it, and the other way round."""
+    """Cancel what a sum above the line and one below it have in common."""
     sums = [(f, e) for f, e in product.factors.items() if isinstance(f, Sum)]
     for upper, e in sums:
         for lower, d in sums:
-            if e * d < 0 and upper.terms != lower.terms:
-                quotient = _quotient(upper, lower)
-                if quotient is not None:
-                    times = Product(1, {upper: -1, lower: 1}) * quotient
-                    return _cancelled(product * (times if e > 0 else times**-1))
+            if e > 0 > d and (quotient := _quotient(upper, lower)) is not None:
+                return _cancelled(product * Product(1, {upper: -1, lower: 1}) * quotient)
     return product
 
 
 def _quotient(upper: Sum, lower: Sum) -> Product | None:
+    """Return the quotient of two sums without their common divisor, None if they have none."""
     if sum(map(size, upper.terms)) > LIMIT or sum(map(size, lower.terms)) > LIMIT:
         return None
-    ring = Ring((*upper.terms, *lower.terms))
-    result = ring.divide_exactly(ring.expand(upper.terms), ring.expand(lower.terms))
-    return None if result is None else factor(ring, result)
+    sums = upper.terms, lower.terms
+    if not is_searchable(Ring([*upper.terms, *lower.terms])):
+        sums = tuple(map(named, upper.terms)), tuple(map(named, lower.terms))
+    ring = Ring([*sums[0], *sums[1]])
+    cofactors = reduced(ring, *map(ring.expand, sums))
+    if cofactors is None:
+        return None
+    above, below = (factored([valued(factor(ring, c))]) for c in cofactors)
+    return above / below
 
 
 def _squares(product: Product) -> Product:
