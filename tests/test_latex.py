@@ -69,6 +69,7 @@ def test_template_uses_every_field_of_the_report() -> None:
 def test_library_reports_say_no_more_than_there_is() -> None:
     plain, labelled = mechc.load("four_bar").emit("latex"), mechc.load("wheelbarrow").emit("latex")
     assert "Quantity" not in plain
+    assert "Range" not in mechc.load("shoe_brake").emit("latex")
     assert "Quantity" in labelled
     assert "W=mg$, $g=9.80665" in labelled
 
