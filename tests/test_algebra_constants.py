@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 
 from mechc.algebra.angle import Angle
 from mechc.algebra.cyclotomic import short, unique
-from mechc.algebra.formula import text
-from mechc.algebra.product import ZERO, Product, cosine, sine
+from mechc.algebra.product import ZERO, Product
 from mechc.algebra.sums import add
+from mechc.algebra.to_text import text
+from mechc.algebra.trigonometry import cosine, sine
 
 law = settings(max_examples=60, deadline=None, derandomize=True, database=None)
 A, B = Angle.of("alpha"), Angle.of("beta")

@@ -10,8 +10,9 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.gcd import common, degrees, divided, times
 from mechc.algebra.laurent import Ring, size
 from mechc.algebra.modular import PRIME, Point
-from mechc.algebra.product import Product, Sum, cosine, sine
+from mechc.algebra.product import Product, Sum
 from mechc.algebra.sums import LIMIT, add, canonical
+from mechc.algebra.trigonometry import cosine, sine
 
 law = settings(max_examples=60, deadline=None, derandomize=True, database=None)
 A, B, C = map(Angle.of, ["alpha", "beta", "gamma"])

@@ -9,10 +9,12 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from mechc.algebra.angle import Angle
+from mechc.algebra.factors import Trig
 from mechc.algebra.laurent import Ring, size
 from mechc.algebra.modular import Point
-from mechc.algebra.product import ONE, ZERO, Bound, Product, Sum, Trig, cosine, sine
+from mechc.algebra.product import ONE, ZERO, Bound, Product, Sum
 from mechc.algebra.sums import LIMIT, add, canonical
+from mechc.algebra.trigonometry import cosine, sine
 
 law = settings(max_examples=40, deadline=None, derandomize=True, database=None)
 

@@ -4,7 +4,7 @@ from collections.abc import Callable
 
 import pytest
 
-from mechc.algebra.formula import text
+from mechc.algebra.to_text import text
 from mechc.derivation.text_printer import ASCII, UNICODE, print_formula
 from mechc.derivation.to_text import WIDTH, render
 from mechc.derivation.wording import as_ratio

@@ -8,7 +8,8 @@ from hypothesis import strategies as st
 
 import mechc
 from mechanisms import Style, sample
-from mechc.algebra.formula import count_operations, symbols
+from mechc.algebra.operations import count_operations
+from mechc.algebra.walk import symbols
 
 SEEDS = st.integers(0, 10**6)
 

@@ -4,7 +4,7 @@ import pytest
 
 import mechc
 from mechanisms import sample
-from mechc.algebra.formula import text
+from mechc.algebra.to_text import text
 from mechc.derivation.steps import Rule
 from mechc.diagnostics import MechcError
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechc.algebra.formula import evaluate
+from mechc.algebra.walk import evaluate
 from mechc.diagnostics import MechcError, Report
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Let

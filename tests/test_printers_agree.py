@@ -12,13 +12,13 @@ from mechc.algebra.formula import (
     Formula,
     Symbol,
     degrees,
-    evaluate,
     negative,
     number,
     power,
     product,
     total,
 )
+from mechc.algebra.walk import evaluate
 from mechc.derivation.text_printer import ASCII, print_formula
 from mechc.emit.latex_notation import notation
 from mechc.emit.latex_printer import latex

@@ -8,19 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechc.algebra.formula import (
-    Call,
-    Formula,
-    Power,
-    count_operations,
-    degrees,
-    number,
-    product,
-    text,
-    total,
-    walk,
-)
-from mechc.algebra.formula import evaluate as value_of
+from mechc.algebra.formula import Call, Formula, Power, degrees, number, product, total
+from mechc.algebra.operations import count_operations
+from mechc.algebra.to_text import text
+from mechc.algebra.walk import evaluate as value_of
+from mechc.algebra.walk import walk
 from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require
 from mechc.power.result import Definition, Result

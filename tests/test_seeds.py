@@ -15,7 +15,7 @@ import pytest
 import sympy
 
 import mechc
-from mechc.algebra.formula import text
+from mechc.algebra.to_text import text
 from mechc.api import SolvedMechanism
 
 SEEDS = {

@@ -1,8 +1,8 @@
 """Partial derivatives of factored products, factored again.
 
 >>> from .angle import Angle
->>> from .formula import text
->>> from .product import sine, cosine
+>>> from .to_text import text
+>>> from .trigonometry import sine, cosine
 >>> t = Angle.of("t")
 >>> text(derivative(sine(t) / cosine(t), "t").formula())
 '1/cos(t)^2'
@@ -11,8 +11,10 @@
 from fractions import Fraction
 
 from .angle import rational
-from .product import ZERO, Factor, Length, Product, Sum, Trig, cosine, sine
+from .factors import Factor, Length, Trig
+from .product import ZERO, Product, Sum
 from .sums import add
+from .trigonometry import cosine, sine
 
 
 def derivative(product: Product, name: str) -> Product:

@@ -16,8 +16,10 @@ from fractions import Fraction
 from math import gcd, lcm
 
 from .angle import Angle, Rational, rational
+from .factors import Factor, Trig
 from .laurent import Polynomial, Ring, Terms
-from .product import ONE, ZERO, Factor, Product, Sum, Trig, cosine, sine
+from .product import ONE, ZERO, Product, Sum
+from .trigonometry import cosine, sine
 
 MULTIPLES = 8
 """sin 8u is the highest multiple angle whose factors are looked for."""

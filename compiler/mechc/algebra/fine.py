@@ -4,7 +4,7 @@ A sum whose constants have too many conjugates to look into them all still has i
 factors in common with others; what can be lost are divisors that rest on a relation
 between these very constants.
 
->>> from .formula import text
+>>> from .to_text import text
 >>> text(named(sine(Angle.of("t") + Angle.constant(33))).formula())
 'sin(3° + t + pi/6)'
 """
@@ -13,7 +13,9 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from .angle import Angle, rational
-from .product import Product, Sum, Trig, cosine, sine
+from .factors import Trig
+from .product import Product, Sum
+from .trigonometry import cosine, sine
 
 _GRID = 15
 """Multiples of so many degrees are no fine constants."""

@@ -1,6 +1,7 @@
 """From formulas to angle algebra: which part of a formula it can look into.
 
->>> from .formula import Symbol, Call, degrees, total, quotient, text
+>>> from .formula import Symbol, Call, degrees, total, quotient
+>>> from .to_text import text
 >>> str(to_angle(total([Symbol("alpha"), degrees(-90)])))
 'alpha - 90°'
 >>> text(to_product(quotient(Call("sin", (Symbol("t"),)), Call("cos", (Symbol("t"),)))).formula())
@@ -11,11 +12,12 @@ from fractions import Fraction
 from typing import assert_never
 
 from .angle import RADIAN, Angle, rational
+from .factors import Opaque
 from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .modular import PARTS
-from .product import Opaque, cosine, sine
 from .product import Product as Factored
 from .sums import add
+from .trigonometry import cosine, sine
 
 _QUOTIENTS = {"tan": (1, -1), "cot": (-1, 1), "sec": (0, -1), "csc": (-1, 0)}
 """Powers of (sin, cos) that a function stands for."""

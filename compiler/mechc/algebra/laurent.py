@@ -17,7 +17,9 @@ from typing import NamedTuple
 
 from .angle import Angle, Rational, rational
 from .cyclotomic import Directions, Gaussian, accumulate, rotated, short, stars, unique
-from .product import Factor, Product, Sum, Trig, cosine, sine
+from .factors import Factor, Trig
+from .product import Product, Sum
+from .trigonometry import cosine, sine
 
 SPARE = 10
 """Bits of a field beyond the largest coefficient of an angle: products of 500 such fit."""
@@ -48,7 +50,7 @@ class Binomial(NamedTuple):
 class Ring:
     """The exponents that some products need, and the arithmetic on their packed form.
 
-    >>> from .product import sine, cosine
+    >>> from .trigonometry import sine, cosine
     >>> a, b = Angle.of("alpha"), Angle.of("beta")
     >>> ring = Ring([sine(a + b)])
     >>> ring.expand([sine(a) * cosine(b), cosine(a) * sine(b)]) == ring.expand([sine(a + b)])

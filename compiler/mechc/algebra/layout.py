@@ -9,18 +9,9 @@ from collections.abc import Set
 from fractions import Fraction
 from typing import NamedTuple
 
-from .formula import (
-    Call,
-    Formula,
-    Number,
-    Pi,
-    Power,
-    Product,
-    Sum,
-    Symbol,
-    children,
-    split_fraction,
-)
+from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .operations import split_fraction
+from .walk import children
 
 INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
 """Functions whose value is an angle."""

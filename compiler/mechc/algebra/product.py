@@ -6,127 +6,24 @@ sum, or something opaque. Products are multiplied and divided, never added here:
 """
 
 import math
-from collections.abc import Hashable, Iterable, Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
-from functools import lru_cache
-from typing import Literal, Protocol
 
-from ..frozen import frozen
-from .angle import Angle, Rational, rational
-from .formula import Call, Formula, evaluate, number, product, total
+from .angle import Rational, rational
+from .factors import Factor, Length, Trig
+from .formula import Call, Formula, number, product, total
 from .formula import Symbol as SymbolFormula
 from .modular import Point
-
-Function = Literal["sin", "cos"]
-
-
-class Factor(Hashable, Protocol):
-    """Anything that may stand in a product."""
-
-    def evaluate(self, values: Mapping[str, float]) -> float:
-        """Return the value on floats."""
-        ...
-
-    def residue(self, point: Point) -> int:
-        """Return the value at a random point of a finite field."""
-        ...
-
-    def formula(self) -> Formula:
-        """Return the factor as a formula."""
-        ...
-
-    def order(self) -> tuple[int, str]:
-        """Return the place in reading order: lengths, sines and cosines, sums."""
-        ...
-
-
-@frozen
-class Length:
-    """A symbol that is not inside an angle: a length, a radius, a pure number, a load."""
-
-    name: str
-
-    def evaluate(self, values: Mapping[str, float]) -> float:
-        """Return the symbol's value."""
-        return values[self.name]
-
-    def residue(self, point: Point) -> int:
-        """Return the symbol's random value."""
-        return point.length(self.name)
-
-    def formula(self) -> Formula:
-        """Return the symbol."""
-        return SymbolFormula(self.name)
-
-    def order(self) -> tuple[int, str]:
-        """Return the place in reading order."""
-        return (0, self.name)
-
-
-@frozen
-class Trig:
-    """A sine or cosine of a canonical angle; made by :func:`sine` and :func:`cosine` only."""
-
-    function: Function
-    angle: Angle
-
-    def evaluate(self, values: Mapping[str, float]) -> float:
-        """Return the value on floats."""
-        turn = self.angle.evaluate(values)
-        return math.sin(turn) if self.function == "sin" else math.cos(turn)
-
-    def residue(self, point: Point) -> int:
-        """Return the value at a random point of a finite field."""
-        return point.trig(self.function, self.angle)
-
-    def formula(self) -> Formula:
-        """Return ``sin(angle)`` or ``cos(angle)``."""
-        return _trig_formula(self)
-
-    def order(self) -> tuple[int, str]:
-        """Return the place in reading order."""
-        return _trig_order(self)
-
-
-@lru_cache(maxsize=4096)
-def _trig_formula(trig: Trig) -> Formula:
-    return Call(trig.function, (trig.angle.formula(),))
-
-
-@lru_cache(maxsize=4096)
-def _trig_order(trig: Trig) -> tuple[int, str]:
-    return (1, f"{trig.angle}{trig.function}")
-
-
-@frozen
-class Opaque:
-    """A formula that angle algebra does not look into, ``sqrt(a^2 + b^2)`` for example."""
-
-    inside: Formula
-
-    def evaluate(self, values: Mapping[str, float]) -> float:
-        """Return the value on floats."""
-        return evaluate(self.inside, values)
-
-    def residue(self, point: Point) -> int:
-        """Return a random value of its own."""
-        return point.length(str(self.inside))
-
-    def formula(self) -> Formula:
-        """Return the formula itself."""
-        return self.inside
-
-    def order(self) -> tuple[int, str]:
-        """Return the place in reading order."""
-        return (2, str(self.inside))
 
 
 class Product:
     """``coefficient · Π factor ** exponent``; immutable.
 
+    >>> from .angle import Angle
+    >>> from .trigonometry import cosine, sine
     >>> a, b = Product.symbol("a"), Product.symbol("b")
     >>> k = a / b * sine(Angle.of("alpha")) / cosine(Angle.of("alpha"))
-    >>> from .formula import text
+    >>> from .to_text import text
     >>> text(k.formula())
     'a*tan(alpha)/b'
     """
@@ -338,67 +235,3 @@ def _with_tangents(
     for factor, exponent in left.items():
         if exponent:
             yield factor.order(), factor.formula(), exponent
-
-
-# -------------------------------------------------------------------- sines, cosines
-
-
-@lru_cache(maxsize=4096)
-def sine(angle: Angle) -> Product:
-    """Return sin(angle) in canonical form: a sign and a first-quadrant-like factor.
-
-    >>> sine(Angle.constant(-30))
-    Product(-1/2, {})
-    """
-    return _trig(angle, 0)
-
-
-@lru_cache(maxsize=4096)
-def cosine(angle: Angle) -> Product:
-    """Return cos(angle) in canonical form.
-
-    >>> cosine(Angle.of("t") - Angle.constant(90)) == sine(Angle.of("t"))
-    True
-    """
-    return _trig(angle, 1)
-
-
-def _trig(angle: Angle, quarter: int) -> Product:
-    """Return sin(angle + quarter · 90°) with the leading coefficient of the angle positive.
-
-    The constant is brought to (−45°, 45°] by quarter turns; sine and cosine change
-    places on the way.
-    """
-    sign = 1
-    if _leads_negative(angle):
-        angle = -angle
-        sign, quarter = (-1, quarter) if quarter % 2 == 0 else (1, quarter)
-    turns = -((45 - angle.degrees) // 90)
-    angle = Angle(angle.terms, rational(angle.degrees - 90 * turns))
-    quarter = (quarter + turns) % 4
-    if quarter >= 2:
-        sign, quarter = -sign, quarter - 2
-    if not angle.terms:
-        return _constant(angle.degrees, quarter).scaled(sign)
-    return Product(sign, {Trig("cos" if quarter else "sin", angle): 1})
-
-
-def _leads_negative(angle: Angle) -> bool:
-    """Tell whether more coefficients are negative than positive, the first one deciding ties."""
-    balance = sum(1 if c > 0 else -1 for _, c in angle.terms)
-    if balance:
-        return balance < 0
-    return bool(angle.terms) and angle.terms[0][1] < 0
-
-
-def _constant(degrees: Rational, quarter: int) -> Product:
-    """Return sin or cos of a constant in (−45°, 45°], rational where it is."""
-    if degrees < 0:
-        return _constant(-degrees, quarter).scaled(1 if quarter else -1)
-    if degrees == 0:
-        return Product(quarter)
-    if degrees == 30 and not quarter:
-        return Product(Fraction(1, 2))
-    if degrees == 45:
-        quarter = 1
-    return Product(1, {Trig("cos" if quarter else "sin", Angle.constant(degrees)): 1})

@@ -1,8 +1,8 @@
 """Sums of products in canonical form, and what cancels in a product.
 
->>> from .formula import text
+>>> from .to_text import text
 >>> from .angle import Angle
->>> from .product import sine, cosine
+>>> from .trigonometry import sine, cosine
 >>> a, b = Angle.of("alpha"), Angle.of("beta")
 >>> tan_a, tan_b = sine(a) / cosine(a), sine(b) / cosine(b)
 >>> text(add([tan_a, tan_b]).formula())
@@ -14,11 +14,13 @@ from fractions import Fraction
 
 from .angle import Angle, Rational, rational
 from .factoring import factor, factored
+from .factors import Factor, Trig
 from .fine import named, valued
 from .laurent import Ring, size
 from .modular import Point
-from .product import ZERO, Bound, Factor, Product, Sum, Trig, cosine, sine
+from .product import ZERO, Bound, Product, Sum
 from .reduction import is_searchable, reduced
+from .trigonometry import cosine, sine
 
 LIMIT = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""

@@ -12,7 +12,8 @@ from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 from ..algebra.equality import equal
-from ..algebra.formula import Formula, evaluate, symbols
+from ..algebra.formula import Formula
+from ..algebra.walk import evaluate, symbols
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as words
 from ..model.mechanism import Expect, Mechanism

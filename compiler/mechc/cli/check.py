@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import click
 
-from ..algebra.formula import text
+from ..algebra.to_text import text
 from ..check.expectations import Finding
 from ..derivation.definitions import definitions, is_by_letter
 from ..diagnostics import MechcError

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import click
 
-from ..algebra.formula import text
+from ..algebra.to_text import text
 from ..diagnostics import MechcError
 from ..driver import Compilation
 from ..files import library, read

@@ -20,7 +20,8 @@ def definitions(result: Result, told: Container[str] = ()) -> tuple[Definition, 
 def by_letter(formula: Formula) -> Formula:
     """Return a weight as ``m·g``; any other formula as it is.
 
-    >>> from ..algebra.formula import product, text
+    >>> from ..algebra.formula import product
+    >>> from ..algebra.to_text import text
     >>> text(by_letter(product([(Symbol("m"), 1), (GRAVITY, 1)])))
     'm*g'
     """

@@ -28,7 +28,8 @@ def enumeration(items: Iterable[str], words: Words) -> str:
 def as_ratio(equation: Equation) -> Equation:
     """Return ``V_B/V_A = …`` for ``V_B = V_A·…``, as textbooks print it; others unchanged.
 
-    >>> from ..algebra.formula import Call, text
+    >>> from ..algebra.formula import Call
+    >>> from ..algebra.to_text import text
     >>> left, right = as_ratio(
     ...     Equation(
     ...         Symbol("V_B"),

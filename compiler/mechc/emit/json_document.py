@@ -5,7 +5,9 @@ The document and its JSON Schema are both made from what stands here.
 
 from collections.abc import Mapping
 
-from ..algebra.formula import Formula, evaluate, text
+from ..algebra.formula import Formula
+from ..algebra.to_text import text
+from ..algebra.walk import evaluate
 from ..derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
 from ..model.mechanism import LoadForm, LoadRatio, Parameter, SpeedRatio, Target
 from ..power.result import Definition, Result, Vanishing

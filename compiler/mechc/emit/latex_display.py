@@ -9,16 +9,9 @@ from collections.abc import Iterator, Set
 from itertools import count
 from typing import NamedTuple
 
-from ..algebra.formula import (
-    Formula,
-    Product,
-    Sum,
-    Symbol,
-    children,
-    rebuild,
-    symbols,
-)
+from ..algebra.formula import Formula, Product, Sum, Symbol
 from ..algebra.layout import is_angle
+from ..algebra.walk import children, rebuild, symbols
 from .latex_notation import Notation
 from .latex_printer import Box, box, plain, row, signed
 

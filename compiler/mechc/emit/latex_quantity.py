@@ -14,8 +14,9 @@ import math
 import re
 from fractions import Fraction
 
-from ..algebra.formula import Formula, Number, evaluate
+from ..algebra.formula import Formula, Number
 from ..algebra.layout import in_degrees
+from ..algebra.walk import evaluate
 from ..units import ANGLE, NUMBER, UNITS, Dimension
 from ..words.table import Words
 from .latex_notation import Notation

@@ -4,7 +4,8 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..algebra.formula import Call, Formula, Pi, walk
+from ..algebra.formula import Call, Formula, Pi
+from ..algebra.walk import walk
 from ..diagnostics.diagnostic import MechcError
 from ..diagnostics.emission import unspeakable_file_name
 from ..routine.steps import Function

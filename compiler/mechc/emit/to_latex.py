@@ -10,8 +10,8 @@ from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from ..algebra.formula import symbols
 from ..algebra.layout import is_angle
+from ..algebra.walk import symbols
 from ..derivation.remarks import conditions
 from ..derivation.steps import Derivation, Equation, Step
 from ..derivation.wording import Sides, lines, sentence

@@ -10,7 +10,8 @@ from collections import defaultdict
 from collections.abc import Iterator
 
 from ..algebra.angle import Angle
-from ..algebra.product import ONE, Product, sine
+from ..algebra.product import ONE, Product
+from ..algebra.trigonometry import sine
 from ..model.mechanism import Link
 from ..pose.pose import Pose, Vector
 from ..source import Span

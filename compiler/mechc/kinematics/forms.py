@@ -3,8 +3,9 @@
 from collections.abc import Iterable, Mapping
 
 from ..algebra.angle import Angle
-from ..algebra.product import ONE, Product, cosine
+from ..algebra.product import ONE, Product
 from ..algebra.sums import add
+from ..algebra.trigonometry import cosine
 from ..pose.pose import Pose, Vector
 from .graph import Flow, Form, Graph, Velocity
 

@@ -2,7 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from ..algebra.formula import Formula, Symbol, product, text, total
+from ..algebra.formula import Formula, Symbol, product, total
+from ..algebra.to_text import text
 from ..pose.to_text import angle_text
 from .graph import Form, Kind, Relation, Unknown, Velocity
 from .plan import Plan

@@ -7,7 +7,8 @@ parameter by another word; it is handed on as one.
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..algebra.formula import Formula, Symbol, substitute, symbols, walk
+from ..algebra.formula import Formula, Symbol
+from ..algebra.walk import substitute, symbols, walk
 from ..diagnostics.model import names
 from ..syntax import ast
 from .constants import names_in

@@ -2,7 +2,8 @@
 
 import math
 
-from ..algebra.formula import Formula, degrees, evaluate, symbols
+from ..algebra.formula import Formula, degrees
+from ..algebra.walk import evaluate, symbols
 from ..diagnostics.model import quantities
 from ..source import Span
 from ..syntax import ast

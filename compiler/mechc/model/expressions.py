@@ -20,9 +20,9 @@ from ..algebra.formula import (
     number,
     power,
     product,
-    text,
     total,
 )
+from ..algebra.to_text import text
 from ..diagnostics import Report
 from ..diagnostics.model import joints, names, quantities
 from ..frozen import frozen

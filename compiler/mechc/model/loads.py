@@ -14,8 +14,8 @@ from ..algebra.formula import (
     Symbol,
     degrees,
     product,
-    symbols,
 )
+from ..algebra.walk import symbols
 from ..diagnostics.model import loads as words
 from ..diagnostics.model import names
 from ..source import Span

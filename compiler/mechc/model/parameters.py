@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from ..algebra.formula import evaluate, symbols
+from ..algebra.walk import evaluate, symbols
 from ..diagnostics.model import names, quantities
 from ..syntax import ast
 from ..units import DIMENSIONS, UNITS, Dimension

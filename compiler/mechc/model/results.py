@@ -4,7 +4,8 @@ import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from ..algebra.formula import Formula, evaluate, substitute, symbols
+from ..algebra.formula import Formula
+from ..algebra.walk import evaluate, substitute, symbols
 from ..diagnostics.model import names, quantities
 from ..diagnostics.model import results as words
 from ..syntax import ast

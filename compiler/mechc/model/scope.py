@@ -4,7 +4,8 @@ import re
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
-from ..algebra.formula import Formula, evaluate, symbols
+from ..algebra.formula import Formula
+from ..algebra.walk import evaluate, symbols
 from ..diagnostics import Report
 from ..diagnostics.model import names as words
 from ..source import Span

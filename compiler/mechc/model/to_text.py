@@ -4,7 +4,8 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import assert_never
 
-from ..algebra.formula import Formula, text
+from ..algebra.formula import Formula
+from ..algebra.to_text import text
 from ..units import described
 from .mechanism import (
     Absolute,

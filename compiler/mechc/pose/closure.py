@@ -10,10 +10,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
-from ..algebra.formula import text
+from ..algebra.factors import Factor, Length, Trig
 from ..algebra.modular import Point
-from ..algebra.product import Factor, Length, Product, Sum, Trig, cosine
+from ..algebra.product import Product, Sum
 from ..algebra.sums import add
+from ..algebra.to_text import text
+from ..algebra.trigonometry import cosine
 from ..diagnostics import Diagnostic
 from ..diagnostics import pose as words
 from ..source import Span

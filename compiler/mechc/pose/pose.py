@@ -10,8 +10,9 @@ from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.formula import Formula
-from ..algebra.product import Product, cosine, sine
+from ..algebra.product import Product
 from ..algebra.sums import add
+from ..algebra.trigonometry import cosine, sine
 from ..frozen import frozen
 from ..model.mechanism import Mechanism
 

@@ -6,8 +6,8 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
-from ..algebra.formula import symbols
 from ..algebra.product import Product
+from ..algebra.walk import symbols
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .compass import Compass

@@ -5,8 +5,10 @@ from itertools import combinations
 
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
-from ..algebra.formula import Formula, Symbol, evaluate, substitute, symbols
-from ..algebra.product import Length, Product
+from ..algebra.factors import Length
+from ..algebra.formula import Formula, Symbol
+from ..algebra.product import Product
+from ..algebra.walk import evaluate, substitute, symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
 from .balance import Balance, Solved

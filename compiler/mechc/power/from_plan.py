@@ -3,9 +3,10 @@
 from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from ..algebra.formula import Formula, Symbol, product, symbols, total
+from ..algebra.formula import Formula, Symbol, product, total
 from ..algebra.product import Bound, Product, Sum
 from ..algebra.sums import canonical
+from ..algebra.walk import symbols
 from ..diagnostics import Report
 from ..diagnostics import power as words
 from ..frozen import replace

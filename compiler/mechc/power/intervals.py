@@ -9,7 +9,8 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..algebra.angle import RADIAN, Angle
-from ..algebra.product import Factor, Length, Product, Sum, Trig
+from ..algebra.factors import Factor, Length, Trig
+from ..algebra.product import Product, Sum
 
 SLACK = 4e-16
 """Relative outward rounding of one operation, some two units in the last place."""

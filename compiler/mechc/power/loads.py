@@ -3,9 +3,10 @@
 from fractions import Fraction
 
 from ..algebra.angle import rational
-from ..algebra.formula import Formula, Number, substitute, symbols
+from ..algebra.formula import Formula, Number
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
+from ..algebra.walk import substitute, symbols
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force, Load, Mechanism
 from .balance import Term

@@ -3,9 +3,11 @@
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
-from ..algebra.formula import Formula, evaluate, symbols, text
+from ..algebra.formula import Formula
 from ..algebra.product import Product
 from ..algebra.rank import numeric_rank
+from ..algebra.to_text import text
+from ..algebra.walk import evaluate, symbols
 from ..diagnostics import Report
 from ..diagnostics import power as words
 from ..frozen import replace

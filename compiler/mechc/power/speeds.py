@@ -6,9 +6,11 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from ..algebra.angle import Rational
+from ..algebra.factors import Factor, Opaque, Trig
 from ..algebra.formula import Call
-from ..algebra.product import Factor, Opaque, Product, Sum, Trig, cosine
+from ..algebra.product import Product, Sum
 from ..algebra.sums import add
+from ..algebra.trigonometry import cosine
 from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Mechanism, Speed
 from ..pose.pose import Arm, Vector, gathered

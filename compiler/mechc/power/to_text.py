@@ -2,7 +2,8 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from ..algebra.formula import Symbol, product, text, total
+from ..algebra.formula import Symbol, product, total
+from ..algebra.to_text import text
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
 from ..model.to_text import target_text

@@ -7,8 +7,8 @@ value, and a length without a value is anything positive.
 import math
 from collections.abc import Iterator
 
-from ..algebra.formula import evaluate
 from ..algebra.product import Product
+from ..algebra.walk import evaluate
 from ..model.mechanism import Mechanism, Parameter
 from ..units import ANGLE
 from .intervals import Box, Interval, sign, widened

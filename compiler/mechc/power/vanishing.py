@@ -6,10 +6,12 @@ from fractions import Fraction
 from typing import Literal
 
 from ..algebra.angle import RADIAN, Angle
-from ..algebra.formula import Call, Formula, evaluate, symbols, walk
+from ..algebra.factors import Factor, Trig
+from ..algebra.formula import Call, Formula
 from ..algebra.formula import Sum as Terms
-from ..algebra.product import Bound, Factor, Product, Sum, Trig
+from ..algebra.product import Bound, Product, Sum
 from ..algebra.sums import canonical
+from ..algebra.walk import evaluate, symbols, walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force

@@ -3,7 +3,9 @@
 from collections.abc import Mapping
 from typing import assert_never
 
-from ..algebra.formula import Formula, count_operations, evaluate, symbols
+from ..algebra.formula import Formula
+from ..algebra.operations import count_operations
+from ..algebra.walk import evaluate, symbols
 from ..model.mechanism import (
     Load,
     LoadForm,

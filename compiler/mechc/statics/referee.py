@@ -10,7 +10,8 @@ from functools import partial
 from itertools import islice
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import Formula, evaluate
+from ..algebra.formula import Formula
+from ..algebra.walk import evaluate
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics.statics import (
     BUGS,

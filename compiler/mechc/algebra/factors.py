@@ -1,0 +1,115 @@
+"""What a product is made of: lengths, sines and cosines, and what algebra does not see into."""
+
+import math
+from collections.abc import Hashable, Mapping
+from functools import lru_cache
+from typing import Literal, Protocol
+
+from ..frozen import frozen
+from .angle import Angle
+from .formula import Call, Formula, Symbol
+from .modular import Point
+from .walk import evaluate
+
+Function = Literal["sin", "cos"]
+
+
+class Factor(Hashable, Protocol):
+    """Anything that may stand in a product."""
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats."""
+        ...
+
+    def residue(self, point: Point) -> int:
+        """Return the value at a random point of a finite field."""
+        ...
+
+    def formula(self) -> Formula:
+        """Return the factor as a formula."""
+        ...
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order: lengths, sines and cosines, sums."""
+        ...
+
+
+@frozen
+class Length:
+    """A symbol that is not inside an angle: a length, a radius, a pure number, a load."""
+
+    name: str
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the symbol's value."""
+        return values[self.name]
+
+    def residue(self, point: Point) -> int:
+        """Return the symbol's random value."""
+        return point.length(self.name)
+
+    def formula(self) -> Formula:
+        """Return the symbol."""
+        return Symbol(self.name)
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return (0, self.name)
+
+
+@frozen
+class Trig:
+    """A sine or cosine of a canonical angle; made by ``sine`` and ``cosine`` only."""
+
+    function: Function
+    angle: Angle
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats."""
+        turn = self.angle.evaluate(values)
+        return math.sin(turn) if self.function == "sin" else math.cos(turn)
+
+    def residue(self, point: Point) -> int:
+        """Return the value at a random point of a finite field."""
+        return point.trig(self.function, self.angle)
+
+    def formula(self) -> Formula:
+        """Return ``sin(angle)`` or ``cos(angle)``."""
+        return _trig_formula(self)
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return _trig_order(self)
+
+
+@lru_cache(maxsize=4096)
+def _trig_formula(trig: Trig) -> Formula:
+    return Call(trig.function, (trig.angle.formula(),))
+
+
+@lru_cache(maxsize=4096)
+def _trig_order(trig: Trig) -> tuple[int, str]:
+    return (1, f"{trig.angle}{trig.function}")
+
+
+@frozen
+class Opaque:
+    """A formula that angle algebra does not look into, ``sqrt(a^2 + b^2)`` for example."""
+
+    inside: Formula
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value on floats."""
+        return evaluate(self.inside, values)
+
+    def residue(self, point: Point) -> int:
+        """Return a random value of its own."""
+        return point.length(str(self.inside))
+
+    def formula(self) -> Formula:
+        """Return the formula itself."""
+        return self.inside
+
+    def order(self) -> tuple[int, str]:
+        """Return the place in reading order."""
+        return (2, str(self.inside))

@@ -1,0 +1,74 @@
+"""The length of a formula, and the line of a fraction in it."""
+
+from fractions import Fraction
+from typing import assert_never
+
+from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
+
+
+def split_fraction(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
+    """Split a product into its coefficient, the factors above the line and those below.
+
+    The factors below are given with positive exponents.
+    """
+    coefficient = Fraction(1)
+    above: list[Formula] = []
+    below: list[Formula] = []
+    for factor in formula.factors:
+        match factor:
+            case Number(value):
+                coefficient *= value
+            case Power(base, Number(value)) if value < 0:
+                below.append(power(base, Number(-value)))
+            case _:
+                above.append(factor)
+    return coefficient, above, below
+
+
+def count_operations(formula: Formula) -> int:
+    """Return the number of operations, counted as sympy's ``count_ops`` counts them.
+
+    >>> from .formula import number, product
+    >>> a, b, t = Symbol("a"), Symbol("b"), Symbol("t")
+    >>> count_operations(product([(number(2), 1), (b, 1), (a, -1), (Call("cot", (t,)), 1)]))
+    4
+    """
+    match formula:
+        case Number(value):
+            return (value < 0) + (value.denominator != 1)
+        case Pi() | Symbol():
+            return 0
+        case Sum(terms):
+            return sum(map(_term_operations, terms)) + len(terms) - 1
+        case Product():
+            return _product_operations(formula)
+        case Power(base, Number(value)) if value == -1:
+            return 1 + count_operations(base)
+        case Power(base, exponent):
+            return 1 + count_operations(base) + count_operations(exponent) - _negated(exponent)
+        case Call(_, arguments):
+            return 1 + sum(map(count_operations, arguments))
+        case _:
+            assert_never(formula)
+
+
+def _negated(exponent: Formula) -> int:
+    return 1 if isinstance(exponent, Number) and exponent.value < 0 else 0
+
+
+def _term_operations(term: Formula) -> int:
+    """Count a term of a sum: its minus sign is the subtraction itself."""
+    negated = (isinstance(term, Number) and term.value < 0) or (
+        isinstance(term, Product)
+        and isinstance(term.factors[0], Number)
+        and term.factors[0].value < 0
+    )
+    return count_operations(term) - bool(negated)
+
+
+def _product_operations(formula: Product) -> int:
+    coefficient, above, below = split_fraction(formula)
+    upper = len(above) + (abs(coefficient.numerator) != 1)
+    lower = len(below) + (coefficient.denominator != 1)
+    operations = max(upper - 1, 0) + max(lower - 1, 0) + (lower > 0) + (coefficient < 0)
+    return operations + sum(map(count_operations, above)) + sum(map(count_operations, below))

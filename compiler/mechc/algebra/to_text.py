@@ -1,0 +1,65 @@
+"""Formulas in the notation of the language."""
+
+from functools import reduce
+from typing import assert_never
+
+from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
+from .operations import split_fraction
+
+
+def text(formula: Formula) -> str:
+    """Return the formula in the notation of the language (``^`` for powers).
+
+    >>> from .formula import number, product, total
+    >>> x = Symbol("x")
+    >>> text(total([x, product([(number(-2), 1), (Call("sin", (x,)), 1)])]))
+    'x - 2*sin(x)'
+    """
+    return _text(formula, 0)
+
+
+def _text(formula: Formula, level: int) -> str:
+    """Print; ``level`` is 0 in a sum, 1 in a product, 2 under a power or a division."""
+    match formula:
+        case Number(value):
+            plain = str(value)
+            return f"({plain})" if level and (value < 0 or (level > 1 and "/" in plain)) else plain
+        case Pi():
+            return "pi"
+        case Symbol(name):
+            return name
+        case Sum(terms):
+            joined = reduce(_join, (_text(t, 0) for t in terms))
+            return f"({joined})" if level else joined
+        case Product():
+            return _product_text(formula, level)
+        case Power(base, Number(value)) if value < 0:
+            below = f"1/{_text(power(base, Number(-value)), 2)}"
+            return f"({below})" if level > 1 else below
+        case Power(base, exponent):
+            raised = f"{_text(base, 3)}^{_text(exponent, 3)}"
+            return f"({raised})" if level > 2 else raised
+        case Call(function, arguments):
+            return f"{function}({', '.join(_text(a, 0) for a in arguments)})"
+        case _:
+            assert_never(formula)
+
+
+def _join(left: str, right: str) -> str:
+    return f"{left} - {right[1:]}" if right.startswith("-") else f"{left} + {right}"
+
+
+def _product_text(formula: Product, level: int) -> str:
+    coefficient, above, below = split_fraction(formula)
+    upper = [_text(f, 1) for f in above]
+    if abs(coefficient.numerator) != 1 or not upper:
+        upper.insert(0, str(abs(coefficient.numerator)))
+    lower = [_text(f, 2 if len(below) == 1 and coefficient.denominator == 1 else 1) for f in below]
+    if coefficient.denominator != 1:
+        lower.insert(0, str(coefficient.denominator))
+    line = "*".join(upper)
+    if lower:
+        line += "/" + (lower[0] if len(lower) == 1 else f"({'*'.join(lower)})")
+    if coefficient < 0:
+        line = "-" + line
+    return f"({line})" if level > 1 or (level and coefficient < 0) else line

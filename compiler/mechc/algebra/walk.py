@@ -1,0 +1,123 @@
+"""Walking over formulas: parts, symbols, substitution, the value on floats."""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from typing import assert_never
+
+from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power, product, total
+
+
+def _cot(x: float) -> float:
+    return math.cos(x) / math.sin(x)
+
+
+FUNCTIONS: Mapping[str, Callable[..., float]] = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "cot": _cot,
+    "sec": lambda x: 1 / math.cos(x),
+    "csc": lambda x: 1 / math.sin(x),
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "atan2": math.atan2,
+    "sqrt": math.sqrt,
+    "hypot": math.hypot,
+    "abs": abs,
+    "min": min,
+    "max": max,
+    "exp": math.exp,
+    "log": math.log,
+}
+"""Every function of the language and its meaning on floats."""
+
+
+def children(formula: Formula) -> tuple[Formula, ...]:
+    """Return the parts of a formula, left to right."""
+    match formula:
+        case Number() | Pi() | Symbol():
+            return ()
+        case Sum(terms):
+            return terms
+        case Product(factors):
+            return factors
+        case Power(base, exponent):
+            return (base, exponent)
+        case Call(_, arguments):
+            return arguments
+        case _:
+            assert_never(formula)
+
+
+def rebuild(formula: Formula, parts: tuple[Formula, ...]) -> Formula:
+    """Return the formula with its children replaced (same kind, same number)."""
+    match formula:
+        case Number() | Pi() | Symbol():
+            return formula
+        case Sum():
+            return total(parts)
+        case Product():
+            return product((p, 1) for p in parts)
+        case Power():
+            return power(*parts)
+        case Call(function, _):
+            return Call(function, parts)
+        case _:
+            assert_never(formula)
+
+
+def walk(formula: Formula) -> Iterator[Formula]:
+    """Yield the formula and all its parts, parents first."""
+    stack = [formula]
+    while stack:
+        node = stack.pop()
+        yield node
+        stack.extend(reversed(children(node)))
+
+
+def symbols(formula: Formula) -> frozenset[str]:
+    """Return the names that a formula depends on."""
+    return frozenset(f.name for f in walk(formula) if isinstance(f, Symbol))
+
+
+def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
+    """Return the formula with symbols replaced by formulas."""
+    if isinstance(formula, Symbol):
+        return values.get(formula.name, formula)
+    parts = children(formula)
+    return rebuild(formula, tuple(substitute(p, values) for p in parts)) if parts else formula
+
+
+def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
+    """Return the value on floats; NaN where a function is not defined there.
+
+    >>> from .formula import degrees
+    >>> round(evaluate(Call("sin", (degrees(30),)), {}), 12)
+    0.5
+    """
+    try:
+        return _evaluate(formula, values)
+    except (ZeroDivisionError, ValueError, OverflowError):
+        return math.nan
+
+
+def _evaluate(formula: Formula, values: Mapping[str, float]) -> float:
+    match formula:
+        case Number(value):
+            return value.numerator / value.denominator
+        case Pi():
+            return math.pi
+        case Symbol(name):
+            return values[name]
+        case Sum(terms):
+            return math.fsum(_evaluate(t, values) for t in terms)
+        case Product(factors):
+            return math.prod(_evaluate(f, values) for f in factors)
+        case Power(base, exponent):
+            result = _evaluate(base, values) ** _evaluate(exponent, values)
+            return result if isinstance(result, float) else math.nan
+        case Call(function, arguments):
+            return float(FUNCTIONS[function](*(_evaluate(a, values) for a in arguments)))
+        case _:
+            assert_never(formula)
