@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from ..source import Span
 from .diagnostic import Words, coded
+from .syntax import listed
 
 
 @coded("E501")
@@ -164,10 +165,11 @@ def result_zero(at: Span, result: str) -> Words:
 
 
 @coded("W504")
-def idle_freedom(at: Span, what: str) -> Words:
+def idle_freedom(at: Span, what: Sequence[str]) -> Words:
     """Something can move without moving any load.
 
     A rod that may spin about its own line, a link that hangs free: k is not changed by
     it, but it may show a constraint that was forgotten.
     """
-    return Words(at, f"{what} can move without moving any load", "is a constraint missing?")
+    message = f"{listed(what, 'and')} can move without moving any load"
+    return Words(at, message, "is a constraint missing?")

@@ -14,8 +14,8 @@ class Equations:
     """``Σ column[load][i] · load = 0`` for each independent motion i that moves a load.
 
     Tied loads are taken into the column of the load they are tied to; columns that
-    vanish are left out and stand in ``idle_loads``. ``idle_motions`` counts motions that
-    move no load.
+    vanish are left out and stand in ``idle_loads``. ``idle_motions`` are those that
+    move no load, whatever the others do.
     """
 
     def __init__(self, terms: Sequence[Term]) -> None:
@@ -27,7 +27,7 @@ class Equations:
         point = Point(2)
         rows = [{n: c[m] for n, c in enumerate(active.values()) if c[m]} for m in range(motions)]
         kept = independent(residues(row, point) for row in rows)
-        self.idle_motions = kept.count(False)
+        self.idle_motions = [i for i, keep in enumerate(kept) if not keep]
         self.columns = {
             n: [p for p, keep in zip(c, kept, strict=True) if keep] for n, c in active.items()
         }

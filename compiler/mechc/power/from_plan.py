@@ -10,6 +10,7 @@ from ..algebra.walk import symbols
 from ..diagnostics import Report
 from ..diagnostics import power as words
 from ..frozen import replace
+from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
 from ..model.mechanism import (
     Find,
@@ -66,7 +67,7 @@ class _Asked:
             self._report.add(words.load_does_no_work(self._loads[name].span, name))
         asks_for_loads = any(not isinstance(f.target, SpeedRatio) for f in self._mechanism.finds)
         if self._equations.idle_motions and asks_for_loads:
-            self._report.add(words.idle_freedom(self._mechanism.span, "the mechanism"))
+            self._warn_of_idle_motions()
 
     def _find(self, find: Find) -> Solved | None:
         match find.target:
@@ -80,6 +81,16 @@ class _Asked:
                 assert_never(find.target)
 
     # -------------------------------------------------------------------------- loads
+
+    def _warn_of_idle_motions(self) -> None:
+        """Name what the idle motions are measured by: links that turn, points that move."""
+        graph = self._plan.graph
+        drives = [graph.unknowns[self._plan.drives[i]] for i in self._equations.idle_motions]
+        spans = {f"link {k.name}": k.span for k in self._mechanism.links}
+        spans |= {f"point {p}": span for p, span in self._mechanism.spans.items()}
+        named = [f"{'link' if d.kind is Kind.SPIN else 'point'} {d.of}" for d in drives]
+        what = sorted(dict.fromkeys(named), key=lambda name: spans[name])
+        self._report.add(words.idle_freedom(spans[what[0]], what))
 
     def _ratio(self, find: Find, above: str, below: str) -> Solved | None:
         (upper, factor), (lower, below_factor) = map(self._equations.owner, (above, below))
