@@ -129,7 +129,8 @@ class SolvedMechanism:
     def emit(self, target: str, **options: Any) -> str:
         """Return one self-contained file as text: ``python``, ``c``, ``latex`` or ``json``.
 
-        Options are those of the command line: ``fragment`` and ``language``.
+        Of LaTeX, ``fragment=True`` leaves out the preamble, and ``language`` is ``"en"``,
+        ``"uk"`` or ``"ru"``.
         """
         return self.emit_files(target, single=True, **options)[0].text
 

@@ -101,7 +101,7 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
         return syntax.missing_equals(span, described(token))
-    hint = hint_for(token, before, allowed)
+    hint = hint_for(token, before, allowed) or hint_of_list(token, line[0])
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 
 
@@ -161,6 +161,14 @@ def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
         return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
     if text == "," and before is not None and before.type == "NUMBER" and "RIGHT" not in allowed:
         return "decimals are written with a point"
+    if text == ":" and "TIMES_SIGN" in allowed:
+        return "a quotient is written with '/'"
     if text in keywords() and "NAME" in allowed:
         return f"'{text}' is a word of the language and cannot be a name"
     return ""
+
+
+def hint_of_list(token: Token, first: Token) -> str:
+    """Return a hint where things are listed of which each has a line of its own."""
+    listed = token == "," and first.type in ("PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE")
+    return f"each {first} has a line of its own" if listed else ""

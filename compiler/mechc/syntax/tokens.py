@@ -39,6 +39,7 @@ LOOKALIKES = {
     "≥": "write '>='",
     "≠": "write '!='",
     "…": "a range is written with two dots",
+    ".": "a range is written with two dots",
     "'": "a text stands in double quotes",
     "“": "a text stands in plain double quotes",
     "„": "a text stands in plain double quotes",
