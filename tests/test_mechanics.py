@@ -3,6 +3,7 @@
 import pytest
 
 import mechc
+from good_mechanisms import ALL
 from mechanisms import sample
 from mechc.algebra.to_text import text
 from mechc.derivation.steps import Rule
@@ -211,6 +212,14 @@ def test_a_constant_never_vanishes():
         "cos(alpha - pi/18)",
         "cos(alpha)",
     ]
+
+
+def test_a_pole_at_which_the_sum_above_vanishes_too_is_none():
+    """M balances F on its rod: cos(theta) + sin(theta - alpha) and cos(alpha) share a half."""
+    path = ALL["mirror_beam_torque"]
+    result = mechc.load(path).results["k"]
+    assert text(result.formula) == "b*cos(alpha/2 - theta + pi/4)/(2*sin(alpha/2 + pi/4))"
+    assert [text(v.factor) for v in result.poles] == ["sin(alpha/2 + pi/4)"]
 
 
 def test_a_long_sum_by_a_name_may_vanish():

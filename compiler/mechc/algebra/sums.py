@@ -16,6 +16,7 @@ from .angle import Angle, Rational, rational
 from .factoring import factor, factored
 from .factors import Factor, Trig
 from .fine import named, valued
+from .halving import split_by_half
 from .laurent import Ring, size
 from .modular import Point
 from .product import ZERO, Bound, Product, Sum
@@ -116,7 +117,7 @@ def _as_written(rests: Sequence[Product]) -> Product:
 
 def canonical(product: Product) -> Product:
     """Return the product with sums cancelled against sums and double angles settled."""
-    return _double_angles(_squares(_cancelled(product)))
+    return _double_angles(_squares(_halved(_cancelled(product))))
 
 
 def _cancelled(product: Product) -> Product:
@@ -142,6 +143,18 @@ def _quotient(upper: Sum, lower: Sum) -> Product | None:
         return None
     above, below = (factored([valued(factor(ring, c))]) for c in cofactors)
     return above / below
+
+
+def _halved(product: Product) -> Product:
+    """Split off a sum what cancels against half the angle of a sine or cosine."""
+    for whole, e in product.factors.items():
+        if isinstance(whole, Sum) and sum(map(size, whole.terms)) <= LIMIT:
+            opposite = [f for f, d in product.factors.items() if isinstance(f, Trig) and e * d < 0]
+            split = next(filter(None, (split_by_half(whole, f) for f in opposite)), None)
+            if split is not None:
+                rest = product * (split * Product(1, {whole: -1})) ** (1 if e > 0 else -1)
+                return _halved(_double_angles(rest))
+    return product
 
 
 def _squares(product: Product) -> Product:

@@ -1,0 +1,132 @@
+"""What is said to follow from a result, tried out: slopes, trends, zeros, poles and their kinds."""
+
+import math
+from random import Random
+
+import numpy as np
+import pytest
+
+import reference_geometry
+from good_mechanisms import ALL, compiled, tree_of
+from mechc.algebra.walk import evaluate, symbols
+from mechc.model.mechanism import Force
+from reference_geometry import assemble_half
+from reference_kinematics import Motion
+
+STEP = 1e-6
+POSES = 12
+
+CONCLUDED = [(name, r) for name in ALL for r in compiled(name).results if r.target is not None]
+
+
+def results(wanted):
+    chosen = [(n, r) for n, r in CONCLUDED if wanted(r)]
+    return pytest.mark.parametrize(
+        ("name", "result"), chosen, ids=[f"{n}-{r.name}" for n, r in chosen]
+    )
+
+
+def poses(name):
+    """Yield poses within the ranges; what has no range stands at its value, or at one."""
+    dice = Random(name)
+    for _ in range(POSES):
+        pose = {}
+        for p in compiled(name).mechanism.parameters:
+            if p.range is not None:
+                low, high = (evaluate(end, {}) for end in p.range)
+                pose[p.name] = dice.uniform(low, high)
+            elif p.value is None:
+                pose[p.name] = dice.uniform(0.5, 2)
+            elif not p.dependent:
+                pose[p.name] = evaluate(p.value, {})
+        yield pose
+
+
+@results(lambda r: r.derivatives)
+def test_derivatives_are_slopes(name, result):
+    for pose in list(poses(name))[:3]:
+        for symbol, slope in result.derivatives.items():
+            h = STEP * (1 if abs(pose[symbol]) < 1e-3 else abs(pose[symbol]))
+            up, down = (
+                evaluate(result.formula, {**pose, symbol: pose[symbol] + s}) for s in (h, -h)
+            )
+            size = abs(up) + abs(evaluate(slope, pose) * pose[symbol])
+            expected = (up - down) / (2 * h)
+            assert evaluate(slope, pose) == pytest.approx(
+                expected, rel=1e-5, abs=1e-8 * size / h * STEP
+            )
+
+
+@results(lambda r: r.trends)
+def test_trends_hold_at_poses_within_the_ranges(name, result):
+    for symbol, trend in result.trends.items():
+        signs = {np.sign(evaluate(result.derivatives[symbol], p)) for p in poses(name)}
+        assert trend != "rises" or signs == {1}
+        assert trend != "falls" or signs == {-1}
+        assert trend != "constant" or signs == {0}
+
+
+@results(lambda r: any(v.at for v in (*r.zeros, *r.poles)) and not r.where)
+def test_zeros_and_poles_are_where_they_are_said_to_be(name, result):
+    for side, limits in ((1, result.zeros), (-1, result.poles)):
+        for limit in limits:
+            if limit.at is None:
+                continue
+            pose = next(poses(name))
+            symbol, value = limit.at
+            at = {**pose, symbol: evaluate(value, pose)}
+            assert abs(evaluate(limit.factor, at)) < 1e-12
+            near = abs(evaluate(result.formula, {**at, symbol: at[symbol] + STEP}))
+            nearer = abs(evaluate(result.formula, {**at, symbol: at[symbol] + STEP / 2}))
+            order = math.log2(near / nearer) * side
+            assert order == pytest.approx(round(order), abs=1e-2)
+            assert round(order) >= 1
+
+
+@results(
+    lambda r: any(v.at for v in (*r.zeros, *r.poles)) and not r.where and hasattr(r.target, "below")
+)
+def test_dead_centres_are_told_from_loads_across_the_motion(name, result):
+    if not all(p.value is not None for p in compiled(name).mechanism.parameters):
+        pytest.skip("parameters without values")
+    loads = {load.name: load for load in compiled(name).mechanism.loads}
+    for limits, still, moving in (
+        (result.zeros, result.target.below, result.target.above),
+        (result.poles, result.target.above, result.target.below),
+    ):
+        for limit in limits:
+            if limit.at is None or limit.kind == "other":
+                continue
+            pose = next(poses(name))
+            symbol, value = limit.at
+            at = {**pose, symbol: evaluate(value, pose) + STEP}
+            there, here = (tuple(speeds(name, p, loads[still], loads[moving])) for p in (at, pose))
+            stands = there[0] / there[1] < 1e-3 * here[0] / here[1]
+            assert stands == (limit.kind != "perpendicular load"), limit
+
+
+def speeds(name, pose, *loads):
+    """Return how fast the points (or links) of loads move, whatever their directions."""
+    tree = tree_of(name)
+    motion = Motion(assemble_half(tree, reference_geometry.defined(tree, pose)))
+    assert motion.basis.shape[1] == 1
+    for load in loads:
+        if isinstance(load, Force):
+            yield float(np.hypot(*(motion.velocity(load.point) @ motion.basis)[:, 0]))
+        else:
+            yield abs(float((motion.turning(load.link) @ motion.basis)[0]))
+
+
+@results(lambda r: r.proportional or r.swaps or r.independent)
+def test_proportions_swaps_and_what_does_not_matter(name, result):
+    pose = next(poses(name))
+    if not symbols(result.formula) <= pose.keys():
+        pytest.skip("rests on intermediates")
+    k = evaluate(result.formula, pose)
+    for symbol, power in (result.proportional or {}).items():
+        scaled = evaluate(result.formula, {**pose, symbol: 3 * pose[symbol]})
+        assert scaled == pytest.approx(3**power * k, rel=1e-9)
+    for a, b in result.swaps:
+        swapped = evaluate(result.formula, {**pose, a: pose[b], b: pose[a]})
+        assert swapped == pytest.approx(k, rel=1e-9)
+    assert symbols(result.formula).isdisjoint(result.independent)
