@@ -11,8 +11,8 @@ import pytest
 ROOT = Path(__file__).parents[1]
 CLAMP = str(ROOT / "examples" / "clamp.mech")
 YAML = str(ROOT / "examples" / "clamp.yaml")
-HEAVY = {"sympy", "numpy", "scipy", "matplotlib", "mpmath"}
-STAGES = {"mechc.driver", "mechc.model", "mechc.kinematics", "lark", "yaml", "jinja2"}
+HEAVY = {"sympy", "numpy", "scipy", "matplotlib", "mpmath", "lark"}
+STAGES = {"mechc.driver", "mechc.model", "mechc.kinematics", "yaml", "jinja2"}
 
 
 def imports(*code: str) -> set[str]:
@@ -55,7 +55,7 @@ def test_help_does_not_import_the_compiler(arguments: list[str]) -> None:
     ],
     ids=" ".join,
 )
-def test_compiling_needs_neither_sympy_nor_numpy(arguments: list[str]) -> None:
+def test_compiling_needs_no_heavy_library(arguments: list[str]) -> None:
     found = imports("-m", "mechc", *arguments)
     assert "mechc.syntax.notation" in found
     assert not found & HEAVY

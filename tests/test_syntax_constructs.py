@@ -1,15 +1,12 @@
 """Each construct of the language means the same in both notations."""
 
-import json
-
 import pytest
 
-from mechc.data import data
 from mechc.diagnostics import Report
 from mechc.frozen import replace
 from mechc.source import Source, Span
-from mechc.syntax import ast, from_dsl, from_yaml, grammar, tables
-from mechc.syntax.grammar import STARTS, statement_words
+from mechc.syntax import ast, from_dsl, from_yaml
+from mechc.syntax.grammar import statement_words
 from mechc.syntax.notation import read
 from notations import CONSTRUCTS, WHOLE_MECH, WHOLE_YAML
 
@@ -126,14 +123,3 @@ def test_a_direction_comes_before_a_parameter_of_its_name():
 def test_json_is_yaml():
     assert tree('{"pivots": ["O"]}', "a.json") == tree("pivot O")
     assert tree('{"pivots": ["O"]}', "<stdin>") == tree("pivot O", "<stdin>")
-
-
-def test_the_shipped_tables_are_of_this_grammar():
-    found = json.loads((data("grammar") / "tables.json").read_text("utf-8"))
-    assert found["made_from"]["grammar"] == tables.made_from(tables.grammar(), STARTS)["grammar"]
-
-
-def test_tables_built_anew_accept_the_same():
-    parser = tables.built(tables.grammar(), STARTS)
-    assert {t.name for t in parser.terminals} == {t.name for t in grammar.parser().terminals}
-    assert len(parser.rules) == len(grammar.parser().rules)

@@ -6,12 +6,11 @@ node and no tree is walked afterwards.
 
 from fractions import Fraction
 
-from lark import Token
-
 from ..diagnostics import syntax, syntax_limits
 from ..source import Span
 from . import ast, limits
 from .fault import Fault
+from .lalr import Token
 from .spans import span_of
 from .words import CONSTANTS, FUNCTIONS, TWINS, counted, points_of, split_quantity
 

@@ -1,44 +1,28 @@
 """The parser made of ``grammar/mechc.lark``, and what can be read off its tables."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterator
 from functools import cache
-from types import SimpleNamespace
-from typing import Any, Literal, cast, get_args
 
-from lark import Lark, Token
-from lark.lexer import PatternStr
-from lark.parsers.lalr_interactive_parser import InteractiveParser
-
-from ..data import data
-from . import tables
+from .lalr import Parser, Reading, Token
+from .tables import Start, tables
 from .tree import rules
 
-Start = Literal[
-    "statement",
-    "expression",
-    "direction",
-    "vector",
-    "range",
-    "result",
-    "condition",
-    "expectation",
+__all__ = [
+    "Reading",
+    "Start",
+    "keywords",
+    "lexed",
+    "parser",
+    "reading",
+    "spelling",
+    "statement_words",
 ]
-"""What a text may be read as: a whole statement, or what one YAML scalar holds."""
-
-STARTS = [*get_args(Start), "between"]
-
-
-def children_apart(make: Callable[..., object]) -> Callable[[list[Any]], object]:
-    """Return a callback for Lark, which hands over the children as one list."""
-    return lambda children: make(*children)
 
 
 @cache
-def parser() -> Lark:
+def parser() -> Parser:
     """Return the parser, made once per process; it makes nodes while it reads."""
-    callbacks = SimpleNamespace(**{rule: children_apart(make) for rule, make in rules().items()})
-    # Lark looks callbacks up by name and asks for nothing else of a transformer.
-    return tables.parser(STARTS, cast(tables.Builder, callbacks))
+    return Parser(tables(), rules())
 
 
 def lexed(text: str) -> Iterator[Token]:
@@ -46,24 +30,14 @@ def lexed(text: str) -> Iterator[Token]:
     return parser().lex(text)
 
 
-def reading(start: Start) -> InteractiveParser:
+def reading(start: Start) -> Reading:
     """Return a parser in its first state, to be fed token by token."""
-    return parser().parse_interactive(start=start)
+    return Reading(parser(), start)
 
 
-def accepted(at: InteractiveParser) -> set[str]:
-    """Return the names of the terminals that may come next."""
-    return cast(set[str], at.accepts())  # type: ignore[no-untyped-call]
-
-
-@cache
 def spelling() -> dict[str, str]:
     """Return the text of each terminal that has only one: words and signs."""
-    return {
-        terminal.name: terminal.pattern.value
-        for terminal in parser().terminals
-        if isinstance(terminal.pattern, PatternStr)
-    }
+    return parser().tables.texts
 
 
 @cache
@@ -75,9 +49,5 @@ def keywords() -> frozenset[str]:
 @cache
 def statement_words() -> tuple[str, ...]:
     """Return the words that statements begin with."""
-    first: Iterable[str] = accepted(reading("statement"))
+    first = reading("statement").accepted()
     return tuple(sorted(spelling()[name] for name in first if name in spelling()))
-
-
-if __name__ == "__main__":
-    (data("grammar") / "tables.json").write_text(tables.written(STARTS), "utf-8")

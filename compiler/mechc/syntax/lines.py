@@ -8,9 +8,8 @@ so that one forgotten bracket does not swallow the rest of the file.
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from lark import Token
-
 from .grammar import statement_words
+from .lalr import Token
 
 GOES_ON = frozenset(
     {"PLUS", "MINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX", "COMMA", "EQUAL", "AT_SIGN", "COMPARISON"}

@@ -2,12 +2,11 @@
 
 from collections.abc import Sequence
 
-from lark import Token, UnexpectedToken
-
 from ..diagnostics import Diagnostic, syntax
 from ..source import Span
 from .fault import Fault
-from .grammar import Start, accepted, keywords, reading, spelling, statement_words
+from .grammar import Start, keywords, reading, spelling, statement_words
+from .lalr import END, Refused, Token
 from .spans import span_of
 from .tokens import check
 from .words import FUNCTIONS, TWINS, points_of
@@ -28,7 +27,7 @@ HUMAN = {
     "NUMBER": "a number",
     "STRING": 'a text in "quotes"',
     "COMPARISON": "a comparison",
-    "$END": "the end",
+    END: "the end",
     "LEFT": "'('",
     "RIGHT": "')'",
 }
@@ -45,13 +44,13 @@ def parse(line: Sequence[Token], start: Start, end: int) -> object:
     at = reading(start)
     for position, token in enumerate(line):
         try:
-            at.feed_token(token)
-        except UnexpectedToken:
+            at.feed(token)
+        except Refused:
             allowed = allowed_after(line[:position], start)
             raise Fault(unexpected(line, position, allowed, start)) from None
     try:
-        return at.feed_token(Token("$END", "", start_pos=end, end_pos=end))
-    except UnexpectedToken:
+        return at.feed(Token(END, "", end, end))
+    except Refused:
         raise Fault(unfinished(line, allowed_after(line, start), end, start)) from None
 
 
@@ -63,8 +62,8 @@ def allowed_after(tokens: Sequence[Token], start: Start) -> set[str]:
     """
     at = reading(start)
     for token in tokens:
-        at.feed_token(token)
-    return accepted(at)
+        at.feed(token)
+    return at.accepted()
 
 
 def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start) -> Diagnostic:

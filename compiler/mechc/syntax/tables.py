@@ -1,22 +1,30 @@
-"""The parser's tables, made once and shipped: building them takes fifteen times as long.
+"""The parser's tables, made once and shipped: making them takes longer than a compilation.
 
-``python -m mechc.syntax.grammar`` writes ``grammar/tables.json``. The file names the Lark
-version and the grammar it was made from; where either differs the tables are built anew,
-so an outdated file costs time and nothing else.
+``grammar/tables.json`` names the grammar that it was made from; where that differs the
+tables are made anew, so an outdated file costs time and nothing else.
 """
 
 import json
-from hashlib import sha256
-from typing import Any, cast
-
-import lark
-from lark import Lark, Token, Transformer
-from lark.grammar import Rule
-from lark.lexer import TerminalDef
+from importlib import import_module
+from typing import Any, Literal, cast, get_args
+from zlib import crc32
 
 from ..data import data
+from .lalr import Rule, Tables
 
-Builder = Transformer[Token, Any]
+Start = Literal[
+    "statement",
+    "expression",
+    "direction",
+    "vector",
+    "range",
+    "result",
+    "condition",
+    "expectation",
+]
+"""What a text may be read as: a whole statement, or what one YAML scalar holds."""
+
+STARTS = [*get_args(Start), "between"]
 
 
 def grammar() -> str:
@@ -24,44 +32,22 @@ def grammar() -> str:
     return (data("grammar") / "mechc.lark").read_text("utf-8")
 
 
-def made_from(text: str, starts: list[str]) -> dict[str, str]:
-    """Return what tables depend on."""
-    content = "\n".join([text, *starts])
-    return {"lark": lark.__version__, "grammar": sha256(content.encode()).hexdigest()}
+def checksum(text: str) -> int:
+    """Return what tells the grammar that tables were made from."""
+    return crc32("\n".join([text, *STARTS]).encode())
 
 
-def parser(starts: list[str], builder: Builder) -> Lark:
-    """Return the parser, from the shipped tables if they are of this grammar."""
+def tables() -> Tables:
+    """Return the tables, the shipped ones if they are of this grammar."""
     text = grammar()
     shipped = data("grammar") / "tables.json"
     if shipped.is_file():
-        found = json.loads(shipped.read_text("utf-8"), object_hook=with_numbers)
-        if found["made_from"] == made_from(text, starts):
-            return loaded(found, builder)
-    return built(text, starts, builder)
+        found = json.loads(shipped.read_text("utf-8"))
+        if found.pop("made_from", None) == checksum(text):
+            return loaded(found)
+    return cast(Tables, import_module(f"{__package__}.make_tables").make(text, STARTS))
 
 
-def built(text: str, starts: list[str], builder: Builder | None = None) -> Lark:
-    """Return a parser with tables built from the grammar."""
-    return Lark(text, parser="lalr", lexer="basic", start=starts, transformer=builder)
-
-
-def loaded(found: dict[str, Any], builder: Builder) -> Lark:
-    """Return a parser from its tables, as Lark's own stand-alone parsers are made."""
-    return cast(
-        Lark,
-        Lark._load_from_dict(found["data"], found["memo"], transformer=builder),  # type: ignore[no-untyped-call]
-    )
-
-
-def with_numbers(table: dict[str, Any]) -> dict[Any, Any]:
-    """Return a table with the whole numbers that JSON made texts of as keys."""
-    return {int(key) if key.isdigit() else key: value for key, value in table.items()}
-
-
-def written(starts: list[str]) -> str:
-    """Return the tables as the text of their file."""
-    text = grammar()
-    tables, memo = built(text, starts).memo_serialize([TerminalDef, Rule])
-    content = {"made_from": made_from(text, starts), "data": tables, "memo": memo}
-    return json.dumps(content, separators=(",", ":")) + "\n"
+def loaded(found: dict[str, Any]) -> Tables:
+    """Return tables from their file's content."""
+    return Tables(**found)._replace(rules=[Rule(*rule) for rule in found["rules"]])

@@ -7,14 +7,13 @@ YAML they differ from those in the scalar's value, so the caller passes the ``pl
 import re
 from collections.abc import Callable, Iterable, Iterator
 
-from lark import Token
-
 from ..diagnostics import Diagnostic, syntax, syntax_limits
 from ..source import Span
 from ..units import UNITS
 from . import limits
 from .fault import Fault
 from .grammar import keywords, lexed
+from .lalr import Token
 from .spans import span_of
 from .words import split_quantity
 
@@ -62,9 +61,7 @@ def tokens(text: str, places: Places | None = None) -> list[Token]:
 def moved(token: Token, places: Places) -> Token:
     """Return a token with its place in the user's text."""
     start, end = span_of(token)
-    return Token(
-        token.type, str(token), start_pos=places(start), end_pos=places(max(start, end - 1)) + 1
-    )
+    return Token(token.type, str(token), places(start), places(max(start, end - 1)) + 1)
 
 
 def with_units(text: str, found: list[Token]) -> Iterator[Token]:
@@ -79,7 +76,7 @@ def with_units(text: str, found: list[Token]) -> Iterator[Token]:
             yield token
         else:
             end = unit.end()
-            yield Token("NUMBER", f"{token} {unit[0]}", start_pos=start, end_pos=end)
+            yield Token("NUMBER", f"{token} {unit[0]}", start, end)
 
 
 def unit_behind(text: str, at: int) -> re.Match[str] | None:

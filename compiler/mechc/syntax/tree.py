@@ -9,11 +9,10 @@ from collections.abc import Callable, Mapping
 from functools import partial
 from typing import Any, Literal, cast
 
-from lark import Token
-
 from ..diagnostics import syntax
 from . import ast, expressions
 from .fault import Fault
+from .lalr import Token
 from .spans import NOWHERE, span_of
 
 Made = Callable[..., object]

@@ -1,0 +1,109 @@
+"""The parser's tables, made by Lark: ``python -m mechc.syntax.make_tables`` ships them anew."""
+
+import json
+import re
+from typing import Any
+
+from lark import Lark
+from lark.grammar import Rule as LarkRule
+from lark.lexer import PatternStr, TerminalDef
+
+from ..data import data
+from .lalr import Rule, Tables
+from .tables import STARTS, checksum, grammar
+
+
+def make(grammar: str, starts: list[str]) -> Tables:
+    """Return the tables of a grammar in Lark's notation."""
+    lark = Lark(grammar, parser="lalr", lexer="basic", start=starts)
+    terminals = sorted(lark.terminals, key=_precedence)
+    words = {t.name: _words(t, terminals) for t in terminals}
+    several = {name for found in words.values() for name in found.values()}
+    frontend: Any = lark.parser
+    table = frontend.parser._parse_table
+    order = _order(table, starts)
+    numbers = {rule: ~number for number, rule in enumerate(lark.rules)} | order
+    return Tables(
+        terminals=[(t.name, t.pattern.to_regexp()) for t in terminals if t.name not in several],
+        words={name: found for name, found in words.items() if found},
+        texts={t.name: t.pattern.value for t in terminals if isinstance(t.pattern, PatternStr)},
+        ignored=list(lark.ignore_tokens),
+        rules=[_rule(rule) for rule in lark.rules],
+        states=[_state(table.states[state], numbers) for state in order],
+        starts={s: (order[table.start_states[s]], order[table.end_states[s]]) for s in starts},
+    )
+
+
+def written() -> str:
+    """Return the tables as the text of their file."""
+    text = grammar()
+    content = {"made_from": checksum(text), **make(text, STARTS)._asdict()}
+    return json.dumps(content, separators=(",", ":")) + "\n"
+
+
+def _precedence(terminal: TerminalDef) -> tuple[object, ...]:
+    """Order terminals as Lark's own lexer tries them."""
+    pattern = terminal.pattern
+    return -terminal.priority, -pattern.max_width, -len(pattern.value), terminal.name
+
+
+def _words(terminal: TerminalDef, others: list[TerminalDef]) -> dict[str, str]:
+    """Return the terminals, by their texts, that a pattern would swallow."""
+    if isinstance(terminal.pattern, PatternStr):
+        return {}
+    whole = re.compile(terminal.pattern.to_regexp())
+    return {
+        t.pattern.value: t.name
+        for t in others
+        if isinstance(t.pattern, PatternStr)
+        and t.priority == terminal.priority
+        and whole.fullmatch(t.pattern.value)
+    }
+
+
+def _order(table: Any, starts: list[str]) -> dict[Any, int]:
+    """Number the states as they are reached, since Lark's own numbers change with each run."""
+    reached = [table.start_states[start] for start in starts]
+    for state in reached:  # grows while it is read
+        following = [to for _, (_, to) in sorted(table.states[state].items(), key=_name)]
+        reached += [to for to in following if isinstance(to, int) and to not in reached]
+    return {state: number for number, state in enumerate(reached)}
+
+
+def _state(actions: dict[str, tuple[Any, Any]], numbers: dict[Any, int]) -> dict[str, int]:
+    """Return what to do in a state: go on to another, or reduce by a rule, written ``~rule``."""
+    return {name: numbers[to] for name, (_, to) in sorted(actions.items(), key=_name)}
+
+
+def _name(action: tuple[str, Any]) -> str:
+    return action[0]
+
+
+def _rule(rule: LarkRule) -> Rule:
+    options: Any = rule.options
+    name = str(rule.alias or rule.origin.name)
+    collapses = bool(options.expand1 and not rule.alias)
+    return Rule(str(rule.origin.name), len(rule.expansion), name, _children(rule), collapses)
+
+
+def _children(rule: LarkRule) -> list[int | None]:
+    """Return the places of a rule's parts, without the words that only mark it."""
+    symbols: Any = rule.expansion
+    options: Any = rule.options
+    places = iter(range(len(symbols)))
+    children: list[int | None] = []
+    for left_out in options.empty_indices or [False] * len(symbols):
+        place = None if left_out else next(places)
+        if place is None or not symbols[place].is_term:
+            children.append(~place if place is not None and _inlined(symbols[place]) else place)
+        elif not symbols[place].filter_out:
+            children.append(place)
+    return children
+
+
+def _inlined(symbol: Any) -> bool:
+    return bool(symbol.name.startswith("_"))
+
+
+if __name__ == "__main__":
+    (data("grammar") / "tables.json").write_text(written(), "utf-8")
