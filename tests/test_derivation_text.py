@@ -118,6 +118,10 @@ def test_a_sum_of_lengths_does_not_vanish() -> None:
     assert "vanishes when a − e = 0" in derived("differential_lever")
 
 
+def test_the_angle_of_a_pole_begins_without_a_minus() -> None:
+    assert "at α = 90° − θ" in " ".join(derived("karpenko_fig3_inclined_levers").split())
+
+
 def test_two_components_of_a_velocity_have_two_names() -> None:
     shown = derived("scissor_4")
     assert "V_A₃_x = " in shown

@@ -1,9 +1,8 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from ..algebra.formula import ZERO, Formula, Number, Sum, Symbol, negative, number, product, total
-from ..algebra.formula import Product as Factors
+from ..algebra.formula import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ..algebra.product import Product
 from ..algebra.sums import add, canonical
 from ..kinematics.forms import projection, spin
@@ -15,6 +14,7 @@ from ..power.balance import Balance, Term
 from ..power.result import Result
 from .notation import Named, Notation
 from .steps import Derivation, Equation, PowerTerm, Rule, Step
+from .wording import has_minus, positive_first
 
 Names = Mapping[int, Named]
 
@@ -241,7 +241,7 @@ class _Writer:
         if not terms:
             return
         if self._plan.mobility == 1:
-            yield Equation(total(_positive_first(_power(t) for t in terms)), ZERO)
+            yield Equation(total(positive_first(_power(t) for t in terms)), ZERO)
             return
         for motion, drive in enumerate(self._plan.drives):
             if any(t.power[motion] for t in self._balance.terms):
@@ -255,7 +255,7 @@ class _Writer:
             for t in self._balance.terms
             if t.power[motion]
         ]
-        return total(_positive_first(parts))
+        return total(positive_first(parts))
 
 
 def _load(term: Term) -> Formula:
@@ -264,7 +264,7 @@ def _load(term: Term) -> Formula:
 
 def _power(term: PowerTerm) -> Formula:
     sign, speed = 1, term.speed
-    if isinstance(speed, Sum) and all(map(_has_minus, speed.terms)):
+    if isinstance(speed, Sum) and all(map(has_minus, speed.terms)):
         sign, speed = -1, negative(speed)
     return product([(number(sign), 1), (term.times, 1), (Symbol(term.load), 1), (speed, 1)])
 
@@ -280,19 +280,4 @@ def _sum(form: Form, names: Names) -> Formula:
     for u, p in form.items():
         parts.setdefault(names[u], []).append(p * names[u].factor)
     sums = [(add(ps), named) for named, ps in parts.items()]
-    return total(_positive_first(_times(p, named) for p, named in sums if p))
-
-
-def _positive_first(terms: Iterable[Formula]) -> list[Formula]:
-    """Return terms with one that has no minus in front, where there is one."""
-    ordered = list(terms)
-    lead = next((i for i, t in enumerate(ordered) if not _has_minus(t)), 0)
-    return [*ordered[lead : lead + 1], *ordered[:lead], *ordered[lead + 1 :]]
-
-
-def _has_minus(term: Formula) -> bool:
-    match term:
-        case Factors((Number(value), *_)):
-            return value < 0
-        case _:
-            return False
+    return total(positive_first(_times(p, named) for p, named in sums if p))

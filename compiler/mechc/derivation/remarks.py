@@ -3,12 +3,12 @@
 from collections.abc import Iterable
 from typing import Protocol, assert_never
 
-from ..algebra.formula import ZERO, Formula, Symbol, product, quotient
+from ..algebra.formula import ZERO, Formula, Sum, Symbol, product, quotient, total
 from ..algebra.layout import is_angle
 from ..model.mechanism import LoadForm, LoadRatio, Require, Speed, SpeedRatio
 from ..power.result import Result, Trend, Vanishing
 from ..words.table import Words
-from .wording import enumeration
+from .wording import enumeration, positive_first
 
 
 class Speller(Protocol):
@@ -95,11 +95,16 @@ def _limit(template: str, symbol: str, limit: Vanishing, words: Words, spell: Sp
     condition = spell.relation((limit.factor, ZERO), ("=",), False)
     said = template.format(result=symbol, condition=condition)
     if limit.at:
-        name, value = limit.at
+        name, value = limit.at[0], _ordered(limit.at[1])
         place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
         said += ", " + words.when.format(condition=place)
     kind = words.centres[limit.kind]
     return f"{said} ({kind})." if kind else f"{said}."
+
+
+def _ordered(angle: Formula) -> Formula:
+    """Return an angle as it is written, ``90° − θ``."""
+    return total(positive_first(angle.terms)) if isinstance(angle, Sum) else angle
 
 
 def _proportions(result: Result, words: Words, spell: Speller) -> list[str]:

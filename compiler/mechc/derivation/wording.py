@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
-from ..algebra.formula import Formula, Power, Product, Symbol, product, quotient
+from ..algebra.formula import Formula, Number, Power, Product, Symbol, product, quotient
 from ..words.table import Words
 from .steps import Equation, Step
 
@@ -76,3 +76,25 @@ def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
     if len(said) == len(hence) == 1 and said[0].left == hence[0].left:
         return ((*said[0], hence[0].right),), ()
     return tuple(map(tuple, said)), tuple(map(tuple, hence))
+
+
+def positive_first(terms: Iterable[Formula]) -> list[Formula]:
+    """Return terms with one that has no minus in front, where there is one.
+
+    >>> from ..algebra.formula import degrees, negative, total
+    >>> from ..algebra.to_text import text
+    >>> text(total(positive_first([negative(Symbol("theta")), degrees(180)])))
+    'pi - theta'
+    """
+    ordered = list(terms)
+    lead = next((i for i, t in enumerate(ordered) if not has_minus(t)), 0)
+    return [*ordered[lead : lead + 1], *ordered[:lead], *ordered[lead + 1 :]]
+
+
+def has_minus(term: Formula) -> bool:
+    """Return whether a term is printed with a minus in front."""
+    match term:
+        case Product((Number(value), *_)):
+            return value < 0
+        case _:
+            return False
