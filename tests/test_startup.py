@@ -73,3 +73,20 @@ def test_other_targets_are_not_imported(target: str) -> None:
     others = {f"mechc.emit.to_{name}" for name in ("c", "python", "latex", "json")}
     found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)
     assert found & others == {f"mechc.emit.to_{target}"}
+
+
+LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
+OWN, ALL = 175, 345
+"""Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
+
+
+def test_compiling_to_code_imports_little() -> None:
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", "c")
+    foreign = {name.split(".")[0] for name in found} - sys.stdlib_module_names
+    assert {name for name in foreign if not name.startswith("_")} == LIBRARIES
+    assert not found & {"dataclasses", "logging", "traceback", "argparse"}
+    assert not {name for name in found if name.startswith(("mechc.words.", "mechc.api"))} - {
+        "mechc.words.table"
+    }
+    assert len([name for name in found if name.startswith("mechc")]) <= OWN
+    assert len(found) <= ALL
