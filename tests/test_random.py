@@ -31,7 +31,7 @@ def compiler_against_velocities(seeds, groups=None):
 
 
 def test_random_mechanisms():
-    compiler_against_velocities(range(300))
+    compiler_against_velocities(range(1000))
 
 
 def test_random_mechanisms_through_the_front_of_the_library():
@@ -43,9 +43,9 @@ def test_random_mechanisms_through_the_front_of_the_library():
 
 @pytest.mark.slow
 def test_thousands_of_random_mechanisms():
-    compiler_against_velocities(range(1000, 6000))
+    compiler_against_velocities(range(1000, 4000))
 
 
 @pytest.mark.slow
 def test_large_random_mechanisms():
-    compiler_against_velocities(range(100), groups=8)
+    compiler_against_velocities(range(40), groups=8)
