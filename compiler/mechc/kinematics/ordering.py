@@ -14,12 +14,15 @@ Columns = Sequence[frozenset[int]]
 def match(columns: Columns) -> dict[int, int]:
     """Return a matching ``unknown → relation`` of greatest size, by augmenting paths."""
     matched: dict[int, int] = {}
+    partner: dict[int, int] = {}
     for start in sorted(range(len(columns)), key=lambda r: len(columns[r])):
-        _augment(start, columns, matched)
+        _augment(start, columns, matched, partner)
     return matched
 
 
-def _augment(start: int, columns: Columns, matched: dict[int, int]) -> bool:
+def _augment(
+    start: int, columns: Columns, matched: dict[int, int], partner: dict[int, int]
+) -> None:
     """Find an unmatched unknown from a relation along alternating edges; flip the path."""
     came: dict[int, int] = {}
     queue = [start]
@@ -29,19 +32,19 @@ def _augment(start: int, columns: Columns, matched: dict[int, int]) -> bool:
                 continue
             came[unknown] = relation
             if unknown not in matched:
-                _flip(unknown, came, matched)
-                return True
+                _flip(unknown, came, matched, partner)
+                return
             queue.append(matched[unknown])
-    return False
 
 
-def _flip(unknown: int, came: Mapping[int, int], matched: dict[int, int]) -> None:
-    partner = {relation: u for u, relation in matched.items()}
+def _flip(
+    unknown: int, came: Mapping[int, int], matched: dict[int, int], partner: dict[int, int]
+) -> None:
     at: int | None = unknown
     while at is not None:
         relation = came[at]
         before = partner.get(relation)
-        matched[at] = relation
+        matched[at], partner[relation] = relation, at
         at = before
 
 
@@ -55,6 +58,7 @@ def blocks(columns: Columns, matched: Mapping[int, int]) -> list[list[int]]:
     index: dict[int, int] = {}
     low: dict[int, int] = {}
     path: list[int] = []
+    settled: set[int] = set()
     found: list[list[int]] = []
     for root in sorted(needs):
         if root in index:
@@ -70,7 +74,7 @@ def blocks(columns: Columns, matched: Mapping[int, int]) -> list[list[int]]:
                     path.append(other)
                     work.append((other, iter(needs[other])))
                     break
-                if other in path:
+                if other not in settled:
                     low[node] = min(low[node], index[other])
             else:
                 work.pop()
@@ -78,11 +82,12 @@ def blocks(columns: Columns, matched: Mapping[int, int]) -> list[list[int]]:
                     low[work[-1][0]] = min(low[work[-1][0]], low[node])
                 if low[node] == index[node]:
                     found.append(_popped(path, node))
+                    settled.update(found[-1])
     return found
 
 
 def _popped(path: list[int], node: int) -> list[int]:
-    at = path.index(node)
-    group = path[at:]
-    del path[at:]
+    group: list[int] = []
+    while not group or group[-1] != node:
+        group.append(path.pop())
     return sorted(group)

@@ -1,10 +1,10 @@
 """Virtual power: from the plan to what was asked for."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Sequence
 from typing import assert_never
 
 from ..algebra.formula import Formula, Symbol, product, total
-from ..algebra.product import Bound, Product, Sum
+from ..algebra.product import Product
 from ..algebra.sums import canonical
 from ..algebra.walk import symbols
 from ..diagnostics import Report
@@ -12,17 +12,10 @@ from ..diagnostics import power as words
 from ..frozen import replace
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
-from ..model.mechanism import (
-    Find,
-    Let,
-    LoadForm,
-    LoadRatio,
-    Mechanism,
-    Speed,
-    SpeedRatio,
-)
+from ..model.mechanism import Find, LoadForm, LoadRatio, Speed, SpeedRatio, Torque
 from ..units import FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
+from .definitions import let_results, resting_on
 from .equations import Equations
 from .loads import terms
 from .numbers import check_numbers
@@ -58,7 +51,7 @@ class _Asked:
                 solved.append(found)
         self._report.stop_on_errors()
         results = [s.result for s in solved]
-        solved.extend(Solved(_let(let, self._mechanism, results)) for let in self._mechanism.lets)
+        solved.extend(Solved(r) for r in let_results(self._mechanism, results))
         done = Balance(self._plan, self._terms, tuple(solved))
         return check_numbers(done, self._report)
 
@@ -68,6 +61,16 @@ class _Asked:
         asks_for_loads = any(not isinstance(f.target, SpeedRatio) for f in self._mechanism.finds)
         if self._equations.idle_motions and asks_for_loads:
             self._warn_of_idle_motions()
+
+    def _warn_of_idle_motions(self) -> None:
+        """Name what the idle motions are measured by: links that turn, points that move."""
+        graph = self._plan.graph
+        drives = [graph.unknowns[self._plan.drives[i]] for i in self._equations.idle_motions]
+        spans = {f"link {k.name}": k.span for k in self._mechanism.links}
+        spans |= {f"point {p}": span for p, span in self._mechanism.spans.items()}
+        named = [f"{'link' if d.kind is Kind.SPIN else 'point'} {d.of}" for d in drives]
+        what = sorted(dict.fromkeys(named), key=lambda name: spans[name])
+        self._report.add(words.idle_freedom(spans[what[0]], what))
 
     def _find(self, find: Find) -> Solved | None:
         match find.target:
@@ -81,16 +84,6 @@ class _Asked:
                 assert_never(find.target)
 
     # -------------------------------------------------------------------------- loads
-
-    def _warn_of_idle_motions(self) -> None:
-        """Name what the idle motions are measured by: links that turn, points that move."""
-        graph = self._plan.graph
-        drives = [graph.unknowns[self._plan.drives[i]] for i in self._equations.idle_motions]
-        spans = {f"link {k.name}": k.span for k in self._mechanism.links}
-        spans |= {f"point {p}": span for p, span in self._mechanism.spans.items()}
-        named = [f"{'link' if d.kind is Kind.SPIN else 'point'} {d.of}" for d in drives]
-        what = sorted(dict.fromkeys(named), key=lambda name: spans[name])
-        self._report.add(words.idle_freedom(spans[what[0]], what))
 
     def _ratio(self, find: Find, above: str, below: str) -> Solved | None:
         (upper, factor), (lower, below_factor) = map(self._equations.owner, (above, below))
@@ -124,8 +117,8 @@ class _Asked:
         asked = [f.target.load for f in self._mechanism.finds if isinstance(f.target, LoadForm)]
         unknown = asked if len(asked) == self._equations.number else [load]
         if len(unknown) != self._equations.number:
-            words_ = words.unknown_loads_do_not_match(find.span, asked, self._equations.number)
-            self._report.add(words_)
+            number = self._equations.number
+            self._report.add(words.unknown_loads_do_not_match(find.span, asked, number))
             return None
         if not self._equations.determines(unknown):
             self._report.add(words.load_not_balanced(find.span, "the other loads", load))
@@ -149,7 +142,7 @@ class _Asked:
         return self._loads[load].tie
 
     def _dimension(self, load: str) -> Dimension:
-        return TORQUE if hasattr(self._loads[load], "link") else FORCE
+        return TORQUE if isinstance(self._loads[load], Torque) else FORCE
 
     # ------------------------------------------------------------------------- speeds
 
@@ -174,31 +167,9 @@ class _Asked:
     def _result(
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
-        where = self._where(formula, values)
+        where = resting_on(self._plan, formula, values)
         self._check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)
-
-    def _where(self, formula: Formula, values: Sequence[Product]) -> tuple[Definition, ...]:
-        """Return the definitions that a formula rests on: bound sums, intermediate angles."""
-        bound = {b for v in values for b in bound_names(v)}
-        chosen = []
-        for binding in reversed(self._plan.bindings):
-            if binding.name in bound:
-                chosen.append(Definition(binding.name, binding.value.formula()))
-                bound |= set(bound_names(binding.value))
-        chosen.reverse()
-        return (*self._intermediates([formula, *(d.formula for d in chosen)]), *chosen)
-
-    def _intermediates(self, formulas: Sequence[Formula]) -> list[Definition]:
-        if not self._plan.graph.pose.definitions:
-            return []
-        used = {s for f in formulas for s in symbols(f)}
-        chosen = []
-        for definition in reversed(self._plan.graph.pose.definitions):
-            if definition.name in used:
-                chosen.append(Definition(*definition))
-                used |= symbols(definition.formula)
-        return chosen[::-1]
 
     def _check_lengths(self, find: Find, formulas: Sequence[Formula]) -> None:
         used = {s for f in formulas for s in symbols(f)}
@@ -206,43 +177,6 @@ class _Asked:
         if missing:
             names = [n.removeprefix("len_") for n in missing]
             self._report.add(words.length_not_given(find.span, find.name, names))
-
-
-def bound_names(value: Product) -> Iterator[str]:
-    """Yield the bound names that a product mentions, in its sums too."""
-    for factor in value.factors:
-        if isinstance(factor, Bound):
-            yield factor.name
-        elif isinstance(factor, Sum):
-            for term in factor.terms:
-                yield from bound_names(term)
-
-
-def _let(let: Let, mechanism: Mechanism, results: Sequence[Result]) -> Result:
-    """Return a formula of the user's own, with the results it uses as its definitions."""
-    where: dict[str, Formula] = {}
-    _gather(let.value, {r.name: r for r in results}, {k.name: k for k in mechanism.lets}, where)
-    definitions = tuple(Definition(n, f) for n, f in where.items())
-    return Result(let.name, None, let.dimension, let.value, definitions)
-
-
-def _gather(
-    formula: Formula,
-    results: dict[str, Result],
-    lets: dict[str, Let],
-    where: dict[str, Formula],
-) -> None:
-    """Put what a formula uses into ``where``, each definition after those it needs."""
-    for name in sorted(symbols(formula)):
-        if name in where:
-            continue
-        if name in results:
-            for inner in results[name].where:
-                where.setdefault(inner.name, inner.formula)
-            where[name] = results[name].formula
-        elif name in lets:
-            _gather(lets[name].value, results, lets, where)
-            where[name] = lets[name].value
 
 
 def _over(above: Dimension, below: Dimension) -> Dimension:
