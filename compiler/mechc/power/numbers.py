@@ -3,8 +3,9 @@
 import math
 from collections.abc import Iterable, Mapping, Sequence
 
+from ..algebra.factors import Factor, Trig
 from ..algebra.formula import Formula
-from ..algebra.product import Product
+from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..algebra.to_text import text
 from ..algebra.walk import evaluate, symbols
@@ -92,8 +93,8 @@ def _remark(
     balance: Balance,
     report: Report,
 ) -> None:
-    if not math.isfinite(number) or abs(number) > 1 / NIL:
-        factor = _vanishing(item.value, values) if item.value else None
+    factor = _vanishing(item.value, values) if item.value else None
+    if factor is not None or not math.isfinite(number):
         report.add(words.pole_at_default(find.span, find.name, text(factor) if factor else ""))
     elif isinstance(find.target, LoadRatio):
         if abs(number) < NIL:
@@ -110,8 +111,18 @@ def _arrow(target: LoadRatio, terms: Iterable[Term]) -> str:
 
 
 def _vanishing(value: Product, values: Mapping[str, float]) -> Formula | None:
-    """Return the factor below the line that vanishes."""
-    for factor, exponent in value.factors.items():
-        if exponent < 0 and abs(factor.evaluate(values)) < NIL:
-            return factor.formula()
+    """Return the factor below the line that vanishes, against the size of its terms."""
+    try:
+        for factor, exponent in value.factors.items():
+            if exponent < 0 and abs(factor.evaluate(values)) < NIL * _size(factor, values):
+                return factor.formula()
+    except (KeyError, ZeroDivisionError):
+        return None
     return None
+
+
+def _size(factor: Factor, values: Mapping[str, float]) -> float:
+    """Return what the value of a factor is to be measured by; 0 for what is a mere length."""
+    if isinstance(factor, Sum):
+        return sum(abs(t.evaluate(values)) for t in factor.terms)
+    return 1.0 if isinstance(factor, Trig) else 0.0
