@@ -6,7 +6,8 @@ sum, or something opaque. Products are multiplied and divided, never added here:
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from .angle import Rational, rational
@@ -14,6 +15,7 @@ from .factors import Factor, Length, Trig
 from .formula import Call, Formula, number, product, total
 from .formula import Symbol as SymbolFormula
 from .modular import Point
+from .operations import count_operations
 
 
 class Product:
@@ -100,9 +102,8 @@ class Product:
 
     def formula(self) -> Formula:
         """Return the product as a reader writes it: coefficient, lengths, trig, sums."""
-        coefficient, factors = _without_minus(self)
-        ordered = sorted(_with_tangents(factors), key=lambda fe: fe[0])
-        return product([(number(coefficient), 1), *((f, e) for _, f, e in ordered)])
+        others = [_written(p) for p in _divided_through(self)]
+        return min(_written(self), *others, key=count_operations) if others else _written(self)
 
 
 ONE, ZERO = Product(1), Product(0)
@@ -114,13 +115,14 @@ class Sum:
     Made by ``sums.add`` only, which takes out whatever is common to the terms.
     """
 
-    __slots__ = ("_hash", "terms", "weight")
+    __slots__ = ("_formula", "_hash", "terms", "weight")
 
     def __init__(self, terms: tuple[Product, ...]) -> None:
         self.terms = terms
         self.weight = sum(map(_weight, terms))
         """How many terms there are, those of inner sums included."""
         self._hash = hash(terms)
+        self._formula: Formula | None = None
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Sum) and self._hash == other._hash and self.terms == other.terms
@@ -141,7 +143,9 @@ class Sum:
 
     def formula(self) -> Formula:
         """Return the sum as a formula."""
-        return total(t.formula() for t in self.terms)
+        if self._formula is None:
+            self._formula = total(_gathered(self.terms))
+        return self._formula
 
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
@@ -191,6 +195,46 @@ class Bound:
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
         return (2, self.name)
+
+
+_FEW = 3
+"""Sums of so many terms are short enough to be divided through."""
+
+
+def _written(value: Product) -> Formula:
+    coefficient, factors = _without_minus(value)
+    ordered = sorted(_with_tangents(factors), key=lambda fe: fe[0])
+    return product([(number(coefficient), 1), *((f, e) for _, f, e in ordered)])
+
+
+def _divided_through(value: Product) -> Iterator[Product]:
+    """Yield a product with what one term of a sum shares with the divisor divided through.
+
+    (x·y + z)/(x·w) is (y + z/x)/w.
+    """
+    below = {f: -e for f, e in value.factors.items() if e < 0}
+    for factor, exponent in value.factors.items():
+        if isinstance(factor, Sum) and exponent == 1 and len(factor.terms) <= _FEW:
+            for term in factor.terms:
+                common = {f: min(e, below[f]) for f, e in term.factors.items() if f in below}
+                if common and min(common.values()) > 0:
+                    shared = Product(1, common)
+                    through = Sum(tuple(t / shared for t in factor.terms))
+                    yield value * shared * Product(1, {factor: -1, through: 1})
+
+
+def _gathered(terms: Sequence[Product]) -> Iterator[Formula]:
+    """Yield a sum's terms, the factor that most of them have taken out of these, and so on."""
+    counts = Counter(f for t in terms for f, e in t.factors.items() if e > 0)
+    most = max(counts.values(), default=0)
+    if most < 2:
+        yield from (t.formula() for t in terms)
+        return
+    factor = min((f for f, n in counts.items() if n == most), key=lambda f: f.order())
+    inside = [t / Product.of(factor) for t in terms if t.factors.get(factor, 0) > 0]
+    sign = 1 if inside[0].coefficient > 0 else -1
+    yield Product(sign, {factor: 1, Sum(tuple(t.scaled(sign) for t in inside)): 1}).formula()
+    yield from _gathered([t for t in terms if t.factors.get(factor, 0) <= 0])
 
 
 def _without_minus(product: Product) -> tuple[Rational, Mapping[Factor, int]]:
