@@ -72,6 +72,8 @@ class Ring:
         self._fields: dict[object, int] = {
             x: self._low + self._bits * i for i, x in enumerate(places)
         }
+        self._half, self._mask = 1 << (self._bits - 1), (1 << self._bits) - 1
+        self._bias = sum(self._half << field for field in self._fields.values())
 
     # -------------------------------------------------------------------- packing
 
@@ -96,14 +98,12 @@ class Ring:
 
     def exponents(self, key: int) -> list[int]:
         """Return all exponents but the constant's, symbols of angles first, as integers."""
-        key >>= self._low
-        half, mask = 1 << (self._bits - 1), (1 << self._bits) - 1
-        result = []
-        for _ in self._fields:
-            low = ((key + half) & mask) - half
-            result.append(low)
-            key = (key - low) >> self._bits
-        return result
+        biased, mask, half = key + self._bias, self._mask, self._half
+        return [(biased >> field & mask) - half for field in self._fields.values()]
+
+    def _exponent(self, key: int, field: int) -> int:
+        """Return one exponent, that of the symbol whose field begins there."""
+        return (key + self._bias >> field & self._mask) - self._half
 
     def constant(self, key: int) -> int:
         """Return the constant of a term's angle, in parts of 90°/``parts``."""
@@ -252,14 +252,14 @@ class Ring:
         below, so this ends.
         """
         by = self.binomial(trig)
-        field = max(self._names.index(name) for name, _ in trig.angle.terms)
-        lowest = min(self.exponents(key)[field] for key in terms)
-        lowest += abs(self.exponents(by.up)[field])
+        field = max(self._fields[name] for name, _ in trig.angle.terms)
+        lowest = min(self._exponent(key, field) for key in terms)
+        lowest += abs(self._exponent(by.up, field))
         rest, quotient = dict(terms), Terms()
         while rest:
             for key, value in self._top(rest).items():
                 k, value = self._lowered(key, value, by)
-                if self.exponents(k)[field] < lowest or len(quotient) == LONGEST:
+                if self._exponent(k, field) < lowest or len(quotient) == LONGEST:
                     return None
                 quotient[k] = value
                 re, im = value
