@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from mechc.diagnostics import MechcError
+from mechc.emit.c.to_c import TARGET
 from mechc.emit.target import Emitted, Options
-from mechc.emit.to_c import TARGET
 from mechc.routine.evaluate import evaluate
 from routine_samples import LIBRARY, SAMPLES, compiled, guarded_by, solved
 

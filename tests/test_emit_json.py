@@ -19,8 +19,8 @@ from mechc.algebra.formula import (
     Symbol,
 )
 from mechc.data import data
+from mechc.emit.json.to_json import TARGET, schema_text
 from mechc.emit.target import Options
-from mechc.emit.to_json import TARGET, schema_text
 from routine_samples import LIBRARY, SAMPLES, compiled, solved
 
 SHIPPED = data("grammar") / "result.schema.json"

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from mechc.emit.python.to_python import TARGET
 from mechc.emit.target import Options
-from mechc.emit.to_python import TARGET
 from routine_samples import LIBRARY, SAMPLES, compiled, solved
 
 RUFF = shutil.which("ruff") or shutil.which("ruff", path=str(Path(sys.executable).parent))

@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 from jinja2 import meta
 
 from mechc.diagnostics import MechcError, Report
-from mechc.emit import c_printer, registry, to_c, to_python
+from mechc.emit import registry
+from mechc.emit.c import printer, to_c
 from mechc.emit.names import Names, mangle, transliterate
+from mechc.emit.python import to_python
 from mechc.emit.render import TEMPLATES, environment
 from mechc.source import Source
 
@@ -19,7 +21,7 @@ STRANGERS = [
     EntryPoint("gone", "no.such.module:TARGET", registry.GROUP),
     EntryPoint("hollow", "math:pi", registry.GROUP),
     EntryPoint("python", "math:pi", registry.GROUP),
-    EntryPoint("second", "mechc.emit.to_c:TARGET", registry.GROUP),
+    EntryPoint("second", "mechc.emit.c.to_c:TARGET", registry.GROUP),
 ]
 
 
@@ -84,9 +86,9 @@ def test_the_registry_imports_no_target_and_no_target_imports_numpy() -> None:
 @pytest.mark.parametrize(
     ("template", "context"),
     [
-        ("python.py.jinja", to_python.ModuleContext),
-        ("c_header.jinja", to_c.HeaderContext),
-        ("c_source.jinja", to_c.SourceContext),
+        ("python/module.jinja", to_python.ModuleContext),
+        ("c/header.jinja", to_c.HeaderContext),
+        ("c/source.jinja", to_c.SourceContext),
     ],
 )
 def test_a_template_mentions_exactly_its_context(
@@ -104,11 +106,11 @@ def test_a_name_that_needs_no_change_keeps_it() -> None:
 
 @given(st.lists(st.text("aαAΑ_'1βbжЖé²x", min_size=1, max_size=5), unique=True, max_size=12))
 def test_no_two_names_become_one(names: list[str]) -> None:
-    found = mangle(names, Names(c_printer.RESERVED))
+    found = mangle(names, Names(printer.RESERVED))
     assert len(set(found.values())) == len(names)
     assert all(n.isidentifier() and n.isascii() and "__" not in n for n in found.values())
-    assert not set(found.values()) & c_printer.RESERVED
-    assert mangle(names, Names(c_printer.RESERVED)) == found
+    assert not set(found.values()) & printer.RESERVED
+    assert mangle(names, Names(printer.RESERVED)) == found
 
 
 @given(st.text(min_size=1, max_size=20))

@@ -13,10 +13,10 @@ from jinja2 import meta
 import mechc
 from mechc.algebra.formula import Call, Sum, Symbol
 from mechc.derivation.steps import Rule
-from mechc.emit.latex_display import vanishing
-from mechc.emit.latex_notation import notation
+from mechc.emit.latex.display import vanishing
+from mechc.emit.latex.notation import notation
+from mechc.emit.latex.to_latex import _TEMPLATES, TARGET, Report
 from mechc.emit.target import Options
-from mechc.emit.to_latex import _TEMPLATES, TARGET, Report
 from mechc.words import en, ru, uk
 from mechc.words.table import Words
 from report_samples import packet_clamp, six_bar
@@ -62,7 +62,7 @@ def test_output_depends_on_the_input_only() -> None:
 def test_template_uses_every_field_of_the_report() -> None:
     loader = _TEMPLATES.loader
     assert loader is not None
-    source, _, _ = loader.get_source(_TEMPLATES, "report_body.tex.jinja")
+    source, _, _ = loader.get_source(_TEMPLATES, "body.jinja")
     assert meta.find_undeclared_variables(_TEMPLATES.parse(source)) == set(Report._fields)
 
 

@@ -4,10 +4,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechc.emit.latex_display import LINE, Line, display
-from mechc.emit.latex_notation import name, notation, points, spellings
-from mechc.emit.latex_printer import latex, plain
-from mechc.emit.latex_text import escape
+from mechc.emit.latex.display import LINE, Line, display
+from mechc.emit.latex.notation import name, notation, points, spellings
+from mechc.emit.latex.printer import latex, plain
+from mechc.emit.latex.text import escape
 from mechc.frozen import replace
 from report_samples import LONG, formula
 

@@ -20,8 +20,8 @@ from mechc.algebra.formula import (
 )
 from mechc.algebra.walk import evaluate
 from mechc.derivation.text_printer import ASCII, print_formula
-from mechc.emit.latex_notation import notation
-from mechc.emit.latex_printer import latex
+from mechc.emit.latex.notation import notation
+from mechc.emit.latex.printer import latex
 from report_samples import formula
 
 VALUES = {"a": 1.3, "b": 0.7, "c": 2.1, "alpha": 0.4, "beta": 0.9, "theta": 0.25, "pi": math.pi}

@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from mechc.algebra.to_sympy import to_sympy
+from mechc.emit.c.to_c import TARGET as C
+from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Compiled, Options
-from mechc.emit.to_c import TARGET as C
-from mechc.emit.to_python import TARGET as PYTHON
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function, Input, Routine
 from mechc.units import LENGTH

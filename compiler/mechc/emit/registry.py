@@ -28,10 +28,10 @@ class Place(NamedTuple):
 
 
 BUILT_IN = {
-    "latex": Place("mechc.emit.to_latex", (".tex",)),
-    "python": Place("mechc.emit.to_python", (".py",)),
-    "c": Place("mechc.emit.to_c", (".c", ".h")),
-    "json": Place("mechc.emit.to_json", (".json",)),
+    "latex": Place("mechc.emit.latex.to_latex", (".tex",)),
+    "python": Place("mechc.emit.python.to_python", (".py",)),
+    "c": Place("mechc.emit.c.to_c", (".c", ".h")),
+    "json": Place("mechc.emit.json.to_json", (".json",)),
 }
 """Our own targets, which no other package can replace."""
 

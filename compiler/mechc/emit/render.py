@@ -1,4 +1,4 @@
-"""Templates: the shape of a file, in ``templates/``, filled from a frozen context."""
+"""Templates: the shape of a file, beside its target, filled from a frozen context."""
 
 from functools import cache
 from pathlib import Path
@@ -6,7 +6,7 @@ from typing import NamedTuple, Protocol
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-TEMPLATES = Path(__file__).parent / "templates"
+TEMPLATES = Path(__file__).parent
 
 
 class Context(Protocol):
@@ -29,7 +29,7 @@ def environment() -> Environment:
 
 
 def render(template: str, context: Context) -> str:
-    """Return a file's text from a template of the folder and its context."""
+    """Return a file's text from a template (``c/header.jinja``) and its context."""
     return environment().get_template(template).render(context._asdict())
 
 

@@ -3,14 +3,14 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..algebra.formula import Call, Formula, Number, Power
-from ..algebra.walk import symbols, walk
-from ..routine.steps import Function
-from . import describe
-from .names import Names, mangle
-from .printer import Printer
-from .render import Line, render
-from .target import Compiled, Emitted, Options
+from ...algebra.formula import Call, Formula, Number, Power
+from ...algebra.walk import symbols, walk
+from ...routine.steps import Function
+from .. import describe
+from ..names import Names, mangle
+from ..printer import Printer
+from ..render import Line, render
+from ..target import Compiled, Emitted, Options
 
 _WORDS = """
     False None True and as assert async await break class continue def del elif else except
@@ -65,7 +65,7 @@ class FunctionContext(NamedTuple):
 
 
 class ModuleContext(NamedTuple):
-    """The whole module; fields are what ``python.py.jinja`` mentions."""
+    """The whole module; fields are what ``python/module.jinja`` mentions."""
 
     heading: str
     preface: list[str]
@@ -81,7 +81,7 @@ class PythonTarget:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return the module."""
-        return (Emitted(f"{options.stem}.py", render("python.py.jinja", _module(compiled))),)
+        return (Emitted(f"{options.stem}.py", render("python/module.jinja", _module(compiled))),)
 
 
 TARGET = PythonTarget()

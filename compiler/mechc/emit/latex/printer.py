@@ -4,8 +4,8 @@ Arms as one fraction and angles as another, ``\cos\alpha`` without parentheses,
 constant angles in degrees. Every piece is a :class:`Box` that knows how wide it will
 be, so that ``latex_display`` can break what no line would hold.
 
->>> from ..algebra.formula import Symbol, quotient, number, product
->>> from .latex_notation import notation
+>>> from ...algebra.formula import Symbol, quotient, number, product
+>>> from .notation import notation
 >>> a, b, alpha = Symbol("a"), Symbol("b"), Symbol("alpha")
 >>> k = product([(number(2), 1), (b, 1), (a, -1), (Call("cot", (alpha,)), 1)])
 >>> print(latex(k, notation("en")))
@@ -19,9 +19,9 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
-from ..algebra.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
-from .latex_notation import Notation, name
+from ...algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
+from ...algebra.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
+from .notation import Notation, name
 
 SUM, FACTOR, BASE = 0, 1, 2
 """What stands around a formula: nothing or a sum, a product, a power."""

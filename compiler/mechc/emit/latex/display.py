@@ -9,11 +9,11 @@ from collections.abc import Iterator, Set
 from itertools import count
 from typing import NamedTuple
 
-from ..algebra.formula import Formula, Product, Sum, Symbol
-from ..algebra.layout import is_angle
-from ..algebra.walk import children, rebuild, symbols
-from .latex_notation import Notation
-from .latex_printer import Box, box, plain, row, signed
+from ...algebra.formula import Formula, Product, Sum, Symbol
+from ...algebra.layout import is_angle
+from ...algebra.walk import children, rebuild, symbols
+from .notation import Notation
+from .printer import Box, box, plain, row, signed
 
 LINE = 38.0
 """Room in a line, in em: A4 with margins of 25 mm at 11 pt, less some air."""

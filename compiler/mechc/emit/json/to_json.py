@@ -2,9 +2,9 @@
 
 import json
 
-from .json_document import DOCUMENT
-from .json_kinds import Json
-from .target import Compiled, Emitted, Options
+from ..target import Compiled, Emitted, Options
+from .document import DOCUMENT
+from .kinds import Json
 
 
 class JsonTarget:

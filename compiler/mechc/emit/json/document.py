@@ -5,18 +5,18 @@ The document and its JSON Schema are both made from what stands here.
 
 from collections.abc import Mapping
 
-from ..algebra.formula import Formula
-from ..algebra.to_text import text
-from ..algebra.walk import evaluate
-from ..derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
-from ..model.mechanism import LoadForm, LoadRatio, Parameter, SpeedRatio, Target
-from ..power.result import Definition, Result, Vanishing
-from ..routine.steps import Function
-from ..statics.verdict import Trial, Verdict
-from .describe import condition_lines, dimension_name, si_unit
-from .json_formula import FORMULA
-from .json_kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
-from .target import Compiled
+from ...algebra.formula import Formula
+from ...algebra.to_text import text
+from ...algebra.walk import evaluate
+from ...derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
+from ...model.mechanism import LoadForm, LoadRatio, Parameter, SpeedRatio, Target
+from ...power.result import Definition, Result, Vanishing
+from ...routine.steps import Function
+from ...statics.verdict import Trial, Verdict
+from ..describe import condition_lines, dimension_name, si_unit
+from ..target import Compiled
+from .formula import FORMULA
+from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
 
 VERSION = 1
 """Raised whenever a member changes its meaning or goes."""

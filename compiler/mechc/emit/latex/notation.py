@@ -8,8 +8,8 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Literal
 
-from ..algebra.names import GREEK, Point, split_name, split_points
-from ..frozen import frozen
+from ...algebra.names import GREEK, Point, split_name, split_points
+from ...frozen import frozen
 
 Language = Literal["en", "uk", "ru"]
 

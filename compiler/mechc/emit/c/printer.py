@@ -2,8 +2,8 @@
 
 from typing import assert_never
 
-from ..routine.steps import Guard
-from .printer import Printer
+from ...routine.steps import Guard
+from ..printer import Printer
 
 _WORDS = """
     auto break case char const continue default do double else enum extern float for goto if

@@ -4,17 +4,17 @@ from collections.abc import Container, Iterable, Mapping
 from math import isfinite
 from typing import NamedTuple
 
-from ..algebra.formula import ZERO, Formula, Symbol, product, total
-from ..derivation.definitions import definitions
-from ..derivation.remarks import asked, heading, is_nameless, ratio, remarks
-from ..model.mechanism import SpeedRatio
-from ..power.result import Definition, Result
-from ..statics.verdict import Verdict
-from ..words.table import Words
-from .latex_display import LINE, Line, display
-from .latex_notation import Notation, name, points
-from .latex_printer import Box, box, latex, plain
-from .latex_quantity import decimal, measured
+from ...algebra.formula import ZERO, Formula, Symbol, product, total
+from ...derivation.definitions import definitions
+from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks
+from ...model.mechanism import SpeedRatio
+from ...power.result import Definition, Result
+from ...statics.verdict import Verdict
+from ...words.table import Words
+from .display import LINE, Line, display
+from .notation import Notation, name, points
+from .printer import Box, box, latex, plain
+from .quantity import decimal, measured
 
 
 class ResultBlock(NamedTuple):

@@ -2,10 +2,10 @@
 
 from typing import assert_never
 
-from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
-from ..algebra.operations import count_operations
-from ..algebra.to_text import text
-from .json_kinds import TEXT, WHOLE, Json, Kind, member, record
+from ...algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ...algebra.operations import count_operations
+from ...algebra.to_text import text
+from .kinds import TEXT, WHOLE, Json, Kind, member, record
 
 
 def tree(formula: Formula) -> Json:

@@ -4,17 +4,17 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..algebra.formula import Call, Formula, Pi
-from ..algebra.walk import walk
-from ..diagnostics.diagnostic import MechcError
-from ..diagnostics.emission import unspeakable_file_name
-from ..routine.steps import Function
-from . import describe
-from .c_printer import CIRCULAR, RESERVED, CPrinter, QuickPrinter, guarded
-from .names import Names, mangle, transliterate
-from .printer import Printer
-from .render import Line, render
-from .target import Compiled, Emitted, Options
+from ...algebra.formula import Call, Formula, Pi
+from ...algebra.walk import walk
+from ...diagnostics.diagnostic import MechcError
+from ...diagnostics.emission import unspeakable_file_name
+from ...routine.steps import Function
+from .. import describe
+from ..names import Names, mangle, transliterate
+from ..printer import Printer
+from ..render import Line, render
+from ..target import Compiled, Emitted, Options
+from .printer import CIRCULAR, RESERVED, CPrinter, QuickPrinter, guarded
 
 LONGEST_LINE = 100
 
@@ -52,7 +52,7 @@ class FunctionContext(NamedTuple):
 
 
 class HeaderContext(NamedTuple):
-    """Fields are what ``c_header.jinja`` mentions."""
+    """Fields are what ``c/header.jinja`` mentions."""
 
     preface: list[str]
     guard: str
@@ -60,7 +60,7 @@ class HeaderContext(NamedTuple):
 
 
 class SourceContext(NamedTuple):
-    """Fields are what ``c_source.jinja`` mentions; ``header`` is '' in a single file."""
+    """Fields are what ``c/source.jinja`` mentions; ``header`` is '' in a single file."""
 
     preface: list[str]
     header: str
@@ -97,7 +97,7 @@ class CTarget:
             return (source,)
         guard = f"MECHC_{transliterate(compiled.routine.name).upper()}_H"
         context = HeaderContext(preface, guard, functions)
-        return (source, Emitted(header, render("c_header.jinja", context)))
+        return (source, Emitted(header, render("c/header.jinja", context)))
 
 
 TARGET = CTarget()
@@ -118,7 +118,7 @@ def _source(
         guarded=any(f.quick and f.plain.conditions for f in functions),
         choices=choices,
     )
-    return render("c_source.jinja", context)
+    return render("c/source.jinja", context)
 
 
 def _formulas(function: Function) -> list[Formula]:

@@ -3,10 +3,10 @@
 from collections.abc import Iterable
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import ZERO, number
-from ..derivation.definitions import by_letter, is_by_letter
-from ..derivation.wording import enumeration
-from ..model.mechanism import (
+from ...algebra.formula import ZERO, number
+from ...derivation.definitions import by_letter, is_by_letter
+from ...derivation.wording import enumeration
+from ...model.mechanism import (
     GRAVITY,
     Absolute,
     Arrow,
@@ -20,12 +20,12 @@ from ..model.mechanism import (
     Torque,
     Turn,
 )
-from ..units import DIMENSIONS
-from ..words.table import Words
-from .latex_notation import Notation, name, points
-from .latex_printer import latex
-from .latex_quantity import quantity, unit_symbol, usual_unit
-from .latex_text import escape
+from ...units import DIMENSIONS
+from ...words.table import Words
+from .notation import Notation, name, points
+from .printer import latex
+from .quantity import quantity, unit_symbol, usual_unit
+from .text import escape
 
 
 class ParameterRow(NamedTuple):

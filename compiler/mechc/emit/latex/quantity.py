@@ -1,9 +1,9 @@
 r"""Numbers and quantities with the user's unit, as LaTeX.
 
->>> from ..algebra.formula import degrees, number
->>> from ..units import ANGLE, LENGTH
->>> from ..words.en import WORDS
->>> from .latex_notation import notation
+>>> from ...algebra.formula import degrees, number
+>>> from ...units import ANGLE, LENGTH
+>>> from ...words.en import WORDS
+>>> from .notation import notation
 >>> quantity(number(Fraction(1, 10)), LENGTH, "mm", WORDS, notation("en"))
 '100\\,\\text{mm}'
 >>> quantity(degrees(Fraction(25, 2)), ANGLE, "deg", WORDS, notation("ru"))
@@ -14,12 +14,12 @@ import math
 import re
 from fractions import Fraction
 
-from ..algebra.formula import Formula, Number
-from ..algebra.layout import in_degrees
-from ..algebra.walk import evaluate
-from ..units import ANGLE, NUMBER, UNITS, Dimension
-from ..words.table import Words
-from .latex_notation import Notation
+from ...algebra.formula import Formula, Number
+from ...algebra.layout import in_degrees
+from ...algebra.walk import evaluate
+from ...units import ANGLE, NUMBER, UNITS, Dimension
+from ...words.table import Words
+from .notation import Notation
 
 _DIGITS = 6
 
@@ -64,7 +64,7 @@ def _in_unit(value: Formula, unit: str) -> Fraction | float:
 def decimal(value: Fraction | float, style: Notation) -> str:
     r"""Return a number to six significant digits, with the language's decimal sign.
 
-    >>> from .latex_notation import notation
+    >>> from .notation import notation
     >>> decimal(2.5e-16, notation("uk"))
     '2{,}5\\cdot 10^{-16}'
     """
@@ -76,7 +76,7 @@ def decimal(value: Fraction | float, style: Notation) -> str:
 def unit_symbol(unit: str, words: Words) -> str:
     r"""Return a unit behind its number.
 
-    >>> from ..words.uk import WORDS
+    >>> from ...words.uk import WORDS
     >>> unit_symbol("m/s^2", WORDS)
     '\\,\\text{м}/\\text{с}^2'
     """

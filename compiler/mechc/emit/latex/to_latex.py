@@ -10,22 +10,22 @@ from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from ..algebra.layout import is_angle
-from ..algebra.walk import symbols
-from ..derivation.remarks import conditions
-from ..derivation.steps import Derivation, Equation, Step
-from ..derivation.wording import Sides, lines, sentence
-from ..frozen import replace
-from ..units import ANGLE
-from ..words import en, ru, uk
-from ..words.table import Words
-from .latex_display import LINE, Line, display, vanishing
-from .latex_given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
-from .latex_notation import Notation, notation, spellings
-from .latex_printer import Box, box, plain, row
-from .latex_results import ResultBlock, Speller, check, numbers, result_block
-from .latex_text import escape, has_cyrillic
-from .target import Compiled, Emitted, Options
+from ...algebra.layout import is_angle
+from ...algebra.walk import symbols
+from ...derivation.remarks import conditions
+from ...derivation.steps import Derivation, Equation, Step
+from ...derivation.wording import Sides, lines, sentence
+from ...frozen import replace
+from ...units import ANGLE
+from ...words import en, ru, uk
+from ...words.table import Words
+from ..target import Compiled, Emitted, Options
+from .display import LINE, Line, display, vanishing
+from .given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
+from .notation import Notation, notation, spellings
+from .printer import Box, box, plain, row
+from .results import ResultBlock, Speller, check, numbers, result_block
+from .text import escape, has_cyrillic
 
 _WORDS = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
 
@@ -72,7 +72,7 @@ class Latex:
         words = _WORDS[options.language]
         style = _style(compiled, notation(options.language))
         report = _report(compiled, words, style, options.fragment)
-        body = _TEMPLATES.get_template("report_body.tex.jinja").render(report._asdict())
+        body = _TEMPLATES.get_template("body.jinja").render(report._asdict())
         text = body if options.fragment else _document(body, words, options)
         return (Emitted(f"{options.stem}.tex", text),)
 
@@ -80,7 +80,7 @@ class Latex:
 TARGET = Latex()
 
 _TEMPLATES = Environment(
-    loader=FileSystemLoader(Path(__file__).parent / "templates"),
+    loader=FileSystemLoader(Path(__file__).parent),
     undefined=StrictUndefined,
     block_start_string="<%",
     block_end_string="%>",
@@ -98,7 +98,7 @@ _TEMPLATES = Environment(
 def _document(body: str, words: Words, options: Options) -> str:
     """Return the body within a preamble that loads no more than it needs."""
     eastern = options.language != "en"
-    return _TEMPLATES.get_template("report.tex.jinja").render(
+    return _TEMPLATES.get_template("report.jinja").render(
         body=body, babel=words.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
     )
 

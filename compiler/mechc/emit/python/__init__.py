@@ -1,0 +1,1 @@
+"""Python: one module that needs only NumPy."""
