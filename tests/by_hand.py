@@ -9,8 +9,8 @@ from mechc.algebra import formula
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import Product
 from mechc.model import mechanism as model
+from mechc.model.result import Result
 from mechc.pose.pose import Arm, Pose
-from mechc.power.result import Result
 from mechc.source import Span
 from mechc.units import NUMBER
 

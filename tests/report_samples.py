@@ -40,7 +40,7 @@ from mechc.model.mechanism import (
     Torque,
     Turn,
 )
-from mechc.power.result import Definition, Result, Vanishing
+from mechc.model.result import Definition, Result, Vanishing
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import Trial, Verdict

@@ -37,7 +37,7 @@ from mechc.model.mechanism import (
     SpeedRatio,
     Torque,
 )
-from mechc.power.result import Definition, Result, Vanishing
+from mechc.model.result import Definition, Result, Vanishing
 from mechc.routine.from_results import program
 from mechc.routine.steps import Routine
 from mechc.source import Span

@@ -9,7 +9,7 @@ from mechc.check.expectations import Finding, compare
 from mechc.check.poses import complete, default_pose, random_poses
 from mechc.diagnostics import Report
 from mechc.model.mechanism import Expect, Interval, Mechanism, Parameter, Require
-from mechc.power.result import Definition, Result
+from mechc.model.result import Definition, Result
 from mechc.source import Source, Span
 from mechc.units import ANGLE, LENGTH, NUMBER
 

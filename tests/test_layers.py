@@ -20,7 +20,7 @@ DATA = {
     "kinematics.graph",
     "kinematics.plan",
     "power.balance",
-    "power.result",
+    "model.result",
     "statics.verdict",
     "derivation.steps",
     "routine.steps",
@@ -95,7 +95,7 @@ def test_statics_is_a_second_opinion() -> None:
     for path in (PACKAGE / "statics").glob("*.py"):
         for name in own(path):
             assert stage(name) != "kinematics"
-            assert stage(name) != "power" or name == "power.result", f"{path.name}: {name}"
+            assert stage(name) != "power" or name == "model.result", f"{path.name}: {name}"
 
 
 def test_no_import_hides_in_a_function() -> None:

@@ -15,7 +15,7 @@ from mechc.algebra.walk import evaluate as value_of
 from mechc.algebra.walk import walk
 from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require
-from mechc.power.result import Definition, Result
+from mechc.model.result import Definition, Result
 from mechc.routine.check import broken_promises
 from mechc.routine.evaluate import evaluate
 from mechc.routine.from_results import program

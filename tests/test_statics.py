@@ -17,7 +17,7 @@ from mechc.diagnostics.statics import (
 from mechc.frozen import replace
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadForm, LoadRatio, Speed, SpeedRatio
-from mechc.power.result import Result
+from mechc.model.result import Result
 from mechc.source import Source
 from mechc.statics.answers import load_ratio
 from mechc.statics.free_bodies import equilibrium

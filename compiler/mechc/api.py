@@ -16,7 +16,7 @@ from .driver import Compilation, compile_source, emit, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
 from .files import find, read
-from .power.result import Result
+from .model.result import Result
 from .source import Source
 
 if TYPE_CHECKING:

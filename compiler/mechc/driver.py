@@ -19,12 +19,12 @@ from .kinematics.from_pose import arrange
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve
 from .model.mechanism import Mechanism
+from .model.result import Result
 from .pose.from_model import settle
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.conclusions import conclude
 from .power.from_plan import balance
-from .power.result import Result
 from .routine.from_results import program
 from .routine.steps import Routine
 from .source import Source

@@ -18,7 +18,7 @@ from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as words
 from ..model.mechanism import Expect, Mechanism
 from ..model.order import ordered
-from ..power.result import Result
+from ..model.result import Result
 from ..units import UNITS
 from .poses import Values, complete, default_pose, random_poses
 

@@ -11,7 +11,7 @@ from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
 from ..model.mechanism import GRAVITY
-from ..power.result import Result
+from ..model.result import Result
 from ..source import Source
 from ..statics.to_text import to_text
 from ..statics.verdict import Verdict

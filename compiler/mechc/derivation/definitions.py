@@ -4,7 +4,7 @@ from collections.abc import Container
 
 from ..algebra.formula import Formula, Number, Product, Symbol
 from ..model.mechanism import GRAVITY
-from ..power.result import Definition, Result
+from ..model.result import Definition, Result
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""

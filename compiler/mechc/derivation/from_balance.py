@@ -10,8 +10,8 @@ from ..kinematics.graph import Form, Kind, Relation
 from ..kinematics.graph import Rule as Law
 from ..kinematics.plan import Block
 from ..model.mechanism import Force, Speed, SpeedRatio
+from ..model.result import Result
 from ..power.balance import Balance, Term
-from ..power.result import Result
 from .notation import Named, Notation
 from .steps import Derivation, Equation, PowerTerm, Rule, Step
 from .wording import has_minus, positive_first

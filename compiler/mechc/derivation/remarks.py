@@ -6,7 +6,7 @@ from typing import Protocol, assert_never
 from ..algebra.formula import ZERO, Formula, Sum, Symbol, product, quotient, total
 from ..algebra.layout import is_angle
 from ..model.mechanism import LoadForm, LoadRatio, Require, Speed, SpeedRatio
-from ..power.result import Result, Trend, Vanishing
+from ..model.result import Result, Trend, Vanishing
 from ..words.table import Words
 from .wording import enumeration, positive_first
 

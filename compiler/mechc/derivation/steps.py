@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ..algebra.formula import Formula
 from ..frozen import frozen
-from ..power.result import Result
+from ..model.result import Result
 
 
 class Rule(StrEnum):

@@ -9,7 +9,7 @@ from ..algebra.formula import Formula, Symbol
 from ..algebra.layout import is_angle
 from ..frozen import replace
 from ..model.mechanism import GRAVITY, Mechanism
-from ..power.result import Definition, Result
+from ..model.result import Definition, Result
 from ..units import ANGLE
 from ..words.en import WORDS
 from .definitions import definitions, is_by_letter

@@ -5,7 +5,7 @@ from ..algebra.product import Product
 from ..frozen import frozen
 from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Load
-from .result import Result
+from ..model.result import Result
 
 
 @frozen

@@ -11,9 +11,9 @@ from ..algebra.product import Product
 from ..algebra.walk import evaluate, substitute, symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
+from ..model.result import Result, Trend
 from .balance import Balance, Solved
 from .numbers import default_values
-from .result import Result, Trend
 from .trends import ranges, trend
 from .vanishing import poles, zeros
 

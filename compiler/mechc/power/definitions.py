@@ -7,7 +7,7 @@ from ..algebra.product import Bound, Product, Sum
 from ..algebra.walk import symbols
 from ..kinematics.plan import Plan
 from ..model.mechanism import Let, Mechanism
-from .result import Definition, Result
+from ..model.result import Definition, Result
 
 Found = Mapping[str, Result]
 Lets = Mapping[str, Let]

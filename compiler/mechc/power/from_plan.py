@@ -13,13 +13,13 @@ from ..frozen import replace
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
 from ..model.mechanism import Find, LoadForm, LoadRatio, Speed, SpeedRatio, Torque
+from ..model.result import Definition, Result
 from ..units import FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
 from .definitions import let_results, resting_on
 from .equations import Equations
 from .loads import terms
 from .numbers import check_numbers
-from .result import Definition, Result
 from .speeds import magnitude, speed
 
 

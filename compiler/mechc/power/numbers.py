@@ -14,8 +14,8 @@ from ..diagnostics import power as words
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Find, Force, LoadRatio
+from ..model.result import Definition, Result
 from .balance import Balance, Solved, Term
-from .result import Definition, Result
 
 NIL = 1e-12
 """Below this a value of order one counts as zero."""

@@ -6,9 +6,9 @@ from ..algebra.formula import Symbol, product, total
 from ..algebra.to_text import text
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
+from ..model.result import Result, Vanishing
 from ..model.to_text import target_text
 from .balance import Balance, Term
-from .result import Result, Vanishing
 
 
 def describe(balance: Balance, results: Iterable[Result]) -> str:

@@ -10,9 +10,9 @@ from collections.abc import Iterator
 from ..algebra.product import Product
 from ..algebra.walk import evaluate
 from ..model.mechanism import Mechanism, Parameter
+from ..model.result import Trend
 from ..units import ANGLE
 from .intervals import Box, Interval, sign, widened
-from .result import Trend
 
 PARTS = 48
 """A factor's sign is looked for on at most this many parts of the box."""

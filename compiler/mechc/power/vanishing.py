@@ -15,8 +15,8 @@ from ..algebra.walk import evaluate, symbols, walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
+from ..model.result import Vanishing
 from .balance import Balance, Solved, Term
-from .result import Vanishing
 
 Kind = Literal["output still", "drive locked", "perpendicular load", "other"]
 

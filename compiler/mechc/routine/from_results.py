@@ -18,7 +18,7 @@ from ..model.mechanism import (
     Target,
     Torque,
 )
-from ..power.result import Result
+from ..model.result import Result
 from ..units import FORCE, TORQUE
 from .scope import Definitions, Scope, rename
 from .sharing import share

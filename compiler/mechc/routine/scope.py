@@ -10,7 +10,7 @@ from typing import NamedTuple
 from ..algebra.formula import Formula, Symbol
 from ..algebra.walk import substitute, symbols
 from ..model.mechanism import Mechanism
-from ..power.result import Result
+from ..model.result import Result
 
 
 class Key(NamedTuple):

@@ -21,8 +21,8 @@ from ..diagnostics.statics import (
     pose_does_not_close,
 )
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, SpeedRatio
+from ..model.result import Definition, Result
 from ..pose.pose import Pose
-from ..power.result import Definition, Result
 from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio
 from .closure import worst_gap

@@ -10,7 +10,7 @@ from ...algebra.to_text import text
 from ...algebra.walk import evaluate
 from ...derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
 from ...model.mechanism import LoadForm, LoadRatio, Parameter, SpeedRatio, Target
-from ...power.result import Definition, Result, Vanishing
+from ...model.result import Definition, Result, Vanishing
 from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
 from ..describe import condition_lines, dimension_name, si_unit

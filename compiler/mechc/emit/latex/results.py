@@ -8,7 +8,7 @@ from ...algebra.formula import ZERO, Formula, Symbol, product, total
 from ...derivation.definitions import definitions
 from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks
 from ...model.mechanism import SpeedRatio
-from ...power.result import Definition, Result
+from ...model.result import Definition, Result
 from ...statics.verdict import Verdict
 from ...words.table import Words
 from .display import LINE, Line, display

@@ -1,5 +1,8 @@
 """What is found: each result as a readable formula, and what follows from it.
 
+It stands beside what was asked for (``mechanism.Find``): power fills it, statics judges
+it, and neither needs to know of the other.
+
 All formulas are in SI and radians and mention free parameters and the names in
 ``where`` only.
 """
@@ -9,8 +12,8 @@ from typing import Literal, NamedTuple
 
 from ..algebra.formula import Formula
 from ..frozen import frozen
-from ..model.mechanism import Target
 from ..units import Dimension
+from .mechanism import Target
 
 
 class Definition(NamedTuple):
