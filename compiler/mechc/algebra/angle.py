@@ -85,8 +85,11 @@ class Angle:
     def formula(self) -> Formula:
         """Return the angle as a formula in radians."""
         ordered = sorted(self.terms, key=lambda term: term[1] < 0)
-        parts = [product([(number(c), 1), (_symbol(name), 1)]) for name, c in ordered]
-        return total([*parts, degrees(self.degrees)])
+        parts = [
+            _symbol(name) if c == 1 else product([(number(c), 1), (_symbol(name), 1)])
+            for name, c in ordered
+        ]
+        return total([*parts, degrees(self.degrees)]) if self.degrees else total(parts)
 
 
 def _symbol(name: str) -> Formula:
