@@ -18,12 +18,12 @@ import sympy
 import peers
 from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
 from measure import exponent, medians, table, timed
-from mechc.algebra.to_sympy import to_sympy
 from mechc.diagnostics import Report
 from mechc.driver import Compilation, compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, read
+from mechc.formula.to_sympy import to_sympy
 from mechc.kinematics.from_pose import arrange
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Mechanism

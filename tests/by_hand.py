@@ -5,9 +5,9 @@ import math
 from fractions import Fraction
 from pathlib import Path
 
-from mechc.algebra import formula
 from mechc.algebra.angle import Angle
 from mechc.algebra.product import Product
+from mechc.formula import tree as formula
 from mechc.model import mechanism as model
 from mechc.model.result import Result
 from mechc.pose.pose import Arm, Pose

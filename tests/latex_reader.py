@@ -7,8 +7,8 @@ a dot, a thin space, a fraction or the next function.
 import re
 from fractions import Fraction
 
-from mechc.algebra.formula import Call, Formula, Symbol, degrees, negative, number, power, product
-from mechc.algebra.formula import total as sum_of
+from mechc.formula.tree import Call, Formula, Symbol, degrees, negative, number, power, product
+from mechc.formula.tree import total as sum_of
 
 TOKEN = re.compile(r"\\operatorname\{\w+\}|\\mathrm\{\w+\}|\\[A-Za-z]+|\\,|[0-9.]+|[A-Za-z]|.")
 FUNCTIONS = {"\\arcsin": "asin", "\\ln": "log"} | {

@@ -4,7 +4,9 @@ import ast
 from fractions import Fraction
 
 from known import Known
-from mechc.algebra.formula import (
+from mechc.derivation.steps import Derivation, Equation, Rule, Step
+from mechc.emit.target import Compiled
+from mechc.formula.tree import (
     PI,
     Call,
     Formula,
@@ -16,8 +18,6 @@ from mechc.algebra.formula import (
     product,
     total,
 )
-from mechc.derivation.steps import Derivation, Equation, Rule, Step
-from mechc.emit.target import Compiled
 from mechc.model.mechanism import (
     Absolute,
     Along,

@@ -6,7 +6,11 @@ from typing import Literal
 
 from known import Known
 from mechc import driver
-from mechc.algebra.formula import (
+from mechc.data import data
+from mechc.derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
+from mechc.emit.target import Compiled
+from mechc.files import find, read
+from mechc.formula.tree import (
     PI,
     Call,
     Formula,
@@ -19,10 +23,6 @@ from mechc.algebra.formula import (
     quotient,
     total,
 )
-from mechc.data import data
-from mechc.derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
-from mechc.emit.target import Compiled
-from mechc.files import find, read
 from mechc.model.mechanism import (
     Absolute,
     Force,

@@ -11,8 +11,8 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.cyclotomic import short, unique
 from mechc.algebra.product import ZERO, Product
 from mechc.algebra.sums import add
-from mechc.algebra.to_text import text
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.formula.to_text import text
 
 law = settings(max_examples=60, deadline=None, derandomize=True, database=None)
 A, B = Angle.of("alpha"), Angle.of("beta")

@@ -11,7 +11,10 @@ from hypothesis import strategies as st
 from mechc.algebra.angle import Angle
 from mechc.algebra.derivative import derivative
 from mechc.algebra.equality import equal
-from mechc.algebra.formula import (
+from mechc.algebra.from_formula import to_angle, to_product
+from mechc.algebra.modular import PARTS, PRIME, Point, direction
+from mechc.algebra.sums import add, canonical
+from mechc.formula.tree import (
     Call,
     Number,
     Symbol,
@@ -23,10 +26,7 @@ from mechc.algebra.formula import (
     quotient,
     total,
 )
-from mechc.algebra.from_formula import to_angle, to_product
-from mechc.algebra.modular import PARTS, PRIME, Point, direction
-from mechc.algebra.sums import add, canonical
-from mechc.algebra.walk import evaluate
+from mechc.formula.walk import evaluate
 from test_algebra_sums import VALUES, products
 
 law = settings(max_examples=40, deadline=None, derandomize=True, database=None)

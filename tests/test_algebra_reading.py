@@ -7,12 +7,12 @@ from hypothesis import strategies as st
 import mechc
 from mechc.algebra.angle import Angle
 from mechc.algebra.equality import equal
-from mechc.algebra.formula import quotient, total
-from mechc.algebra.operations import count_operations
 from mechc.algebra.product import Product
 from mechc.algebra.sums import add, canonical
-from mechc.algebra.to_text import text
 from mechc.algebra.trigonometry import cosine, sine
+from mechc.formula.operations import count_operations
+from mechc.formula.to_text import text
+from mechc.formula.tree import quotient, total
 from test_algebra_sums import products
 
 law = settings(max_examples=40, deadline=None, derandomize=True, database=None)

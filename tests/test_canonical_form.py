@@ -8,7 +8,7 @@ import pytest
 
 import mechc
 from good_mechanisms import ALL
-from mechc.algebra.to_text import text
+from mechc.formula.to_text import text
 
 NAMES = [
     "class_four_block",

@@ -8,7 +8,7 @@ import pytest
 
 import reference_geometry
 from good_mechanisms import ALL, compiled, tree_of
-from mechc.algebra.walk import evaluate, symbols
+from mechc.formula.walk import evaluate, symbols
 from mechc.model.mechanism import Force
 from reference_geometry import assemble_half
 from reference_kinematics import Motion

@@ -8,7 +8,10 @@ from typing import Any
 import pytest
 from jsonschema import Draft202012Validator
 
-from mechc.algebra.formula import (
+from mechc.data import data
+from mechc.emit.json.to_json import TARGET, schema_text
+from mechc.emit.target import Options
+from mechc.formula.tree import (
     PI,
     Call,
     Formula,
@@ -18,9 +21,6 @@ from mechc.algebra.formula import (
     Sum,
     Symbol,
 )
-from mechc.data import data
-from mechc.emit.json.to_json import TARGET, schema_text
-from mechc.emit.target import Options
 from routine_samples import LIBRARY, SAMPLES, compiled, solved
 
 SHIPPED = data("grammar") / "result.schema.json"

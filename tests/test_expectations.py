@@ -4,10 +4,10 @@ from fractions import Fraction
 
 import pytest
 
-from mechc.algebra.formula import Call, Formula, Symbol, degrees, number, power, product, total
 from mechc.check.expectations import Finding, compare
 from mechc.check.poses import complete, default_pose, random_poses
 from mechc.diagnostics import Report
+from mechc.formula.tree import Call, Formula, Symbol, degrees, number, power, product, total
 from mechc.model.mechanism import Expect, Interval, Mechanism, Parameter, Require
 from mechc.model.result import Definition, Result
 from mechc.source import Source, Span

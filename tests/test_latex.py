@@ -11,12 +11,12 @@ import pytest
 from jinja2 import meta
 
 import mechc
-from mechc.algebra.formula import Call, Sum, Symbol
 from mechc.derivation.steps import Rule
 from mechc.emit.latex.display import vanishing
 from mechc.emit.latex.notation import notation
 from mechc.emit.latex.to_latex import _TEMPLATES, TARGET, Report
 from mechc.emit.target import Options
+from mechc.formula.tree import Call, Sum, Symbol
 from mechc.words import en, ru, uk
 from mechc.words.table import Words
 from report_samples import packet_clamp, six_bar

@@ -8,8 +8,8 @@ from hypothesis import strategies as st
 
 import mechc
 from mechanisms import Style, sample
-from mechc.algebra.operations import count_operations
-from mechc.algebra.walk import symbols
+from mechc.formula.operations import count_operations
+from mechc.formula.walk import symbols
 
 SEEDS = st.integers(0, 10**6)
 

@@ -8,7 +8,7 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1] / "compiler" / "mechc"
 
-BASE = ["frozen", "source", "units", "diagnostics", "data", "files", "words", "algebra"]
+BASE = ["frozen", "source", "units", "diagnostics", "data", "files", "words", "formula", "algebra"]
 STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check"]
 OUTPUT = ["derivation", "routine", "emit"]
 TOP = ["driver", "api", "cli", "__main__"]
@@ -42,7 +42,7 @@ VOCABULARY = {
 }
 """Small functions on a stage's words or data, which lead to no other stage."""
 
-LATE = {("api.py", "routine.evaluate"), ("api.py", "sympy"), ("algebra/to_sympy.py", "sympy")}
+LATE = {("api.py", "routine.evaluate"), ("api.py", "sympy"), ("formula/to_sympy.py", "sympy")}
 """Imports inside a function: only where numbers or sympy expressions are asked for."""
 
 

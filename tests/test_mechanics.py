@@ -5,9 +5,9 @@ import pytest
 import mechc
 from good_mechanisms import ALL
 from mechanisms import sample
-from mechc.algebra.to_text import text
 from mechc.derivation.steps import Rule
 from mechc.diagnostics import MechcError
+from mechc.formula.to_text import text
 
 TIED = """
 param a = 100 mm

@@ -4,10 +4,10 @@ from fractions import Fraction
 
 import pytest
 
-from mechc.algebra.formula import PI, ZERO, Number, Symbol
-from mechc.algebra.to_text import text
-from mechc.algebra.walk import evaluate
 from mechc.diagnostics import MechcError, Report
+from mechc.formula.to_text import text
+from mechc.formula.tree import PI, ZERO, Number, Symbol
+from mechc.formula.walk import evaluate
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import (
     Absolute,

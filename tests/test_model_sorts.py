@@ -7,8 +7,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechc.algebra.walk import evaluate
 from mechc.diagnostics import MechcError, Report
+from mechc.formula.walk import evaluate
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Let
 from mechc.model.sorts import Nature, Sort, agreed, multiplied, raised

@@ -7,7 +7,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from latex_reader import read
-from mechc.algebra.formula import (
+from mechc.derivation.text_printer import ASCII, print_formula
+from mechc.emit.latex.notation import notation
+from mechc.emit.latex.printer import latex
+from mechc.formula.tree import (
     Call,
     Formula,
     Symbol,
@@ -18,10 +21,7 @@ from mechc.algebra.formula import (
     product,
     total,
 )
-from mechc.algebra.walk import evaluate
-from mechc.derivation.text_printer import ASCII, print_formula
-from mechc.emit.latex.notation import notation
-from mechc.emit.latex.printer import latex
+from mechc.formula.walk import evaluate
 from report_samples import formula
 
 VALUES = {"a": 1.3, "b": 0.7, "c": 2.1, "alpha": 0.4, "beta": 0.9, "theta": 0.25, "pi": math.pi}

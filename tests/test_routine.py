@@ -8,11 +8,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from mechc.algebra.formula import Call, Formula, Power, degrees, number, product, total
-from mechc.algebra.operations import count_operations
-from mechc.algebra.to_text import text
-from mechc.algebra.walk import evaluate as value_of
-from mechc.algebra.walk import walk
+from mechc.formula.operations import count_operations
+from mechc.formula.to_text import text
+from mechc.formula.tree import Call, Formula, Power, degrees, number, product, total
+from mechc.formula.walk import evaluate as value_of
+from mechc.formula.walk import walk
 from mechc.frozen import replace
 from mechc.model.mechanism import Mechanism, Require
 from mechc.model.result import Definition, Result

@@ -15,8 +15,8 @@ import pytest
 import sympy
 
 import mechc
-from mechc.algebra.to_text import text
 from mechc.api import SolvedMechanism
+from mechc.formula.to_text import text
 
 SEEDS = {
     entry["id"]: entry

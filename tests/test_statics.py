@@ -5,7 +5,6 @@ from random import Random
 import pytest
 
 from by_hand import HERE, angle_of, build, force, geometries, in_numbers, result, torque
-from mechc.algebra import formula
 from mechc.cli.session import status
 from mechc.diagnostics import Diagnostic, Report
 from mechc.diagnostics.statics import (
@@ -14,6 +13,7 @@ from mechc.diagnostics.statics import (
     no_equilibrium,
     pose_does_not_close,
 )
+from mechc.formula import tree as formula
 from mechc.frozen import replace
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadForm, LoadRatio, Speed, SpeedRatio

@@ -4,9 +4,9 @@ from fractions import Fraction
 import pytest
 
 from by_hand import HERE, at, build, force, result, torque
-from mechc.algebra import formula
 from mechc.algebra.product import Product
 from mechc.diagnostics import Report
+from mechc.formula import tree as formula
 from mechc.frozen import replace
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadRatio

@@ -9,8 +9,8 @@ import pytest
 from by_hand import build, force, result, torque
 from gates import check
 from mechanisms import grow
-from mechc.algebra import formula
 from mechc.diagnostics import Report
+from mechc.formula import tree as formula
 from mechc.model.mechanism import LoadRatio, Speed, SpeedRatio
 from mechc.source import Source
 from mechc.statics.answers import load_ratio

@@ -11,10 +11,10 @@ from types import SimpleNamespace
 import numpy as np
 import pytest
 
-from mechc.algebra.to_sympy import to_sympy
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Compiled, Options
+from mechc.formula.to_sympy import to_sympy
 from mechc.routine.evaluate import evaluate
 from mechc.routine.steps import Function, Input, Routine
 from mechc.units import LENGTH

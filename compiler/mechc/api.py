@@ -8,7 +8,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .algebra.to_sympy import to_sympy
 from .check.poses import default_pose
 from .derivation.steps import Derivation
 from .diagnostics import Diagnostic, near_miss
@@ -16,6 +15,7 @@ from .driver import Compilation, compile_source, emit, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
 from .files import find, read
+from .formula.to_sympy import to_sympy
 from .model.result import Result
 from .source import Source
 

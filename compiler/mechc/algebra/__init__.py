@@ -1,7 +1,7 @@
-"""Angle algebra, and the formulas that are handed out.
+"""Angle algebra: results as products of lengths, sines and cosines, never expanded.
 
 ``angle``: rational combinations of symbols plus a constant. ``factors``, ``product``,
 ``trigonometry``: factored products of lengths, sines, cosines and sums. ``sums``: their
-canonical sums, by way of ``laurent``, ``factoring`` and ``reduction``. ``formula``: the
-expression tree that printers, sympy and the routine read.
+canonical sums, by way of ``laurent``, ``factoring`` and ``reduction``. ``modular``,
+``equality``, ``rank``: exact answers at random points of a finite field.
 """

@@ -12,8 +12,8 @@ import math
 from collections.abc import Mapping
 from fractions import Fraction
 
+from ..formula.tree import Formula, Symbol, degrees, number, product, total
 from ..frozen import frozen
-from .formula import Formula, Symbol, degrees, number, product, total
 
 Rational = int | Fraction
 """An exact rational, kept as ``int`` where it is one: Fractions are ten times slower."""

@@ -1,7 +1,7 @@
 """Partial derivatives of factored products, factored again.
 
 >>> from .angle import Angle
->>> from .to_text import text
+>>> from ..formula.to_text import text
 >>> from .trigonometry import sine, cosine
 >>> t = Angle.of("t")
 >>> text(derivative(sine(t) / cosine(t), "t").formula())

@@ -1,6 +1,6 @@
 """Determinants of matrices of products.
 
->>> from .to_text import text
+>>> from ..formula.to_text import text
 >>> a, b, c, d = map(Product.symbol, "abcd")
 >>> text(determinant([[a, b], [c, d]]).formula())
 'a*d - b*c'

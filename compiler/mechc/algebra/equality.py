@@ -1,6 +1,6 @@
 """Is one formula equal to another? Exactly, at random points of a finite field.
 
->>> from .formula import Call, Number, Symbol, power, number, total
+>>> from ..formula.tree import Call, Number, Symbol, power, number, total
 >>> s, c = (power(Call(f, (Symbol("t"),)), number(2)) for f in ("sin", "cos"))
 >>> equal(total([s, c]), number(1))
 True
@@ -11,8 +11,8 @@ False
 from collections.abc import Sequence
 from typing import assert_never
 
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .angle import Angle
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .from_formula import to_angle
 from .modular import Point
 

@@ -5,11 +5,11 @@ from collections.abc import Hashable, Mapping
 from functools import lru_cache
 from typing import Literal, Protocol
 
+from ..formula.tree import Call, Formula, Symbol
+from ..formula.walk import evaluate
 from ..frozen import frozen
 from .angle import Angle
-from .formula import Call, Formula, Symbol
 from .modular import Point
-from .walk import evaluate
 
 Function = Literal["sin", "cos"]
 

@@ -4,7 +4,7 @@ A sum whose constants have too many conjugates to look into them all still has i
 factors in common with others; what can be lost are divisors that rest on a relation
 between these very constants.
 
->>> from .to_text import text
+>>> from ..formula.to_text import text
 >>> text(named(sine(Angle.of("t") + Angle.constant(33))).formula())
 'sin(3° + t + pi/6)'
 """

@@ -1,7 +1,7 @@
 """From formulas to angle algebra: which part of a formula it can look into.
 
->>> from .formula import Symbol, Call, degrees, total, quotient
->>> from .to_text import text
+>>> from ..formula.tree import Symbol, Call, degrees, total, quotient
+>>> from ..formula.to_text import text
 >>> str(to_angle(total([Symbol("alpha"), degrees(-90)])))
 'alpha - 90°'
 >>> text(to_product(quotient(Call("sin", (Symbol("t"),)), Call("cos", (Symbol("t"),)))).formula())
@@ -11,9 +11,9 @@
 from fractions import Fraction
 from typing import assert_never
 
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .angle import RADIAN, Angle, rational
 from .factors import Opaque
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .modular import PARTS
 from .product import Product as Factored
 from .sums import add

@@ -21,7 +21,7 @@ NIL = 1e-9
 def split_by_half(sum_: Sum, trig: Trig) -> Product | None:
     """Return a sum as (half of the trig's angle) · (rest), None if no half divides it.
 
-    >>> from .to_text import text
+    >>> from ..formula.to_text import text
     >>> a, t = Angle.of("a"), Angle.of("t")
     >>> (c,) = cosine(a).factors
     >>> split = split_by_half(Sum((cosine(t), sine(t - a))), c)

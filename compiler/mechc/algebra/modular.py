@@ -8,8 +8,8 @@ The prime is chosen so that i and the roots of unity of constant angles exist in
 field; a constant such as 40° is then what it is, not a free symbol.
 """
 
-import random
 from functools import lru_cache
+from hashlib import blake2b
 from typing import Literal
 
 from .angle import Angle, Rational
@@ -37,6 +37,14 @@ def direction(parts: int) -> int:
     return pow(_root_of_unity(), 90 * PARTS // parts, PRIME)
 
 
+_HALF = pow(2, -1, PRIME)
+
+
+@lru_cache(maxsize=1)
+def _half_over_i() -> int:
+    return pow(2 * direction(1), -1, PRIME)
+
+
 class Point:
     """Random values for all symbols, made up as they are first asked for.
 
@@ -48,16 +56,20 @@ class Point:
     def __init__(self, seed: int = 0) -> None:
         self.seed = seed
         self._lengths: dict[str, int] = {}
-        self._trig: dict[tuple[str, Angle], int] = {}
+        self._pairs: dict[Angle, tuple[int, int]] = {}
         self._turns: dict[str, tuple[int, int]] = {}
 
     def length(self, name: str) -> int:
         """Return the random value of a symbol."""
         value = self._lengths.get(name)
         if value is None:
-            value = random.Random(f"{self.seed}/{name}").randrange(1, PRIME)
-            self._lengths[name] = value
+            value = self._lengths[name] = self._drawn(name)
         return value
+
+    def _drawn(self, name: str) -> int:
+        """Return a number other than 0 that only the seed and the name decide."""
+        digest = blake2b(f"{self.seed}/{name}".encode(), digest_size=32).digest()
+        return int.from_bytes(digest, "big") % (PRIME - 1) + 1
 
     def rational(self, value: Rational) -> int:
         """Return a rational number in the field."""
@@ -75,18 +87,18 @@ class Point:
 
     def trig(self, function: Literal["sin", "cos"], angle: Angle) -> int:
         """Return sin or cos from z = exp(i·angle)."""
-        key = (function, angle)
-        value = self._trig.get(key)
-        if value is None:
+        z, conjugate = self._pair(angle)
+        if function == "cos":
+            return (z + conjugate) * _HALF % PRIME
+        return (z - conjugate) * _half_over_i() % PRIME
+
+    def _pair(self, angle: Angle) -> tuple[int, int]:
+        """Return exp(i·angle) and exp(−i·angle)."""
+        pair = self._pairs.get(angle)
+        if pair is None:
             z = self.exponential(angle)
-            conjugate = pow(z, -1, PRIME)
-            i = direction(1)
-            if function == "cos":
-                value = (z + conjugate) * pow(2, -1, PRIME) % PRIME
-            else:
-                value = (z - conjugate) * pow(2 * i, -1, PRIME) % PRIME
-            self._trig[key] = value
-        return value
+            pair = self._pairs[angle] = z, pow(z, -1, PRIME)
+        return pair
 
     def exponential(self, angle: Angle) -> int:
         """Return exp(i·angle): a power product of one random value per symbol."""
@@ -102,7 +114,7 @@ class Point:
     def _exponentials(self, name: str) -> tuple[int, int]:
         """Return exp(i·symbol/PARTS), a random value, and exp(i·symbol), its power."""
         if name not in self._turns:
-            root = random.Random(f"{self.seed}/angle {name}").randrange(1, PRIME)
+            root = self._drawn(f"angle {name}")
             self._turns[name] = root, pow(root, PARTS, PRIME)
         return self._turns[name]
 

@@ -10,12 +10,12 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from ..formula.operations import count_operations
+from ..formula.tree import Call, Formula, number, product, total
+from ..formula.tree import Symbol as SymbolFormula
 from .angle import Rational, rational
 from .factors import Factor, Length, Trig
-from .formula import Call, Formula, number, product, total
-from .formula import Symbol as SymbolFormula
 from .modular import Point
-from .operations import count_operations
 
 
 class Product:
@@ -25,7 +25,7 @@ class Product:
     >>> from .trigonometry import cosine, sine
     >>> a, b = Product.symbol("a"), Product.symbol("b")
     >>> k = a / b * sine(Angle.of("alpha")) / cosine(Angle.of("alpha"))
-    >>> from .to_text import text
+    >>> from ..formula.to_text import text
     >>> text(k.formula())
     'a*tan(alpha)/b'
     """

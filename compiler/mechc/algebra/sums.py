@@ -1,6 +1,6 @@
 """Sums of products in canonical form, and what cancels in a product.
 
->>> from .to_text import text
+>>> from ..formula.to_text import text
 >>> from .angle import Angle
 >>> from .trigonometry import sine, cosine
 >>> a, b = Angle.of("alpha"), Angle.of("beta")

@@ -12,10 +12,10 @@ from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 from ..algebra.equality import equal
-from ..algebra.formula import Formula
-from ..algebra.walk import evaluate, symbols
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as words
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Expect, Mechanism
 from ..model.order import ordered
 from ..model.result import Result

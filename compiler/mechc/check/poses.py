@@ -8,7 +8,7 @@ import random
 from collections.abc import Iterator, Mapping
 from itertools import islice
 
-from ..algebra.walk import evaluate, symbols
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Mechanism, Parameter, Require
 from ..units import ANGLE
 

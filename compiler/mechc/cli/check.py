@@ -4,12 +4,12 @@ from collections.abc import Iterator
 
 import click
 
-from ..algebra.to_text import text
 from ..check.expectations import Finding
 from ..derivation.definitions import definitions, is_by_letter
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
+from ..formula.to_text import text
 from ..model.mechanism import GRAVITY
 from ..model.result import Result
 from ..source import Source

@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 import click
 
-from ..algebra.to_text import text
 from ..diagnostics import MechcError
 from ..driver import Compilation
 from ..files import library, read
+from ..formula.to_text import text
 from .session import Command
 
 WIDTHS = {"title": 46, "source": 34}

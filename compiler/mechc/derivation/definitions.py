@@ -2,7 +2,7 @@
 
 from collections.abc import Container
 
-from ..algebra.formula import Formula, Number, Product, Symbol
+from ..formula.tree import Formula, Number, Product, Symbol
 from ..model.mechanism import GRAVITY
 from ..model.result import Definition, Result
 
@@ -20,8 +20,8 @@ def definitions(result: Result, told: Container[str] = ()) -> tuple[Definition, 
 def by_letter(formula: Formula) -> Formula:
     """Return a weight as ``m·g``; any other formula as it is.
 
-    >>> from ..algebra.formula import product
-    >>> from ..algebra.to_text import text
+    >>> from ..formula.tree import product
+    >>> from ..formula.to_text import text
     >>> text(by_letter(product([(Symbol("m"), 1), (GRAVITY, 1)])))
     'm*g'
     """

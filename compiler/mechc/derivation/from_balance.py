@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from ..algebra.formula import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ..algebra.product import Product
 from ..algebra.sums import add, canonical
+from ..formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ..kinematics.forms import projection, spin
 from ..kinematics.graph import Form, Kind, Relation
 from ..kinematics.graph import Rule as Law

@@ -8,8 +8,8 @@ independent motions, or without default values, they are signed as the unknowns 
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..algebra.formula import Symbol
 from ..algebra.product import ONE, Product
+from ..formula.tree import Symbol
 from ..kinematics.graph import Kind, Rule, Unknown
 from ..kinematics.plan import Plan
 from ..power.balance import Balance

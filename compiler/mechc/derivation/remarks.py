@@ -3,8 +3,8 @@
 from collections.abc import Iterable
 from typing import Protocol, assert_never
 
-from ..algebra.formula import ZERO, Formula, Sum, Symbol, product, quotient, total
-from ..algebra.layout import is_angle
+from ..formula.layout import is_angle
+from ..formula.tree import ZERO, Formula, Sum, Symbol, product, quotient, total
 from ..model.mechanism import LoadForm, LoadRatio, Require, Speed, SpeedRatio
 from ..model.result import Result, Trend, Vanishing
 from ..words.table import Words

@@ -8,7 +8,7 @@ belong to whoever prints.
 from enum import StrEnum
 from typing import NamedTuple
 
-from ..algebra.formula import Formula
+from ..formula.tree import Formula
 from ..frozen import frozen
 from ..model.result import Result
 

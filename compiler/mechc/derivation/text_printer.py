@@ -1,6 +1,6 @@
 """Formulas for the terminal, on one line.
 
->>> from ..algebra.formula import Symbol, number, product
+>>> from ..formula.tree import Symbol, number, product
 >>> a, b, alpha, theta = map(Symbol, ("a", "b", "alpha", "theta"))
 >>> k = product(
 ...     [(number(2), 1), (b, 1), (a, -1), (Call("cos", (alpha,)), 1)]
@@ -17,9 +17,9 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import assert_never
 
-from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
-from ..algebra.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
-from ..algebra.names import GREEK, split_name
+from ..formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
+from ..formula.names import GREEK, split_name
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
 from ..frozen import frozen
 
 SUM, FACTOR, BASE = 0, 1, 2

@@ -5,8 +5,8 @@ from collections.abc import Iterable, Iterator, Sequence
 from textwrap import wrap
 from typing import NamedTuple
 
-from ..algebra.formula import Formula, Symbol
-from ..algebra.layout import is_angle
+from ..formula.layout import is_angle
+from ..formula.tree import Formula, Symbol
 from ..frozen import replace
 from ..model.mechanism import GRAVITY, Mechanism
 from ..model.result import Definition, Result

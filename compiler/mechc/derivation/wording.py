@@ -2,7 +2,7 @@
 
 from collections.abc import Callable, Iterable
 
-from ..algebra.formula import Formula, Number, Power, Product, Symbol, product, quotient
+from ..formula.tree import Formula, Number, Power, Product, Symbol, product, quotient
 from ..words.table import Words
 from .steps import Equation, Step
 
@@ -28,8 +28,8 @@ def enumeration(items: Iterable[str], words: Words) -> str:
 def as_ratio(equation: Equation) -> Equation:
     """Return ``V_B/V_A = …`` for ``V_B = V_A·…``, as textbooks print it; others unchanged.
 
-    >>> from ..algebra.formula import Call
-    >>> from ..algebra.to_text import text
+    >>> from ..formula.tree import Call
+    >>> from ..formula.to_text import text
     >>> left, right = as_ratio(
     ...     Equation(
     ...         Symbol("V_B"),
@@ -81,8 +81,8 @@ def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
 def positive_first(terms: Iterable[Formula]) -> list[Formula]:
     """Return terms with one that has no minus in front, where there is one.
 
-    >>> from ..algebra.formula import degrees, negative, total
-    >>> from ..algebra.to_text import text
+    >>> from ..formula.tree import degrees, negative, total
+    >>> from ..formula.to_text import text
     >>> text(total(positive_first([negative(Symbol("theta")), degrees(180)])))
     'pi - theta'
     """

@@ -7,7 +7,7 @@ import math
 from collections.abc import Iterable
 from unicodedata import category
 
-from ..algebra.to_text import text
+from ..formula.to_text import text
 from ..model.mechanism import Mechanism
 from ..routine.steps import Function, Input
 from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
-from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from ..routine.quotient import is_decimal, quotient_of
 from ..routine.steps import Guard
 

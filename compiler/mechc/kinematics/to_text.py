@@ -2,8 +2,8 @@
 
 from collections.abc import Iterator, Sequence
 
-from ..algebra.formula import Formula, Symbol, product, total
-from ..algebra.to_text import text
+from ..formula.to_text import text
+from ..formula.tree import Formula, Symbol, product, total
 from ..pose.to_text import angle_text
 from .graph import Form, Kind, Relation, Unknown, Velocity
 from .plan import Plan

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Sequence
 from fractions import Fraction
 from typing import assert_never
 
-from ..algebra.formula import Formula, Number, Power, Product, Sum
+from ..formula.tree import Formula, Number, Power, Product, Sum
 from ..syntax import ast
 from ..units import ANGLE, LENGTH, Dimension
 

@@ -7,9 +7,9 @@ parameter by another word; it is handed on as one.
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..algebra.formula import Formula, Symbol
-from ..algebra.walk import substitute, symbols, walk
 from ..diagnostics.model import names
+from ..formula.tree import Formula, Symbol
+from ..formula.walk import substitute, symbols, walk
 from ..syntax import ast
 from .constants import names_in
 from .expressions import Reader

@@ -2,9 +2,9 @@
 
 import math
 
-from ..algebra.formula import Formula, degrees
-from ..algebra.walk import evaluate, symbols
 from ..diagnostics.model import quantities
+from ..formula.tree import Formula, degrees
+from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, LENGTH, Dimension

@@ -7,7 +7,10 @@ uses it stays quiet.
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import (
+from ..diagnostics import Report
+from ..diagnostics.model import joints, names, quantities
+from ..formula.to_text import text
+from ..formula.tree import (
     PI,
     ZERO,
     Call,
@@ -22,9 +25,6 @@ from ..algebra.formula import (
     product,
     total,
 )
-from ..algebra.to_text import text
-from ..diagnostics import Report
-from ..diagnostics.model import joints, names, quantities
 from ..frozen import frozen
 from ..source import Span
 from ..syntax import ast

@@ -3,8 +3,8 @@
 import math
 from typing import NamedTuple
 
-from ..algebra.formula import Formula
 from ..diagnostics.model import joints as words
+from ..formula.tree import Formula
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, LENGTH

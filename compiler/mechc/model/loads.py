@@ -3,7 +3,9 @@
 from collections.abc import Sequence
 from fractions import Fraction
 
-from ..algebra.formula import (
+from ..diagnostics.model import loads as words
+from ..diagnostics.model import names
+from ..formula.tree import (
     Call,
     Formula,
     Number,
@@ -15,9 +17,7 @@ from ..algebra.formula import (
     degrees,
     product,
 )
-from ..algebra.walk import symbols
-from ..diagnostics.model import loads as words
-from ..diagnostics.model import names
+from ..formula.walk import symbols
 from ..source import Span
 from ..syntax import ast
 from ..units import ACCELERATION, FORCE, MASS, NUMBER, TORQUE, Dimension

@@ -10,7 +10,7 @@ from fractions import Fraction
 from types import MappingProxyType
 from typing import Literal, NamedTuple
 
-from ..algebra.formula import Formula, Number
+from ..formula.tree import Formula, Number
 from ..frozen import frozen
 from ..source import Span
 from ..units import Dimension

@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterator, Mapping
 from itertools import chain
 
-from ..algebra.walk import evaluate, symbols
 from ..diagnostics.model import names, quantities
+from ..formula.walk import evaluate, symbols
 from ..syntax import ast
 from ..units import DIMENSIONS, UNITS, Dimension
 from .constants import leaves, names_in, out_of_reach

@@ -10,7 +10,7 @@ All formulas are in SI and radians and mention free parameters and the names in
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from ..algebra.formula import Formula
+from ..formula.tree import Formula
 from ..frozen import frozen
 from ..units import Dimension
 from .mechanism import Target

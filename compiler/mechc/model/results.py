@@ -4,10 +4,10 @@ import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from ..algebra.formula import Formula
-from ..algebra.walk import evaluate, substitute, symbols
 from ..diagnostics.model import names, quantities
 from ..diagnostics.model import results as words
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, substitute, symbols
 from ..syntax import ast
 from ..units import UNITS, Dimension
 from .definitions import Definitions, written_out

@@ -4,10 +4,10 @@ import re
 from collections.abc import Iterable
 from typing import Literal, NamedTuple
 
-from ..algebra.formula import Formula
-from ..algebra.walk import evaluate, symbols
 from ..diagnostics import Report
 from ..diagnostics.model import names as words
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
 from ..syntax.words import points_of

@@ -4,8 +4,8 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import assert_never
 
-from ..algebra.formula import Formula
-from ..algebra.to_text import text
+from ..formula.to_text import text
+from ..formula.tree import Formula
 from ..units import described
 from .mechanism import (
     Absolute,

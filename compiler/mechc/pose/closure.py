@@ -14,10 +14,10 @@ from ..algebra.factors import Factor, Length, Trig
 from ..algebra.modular import Point
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
-from ..algebra.to_text import text
 from ..algebra.trigonometry import cosine
 from ..diagnostics import Diagnostic
 from ..diagnostics import pose as words
+from ..formula.to_text import text
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
 

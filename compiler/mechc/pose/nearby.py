@@ -3,8 +3,8 @@
 import math
 from collections.abc import Iterable
 
-from ..algebra.formula import Formula
-from ..algebra.walk import evaluate, symbols
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Mechanism, Parameter
 from .pose import Definition
 

@@ -9,10 +9,10 @@ from collections.abc import Collection, Iterable, Mapping
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
-from ..algebra.formula import Formula
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
+from ..formula.tree import Formula
 from ..frozen import frozen
 from ..model.mechanism import Mechanism
 

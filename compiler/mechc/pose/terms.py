@@ -5,11 +5,11 @@ names and become definitions (``beta`` where ``beta = asin(…)``).
 """
 
 from ..algebra.angle import Angle
-from ..algebra.formula import Call, Formula
 from ..algebra.from_formula import is_transparent, to_angle, to_product
-from ..algebra.operations import count_operations
 from ..algebra.product import Product
-from ..algebra.walk import substitute, symbols
+from ..formula.operations import count_operations
+from ..formula.tree import Call, Formula
+from ..formula.walk import substitute, symbols
 from ..model.mechanism import Mechanism, Parameter
 from ..units import ANGLE
 from .pose import Definition

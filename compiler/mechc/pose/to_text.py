@@ -3,7 +3,7 @@
 from collections.abc import Iterator, Mapping
 
 from ..algebra.angle import Angle
-from ..algebra.to_text import text
+from ..formula.to_text import text
 from .pose import Pose, Vector
 
 

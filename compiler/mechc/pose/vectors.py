@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..algebra.walk import symbols
+from ..formula.walk import symbols
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .compass import Compass

@@ -6,9 +6,9 @@ from itertools import combinations
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
 from ..algebra.factors import Length
-from ..algebra.formula import Formula, Symbol
 from ..algebra.product import Product
-from ..algebra.walk import evaluate, substitute, symbols
+from ..formula.tree import Formula, Symbol
+from ..formula.walk import evaluate, substitute, symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
 from ..model.result import Result, Trend

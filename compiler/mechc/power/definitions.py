@@ -2,9 +2,9 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 
-from ..algebra.formula import Formula
 from ..algebra.product import Bound, Product, Sum
-from ..algebra.walk import symbols
+from ..formula.tree import Formula
+from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..model.mechanism import Let, Mechanism
 from ..model.result import Definition, Result

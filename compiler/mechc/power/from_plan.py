@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 from typing import assert_never
 
-from ..algebra.formula import Formula, Symbol, product, total
 from ..algebra.product import Product
 from ..algebra.sums import canonical
-from ..algebra.walk import symbols
 from ..diagnostics import Report
 from ..diagnostics import power as words
+from ..formula.tree import Formula, Symbol, product, total
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan

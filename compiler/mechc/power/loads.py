@@ -3,10 +3,10 @@
 from fractions import Fraction
 
 from ..algebra.angle import rational
-from ..algebra.formula import Formula, Number
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
-from ..algebra.walk import substitute, symbols
+from ..formula.tree import Formula, Number
+from ..formula.walk import substitute, symbols
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force, Load, Mechanism
 from .balance import Term

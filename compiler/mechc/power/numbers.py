@@ -4,13 +4,13 @@ import math
 from collections.abc import Iterable, Mapping, Sequence
 
 from ..algebra.factors import Factor, Trig
-from ..algebra.formula import Formula
 from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
-from ..algebra.to_text import text
-from ..algebra.walk import evaluate, symbols
 from ..diagnostics import Report
 from ..diagnostics import power as words
+from ..formula.to_text import text
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Find, Force, LoadRatio

@@ -7,10 +7,10 @@ from typing import NamedTuple
 
 from ..algebra.angle import Rational
 from ..algebra.factors import Factor, Opaque, Trig
-from ..algebra.formula import Call
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
+from ..formula.tree import Call
 from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Mechanism, Speed
 from ..pose.pose import Arm, Vector, gathered

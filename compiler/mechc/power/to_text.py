@@ -2,8 +2,8 @@
 
 from collections.abc import Iterable, Iterator, Mapping
 
-from ..algebra.formula import Symbol, product, total
-from ..algebra.to_text import text
+from ..formula.to_text import text
+from ..formula.tree import Symbol, product, total
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
 from ..model.result import Result, Vanishing

@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 
 from ..algebra.product import Product
-from ..algebra.walk import evaluate
+from ..formula.walk import evaluate
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Trend
 from ..units import ANGLE

@@ -7,11 +7,11 @@ from typing import Literal
 
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.factors import Factor, Trig
-from ..algebra.formula import Call, Formula
-from ..algebra.formula import Sum as Terms
 from ..algebra.product import Bound, Product, Sum
 from ..algebra.sums import canonical
-from ..algebra.walk import evaluate, symbols, walk
+from ..formula.tree import Call, Formula
+from ..formula.tree import Sum as Terms
+from ..formula.walk import evaluate, symbols, walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force

@@ -3,9 +3,9 @@
 from collections import Counter
 from collections.abc import Iterator
 
-from ..algebra.formula import Call, Formula, Number, Power, Sum
-from ..algebra.to_text import text
-from ..algebra.walk import symbols, walk
+from ..formula.to_text import text
+from ..formula.tree import Call, Formula, Number, Power, Sum
+from ..formula.walk import symbols, walk
 from .steps import Function
 
 

@@ -11,7 +11,7 @@ from typing import TypeAlias, assert_never
 import numpy as np
 from numpy.typing import NDArray
 
-from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .quotient import quotient_of
 from .steps import Function, Guard
 

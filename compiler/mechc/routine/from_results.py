@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import assert_never
 
-from ..algebra.formula import Formula
-from ..algebra.operations import count_operations
-from ..algebra.walk import evaluate, symbols
+from ..formula.operations import count_operations
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import (
     Load,
     LoadForm,

@@ -8,8 +8,8 @@ any other is split, so that 1/2 and 2/3 are exact on both sides of it.
 from fractions import Fraction
 from typing import NamedTuple
 
-from ..algebra.formula import Formula, Number, Product
-from ..algebra.operations import split_fraction
+from ..formula.operations import split_fraction
+from ..formula.tree import Formula, Number, Product
 
 LARGEST_DENOMINATOR = 10**15
 """Beyond it a decimal has more digits than a float keeps."""

@@ -7,8 +7,8 @@ then other results (a let may use a find, and gives a load its value); then load
 from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
-from ..algebra.formula import Formula, Symbol
-from ..algebra.walk import substitute, symbols
+from ..formula.tree import Formula, Symbol
+from ..formula.walk import substitute, symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Result
 

@@ -10,7 +10,7 @@ from fractions import Fraction
 from itertools import count
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .steps import Step
 from .table import Apply, Entry, Leaf, Raised, Ratio, Scaled, Table, Terms, parts, tabulate
 

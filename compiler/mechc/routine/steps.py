@@ -8,7 +8,7 @@ linearly with the mechanism.
 
 from typing import Literal
 
-from ..algebra.formula import Formula
+from ..formula.tree import Formula
 from ..frozen import frozen
 from ..units import Dimension
 

@@ -10,8 +10,8 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
-from ..algebra.walk import children
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.walk import children
 
 
 class Leaf(NamedTuple):

@@ -1,6 +1,6 @@
 """A routine as text, for people: ``mechc show routine``."""
 
-from ..algebra.to_text import text
+from ..formula.to_text import text
 from .steps import Function, Guard, Input, Routine
 
 

@@ -8,7 +8,7 @@ import math
 from collections.abc import Mapping, Set
 from typing import NamedTuple
 
-from ..algebra.walk import evaluate, symbols
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Load, Mechanism
 from .free_bodies import System, equilibrium
 from .solve import factor

@@ -9,8 +9,8 @@ import math
 from collections.abc import Iterator, Mapping
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import Formula
-from ..algebra.walk import evaluate, symbols
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
 from ..pose.pose import Pose, evaluate_vector

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator, Mapping
 from functools import partial
 from random import Random
 
-from ..algebra.walk import evaluate, symbols
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Mechanism, Parameter, Require
 from ..pose.pose import Pose
 from ..units import ANGLE

@@ -10,8 +10,6 @@ from functools import partial
 from itertools import islice
 from typing import NamedTuple, assert_never
 
-from ..algebra.formula import Formula
-from ..algebra.walk import evaluate
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics.statics import (
     BUGS,
@@ -20,6 +18,8 @@ from ..diagnostics.statics import (
     not_judged,
     pose_does_not_close,
 )
+from ..formula.tree import Formula
+from ..formula.walk import evaluate
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, SpeedRatio
 from ..model.result import Definition, Result
 from ..pose.pose import Pose

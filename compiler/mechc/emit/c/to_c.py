@@ -4,10 +4,10 @@ import re
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ...algebra.formula import Call, Formula, Pi
-from ...algebra.walk import walk
 from ...diagnostics.diagnostic import MechcError
 from ...diagnostics.emission import unspeakable_file_name
+from ...formula.tree import Call, Formula, Pi
+from ...formula.walk import walk
 from ...routine.steps import Function
 from .. import describe
 from ..names import Names, mangle, transliterate

@@ -5,10 +5,10 @@ The document and its JSON Schema are both made from what stands here.
 
 from collections.abc import Mapping
 
-from ...algebra.formula import Formula
-from ...algebra.to_text import text
-from ...algebra.walk import evaluate
 from ...derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
+from ...formula.to_text import text
+from ...formula.tree import Formula
+from ...formula.walk import evaluate
 from ...model.mechanism import LoadForm, LoadRatio, Parameter, SpeedRatio, Target
 from ...model.result import Definition, Result, Vanishing
 from ...routine.steps import Function

@@ -2,9 +2,9 @@
 
 from typing import assert_never
 
-from ...algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
-from ...algebra.operations import count_operations
-from ...algebra.to_text import text
+from ...formula.operations import count_operations
+from ...formula.to_text import text
+from ...formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .kinds import TEXT, WHOLE, Json, Kind, member, record
 
 

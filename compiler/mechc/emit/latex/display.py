@@ -9,9 +9,9 @@ from collections.abc import Iterator, Set
 from itertools import count
 from typing import NamedTuple
 
-from ...algebra.formula import Formula, Product, Sum, Symbol
-from ...algebra.layout import is_angle
-from ...algebra.walk import children, rebuild, symbols
+from ...formula.layout import is_angle
+from ...formula.tree import Formula, Product, Sum, Symbol
+from ...formula.walk import children, rebuild, symbols
 from .notation import Notation
 from .printer import Box, box, plain, row, signed
 

@@ -3,9 +3,9 @@
 from collections.abc import Iterable
 from typing import NamedTuple, assert_never
 
-from ...algebra.formula import ZERO, number
 from ...derivation.definitions import by_letter, is_by_letter
 from ...derivation.wording import enumeration
+from ...formula.tree import ZERO, number
 from ...model.mechanism import (
     GRAVITY,
     Absolute,

@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from types import MappingProxyType
 from typing import Literal
 
-from ...algebra.names import GREEK, Point, split_name, split_points
+from ...formula.names import GREEK, Point, split_name, split_points
 from ...frozen import frozen
 
 Language = Literal["en", "uk", "ru"]

@@ -4,7 +4,7 @@ Arms as one fraction and angles as another, ``\cos\alpha`` without parentheses,
 constant angles in degrees. Every piece is a :class:`Box` that knows how wide it will
 be, so that ``latex_display`` can break what no line would hold.
 
->>> from ...algebra.formula import Symbol, quotient, number, product
+>>> from ...formula.tree import Symbol, quotient, number, product
 >>> from .notation import notation
 >>> a, b, alpha = Symbol("a"), Symbol("b"), Symbol("alpha")
 >>> k = product([(number(2), 1), (b, 1), (a, -1), (Call("cot", (alpha,)), 1)])
@@ -19,8 +19,8 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from ...algebra.formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
-from ...algebra.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
+from ...formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
+from ...formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
 from .notation import Notation, name
 
 SUM, FACTOR, BASE = 0, 1, 2

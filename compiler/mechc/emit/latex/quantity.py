@@ -1,6 +1,6 @@
 r"""Numbers and quantities with the user's unit, as LaTeX.
 
->>> from ...algebra.formula import degrees, number
+>>> from ...formula.tree import degrees, number
 >>> from ...units import ANGLE, LENGTH
 >>> from ...words.en import WORDS
 >>> from .notation import notation
@@ -14,9 +14,9 @@ import math
 import re
 from fractions import Fraction
 
-from ...algebra.formula import Formula, Number
-from ...algebra.layout import in_degrees
-from ...algebra.walk import evaluate
+from ...formula.layout import in_degrees
+from ...formula.tree import Formula, Number
+from ...formula.walk import evaluate
 from ...units import ANGLE, NUMBER, UNITS, Dimension
 from ...words.table import Words
 from .notation import Notation

@@ -4,9 +4,9 @@ from collections.abc import Container, Iterable, Mapping
 from math import isfinite
 from typing import NamedTuple
 
-from ...algebra.formula import ZERO, Formula, Symbol, product, total
 from ...derivation.definitions import definitions
 from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks
+from ...formula.tree import ZERO, Formula, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition, Result
 from ...statics.verdict import Verdict

@@ -11,7 +11,7 @@ import re
 import unicodedata
 from itertools import groupby
 
-from ...algebra.names import GREEK
+from ...formula.names import GREEK
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",

@@ -10,11 +10,11 @@ from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from ...algebra.layout import is_angle
-from ...algebra.walk import symbols
 from ...derivation.remarks import conditions
 from ...derivation.steps import Derivation, Equation, Step
 from ...derivation.wording import Sides, lines, sentence
+from ...formula.layout import is_angle
+from ...formula.walk import symbols
 from ...frozen import replace
 from ...units import ANGLE
 from ...words import en, ru, uk

@@ -3,8 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ...algebra.formula import Call, Formula, Number, Power
-from ...algebra.walk import symbols, walk
+from ...formula.tree import Call, Formula, Number, Power
+from ...formula.walk import symbols, walk
 from ...routine.steps import Function
 from .. import describe
 from ..names import Names, mangle

@@ -7,7 +7,7 @@ whole compilation.
 from functools import reduce
 from typing import TYPE_CHECKING, Any, assert_never
 
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 
 if TYPE_CHECKING:
     import sympy
@@ -20,7 +20,7 @@ def to_sympy(formula: Formula) -> "sympy.Expr":
     """Return the formula as a sympy expression over plain symbols (no assumptions).
 
     >>> import sympy
-    >>> from .formula import Call, Symbol, quotient
+    >>> from .tree import Call, Symbol, quotient
     >>> to_sympy(quotient(Call("sin", (Symbol("alpha"),)), Symbol("a")))
     sin(alpha)/a
     """

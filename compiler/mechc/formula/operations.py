@@ -3,7 +3,7 @@
 from fractions import Fraction
 from typing import assert_never
 
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
+from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
 
 
 def split_fraction(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
@@ -28,7 +28,7 @@ def split_fraction(formula: Product) -> tuple[Fraction, list[Formula], list[Form
 def count_operations(formula: Formula) -> int:
     """Return the number of operations, counted as sympy's ``count_ops`` counts them.
 
-    >>> from .formula import number, product
+    >>> from .tree import number, product
     >>> a, b, t = Symbol("a"), Symbol("b"), Symbol("t")
     >>> count_operations(product([(number(2), 1), (b, 1), (a, -1), (Call("cot", (t,)), 1)]))
     4

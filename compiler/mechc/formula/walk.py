@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Mapping
 from typing import assert_never
 
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power, product, total
+from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power, product, total
 
 
 def _cot(x: float) -> float:
@@ -92,7 +92,7 @@ def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
 def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
     """Return the value on floats; NaN where a function is not defined there.
 
-    >>> from .formula import degrees
+    >>> from .tree import degrees
     >>> round(evaluate(Call("sin", (degrees(30),)), {}), 12)
     0.5
     """

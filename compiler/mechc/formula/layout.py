@@ -9,8 +9,8 @@ from collections.abc import Set
 from fractions import Fraction
 from typing import NamedTuple
 
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .operations import split_fraction
+from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
 from .walk import children
 
 INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
@@ -39,7 +39,7 @@ def fractions(formula: Product) -> Fractions:
     but ``a cos α / 2``, ``V_A sin θ / cos(α + θ)`` as a speed times a fraction. Letters
     lead each row, sums of lengths follow, then functions: ``V_B sin α``, not ``sin α V_B``.
 
-    >>> from .formula import product
+    >>> from .tree import product
     >>> a, b, t = Symbol("a"), Symbol("b"), Call("cot", (Symbol("t"),))
     >>> fractions(product([(b, 1), (a, -1), (t, 1)])).second == ((t,), ())
     True
@@ -107,7 +107,7 @@ def _has_function(formula: Formula) -> bool:
 def in_degrees(formula: Formula) -> Fraction | None:
     """Return a rational multiple of π in degrees, None for anything else.
 
-    >>> from .formula import degrees
+    >>> from .tree import degrees
     >>> in_degrees(degrees(40))
     Fraction(40, 1)
     """

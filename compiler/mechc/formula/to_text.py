@@ -3,14 +3,14 @@
 from functools import reduce
 from typing import assert_never
 
-from .formula import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
 from .operations import split_fraction
+from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
 
 
 def text(formula: Formula) -> str:
     """Return the formula in the notation of the language (``^`` for powers).
 
-    >>> from .formula import number, product, total
+    >>> from .tree import number, product, total
     >>> x = Symbol("x")
     >>> text(total([x, product([(number(-2), 1), (Call("sin", (x,)), 1)])]))
     'x - 2*sin(x)'
