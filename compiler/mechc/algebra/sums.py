@@ -25,6 +25,8 @@ from .trigonometry import cosine, sine
 
 LIMIT = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""
+ROOT = Trig("cos", Angle.constant(45))
+"""The one constant whose square is rational while it is not."""
 _HALVINGS = 4
 """sin 16u / sin u is seen to cancel; sin 32u / sin u is not."""
 
@@ -35,7 +37,9 @@ def add(products: Iterable[Product]) -> Product:
     Canonical while the sum has at most :data:`LIMIT` terms when multiplied out; beyond
     that it is kept as written (equality is then tested, not structural).
     """
-    terms = _merged(products)
+    terms = [p for p in products if p]
+    if len(terms) > 1:
+        terms = _merged(terms)
     if len(terms) <= 1:
         return canonical(terms[0]) if terms else ZERO
     common = _common(terms)
@@ -117,6 +121,8 @@ def _as_written(rests: Sequence[Product]) -> Product:
 
 def canonical(product: Product) -> Product:
     """Return the product with sums cancelled against sums and double angles settled."""
+    if sum(isinstance(f, (Trig, Sum)) for f in product.factors) < 2 and ROOT not in product.factors:
+        return product
     return _double_angles(_squares(_halved(_cancelled(product))))
 
 
@@ -159,12 +165,11 @@ def _halved(product: Product) -> Product:
 
 def _squares(product: Product) -> Product:
     """Replace cos² 45° by 1/2."""
-    root = Trig("cos", Angle.constant(45))
-    e = product.factors.get(root, 0)
+    e = product.factors.get(ROOT, 0)
     pairs = e // 2 if e > 0 else -(-e // 2)
     if not pairs:
         return product
-    return product * Product(1, {root: -2 * pairs}) * Product(Fraction(1, 2)) ** pairs
+    return product * Product(1, {ROOT: -2 * pairs}) * Product(Fraction(1, 2)) ** pairs
 
 
 def _double_angles(product: Product) -> Product:
