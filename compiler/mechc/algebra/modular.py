@@ -57,19 +57,13 @@ class Point:
         self.seed = seed
         self._lengths: dict[str, int] = {}
         self._pairs: dict[Angle, tuple[int, int]] = {}
-        self._turns: dict[str, tuple[int, int]] = {}
 
     def length(self, name: str) -> int:
         """Return the random value of a symbol."""
         value = self._lengths.get(name)
         if value is None:
-            value = self._lengths[name] = self._drawn(name)
+            value = self._lengths[name] = _drawn(self.seed, name)
         return value
-
-    def _drawn(self, name: str) -> int:
-        """Return a number other than 0 that only the seed and the name decide."""
-        digest = blake2b(f"{self.seed}/{name}".encode(), digest_size=32).digest()
-        return int.from_bytes(digest, "big") % (PRIME - 1) + 1
 
     def rational(self, value: Rational) -> int:
         """Return a rational number in the field."""
@@ -104,19 +98,25 @@ class Point:
         """Return exp(i·angle): a power product of one random value per symbol."""
         z = pow(_root_of_unity(), _parts(angle.degrees), PRIME) if angle.degrees else 1
         for name, coefficient in angle.terms:
-            root, whole = self._exponentials(name)
+            root, whole = _exponentials(self.seed, name)
             if isinstance(coefficient, int):
                 z = z * pow(whole, coefficient, PRIME) % PRIME
             else:
                 z = z * pow(root, _parts(coefficient), PRIME) % PRIME
         return z
 
-    def _exponentials(self, name: str) -> tuple[int, int]:
-        """Return exp(i·symbol/PARTS), a random value, and exp(i·symbol), its power."""
-        if name not in self._turns:
-            root = self._drawn(f"angle {name}")
-            self._turns[name] = root, pow(root, PARTS, PRIME)
-        return self._turns[name]
+
+def _drawn(seed: int, name: str) -> int:
+    """Return a number other than 0 that only the seed and the name decide."""
+    digest = blake2b(f"{seed}/{name}".encode(), digest_size=32).digest()
+    return int.from_bytes(digest, "big") % (PRIME - 1) + 1
+
+
+@lru_cache(maxsize=4096)
+def _exponentials(seed: int, name: str) -> tuple[int, int]:
+    """Return exp(i·symbol/PARTS), a random value, and exp(i·symbol), its power."""
+    root = _drawn(seed, f"angle {name}")
+    return root, pow(root, PARTS, PRIME)
 
 
 def _parts(value: Rational) -> int:

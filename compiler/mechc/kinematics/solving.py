@@ -22,7 +22,7 @@ class Memory:
     """
 
     def __init__(self) -> None:
-        self._point = Point(3)
+        self._point = Point()
         self._residues: dict[int, tuple[int, ...]] = {}
         self._met: dict[int, Product] = {0: ZERO}
 

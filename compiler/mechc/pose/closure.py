@@ -44,7 +44,7 @@ class Closure:
 
     def __init__(self, open_lengths: Iterable[str], defined: Iterable[str] = ()) -> None:
         self._open, self._defined = frozenset(open_lengths), frozenset(defined)
-        self._point = Point(1)
+        self._point = Point()
         self._rows: list[tuple[str, Row]] = []
 
     def check(self, condition: Condition, poses: Sequence[Values]) -> Diagnostic | None:

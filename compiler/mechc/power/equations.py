@@ -24,7 +24,7 @@ class Equations:
         self.idle_loads = [name for name, column in columns.items() if not any(column)]
         active = {n: c for n, c in columns.items() if any(c)}
         motions = len(terms[0].speed) if terms else 0
-        point = Point(2)
+        point = Point()
         rows = [{n: c[m] for n, c in enumerate(active.values()) if c[m]} for m in range(motions)]
         kept = independent(residues(row, point) for row in rows)
         self.idle_motions = [i for i, keep in enumerate(kept) if not keep]
