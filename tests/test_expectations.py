@@ -98,7 +98,7 @@ def test_root_agrees_without_proof() -> None:
     root = Call("sqrt", (power(sine, number(2)),))
     finding, said = judged(root, sine)
     assert finding.outcome == "agrees"
-    assert said == ["W581: the formula for k agrees at 13 poses, but is not proved equal"]
+    assert said == ["W581: the formula for k agrees at all 13 poses tried, but is not proved equal"]
 
 
 @pytest.mark.parametrize(("digits", "outcome"), [("0.577", "agrees"), ("0.578", "refuted")])

@@ -31,6 +31,10 @@ def expectation_refuted(
     return Words(span, message, "mend the expectation, or the geometry it was written for")
 
 
+def _counted(poses: int) -> str:
+    return "the one pose tried" if poses == 1 else f"all {poses} poses tried"
+
+
 @coded("W581")
 def expectation_unproved(span: Span, subject: str, poses: int) -> Words:
     """An ``expect`` agrees at every pose tried, but algebra did not prove it.
@@ -39,7 +43,7 @@ def expectation_unproved(span: Span, subject: str, poses: int) -> Words:
     whose sign is lost outside them), or be beyond what can be decided exactly. The
     figures agree to twelve digits at each pose.
     """
-    message = f"the formula for {subject} agrees at {poses} poses, but is not proved equal"
+    message = f"the formula for {subject} agrees at {_counted(poses)}, but is not proved equal"
     return Words(span, message, "write it in the same angles as the result to have it proved")
 
 

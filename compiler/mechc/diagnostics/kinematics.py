@@ -54,4 +54,8 @@ def redundant_constraint(at: Span, what: str) -> Words:
     redundant. k is not changed by it; the reactions of the redundant parts can't be found
     by statics alone.
     """
-    return Words(at, f"{what} is redundant: what it demands follows from the other constraints")
+    return Words(
+        at,
+        f"{what} is redundant: what it demands follows from the other constraints",
+        "leave it as it is, if the mechanism has it: k is the same with it and without it",
+    )

@@ -1,6 +1,6 @@
 """Words of the power stage: loads that do no work, ratios that are not determined."""
 
-from collections.abc import Sequence
+from collections.abc import Collection, Sequence
 
 from ..source import Span
 from .diagnostic import Words, coded
@@ -27,7 +27,9 @@ def load_not_balanced(at: Span, load: str, by: str) -> Words:
 
 
 @coded("E502")
-def ratio_not_determined(at: Span, above: str, below: str, others: Sequence[str]) -> Words:
+def ratio_not_determined(
+    at: Span, above: str, below: str, others: Sequence[str], weights: Collection[str] = ()
+) -> Words:
     """A ratio of two loads is asked for while other loads do work too.
 
     P/F is a number of the mechanism only where P and F alone do work (or others are tied
@@ -36,12 +38,12 @@ def ratio_not_determined(at: Span, above: str, below: str, others: Sequence[str]
         find k = P / F       # wrong while a weight W does work as well
         find P               # right: P = … F + … W
     """
-    named = ", ".join(others)
+    free = next((name for name in others if name not in weights), "")
     return Words(
         at,
-        f"{above}/{below} is not determined: {named} does work too",
-        f"write `find {above}`, which gives {above} as a sum over all other loads, "
-        f"or tie {others[0]} to {above} or {below}",
+        f"{above}/{below} is not determined: {', '.join(others)} does work too",
+        f"write `find {above}`, which gives {above} as a sum over all other loads"
+        + (f", or tie {free} to {above} or {below}" if free else ""),
     )
 
 

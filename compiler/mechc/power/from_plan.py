@@ -101,7 +101,10 @@ class _Asked:
             self._report.add(words.unknown_loads_do_not_match(find.span, unknown, number))
             return None
         if len(unknown) > self._equations.number or not self._equations.determines(unknown):
-            self._report.add(words.ratio_not_determined(find.span, above, below, others or [lower]))
+            others = others or [lower]
+            self._report.add(
+                words.ratio_not_determined(find.span, above, below, others, self._weights())
+            )
             return None
         if lower not in columns:
             return self._solved(find, Product(0), above, below)
@@ -140,6 +143,10 @@ class _Asked:
             if let.name == load:
                 return let.value
         return self._loads[load].tie
+
+    def _weights(self) -> set[str]:
+        """Return the loads whose size the description gives, so that they can't be tied."""
+        return {name for name in self._loads if self._given(name) is not None}
 
     def _dimension(self, load: str) -> Dimension:
         return TORQUE if isinstance(self._loads[load], Torque) else FORCE
