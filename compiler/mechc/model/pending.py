@@ -15,11 +15,12 @@ from .scope import DESCRIPTION, Scope
 
 def check_pending(file: ast.File, scope: Scope) -> None:
     """Check every such statement, and say of each that it is not compiled yet."""
+    mirrored = any(isinstance(s, ast.Mirror) for s in file.statements)
     for statement in file.statements:
         what = (
             _joint(statement, scope)
             or _transmission(statement, scope)
-            or _load(statement, scope)
+            or _load(statement, mirrored, scope)
             or _friction(statement, scope)
         )
         if what:
@@ -86,22 +87,31 @@ def _transmission(statement: ast.Statement, scope: Scope) -> str:
     return ""
 
 
-def _load(statement: ast.Statement, scope: Scope) -> str:
+def _load(statement: ast.Statement, mirrored: bool, scope: Scope) -> str:
     match statement:
         case ast.Actuator(first=first, second=second, times=times):
-            _between(first, second, times, scope)
+            _between(first, second, times, mirrored, scope)
             return "an actuator ('actuator')"
         case ast.Spring(first=first, second=second, times=times, rate=rate, free=free):
-            _between(first, second, times, scope)
+            _between(first, second, times, mirrored, scope)
             _quantity(rate, STIFFNESS, "the rate of a spring", scope)
             _quantity(free, LENGTH, "the free length of a spring", scope)
             return "a spring ('spring')"
     return ""
 
 
-def _between(first: ast.Name, second: ast.Name, times: ast.Expr | None, scope: Scope) -> None:
-    scope.points.acting(first)
-    scope.points.acting(second)
+def _untwinned(name: ast.Name, scope: Scope) -> ast.Name:
+    """Return the described point for its twin in the other half: A for A'."""
+    point = name.text.removesuffix("'")
+    is_twin = name.text not in scope.points.places and point in scope.points.places
+    return ast.Name(point, name.span) if is_twin else name
+
+
+def _between(
+    first: ast.Name, second: ast.Name, times: ast.Expr | None, mirrored: bool, scope: Scope
+) -> None:
+    for name in (first, second):
+        scope.points.acting(_untwinned(name, scope) if mirrored else name)
     if first.text == second.text:
         scope.report.add(names.repeated_point(second.span, first.text + second.text, first.text))
     if times:
