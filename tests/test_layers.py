@@ -16,6 +16,7 @@ ORDER = BASE + STAGES + OUTPUT + TOP
 DATA = {
     "syntax.ast",
     "model.mechanism",
+    "model.parts",
     "pose.pose",
     "kinematics.graph",
     "kinematics.plan",

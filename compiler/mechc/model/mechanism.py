@@ -14,6 +14,21 @@ from ..formula.tree import Formula, Number
 from ..frozen import frozen
 from ..source import Span
 from ..units import Dimension
+from .parts import Absolute as Absolute
+from .parts import Along as Along
+from .parts import Assembly as Assembly
+from .parts import Contact as Contact
+from .parts import Direction as Direction
+from .parts import Drive as Drive
+from .parts import Link as Link
+from .parts import Mesh as Mesh
+from .parts import Pivot as Pivot
+from .parts import Rack as Rack
+from .parts import Screw as Screw
+from .parts import Slide as Slide
+from .parts import Slider as Slider
+from .parts import Slot as Slot
+from .parts import Telescope as Telescope
 
 GRAVITY = Number(Fraction("9.80665"))
 """The standard acceleration of free fall in m/s²."""
@@ -44,61 +59,6 @@ class Parameter:
     label: str = ""
     about: str = ""
     dependent: bool = False
-
-
-# ---------------------------------------------------------------------- directions
-
-
-@frozen
-class Absolute:
-    """A direction given as an angle, counter-clockwise from +x."""
-
-    angle: Formula
-    span: Span
-
-
-@frozen
-class Along:
-    """The direction from ``tail`` to ``head``, turned by ``quarter`` · 90° (0 … 3)."""
-
-    tail: str
-    head: str
-    quarter: int
-    span: Span
-
-
-Direction = Absolute | Along
-
-
-# ------------------------------------------------------------------ bodies, joints
-
-
-@frozen
-class Link:
-    """A rigid body through two or more points; ``name`` is the points as written (``OBA``)."""
-
-    name: str
-    points: tuple[str, ...]
-    span: Span
-    label: str = ""
-
-
-@frozen
-class Pivot:
-    """A point pinned to the ground."""
-
-    point: str
-    span: Span
-
-
-@frozen
-class Slider:
-    """A point guided by the ground; ``through`` is a point of the guide's line, if given."""
-
-    point: str
-    along: Direction
-    span: Span
-    through: str | None = None
 
 
 # ------------------------------------------------------------------------ geometry
@@ -173,7 +133,24 @@ class Torque:
     times: Fraction = Fraction(1)
 
 
-Load = Force | Torque
+@frozen
+class Thrust:
+    """A pair of equal and opposite forces that pushes two points apart.
+
+    ``tie`` is None for an actuator; for a spring it is c·(l0 − len_AB), a known load, and
+    ``spring`` is True. Its power is the load times the rate of the distance.
+    """
+
+    name: str
+    first: str
+    second: str
+    span: Span
+    tie: Formula | None = None
+    times: Fraction = Fraction(1)
+    spring: bool = False
+
+
+Load = Force | Torque | Thrust
 """A weight is a :class:`Force` with ``weight`` True and ``tie`` = m·g (a known load)."""
 
 
@@ -286,6 +263,15 @@ class Mechanism:
     pivots: tuple[Pivot, ...] = ()
     sliders: tuple[Slider, ...] = ()
     links: tuple[Link, ...] = ()
+    slides: tuple[Slide, ...] = ()
+    telescopes: tuple[Telescope, ...] = ()
+    slots: tuple[Slot, ...] = ()
+    contacts: tuple[Contact, ...] = ()
+    meshes: tuple[Mesh, ...] = ()
+    racks: tuple[Rack, ...] = ()
+    screws: tuple[Screw, ...] = ()
+    drive: Drive | None = None
+    assemblies: tuple[Assembly, ...] = ()
     geometry: tuple[Geometry, ...] = ()
     loads: tuple[Load, ...] = ()
     mirror: Mirror | None = None

@@ -1,0 +1,190 @@
+"""The parts of a mechanism: directions, bodies, joints, what drives and what closes it.
+
+Every joint says in its docstring what it asks of velocities; what it transmits follows
+from its mechanics in statics, never from this.
+"""
+
+from typing import Literal
+
+from ..formula.tree import Formula
+from ..frozen import frozen
+from ..source import Span
+
+# ---------------------------------------------------------------------- directions
+
+
+@frozen
+class Absolute:
+    """A direction given as an angle, counter-clockwise from +x."""
+
+    angle: Formula
+    span: Span
+
+
+@frozen
+class Along:
+    """The direction from ``tail`` to ``head``, turned by ``quarter`` · 90° (0 … 3)."""
+
+    tail: str
+    head: str
+    quarter: int
+    span: Span
+
+
+Direction = Absolute | Along
+
+
+# ------------------------------------------------------------------ bodies, joints
+
+
+@frozen
+class Link:
+    """A rigid body through two or more points; ``name`` is the points as written (``OBA``)."""
+
+    name: str
+    points: tuple[str, ...]
+    span: Span
+    label: str = ""
+
+
+@frozen
+class Slide:
+    """A body that only translates, along a direction: a wedge, a rack, a plunger.
+
+    All its points have one velocity; it transmits a couple. ``name`` is the points as
+    written (``WXY``).
+    """
+
+    name: str
+    points: tuple[str, ...]
+    along: Direction
+    span: Span
+
+
+@frozen
+class Telescope:
+    """A two-part link of variable length, pinned at both ends (``AB``).
+
+    Its two parts turn together and slide along AB without resistance: no tension.
+    """
+
+    name: str
+    points: tuple[str, str]
+    span: Span
+
+
+@frozen
+class Pivot:
+    """A point pinned to the ground."""
+
+    point: str
+    span: Span
+
+
+@frozen
+class Slider:
+    """A point guided by the ground; ``through`` is a point of the guide's line, if given."""
+
+    point: str
+    along: Direction
+    span: Span
+    through: str | None = None
+
+
+@frozen
+class Slot:
+    """Pin ``point`` slides along the line from ``tail`` to ``head`` of a link.
+
+    (V_B − V of the link's point under B) · normal of the line = 0.
+    """
+
+    point: str
+    link: str
+    tail: str
+    head: str
+    span: Span
+
+
+@frozen
+class Contact:
+    """``point`` of its own link touches ``link`` (its line ``tail``–``head``).
+
+    ``normal`` is the direction in which the link pushes the point; it can only push.
+    (V_A − V of the link's point under A) · normal = 0.
+    """
+
+    point: str
+    link: str
+    tail: str
+    head: str
+    normal: Direction
+    span: Span
+
+
+@frozen
+class Mesh:
+    """Two wheels on pivots, each fixed to its pivot's link: a pair of gears, a belt, a chain.
+
+    ω₁ r₁ = ω₂ r₂ where ``same`` is True (belt, internal gears), else ω₁ r₁ = −ω₂ r₂
+    (external gears, crossed belt). ``kind`` is the word of the language.
+    """
+
+    kind: Literal["gear", "belt"]
+    first: str
+    first_link: str
+    first_radius: Formula
+    second: str
+    second_link: str
+    second_radius: Formula
+    same: bool
+    span: Span
+
+
+@frozen
+class Rack:
+    """Slider ``point`` carries a rack that a gear of a radius on ``pivot`` drives.
+
+    V of the slider along its guide = ω · radius: the rack passes the pivot on the right of
+    the guide's direction; a negative radius puts it on the left.
+    """
+
+    point: str
+    pivot: str
+    link: str
+    radius: Formula
+    span: Span
+
+
+@frozen
+class Screw:
+    """Turning ``link`` moves slider ``point`` along its guide by ``pitch`` per turn.
+
+    V = ω · pitch/2π, right-handed for a positive pitch.
+    """
+
+    point: str
+    pitch: Formula
+    link: str
+    span: Span
+
+
+# ------------------------------------------------------------------- drive, closure
+
+
+@frozen
+class Drive:
+    """The driving coordinate, a parameter, and its stroke (None where no ends are given)."""
+
+    parameter: str
+    low: Formula | None
+    high: Formula | None
+    span: Span
+
+
+@frozen
+class Assembly:
+    """Which closure is meant: the turn of three points, or a point's place along its guide."""
+
+    points: tuple[str, ...]
+    mode: Literal["cw", "ccw", "forward", "back"]
+    span: Span
