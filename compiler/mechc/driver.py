@@ -100,7 +100,7 @@ class Compilation:
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
         """What each ``expect`` came to."""
-        return self._sound(compare(self.mechanism, self.balance.results, self.report))
+        return self._sound(compare(self.pose.mechanism, self.balance.results, self.report))
 
     @cached_property
     def derivation(self) -> Derivation:
@@ -110,7 +110,7 @@ class Compilation:
     @cached_property
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(program(self.mechanism, self.balance.results))
+        return self._sound(program(self.pose.mechanism, self.balance.results))
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -71,6 +71,17 @@ class Angle:
             parts.append(f"{self.degrees}°")
         return " + ".join(parts).replace("+ -", "- ")
 
+    def put(self, values: Mapping[str, "Angle"]) -> "Angle":
+        """Return the angle with symbols replaced by angles.
+
+        >>> str(Angle.of("psi").put({"psi": Angle.of("phi") + Angle.constant(90)}))
+        'phi + 90°'
+        """
+        result = Angle((), self.degrees)
+        for name, c in self.terms:
+            result = result + values.get(name, Angle.of(name)) * c
+        return result
+
     def half(self) -> "Angle":
         """Return half the angle."""
         return self * Fraction(1, 2)

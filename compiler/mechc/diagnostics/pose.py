@@ -1,9 +1,20 @@
 """Words of the pose stage: directions and lengths that are missing, loops that disagree."""
 
+import math
 from collections.abc import Iterable
+from typing import NamedTuple
 
 from ..source import Span
+from ..units import ANGLE, Dimension
 from .diagnostic import Related, Words, coded
+
+
+class Stretch(NamedTuple):
+    """A part of the drive's stroke, in SI, and its dimension."""
+
+    low: float
+    high: float
+    dimension: Dimension
 
 
 @coded("E301")
@@ -116,3 +127,90 @@ def points_coincide(at: Span, points: str) -> Words:
         f"the two points of {points} are at the same place",
         "check the lengths and angles that lead from one to the other",
     )
+
+
+@coded("E307")
+def closure_open(at: Span, loop: str, closures: Iterable[str]) -> Words:
+    """A loop closes in two ways, and the description does not say which is meant.
+
+    With its lengths and the drive given, a triangle can lie on either side of its base,
+    and a slider can stand on either side along its guide::
+
+        OA = a @ phi
+        AB = b
+        CB = c
+        assembly ABC ccw     # A, B, C turn counter-clockwise at the default pose
+
+    ``assembly B forward`` takes the place of B farther along its guide, ``back`` the other.
+    """
+    return Words(
+        at,
+        f"the loop {loop} closes in two ways, and nothing says which is meant",
+        "add " + " or ".join(closures),
+    )
+
+
+@coded("E308")
+def assembly_undecided(at: Span, points: str, closures: Iterable[str]) -> Words:
+    """An ``assembly`` line does not tell the closures of its loop apart at the default pose.
+
+    Either both closures have the turn that it asks for, or none has, or the default pose
+    is a dead centre, where the two are one::
+
+        assembly OAB ccw     # wrong: O, A, B turn alike in both closures
+        assembly ABC ccw     # right: the turn at the pin that closes the loop
+
+    A default pose away from the dead centre helps where the line is right.
+    """
+    return Words(
+        at,
+        f"the assembly of {points} does not tell the closures apart at the default pose",
+        "the closures are " + " and ".join(closures),
+    )
+
+
+@coded("E309")
+def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch]) -> Words:
+    """With the lengths given, a loop cannot be closed at the default pose.
+
+    A triangle needs each side to be shorter than the other two together, a rod to reach
+    its guide::
+
+        AC = 100 mm @ 0 deg
+        AB = 30 mm
+        CB = 40 mm           # wrong: 30 mm + 40 mm do not reach over 100 mm
+
+    With a ``drive`` the message says over which part of its stroke the loop closes.
+    """
+    parts = [_stretch(s) for s in stretches]
+    where = f"; it closes for {drive} from " + " and from ".join(parts) if parts else ""
+    never = ", nor anywhere on the stroke" if drive and not parts else ""
+    return Words(
+        at,
+        f"the loop {loop} cannot be assembled at the default pose{never}{where}",
+        f"move the default of {drive} there" if parts else "change the lengths so that they reach",
+    )
+
+
+@coded("W301")
+def assembly_idle(at: Span, points: str) -> Words:
+    """An ``assembly`` line decides nothing: all its points are placed without it.
+
+    Only a loop that two closures fit asks for one. Here the directions are given, or the
+    points do not hang together::
+
+        OA = a @ phi
+        AB = b @ beta
+        assembly OAB ccw     # decides nothing: both directions are given
+    """
+    return Words(
+        at,
+        f"the assembly of {points} decides nothing",
+        "leave it out, or name the points of a loop that mechc is to close",
+    )
+
+
+def _stretch(stretch: Stretch) -> str:
+    if stretch.dimension == ANGLE:
+        return f"{math.degrees(stretch.low):.7g} to {math.degrees(stretch.high):.7g} deg"
+    return f"{stretch.low * 1000:.7g} to {stretch.high * 1000:.7g} mm"

@@ -3,9 +3,9 @@
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from ..algebra.blocks import blocks, match
 from ..source import Span
 from .graph import Graph, Kind, Relation
-from .ordering import blocks, match
 
 
 class Locked(NamedTuple):

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Sequence
 
+from ..algebra.blocks import blocks, match
 from ..algebra.modular import Point
 from ..algebra.product import ONE, ZERO
 from ..algebra.rank import Echelon, Residues, independent, residues
@@ -10,7 +11,6 @@ from ..diagnostics import Report
 from ..diagnostics import kinematics as words
 from .graph import Graph, Kind, Relation
 from .locked import locked
-from .ordering import blocks, match
 from .plan import Block, Plan, Speeds
 from .solving import Binder, Memory, solve
 

@@ -1,5 +1,7 @@
 """Directions: given ones, and those that follow from turns and from one another."""
 
+from collections.abc import Mapping
+
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as words
@@ -15,12 +17,15 @@ class Compass:
     """The direction of every pair of points that has one angle.
 
     Made from the geometry by going round until nothing new follows: a direction that is
-    written, a turn at a point one of whose arms is known, ``AB = l @ perp CD``.
+    written, a turn at a point one of whose arms is known, ``AB = l @ perp CD``. Where
+    nothing more follows, the next vector of which only the length is given gets a direction
+    of its own, ``phi_AB``, which is ``sought``: a loop must give it.
     """
 
     def __init__(self, mechanism: Mechanism, terms: Terms, report: Report) -> None:
         self._terms, self._report = terms, report
         self._known: dict[Pair, tuple[Angle, Span]] = {}
+        self.sought: dict[str, tuple[str, str, Span]] = {}
         self._oblique: dict[frozenset[str], Offset] = {}
         waiting = [g for g in mechanism.geometry if not isinstance(g, Offset)]
         for offset in mechanism.geometry:
@@ -29,7 +34,7 @@ class Compass:
         while waiting:
             left = [g for g in waiting if not self._follow(g)]
             if len(left) == len(waiting):
-                break
+                self._seek(left[0])
             waiting = left
 
     def of(self, tail: str, head: str) -> Angle | None:
@@ -45,6 +50,19 @@ class Compass:
             case Along(tail, head, quarter, _):
                 known = self.of(tail, head)
                 return None if known is None else known + Angle.constant(90 * quarter)
+
+    def put(self, values: Mapping[str, Angle]) -> None:
+        """Replace symbols in all directions by what they were found to be."""
+        self._known = {pair: (angle.put(values), at) for pair, (angle, at) in self._known.items()}
+
+    def _seek(self, item: Arrow | Turn) -> None:
+        """Give a direction that nothing gives a name."""
+        tail, head = (item.tail, item.head) if isinstance(item, Arrow) else _arm(item)
+        if isinstance(item, Arrow) and isinstance(item.direction, Along):
+            tail, head = item.direction.tail, item.direction.head
+        name = f"phi_{tail}{head}"
+        self.sought[name] = (tail, head, item.span)
+        self._note(tail, head, Angle.of(name), item.span)
 
     def _follow(self, item: Arrow | Turn) -> bool:
         """Take what an entry says of directions; False if it must wait for others."""
@@ -97,6 +115,11 @@ class Compass:
             self._known[head, tail] = angle + HALF_TURN, span
         elif not _same(known[0], angle):
             self._report.add(words.directions_disagree(span, f"{tail}{head}", known[1]))
+
+
+def _arm(turn: Turn) -> Pair:
+    """Return the first arm of a turn."""
+    return turn.vertex, turn.first
 
 
 def _same(a: Angle, b: Angle) -> bool:

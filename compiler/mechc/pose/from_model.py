@@ -6,12 +6,14 @@ from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as words
 from ..model.mechanism import Along, Direction, Force, Link, Mechanism
+from .closing import close
 from .closure import Closure, Condition, across
 from .compass import Compass
 from .nearby import poses_nearby
 from .pose import Pose, Vector
 from .terms import Terms
 from .vectors import Vectors
+from .web import mentioned
 
 
 def settle(mechanism: Mechanism, report: Report) -> Pose:
@@ -23,6 +25,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
+    mechanism, found = close(mechanism, terms, compass, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
     guides, lines, axis = survey.guides(), survey.lines(), survey.axis()
     pose = Pose(
@@ -36,6 +39,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         free=tuple(p.name for p in mechanism.parameters if not p.dependent),
     )
     survey.close_loops(pose)
+    survey.report_unfound(pose, found)
     report.stop_on_errors()
     return pose
 
@@ -119,6 +123,17 @@ class _Survey:
             sign = -1 if vector[0].length.coefficient < 0 else 1
             return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
         return None
+
+    def report_unfound(self, pose: Pose, found: frozenset[str]) -> None:
+        """Report the links whose direction nothing gives and no loop closes."""
+        open_ = {n: at for n, at in self._compass.sought.items() if n not in found}
+        for link in self._mechanism.links:
+            used = {n for vector in pose.frames[link.name].values() for n in mentioned(vector)}
+            for name in sorted(used & open_.keys()):
+                tail, head, _ = open_[name]
+                self._report.add(
+                    words.missing_direction(link.span, f"{tail}{head}", f"link {link.name}")
+                )
 
     def close_loops(self, pose: Pose) -> None:
         """Report every loop that does not close for independent symbols."""

@@ -69,6 +69,11 @@ def reverse(vector: Vector) -> Vector:
     return tuple(Arm(arm.length, arm.angle + Angle.constant(180)) for arm in vector)
 
 
+def turned_by(vector: Vector, values: Mapping[str, Angle]) -> Vector:
+    """Return a vector with symbols in its directions replaced by what they were found to be."""
+    return tuple(Arm(arm.length, arm.angle.put(values)) for arm in vector)
+
+
 def gathered(arms: Iterable[Arm]) -> Vector:
     """Return a vector with arms of one line added up, and none that vanishes.
 

@@ -1,7 +1,7 @@
 """Vectors between points: given arms as edges of a graph, paths through it as sums."""
 
 from collections import deque
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -11,8 +11,9 @@ from ..formula.walk import symbols
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .compass import Compass
-from .pose import Arm, Vector, components, gathered, reverse
+from .pose import Arm, Vector, components, gathered, reverse, turned_by
 from .terms import Terms
+from .web import Edge
 
 
 class Loop(NamedTuple):
@@ -43,6 +44,7 @@ class Vectors:
         }
         self.placeholders: list[str] = []
         self.loops: list[Loop] = []
+        self.edges: list[Edge] = []
         for item in mechanism.geometry:
             self._enter(item)
 
@@ -128,7 +130,15 @@ class Vectors:
         if chain := self.chain(tail, head):
             arms = (*self.arms(chain), *reverse(vector))
             self.loops.append(Loop((*chain, tail), arms, span))
+        self.edges.append(Edge(tail, head, vector, span))
         self._join(tail, head, vector)
+
+    def put(self, values: Mapping[str, Angle]) -> None:
+        """Replace symbols in all directions by what they were found to be."""
+        for ways in self._edges.values():
+            for head, vector in ways.items():
+                ways[head] = turned_by(vector, values)
+        self.loops = [loop._replace(arms=turned_by(loop.arms, values)) for loop in self.loops]
 
     def _join(self, tail: str, head: str, vector: Vector) -> None:
         self._edges.setdefault(tail, {})[head] = vector

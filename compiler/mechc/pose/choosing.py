@@ -1,0 +1,142 @@
+"""Which of two closures is meant: what the user said, decided at the default pose."""
+
+import math
+from collections.abc import Sequence
+
+from ..diagnostics import Report
+from ..diagnostics import pose as words
+from ..model.mechanism import Assembly
+from ..source import Span
+from .dyads import Closure, Group
+from .nearby import Values
+from .reach import reach_of
+from .state import State
+
+FLAT = 1e-9
+"""A triangle whose height is below this part of its longest side has no turn."""
+
+
+class Choice:
+    """Takes the ``assembly`` lines to the closures that they decide."""
+
+    def __init__(self, state: State, report: Report) -> None:
+        self._state, self._report = state, report
+        self._unused = list(state.mechanism.assemblies)
+
+    def choose(self, closures: Sequence[Closure], group: Group) -> Closure | None:
+        """Return the closure that is meant; report where there is none, or none is named."""
+        base = self._state.base
+        poses = [self._state.tried(c, base) for c in closures]
+        possible = [i for i, p in enumerate(poses) if all(map(math.isfinite, p.values()))]
+        if not possible:
+            self._report_none(closures, group)
+            return None
+        if len(closures) == 1:
+            return closures[0]
+        decisive = [a for a in self._unused if self._decides(a, poses, base)]
+        meant = [i for i in possible if all(self._holds(a, poses, i) for a in decisive)]
+        for assembly in decisive:
+            self._unused.remove(assembly)
+        if not decisive and len(ahead := _reaching_ahead(closures, poses)) == 1:
+            meant = ahead
+        if len(meant) != 1:
+            self._report_open(decisive, poses, group)
+            return None
+        return closures[meant[0]]
+
+    def warn_of_unused(self) -> None:
+        """Warn of lines that decided nothing."""
+        for assembly in self._unused:
+            self._report.add(words.assembly_idle(assembly.span, "".join(assembly.points)))
+
+    def _decides(self, assembly: Assembly, poses: Sequence[Values], before: Values) -> bool:
+        """Tell whether this group is what places the points named."""
+        if self._measure(assembly, before) is not None:
+            return False
+        return all(self._measure(assembly, p) is not None for p in poses)
+
+    def _measure(self, assembly: Assembly, values: Values) -> float | None:
+        """Return twice the triangle's area, or the place along the guide; None if open."""
+        start = self._start(assembly, values)
+        places = self._state.web.places(start, values) if start is not None else {}
+        if not set(assembly.points) <= places.keys():
+            return None
+        if len(assembly.points) == 1:
+            x, y = places[assembly.points[0]]
+            along = self._state.rails[assembly.points[0]].angle.evaluate(values)
+            return x * math.cos(along) + y * math.sin(along)
+        (ax, ay), (bx, by), (cx, cy) = (places[p] for p in assembly.points)
+        area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+        longest = max(math.hypot(bx - ax, by - ay), math.hypot(cx - ax, cy - ay))
+        return 0.0 if abs(area) < FLAT * longest**2 else area
+
+    def _start(self, assembly: Assembly, values: Values) -> str | None:
+        """Return a point to measure from: the fixed end of a guide, or the first point."""
+        if len(assembly.points) == 3:
+            return assembly.points[0]
+        rail = self._state.rails.get(assembly.points[0])
+        return rail.start if rail and dict(rail.angle.terms).keys() <= values.keys() else None
+
+    def _holds(self, assembly: Assembly, poses: Sequence[Values], i: int) -> bool:
+        mine = self._measure(assembly, poses[i]) or 0.0
+        if assembly.mode in ("ccw", "cw"):
+            return mine > 0 if assembly.mode == "ccw" else mine < 0
+        others = [self._measure(assembly, p) or 0.0 for j, p in enumerate(poses) if j != i]
+        if any(math.isclose(mine, other, rel_tol=FLAT) for other in others):
+            return False
+        return all((mine > o) == (assembly.mode == "forward") for o in others if not math.isnan(o))
+
+    # --------------------------------------------------------------------------- reports
+
+    def _report_none(self, closures: Sequence[Closure], group: Group) -> None:
+        stretches = reach_of(self._state, closures[0])
+        drive = self._state.mechanism.drive
+        name = drive.parameter if drive else ""
+        self._report.add(words.cannot_assemble(_span(group), loop_name(group), name, stretches))
+
+    def _report_open(
+        self, decisive: Sequence[Assembly], poses: Sequence[Values], group: Group
+    ) -> None:
+        listed = [self._described(group, p, poses) for p in poses]
+        if decisive:
+            at = decisive[0]
+            self._report.add(words.assembly_undecided(at.span, "".join(at.points), listed))
+        else:
+            self._report.add(words.closure_open(_span(group), loop_name(group), listed))
+
+    def _described(self, group: Group, values: Values, poses: Sequence[Values]) -> str:
+        """Return the line that would choose a closure, and its angles in degrees."""
+        angles = sorted(n for n in group.unknown if n in self._state.angles)
+        shown = ", ".join(f"{n} = {_degrees(values[n])}" for n in angles if n in values)
+        line = self._line(group, values, poses)
+        return f"`{line}` ({shown})" if shown else f"`{line}`"
+
+    def _line(self, group: Group, values: Values, poses: Sequence[Values]) -> str:
+        span = _span(group)
+        for point, rail in self._state.rails.items():
+            if rail.length in group.unknown and (probe := Assembly((point,), "forward", span)):
+                mine = self._measure(probe, values) or 0.0
+                top = max(self._measure(probe, p) or 0.0 for p in poses)
+                return f"assembly {point} {'forward' if mine == top else 'back'}"
+        points = group.triple()
+        area = self._measure(Assembly(points, "ccw", span), values) or 0.0
+        return f"assembly {''.join(points)} {'ccw' if area > 0 else 'cw'}"
+
+
+def _reaching_ahead(closures: Sequence[Closure], poses: Sequence[Values]) -> list[int]:
+    """Return the closures in which no length is negative."""
+    lengths = [[d.name for d in c.definitions if d.name.startswith("len_")] for c in closures]
+    return [i for i, p in enumerate(poses) if lengths[i] and all(p[n] >= 0 for n in lengths[i])]
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(math.remainder(angle, 2 * math.pi)):.4g} deg"
+
+
+def _span(group: Group) -> Span:
+    return max((e.span for e in group.cycle), key=lambda s: s.start)
+
+
+def loop_name(group: Group) -> str:
+    """Return a loop by its points: ``O1-A-B-O2``."""
+    return "-".join(dict.fromkeys(e.tail or "origin" for e in group.cycle))

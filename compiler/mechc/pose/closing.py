@@ -1,0 +1,152 @@
+"""Closing the loops: directions and places that follow from lengths and the drive.
+
+Group by group, as Assur groups hang on one another: first the triangles inside bodies,
+then loops of two unknowns (dyads, in closed form), and what is left over together, as
+systems that are solved by iteration. Every unknown becomes a definition of the pose, or is
+put in where it is a sum of named angles.
+"""
+
+from typing import NamedTuple
+
+from ..diagnostics import Report
+from ..formula.tree import Formula
+from ..frozen import replace
+from ..model.mechanism import Link, Mechanism, Parameter
+from ..units import ANGLE, LENGTH
+from .choosing import Choice
+from .compass import Compass
+from .dyads import Group
+from .rails import rails
+from .redundant import check_fit
+from .state import State
+from .terms import Terms
+from .vectors import Vectors
+from .web import Cycle, Names, Web, mentioned
+
+
+class Closed(NamedTuple):
+    """The mechanism with the parameters that were found made dependent, and the names found."""
+
+    mechanism: Mechanism
+    found: frozenset[str]
+
+
+def close(
+    mechanism: Mechanism, terms: Terms, compass: Compass, vectors: Vectors, report: Report
+) -> Closed:
+    """Close all loops that mention a sought direction, and put the directions in.
+
+    Reports E303 where given data disagree, E307 and E308 where the closure is not chosen,
+    E309 where there is none at the default pose.
+    """
+    named = _sought_parameters(mechanism)
+    if not compass.sought and not named:
+        return Closed(mechanism, frozenset())
+    lines = list(rails(mechanism, compass))
+    edges = [*vectors.edges, *(rail.edge for rail in lines)]
+    lengths = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
+    lengths -= {d.name for d in terms.definitions}
+    angles = frozenset({*compass.sought, *named})
+    state = State(mechanism, terms, Web(edges, {*angles, *lengths}), lines, angles, named)
+    _Closing(state, report).run()
+    report.stop_on_errors()
+    compass.put(state.directions)
+    vectors.put(state.directions)
+    vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
+    return Closed(_with_solved(mechanism, state), frozenset(state.found))
+
+
+def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:
+    """Return the parameters without a value that a loop may give, once something drives it."""
+    if mechanism.drive is None and not mechanism.assemblies:
+        return frozenset()
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    return frozenset(p.name for p in mechanism.parameters if _is_open(p) and p.name != drive)
+
+
+def _is_open(parameter: Parameter) -> bool:
+    valueless = parameter.value is None and parameter.range is None
+    return valueless and parameter.dimension in (ANGLE, LENGTH)
+
+
+def _with_solved(mechanism: Mechanism, state: State) -> Mechanism:
+    solved: dict[str, Formula] = {
+        d.name: d.formula for d in state.definitions if d.name in state.named
+    }
+    parameters = tuple(
+        replace(p, value=solved[p.name], dependent=True) if p.name in solved else p
+        for p in mechanism.parameters
+    )
+    return replace(mechanism, parameters=parameters)
+
+
+class _Closing:
+    """Finds one group after another."""
+
+    def __init__(self, state: State, report: Report) -> None:
+        self._state, self._report = state, report
+        self._choice = Choice(state, report)
+        self._fixed = frozenset(p.point for p in state.mechanism.pivots)
+
+    def run(self) -> None:
+        """Close everything that can be closed."""
+        for link in self._state.mechanism.links:
+            self._close_body(link)
+        while self._state.open_angles and self._close_next():
+            pass
+        self._report.stop_on_errors()
+        self._choice.warn_of_unused()
+
+    def _close_body(self, link: Link) -> None:
+        """Close the triangles of a body whose sides are given, one direction apart."""
+        points, state = frozenset(link.points), self._state
+        inside = {
+            name
+            for edge in state.web.edges
+            if {edge.tail, edge.head} <= points
+            for name in mentioned(edge.arms) & state.open_angles
+        }
+        if len(inside) < 2:
+            return
+        reference = min(inside, key=self._place)
+        state.web.sought.discard(reference)
+        for values in state.values:
+            values[reference] = 0.0
+        while self._close_next(points):
+            pass
+        for values in state.values:
+            del values[reference]
+        state.web.sought.add(reference)
+
+    def _place(self, name: str) -> tuple[int, str]:
+        """Return where an unknown first stands in the description."""
+        edges = [e for e in self._state.web.edges if name in mentioned(e.arms)]
+        return min(e.span.start for e in edges), name
+
+    def _close_next(self, within: Names | None = None) -> bool:
+        """Close one cycle; False where none is left that two unknowns close."""
+        pairs = list(self._state.web.pairs(within))
+        telling = [pair for pair in pairs if not pair[0].isdisjoint(self._state.angles)]
+        return any(self._settle(*pair) for pair in (*telling, *pairs))
+
+    def _settle(self, wanted: Names, cycle: Cycle) -> bool:
+        if len(wanted) == 1:
+            return self._fit(next(iter(wanted)), cycle)
+        state = self._state
+        group = Group(cycle, wanted, state.named, self._fixed, state.free_name)
+        closures = group.closures()
+        if not closures:
+            return False
+        familiar = [arm.angle for edge in cycle for arm in edge.arms]
+        candidates = [state.recognised(c, wanted, familiar) for c in closures]
+        chosen = self._choice.choose(candidates, group)
+        self._report.stop_on_errors()
+        assert chosen is not None
+        state.take(chosen, wanted)
+        return True
+
+    def _fit(self, name: str, cycle: Cycle) -> bool:
+        fault = check_fit(name, cycle, self._state)
+        if fault:
+            raise self._report.fail(fault)
+        return True

@@ -1,0 +1,79 @@
+"""Vectors between points that are placed already: they must fit, and then say nothing new."""
+
+import math
+from collections.abc import Iterator
+
+from ..algebra.angle import Angle
+from ..diagnostics import Diagnostic
+from ..diagnostics import pose as words
+from ..formula.tree import Call
+from .dyads import Closure, principal
+from .pose import Arm, Definition, Vector, components, evaluate_vector, gathered
+from .state import State
+from .web import Cycle, mentioned
+
+FITS = 1e-9
+"""A gap below this part of the longest arm counts as closed at the values given."""
+
+
+def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
+    """Take the one unknown of a loop, or return the error of a loop that does not close.
+
+    The data may agree for all lengths (a parallelogram's third bar), or for those given.
+    """
+    known = gathered(a for e in cycle for a in e.arms if name not in mentioned((a,)))
+    moving = [a for e in cycle for a in e.arms if name in mentioned((a,))]
+    if name in state.angles:
+        gaps = [_length_gap(known, moving, name, values) for values in _whole(known, state)]
+    else:
+        gaps = [_side_gap(known, moving, values) for values in _whole(known, state)]
+    size, gap = gaps[0]
+    if abs(gap) > FITS * size:
+        edge = max((e for e in cycle if name in mentioned(e.arms)), key=lambda e: e.span.start)
+        points = "-".join(dict.fromkeys(e.tail or "origin" for e in cycle))
+        return words.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
+    unknown = frozenset({name})
+    closure = _closure(name, known, moving, state)
+    familiar = [a.angle for e in cycle for a in e.arms]
+    state.take(state.recognised(closure, unknown, familiar), unknown)
+    return None
+
+
+def _whole(known: Vector, state: State) -> Iterator[dict[str, float]]:
+    """Yield the poses at which all that is known has a value, the default one first."""
+    for values in (state.base, *state.values):
+        if mentioned(known) <= values.keys():
+            yield values
+
+
+def _length_gap(
+    known: Vector, moving: list[Arm], name: str, values: dict[str, float]
+) -> tuple[float, float]:
+    """Return the size of the known side, and what the turning one is too long by."""
+    turned = tuple(Arm(a.length, a.angle) for a in moving)
+    x, y = evaluate_vector(turned, {**values, name: 0.0})
+    size = math.hypot(*evaluate_vector(known, values))
+    return max(size, math.hypot(x, y)), math.hypot(x, y) - size
+
+
+def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tuple[float, float]:
+    """Return the size of the known side, and how far it ends beside the line."""
+    x, y = evaluate_vector(known, values)
+    theta = moving[0].angle.evaluate(values)
+    return math.hypot(x, y), y * math.cos(theta) - x * math.sin(theta)
+
+
+def _closure(name: str, known: Vector, moving: list[Arm], state: State) -> Closure:
+    x, y = components(known)
+    if name not in state.angles:
+        theta = moving[0].angle
+        reach = components(tuple(Arm(a.length, a.angle - theta) for a in known))[0]
+        return Closure((Definition(name, (-reach).formula()),), {})
+    sense = int(dict(moving[0].angle.terms)[name])
+    offset = moving[0].angle - Angle.of(name) * sense
+    own = state.free_name(f"phi_{name.removeprefix('phi_')}_")
+    direction = Definition(own, Call("atan2", (y.formula(), x.formula())))
+    angle = principal((Angle.of(own) + Angle.constant(180) - offset) * sense)
+    if name in state.named:
+        return Closure((direction, Definition(name, angle.formula())), {})
+    return Closure((direction,), {name: angle})

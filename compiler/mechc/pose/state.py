@@ -1,0 +1,127 @@
+"""What closing the loops has found so far: definitions, directions, numbers."""
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+
+from ..algebra.angle import Angle
+from ..formula.walk import evaluate, symbols
+from ..model.mechanism import Mechanism
+from .dyads import Closure
+from .nearby import Values, poses_nearby
+from .pose import Definition
+from .rails import Rail
+from .terms import Terms
+from .web import Names, Web
+
+ALIKE = 1e-9
+"""Angles in radians that differ by less at every pose looked at are the same angle."""
+
+
+class State:
+    """The unknowns found, in order; ``values`` are the default pose and poses near it.
+
+    ``angles`` are the unknown directions, ``named`` the unknowns that the user named.
+    """
+
+    def __init__(
+        self,
+        mechanism: Mechanism,
+        terms: Terms,
+        web: Web,
+        lines: Iterable[Rail],
+        angles: Names,
+        named: Names,
+    ) -> None:
+        self.mechanism, self.web, self.angles, self.named = mechanism, web, angles, named
+        self.rails = {rail.pin: rail for rail in lines}
+        self.definitions = terms.definitions
+        self.directions: dict[str, Angle] = {}
+        self.found: set[str] = set()
+        self.values = poses_nearby(mechanism, terms.definitions)
+        self._taken = {p.name for p in mechanism.parameters} | {n.name for n in mechanism.loads}
+        for values in self.values:
+            for name in named:
+                values.pop(name, None)
+
+    @property
+    def base(self) -> Values:
+        """Return the default pose, or a pose near it where some parameter has no value."""
+        missing = any(p.value is None and p.name not in self.named
+                      for p in self.mechanism.parameters)  # fmt: skip
+        return self.values[1 if missing else 0]
+
+    @property
+    def open_angles(self) -> set[str]:
+        """Return the directions still sought."""
+        return set(self.angles & self.web.sought)
+
+    def free_name(self, stem: str) -> str:
+        """Return a name that nothing has, and keep it."""
+        name = stem
+        while name in self._taken:
+            name += "_"
+        self._taken.add(name)
+        return name
+
+    def tried(self, closure: Closure, values: Mapping[str, float]) -> Values:
+        """Return values with what a closure would add to them; NaN where it does not close."""
+        found = dict(values)
+        for name, formula in closure.definitions:
+            if symbols(formula) <= found.keys():
+                found[name] = evaluate(formula, found)
+        for name, angle in closure.directions.items():
+            if dict(angle.terms).keys() <= found.keys():
+                found[name] = angle.evaluate(found)
+        return found
+
+    def take(self, closure: Closure, unknown: Iterable[str]) -> None:
+        """Enter a closure for good."""
+        self.values = [self.tried(closure, values) for values in self.values]
+        self.definitions.extend(closure.definitions)
+        settled = dict(closure.directions)
+        self.directions = {n: a.put(settled) for n, a in self.directions.items()} | settled
+        self.web.put(settled)
+        self.rails = {p: r._replace(angle=r.angle.put(settled)) for p, r in self.rails.items()}
+        for values in self.values:
+            for name in settled:
+                values.pop(name, None)
+        self.found.update(unknown)
+        self.web.sought.difference_update(unknown)
+
+    def recognised(self, closure: Closure, unknown: Names, familiar: Iterable[Angle]) -> Closure:
+        """Return a closure with each direction that is a familiar one written as that one.
+
+        A parallelogram's coupler stays parallel to its frame: the numbers at several poses
+        tell, each with other lengths.
+        """
+        poses = [self.tried(closure, values) for values in self.values]
+        known = [a for a in familiar if self.web.sought.isdisjoint(dict(a.terms))]
+        for name in sorted(unknown & self.angles):
+            if same := next((s for a in known if (s := _alike(name, a, poses))), None):
+                closure = _rewritten(closure, name, same, name in self.named)
+        return closure
+
+
+def _alike(name: str, angle: Angle, poses: Iterable[Values]) -> Angle | None:
+    """Return an angle, turned by quarters, if the unknown is the same at all poses."""
+    gaps = []
+    for values in poses:
+        if name in values and dict(angle.terms).keys() <= values.keys():
+            gaps.append((values[name] - angle.evaluate(values)) % (2 * math.pi))
+    if len(gaps) < 3 or not all(map(math.isfinite, gaps)):
+        return None
+    quarters = round(gaps[0] / (math.pi / 2))
+    turned = quarters * math.pi / 2
+    if any(abs(math.remainder(gap - turned, 2 * math.pi)) > ALIKE for gap in gaps):
+        return None
+    return angle + Angle.constant(quarters % 4 * 90)
+
+
+def _rewritten(closure: Closure, name: str, angle: Angle, keep: bool) -> Closure:
+    """Return a closure in which a direction is another one."""
+    others = tuple(d for d in closure.definitions if d.name != name)
+    directions = {n: a for n, a in closure.directions.items() if n != name}
+    if keep:
+        return Closure((*others, Definition(name, angle.formula())), directions)
+    put: Callable[[Angle], Angle] = lambda a: a.put({name: angle})  # noqa: E731
+    return Closure(others, {**{n: put(a) for n, a in directions.items()}, name: angle})
