@@ -17,6 +17,7 @@ from .geometry import read_geometry
 from .joints import declare_points, read_pivots, read_sliders, warn_idle
 from .loads import read_loads
 from .mechanism import Find, LoadForm, Mechanism
+from .motion import check_drive, read_assemblies, read_drive
 from .parameters import warn_unused
 from .pending import check_pending
 from .points import Points
@@ -45,12 +46,15 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     loads = read_loads(file, scope)
     mirror = read_mirror(file, sliders, loads, scope)
     copies = read_copies(file, scope)
+    drive = read_drive(file, scope)
+    assemblies = read_assemblies(file, scope)
     check_pending(file, scope)
     spread_feeding(found, scope)
     requires = read_requires(file, found, scope)
     expects = read_expects(file, finds, found, scope)
     parameters, lets = settled(found, file, scope)
     _check_asked(file, report)
+    check_drive(drive, parameters, report)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
     warn_idle(pivots, sliders, points)
@@ -65,6 +69,8 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
         pivots=(*pivots, *guides),
         sliders=tuple(sliders),
         links=tuple(points.links.values()),
+        drive=drive,
+        assemblies=tuple(assemblies),
         geometry=(*places, *guide_places, *geometry),
         loads=tuple(loads),
         mirror=mirror,

@@ -44,25 +44,7 @@ def _joint(statement: ast.Statement, scope: Scope) -> str:
             points.link(line)
             read_direction(normal, scope)
             return "a contact ('contact')"
-        case ast.Assembly(points=name):
-            points.known(name)
-            return "the choice of a closure ('assembly')"
-        case ast.Drive(name=name, low=low, high=high):
-            if name.text not in scope.entries:
-                known = scope.names({"parameter"})
-                scope.report.add(names.unknown_name(name.span, name.text, known))
-            _ends(name, (low, high), scope)
-            return "the driving coordinate ('drive')"
     return ""
-
-
-def _ends(name: ast.Name, ends: tuple[ast.Expr | None, ...], scope: Scope) -> None:
-    """Check that the ends of a stroke measure what its coordinate does."""
-    entry = scope.entries.get(name.text)
-    scope.used.add(name.text)
-    for end in ends:
-        if end and entry and entry.dimension is not None:
-            _quantity(end, entry.dimension, "the stroke", scope)
 
 
 def _transmission(statement: ast.Statement, scope: Scope) -> str:

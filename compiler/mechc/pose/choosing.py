@@ -1,16 +1,37 @@
 """Which of two closures is meant: what the user said, decided at the default pose."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from typing import Protocol
 
 from ..diagnostics import Report
 from ..diagnostics import pose as words
 from ..model.mechanism import Assembly
 from ..source import Span
-from .dyads import Closure, Group
+from .dyads import Closure
 from .nearby import Values
 from .reach import reach_of
 from .state import State
+from .web import Cycle, Names
+
+
+class Loops(Protocol):
+    """Loops that close together, a dyad's or those of a larger group."""
+
+    @property
+    def cycle(self) -> Cycle:
+        """Return the edges of the loops."""
+        ...
+
+    @property
+    def unknown(self) -> Names:
+        """Return the unknowns."""
+        ...
+
+    def triples(self) -> Sequence[tuple[str, str, str]]:
+        """Return points whose turn may tell the closures apart."""
+        ...
+
 
 FLAT = 1e-9
 """A triangle whose height is below this part of its longest side has no turn."""
@@ -23,7 +44,7 @@ class Choice:
         self._state, self._report = state, report
         self._unused = list(state.mechanism.assemblies)
 
-    def choose(self, closures: Sequence[Closure], group: Group) -> Closure | None:
+    def choose(self, closures: Sequence[Closure], group: Loops) -> Closure | None:
         """Return the closure that is meant; report where there is none, or none is named."""
         base = self._state.base
         poses = [self._state.tried(c, base) for c in closures]
@@ -88,14 +109,14 @@ class Choice:
 
     # --------------------------------------------------------------------------- reports
 
-    def _report_none(self, closures: Sequence[Closure], group: Group) -> None:
+    def _report_none(self, closures: Sequence[Closure], group: Loops) -> None:
         stretches = reach_of(self._state, closures[0])
         drive = self._state.mechanism.drive
         name = drive.parameter if drive else ""
         self._report.add(words.cannot_assemble(_span(group), loop_name(group), name, stretches))
 
     def _report_open(
-        self, decisive: Sequence[Assembly], poses: Sequence[Values], group: Group
+        self, decisive: Sequence[Assembly], poses: Sequence[Values], group: Loops
     ) -> None:
         listed = [self._described(group, p, poses) for p in poses]
         if decisive:
@@ -104,23 +125,40 @@ class Choice:
         else:
             self._report.add(words.closure_open(_span(group), loop_name(group), listed))
 
-    def _described(self, group: Group, values: Values, poses: Sequence[Values]) -> str:
-        """Return the line that would choose a closure, and its angles in degrees."""
+    def _described(self, group: Loops, values: Values, poses: Sequence[Values]) -> str:
+        """Return the lines that would choose a closure, and its angles in degrees."""
         angles = sorted(n for n in group.unknown if n in self._state.angles)
         shown = ", ".join(f"{n} = {_degrees(values[n])}" for n in angles if n in values)
-        line = self._line(group, values, poses)
-        return f"`{line}` ({shown})" if shown else f"`{line}`"
+        lines = " with ".join(f"`{line}`" for line in self._lines(group, values, poses))
+        return f"{lines} ({shown})" if shown else lines
 
-    def _line(self, group: Group, values: Values, poses: Sequence[Values]) -> str:
+    def _lines(self, group: Loops, values: Values, poses: Sequence[Values]) -> list[str]:
+        """Return as many lines as it takes to tell a closure from all others."""
+        others, lines = [p for p in poses if p is not values], list[str]()
+        for probe in self._probes(group):
+            mine = self._mode(probe, values, poses)
+            left = [p for p in others if self._mode(probe, p, poses) == mine]
+            if len(left) < len(others):
+                lines.append(f"assembly {''.join(probe.points)} {mine}")
+                others = left
+        return lines
+
+    def _probes(self, group: Loops) -> Iterator[Assembly]:
         span = _span(group)
         for point, rail in self._state.rails.items():
-            if rail.length in group.unknown and (probe := Assembly((point,), "forward", span)):
-                mine = self._measure(probe, values) or 0.0
-                top = max(self._measure(probe, p) or 0.0 for p in poses)
-                return f"assembly {point} {'forward' if mine == top else 'back'}"
-        points = group.triple()
-        area = self._measure(Assembly(points, "ccw", span), values) or 0.0
-        return f"assembly {''.join(points)} {'ccw' if area > 0 else 'cw'}"
+            if rail.length in group.unknown:
+                yield Assembly((point,), "forward", span)
+        for points in group.triples():
+            yield Assembly(points, "ccw", span)
+
+    def _mode(self, probe: Assembly, values: Values, poses: Sequence[Values]) -> str:
+        """Return the word that fits a closure."""
+        mine = self._measure(probe, values) or 0.0
+        if len(probe.points) == 1:
+            return (
+                "forward" if mine == max(self._measure(probe, p) or 0.0 for p in poses) else "back"
+            )
+        return "ccw" if mine > 0 else "cw"
 
 
 def _reaching_ahead(closures: Sequence[Closure], poses: Sequence[Values]) -> list[int]:
@@ -133,10 +171,10 @@ def _degrees(angle: float) -> str:
     return f"{math.degrees(math.remainder(angle, 2 * math.pi)):.4g} deg"
 
 
-def _span(group: Group) -> Span:
+def _span(group: Loops) -> Span:
     return max((e.span for e in group.cycle), key=lambda s: s.start)
 
 
-def loop_name(group: Group) -> str:
+def loop_name(group: Loops) -> str:
     """Return a loop by its points: ``O1-A-B-O2``."""
-    return "-".join(dict.fromkeys(e.tail or "origin" for e in group.cycle))
+    return "-".join(dict.fromkeys(e.tail for e in group.cycle if e.tail))

@@ -9,13 +9,15 @@ put in where it is a sum of named angles.
 from typing import NamedTuple
 
 from ..diagnostics import Report
+from ..diagnostics import pose as words
 from ..formula.tree import Formula
 from ..frozen import replace
 from ..model.mechanism import Link, Mechanism, Parameter
 from ..units import ANGLE, LENGTH
-from .choosing import Choice
+from .choosing import Choice, loop_name
 from .compass import Compass
 from .dyads import Group
+from .groups import closures, remaining_blocks
 from .rails import rails
 from .redundant import check_fit
 from .state import State
@@ -94,8 +96,23 @@ class _Closing:
             self._close_body(link)
         while self._state.open_angles and self._close_next():
             pass
-        self._report.stop_on_errors()
+        if self._state.open_angles:
+            self._close_together()
         self._choice.warn_of_unused()
+
+    def _close_together(self) -> None:
+        """Close the groups of higher class, each with its own system."""
+        for block in remaining_blocks(self._state):
+            found = closures(block, self._state)
+            if not found:
+                self._report.add(
+                    words.cannot_assemble(block.cycle[0].span, loop_name(block), "", [])
+                )
+                self._report.stop_on_errors()
+            chosen = self._choice.choose(found, block)
+            self._report.stop_on_errors()
+            assert chosen is not None
+            self._state.take(chosen, block.unknown)
 
     def _close_body(self, link: Link) -> None:
         """Close the triangles of a body whose sides are given, one direction apart."""
@@ -134,11 +151,11 @@ class _Closing:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
         group = Group(cycle, wanted, state.named, self._fixed, state.free_name)
-        closures = group.closures()
-        if not closures:
+        ways = group.closures()
+        if not ways:
             return False
         familiar = [arm.angle for edge in cycle for arm in edge.arms]
-        candidates = [state.recognised(c, wanted, familiar) for c in closures]
+        candidates = [state.recognised(c, wanted, familiar) for c in ways]
         chosen = self._choice.choose(candidates, group)
         self._report.stop_on_errors()
         assert chosen is not None
@@ -146,6 +163,9 @@ class _Closing:
         return True
 
     def _fit(self, name: str, cycle: Cycle) -> bool:
+        """Take a vector between placed points; a loop inside one body turns as a whole."""
+        if all(name in mentioned((arm,)) for edge in cycle for arm in edge.arms):
+            return False
         fault = check_fit(name, cycle, self._state)
         if fault:
             raise self._report.fail(fault)

@@ -19,7 +19,7 @@ from ..algebra.factors import Length
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
-from ..formula.tree import Call, Formula, Number, Symbol, negative, number, power, product, total
+from ..formula.tree import Call, Formula, negative, product, total
 from .pose import Arm, Definition, Vector, components, gathered
 from .web import Cycle, Names, mentioned
 
@@ -188,9 +188,9 @@ class Group:
             return
         d, psi = self._polar(self.known, self._span_name())
         p, q = first.size, second.size
-        area = _heron(*(s.formula() for s in (d, p, q)))
+        area = _heron(d, p, q)
         base, tip = (
-            Call("atan2", (area, _cosines(a.formula(), b.formula(), c.formula())))
+            Call("atan2", (area, add([a * a, b * b, -(c * c)]).formula()))
             for a, b, c in ((d, p, q), (p, q, d))
         )
         mu = self._named("mu", self.knee() or first.name, tip)
@@ -228,13 +228,13 @@ class Group:
         starts = [e.tail for i, e in enumerate(self.cycle) if loose[i] and not loose[i - 1]]
         return starts[0] if starts else ""
 
-    def triple(self) -> tuple[str, str, str]:
+    def triples(self) -> list[tuple[str, str, str]]:
         """Return three points of the loop whose turn tells the closures apart."""
         knee = self.knee()
         loose = [e for e in self.cycle if not self.unknown.isdisjoint(mentioned(e.arms))]
         before = next((e.tail for e in loose if e.head == knee), loose[0].tail)
         after = next((e.head for e in loose if e.tail == knee), loose[-1].head)
-        return (before, knee or loose[0].head, after)
+        return [(before, knee or loose[0].head, after)]
 
     def _turn_and_guide(self, turn: Turning, reach: Reaching) -> Iterable[Closure]:
         """RRP: the part that turns spans the distance to the line that is reached along."""
@@ -327,22 +327,10 @@ def principal(angle: Angle) -> Angle:
     return Angle(angle.terms, -((180 - angle.degrees) % 360 - 180))
 
 
-def _heron(d: Formula, p: Formula, q: Formula) -> Formula:
-    """Return four times the area of a triangle."""
-    factors = [
-        total([p, q, d]),
-        total([p, q, negative(d)]),
-        total([d, p, negative(q)]),
-        total([d, q, negative(p)]),
-    ]
-    return Call("sqrt", (product((f, 1) for f in factors),))
+def _heron(d: Product, p: Product, q: Product) -> Formula:
+    """Return four times the area of a triangle.
 
-
-def _cosines(a: Formula, b: Formula, opposite: Formula) -> Formula:
-    """Return 2ab·cos of the angle between two sides of a triangle."""
-    two = number(2)
-    return total([_squared(a, two), _squared(b, two), negative(_squared(opposite, two))])
-
-
-def _squared(side: Formula, two: Number) -> Formula:
-    return power(side, two) if isinstance(side, Symbol) else product([(side, 1), (side, 1)])
+    The factors stay apart: two that are alike would else make a square, whose root has no sign.
+    """
+    factors = (add([p, q, d]), add([p, q, -d]), add([d, p, -q]), add([d, q, -p]))
+    return Call("sqrt", (product((f.formula(), 1) for f in factors),))

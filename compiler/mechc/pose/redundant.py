@@ -30,7 +30,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     size, gap = gaps[0]
     if abs(gap) > FITS * size:
         edge = max((e for e in cycle if name in mentioned(e.arms)), key=lambda e: e.span.start)
-        points = "-".join(dict.fromkeys(e.tail or "origin" for e in cycle))
+        points = "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))
         return words.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
     unknown = frozenset({name})
     closure = _closure(name, known, moving, state)

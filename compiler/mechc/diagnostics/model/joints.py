@@ -144,3 +144,55 @@ def idle_joint(span: Span, what: str, point: str) -> Words:
     link  OA
     """
     return Words(span, f"no link goes through {what} {point}", "is it mistyped?")
+
+
+@coded("E288")
+def assembly_of_wrong_points(at: Span, points: str, mode: str) -> Words:
+    """An ``assembly`` names points that do not go with its word.
+
+    Three points turn one way or the other; one point stands farther along its guide or
+    farther back::
+
+        assembly AB ccw       # wrong: two points have no turn
+        assembly ABC ccw      # right
+        assembly B forward    # right: B is on a guide
+    """
+    wanted = "three points" if mode in ("cw", "ccw") else "one point on a guide"
+    return Words(
+        at,
+        f"'{mode}' is said of {wanted}, found {points}",
+        "write `assembly ABC ccw` for a turn, `assembly B forward` for a place along a guide",
+    )
+
+
+@coded("E289")
+def assembly_without_guide(at: Span, point: str) -> Words:
+    """``forward`` and ``back`` are said of a point that no guide or slot holds.
+
+    They tell the two places of a slider along its line apart::
+
+        slider B along x through O
+        assembly B forward
+    """
+    return Words(
+        at,
+        f"point {point} is on no guide, so it is neither forward nor back",
+        "name three points that turn, such as `assembly ABC ccw`, or give the point a guide",
+    )
+
+
+@coded("E290")
+def drive_depends(at: Span, name: str) -> Words:
+    """The driving coordinate follows from other parameters, so nothing can drive it.
+
+    The drive is what the stroke runs over, and everything else follows from it::
+
+        param phi = 2*psi
+        drive phi from 10 deg to 80 deg    # wrong
+        drive psi from 5 deg to 40 deg     # right
+    """
+    return Words(
+        at,
+        f"the drive {name} follows from other parameters, expected an independent one",
+        "drive a parameter that it follows from",
+    )

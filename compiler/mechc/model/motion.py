@@ -1,0 +1,65 @@
+"""What drives a mechanism, and which closure of a loop is meant."""
+
+from collections.abc import Iterable
+
+from ..diagnostics import Report
+from ..diagnostics.model import joints as words
+from ..diagnostics.model import names
+from ..formula.tree import Formula
+from ..syntax import ast
+from .expressions import Reader
+from .mechanism import Assembly, Drive, Parameter
+from .parameters import constant
+from .scope import DESCRIPTION, Scope
+from .statements import every, only
+
+
+def read_drive(file: ast.File, scope: Scope) -> Drive | None:
+    """Return the driving coordinate and its stroke, which no other parameter may enter."""
+    statement = only(file, ast.Drive)
+    if statement is None:
+        return None
+    name = statement.name
+    entry = scope.entries.get(name.text)
+    if entry is None or entry.kind != "parameter":
+        known = scope.names({"parameter"})
+        scope.report.add(names.unknown_name(name.span, name.text, known))
+        return None
+    scope.used.add(name.text)
+    ends = [_end(end, name, scope) for end in (statement.low, statement.high)]
+    return Drive(name.text, ends[0], ends[1], statement.span)
+
+
+def check_drive(drive: Drive | None, parameters: Iterable[Parameter], report: Report) -> None:
+    """Report a drive that follows from other parameters."""
+    if drive and any(p.dependent for p in parameters if p.name == drive.parameter):
+        report.add(words.drive_depends(drive.span, drive.parameter))
+
+
+def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
+    """Return one end of the stroke, a constant of the coordinate's dimension."""
+    found = constant(end, scope, "an end of a stroke") if end else None
+    dimension = scope.entries[name.text].dimension
+    if found is None or dimension is None:
+        return None
+    fits = Reader(scope, DESCRIPTION).fits(found, dimension, "the stroke")
+    return found.formula if fits else None
+
+
+def read_assemblies(file: ast.File, scope: Scope) -> list[Assembly]:
+    """Return the closures that are meant: the turn of three points, or a place on a guide."""
+    guided = scope.points.guided | {s.point.text for s in every(file, ast.Slot)}
+    found: list[Assembly] = []
+    for statement in every(file, ast.Assembly):
+        points = scope.points.acting(statement.points)
+        if points is None:
+            continue
+        turns = statement.mode in ("cw", "ccw")
+        if (len(points) == 3) != turns or (len(points) == 1) == turns:
+            text, mode = statement.points.text, statement.mode
+            scope.report.add(words.assembly_of_wrong_points(statement.span, text, mode))
+        elif not turns and points[0] not in guided:
+            scope.report.add(words.assembly_without_guide(statement.span, points[0]))
+        else:
+            found.append(Assembly(points, statement.mode, statement.span))
+    return found
