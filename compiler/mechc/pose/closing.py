@@ -6,8 +6,10 @@ systems that are solved by iteration. Every unknown becomes a definition of the 
 put in where it is a sum of named angles.
 """
 
+from collections.abc import Mapping
 from typing import NamedTuple
 
+from ..algebra.product import Product
 from ..diagnostics import Report
 from ..diagnostics import pose as words
 from ..formula.tree import Formula
@@ -27,10 +29,14 @@ from .web import Cycle, Names, Web, mentioned
 
 
 class Closed(NamedTuple):
-    """The mechanism with the parameters that were found made dependent, and the names found."""
+    """The mechanism with the parameters that were found made dependent, and the names found.
+
+    ``rates`` are the derivatives by the drive of all that moves with it.
+    """
 
     mechanism: Mechanism
     found: frozenset[str]
+    rates: Mapping[str, Product]
 
 
 def close(
@@ -43,7 +49,7 @@ def close(
     """
     named = _sought_parameters(mechanism)
     if not compass.sought and not named:
-        return Closed(mechanism, frozenset())
+        return Closed(mechanism, frozenset(), {})
     lines = list(rails(mechanism, compass))
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
     lengths = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
@@ -55,7 +61,7 @@ def close(
     compass.put(state.directions)
     vectors.put(state.directions)
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
-    return Closed(_with_solved(mechanism, state), frozenset(state.found))
+    return Closed(_with_solved(mechanism, state), frozenset(state.found), state.rates)
 
 
 def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:
@@ -112,7 +118,7 @@ class _Closing:
             chosen = self._choice.choose(found, block)
             self._report.stop_on_errors()
             assert chosen is not None
-            self._state.take(chosen, block.unknown)
+            self._state.take(chosen, block.unknown, block.sides)
 
     def _close_body(self, link: Link) -> None:
         """Close the triangles of a body whose sides are given, one direction apart."""
@@ -159,7 +165,7 @@ class _Closing:
         chosen = self._choice.choose(candidates, group)
         self._report.stop_on_errors()
         assert chosen is not None
-        state.take(chosen, wanted)
+        state.take(chosen, wanted, [tuple(a for e in cycle for a in e.arms)])
         return True
 
     def _fit(self, name: str, cycle: Cycle) -> bool:

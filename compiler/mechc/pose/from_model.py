@@ -25,7 +25,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
-    mechanism, found = close(mechanism, terms, compass, vectors, report)
+    mechanism, found, rates = close(mechanism, terms, compass, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
     guides, lines, axis = survey.guides(), survey.lines(), survey.axis()
     pose = Pose(
@@ -37,6 +37,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         definitions=tuple(terms.definitions),
         placeholders=dict.fromkeys(vectors.placeholders),
         free=tuple(p.name for p in mechanism.parameters if not p.dependent),
+        rates=rates,
     )
     survey.close_loops(pose)
     survey.report_unfound(pose, found)

@@ -46,6 +46,11 @@ class Block(NamedTuple):
         """Return all edges of the loops."""
         return tuple(dict.fromkeys(e for loop in self.loops for e in loop))
 
+    @property
+    def sides(self) -> list[Vector]:
+        """Return the vectors of each loop."""
+        return [_side_arms(loop) for loop in self.loops]
+
     def triples(self) -> list[tuple[str, str, str]]:
         """Return the pins between two unknown edges, each with the far ends of the two."""
         loose = [e for e in self.cycle if not self.unknown.isdisjoint(mentioned(e.arms))]

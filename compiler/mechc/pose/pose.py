@@ -6,6 +6,7 @@ A vector is a sum of ``length @ angle`` terms, never expanded into components:
 
 import math
 from collections.abc import Collection, Iterable, Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
@@ -46,7 +47,8 @@ class Pose:
     ``placeholders`` are the made-up names of lengths that were not given (``len_BK``
     for ``BK = @ …``), with a numeric value that follows from closure where a loop
     fixes it, and which a result must not depend on. ``free`` are the names of the
-    independent parameters, in declared order.
+    independent parameters, in declared order. ``rates`` are the derivatives by the drive of
+    the names that move with it, the drive's own being 1; empty without a drive.
     """
 
     mechanism: Mechanism
@@ -57,6 +59,7 @@ class Pose:
     definitions: tuple[Definition, ...]
     placeholders: Mapping[str, Product | None]
     free: tuple[str, ...]
+    rates: Mapping[str, Product] = MappingProxyType({})
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""

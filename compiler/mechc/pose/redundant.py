@@ -35,7 +35,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     unknown = frozenset({name})
     closure = _closure(name, known, moving, state)
     familiar = [a.angle for e in cycle for a in e.arms]
-    state.take(state.recognised(closure, unknown, familiar), unknown)
+    state.take(state.recognised(closure, unknown, familiar), unknown, [])
     return None
 
 

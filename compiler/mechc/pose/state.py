@@ -1,17 +1,19 @@
 """What closing the loops has found so far: definitions, directions, numbers."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from ..algebra.angle import Angle
+from ..algebra.product import Product
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Mechanism
 from .dyads import Closure
 from .nearby import Values, poses_nearby
-from .pose import Definition
+from .pose import Definition, Vector, turned_by
 from .rails import Rail
+from .rates import loop_rates
 from .terms import Terms
-from .web import Names, Web
+from .web import Names, Web, mentioned
 
 ALIKE = 1e-9
 """Angles in radians that differ by less at every pose looked at are the same angle."""
@@ -37,6 +39,9 @@ class State:
         self.definitions = terms.definitions
         self.directions: dict[str, Angle] = {}
         self.found: set[str] = set()
+        self.rates: dict[str, Product] = (
+            {mechanism.drive.parameter: Product(1)} if mechanism.drive else {}
+        )
         self.values = poses_nearby(mechanism, terms.definitions)
         self._taken = {p.name for p in mechanism.parameters} | {n.name for n in mechanism.loads}
         for values in self.values:
@@ -74,8 +79,11 @@ class State:
                 found[name] = angle.evaluate(found)
         return found
 
-    def take(self, closure: Closure, unknown: Iterable[str]) -> None:
-        """Enter a closure for good."""
+    def take(self, closure: Closure, unknown: Names, loops: Sequence[Vector]) -> None:
+        """Enter a closure for good, with the rates that the loops it closes give it."""
+        moving = [turned_by(loop, closure.directions) for loop in loops]
+        fresh = {d.name for d in closure.definitions} & frozenset().union(*map(mentioned, moving))
+        self.rates |= loop_rates(moving, sorted(fresh), self.rates)
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
         settled = dict(closure.directions)

@@ -7,11 +7,13 @@ from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
 from ..algebra.factors import Length
 from ..algebra.product import Product
+from ..algebra.sums import add
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import evaluate, substitute, symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
 from ..model.result import Result, Trend
+from ..pose.pose import Pose
 from .balance import Balance, Solved
 from .numbers import default_values
 from .trends import ranges, trend
@@ -38,13 +40,15 @@ def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> R
         item.result,
         zeros=zeros(item, balance, values),
         poles=poles(item, balance, values),
-        proportional=_proportional(item.value),
+        proportional=_proportional(item.value, item.result),
         independent=_independent(item.result, mechanism),
     )
     used = symbols(result.formula)
     names = [p.name for p in mechanism.parameters if p.name in used]
-    if len(names) > MANY or result.where or not depends_openly(item.value):
+    if len(names) > MANY or not depends_openly(item.value):
         return result
+    if result.where:
+        return replace(result, derivatives=_along_the_stroke(item.value, balance.plan.graph.pose))
     slopes = {name: derivative(item.value, name) for name in names}
     box = ranges(mechanism)
     trends: dict[str, Trend] = {name: trend(slope, name, box) for name, slope in slopes.items()}
@@ -56,11 +60,25 @@ def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> R
     )
 
 
-def _proportional(value: Product) -> Mapping[str, int]:
-    """Return the powers of parameters that occur nowhere but as a factor."""
+def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | None:
+    """Return the derivative by the drive, through all loops; None where a rate is not known."""
+    drive = pose.mechanism.drive
+    moving = {d.name for d in pose.definitions} & symbols(value.formula())
+    if drive is None or not moving <= pose.rates.keys():
+        return None
+    direct = [derivative(value, drive.parameter)]
+    slope = add([*direct, *(derivative(value, n) * pose.rates[n] for n in sorted(moving))])
+    return {drive.parameter: slope.formula()}
+
+
+def _proportional(value: Product, result: Result) -> Mapping[str, int]:
+    """Return the powers of parameters that occur nowhere but as a factor.
+
+    One that an intermediate angle depends on, too, is in no simple proportion.
+    """
     factors = {f.name: e for f, e in value.factors.items() if isinstance(f, Length)}
     rest = Product(1, {f: e for f, e in value.factors.items() if not isinstance(f, Length)})
-    inside = symbols(rest.formula())
+    inside = symbols(rest.formula()).union(*(symbols(d.formula) for d in result.where))
     return {name: e for name, e in factors.items() if name not in inside}
 
 
