@@ -88,20 +88,8 @@ def test_commands_of_the_table_work(
 
 
 LATER = {
-    "Gears": "gear O r, O2 r",
-    "racks": "rack K on O r",
-    "belts": "belt O r, O2 r",
-    "screws": "screw K pitch r on OB",
-    "slots": "slot K in OB",
-    "telescopes": "telescope OK",
-    "wedges": "slide KL along x",
-    "cams": "contact K on OB normal x",
-    "springs": "spring c between B and K free r",
-    "actuators": "actuator Q between B and K",
-    "friction": "friction slider K mu",
+    "Friction": "friction slider K mu",
     "`find R_O`": "find R_O",
-    "`drive`": "drive alpha from 2 deg to 40 deg",
-    "`assembly`": "assembly K forward",
 }
 """What the README calls not done yet, and a line that asks for it."""
 

@@ -1,18 +1,20 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from typing import assert_never
 
 from ..algebra.product import Product
 from ..algebra.sums import add, canonical
 from ..formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
-from ..kinematics.forms import projection, spin
+from ..kinematics.forms import parting, projection, spin
 from ..kinematics.graph import Form, Kind, Relation
 from ..kinematics.graph import Rule as Law
 from ..kinematics.plan import Block
-from ..model.mechanism import Force, Speed, SpeedRatio
+from ..model.mechanism import Force, Speed, SpeedRatio, Thrust, Torque
 from ..model.result import Result
 from ..power.balance import Balance, Term
 from .notation import Named, Notation
+from .outputs import acting_on
 from .steps import Derivation, Equation, PowerTerm, Rule, Step
 from .wording import has_minus, positive_first
 
@@ -58,7 +60,9 @@ class _Writer:
             if isinstance(term.load, Force):
                 if named := self._notation.of_point(unknown, term.load.point):
                     return named
-            elif spin(self._graph, term.load.link).keys() == {unknown}:
+            elif isinstance(term.load, Torque) and spin(self._graph, term.load.link).keys() == {
+                unknown
+            }:
                 break
         return self._notation.of_itself(unknown)
 
@@ -133,6 +137,14 @@ class _Writer:
                 return Rule.BODY, (relation.link, *relation.points)
             case Law.ROTATION | Law.JOINT | Law.REST:
                 return Rule.ROTATION, (relation.link, *relation.points)
+            case Law.SLOT | Law.CONTACT:
+                return Rule(relation.rule.value), (*relation.points, relation.link)
+            case Law.GEAR | Law.BELT | Law.RACK:
+                return Rule(relation.rule.value), relation.points
+            case Law.SCREW:
+                return Rule.SCREW, (relation.link, *relation.points)
+            case _:
+                assert_never(relation.rule)
 
     # ------------------------------------------------------------------------- levers
 
@@ -183,14 +195,14 @@ class _Writer:
 
     def _output_points(self) -> Iterator[str]:
         for term in self._balance.terms:
-            if isinstance(term.load, Force) and any(term.power):
-                yield term.load.point
+            if any(term.power) and not isinstance(term.load, Torque):
+                yield from acting_on(term.load, self._graph)
         yield from (s.of for s in self._speeds_asked() if s.kind == "point")
 
     def _needed(self) -> set[int]:
         """Return the unknowns that loads and speeds asked for depend on."""
         needed = {f.unknown for p in self._output_points() for f in self._graph.velocities[p]}
-        links = [t.load.link for t in self._balance.terms if not isinstance(t.load, Force)]
+        links = [t.load.link for t in self._balance.terms if isinstance(t.load, Torque)]
         links += [s.of for s in self._speeds_asked() if s.kind == "link"]
         needed |= {u for link in links for u in spin(self._graph, link)}
         for block in reversed(self._plan.blocks):
@@ -203,12 +215,17 @@ class _Writer:
     def term(self, term: Term) -> PowerTerm:
         """Return the power of one load with its point's speed as it is named."""
         load = term.load
-        if isinstance(load, Force):
-            assert term.line is not None
-            velocity = self._graph.velocities[load.point]
-            form, at = projection(velocity, term.line), load.point
-        else:
-            form, at = spin(self._graph, load.link), load.link
+        match load:
+            case Force(_, point):
+                assert term.line is not None
+                form, at = projection(self._graph.velocities[point], term.line), point
+            case Thrust(_, first):
+                assert term.line is not None
+                form, at = parting(self._graph, load, term.line), first
+            case Torque(_, link):
+                form, at = spin(self._graph, link), link
+            case _:
+                assert_never(load)
         moving = {u: p for u, p in form.items() if any(self._plan.speeds[u])}
         speed = self._along.get(load.name) or _sum(moving, self._names_at(moving, at))
         return PowerTerm(load.name, at, term.count.formula(), speed)
@@ -220,9 +237,11 @@ class _Writer:
 
     def _along_load(self, term: Term) -> Iterator[Step]:
         """Yield the step to the speed along a load of a point whose velocity is a sum."""
-        if not isinstance(term.load, Force) or term.line is None or self._plan.mobility != 1:
+        if term.line is None or self._plan.mobility != 1 or not any(term.power):
             return
-        if not any(term.power):
+        if isinstance(term.load, Thrust):
+            yield from self._parting(term.load, term)
+        if not isinstance(term.load, Force):
             return
         name, point = term.load.name, term.load.point
         velocity = self._graph.velocities[point]
@@ -234,6 +253,20 @@ class _Writer:
         said = Equation(symbol, _sum(form, self._names_at(form, point)))
         result = Equation(symbol, _times(term.speed[0] * drive.factor, drive))
         yield Step(Rule.COMPONENT, (point, name), (said,), (result,))
+
+    def _parting(self, load: Thrust, term: Term) -> Iterator[Step]:
+        """Yield the step to the rate of the distance between the ends of a pair of forces."""
+        assert term.line is not None
+        form = parting(self._graph, load, term.line)
+        if len(form) < 2:
+            return
+        symbol = Symbol(f"V_{load.first}{load.second}")
+        self._along[load.name] = symbol
+        drive = self._names[self._plan.drives[0]]
+        named = {u: p for u, p in form.items() if any(self._plan.speeds[u])}
+        said = Equation(symbol, _sum(named, self._names))
+        result = Equation(symbol, _times(term.speed[0] * drive.factor, drive))
+        yield Step(Rule.PARTING, acting_on(load, self._graph), (said,), (result,))
 
     def balances(self) -> Iterator[Equation]:
         """Yield the power equation, or one for each motion."""

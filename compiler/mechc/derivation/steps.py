@@ -32,6 +32,20 @@ class Rule(StrEnum):
     """Relations that must be solved together."""
     GUIDE = "guide"
     """A point that moves along its guide."""
+    SLOT = "slot"
+    """Equal velocities of a pin and the body under it across a slot."""
+    CONTACT = "contact"
+    """Equal velocities of two bodies along their common normal."""
+    GEAR = "gear"
+    """Pitch circles that roll on one another."""
+    BELT = "belt"
+    """A belt or chain that runs with two rims."""
+    RACK = "rack"
+    """A rack that moves with the rim of its gear."""
+    SCREW = "screw"
+    """A nut that moves by the pitch for each turn."""
+    PARTING = "parting"
+    """The rate at which the distance of two points grows."""
     COMPONENT = "component"
     """The component of a point's velocity along the load that acts on it."""
 
@@ -48,8 +62,10 @@ class Step:
     """One numbered step: the rule, the points and link it is applied to, what it gives.
 
     ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
-    for PROJECTION the two ends of the rod; for TOGETHER the links involved; for
-    COMPONENT the point and the load, ``V_A_P`` being the speed of A along P.
+    for PROJECTION the two ends of the rod; for SLOT and CONTACT the pin and the body, for GEAR
+    and BELT the two pivots, for RACK the pivot and the rack, for PARTING the two points; for
+    TOGETHER the links involved; for COMPONENT the point and the load, ``V_A_P`` being the
+    speed of A along P.
     ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
     """
 

@@ -1,5 +1,7 @@
 """Words for what the referee finds: equilibrium of the free bodies against virtual power."""
 
+from collections.abc import Mapping
+
 from ..source import Span
 from .diagnostic import Words, coded
 
@@ -75,3 +77,26 @@ def not_judged(span: Span, result: str, reason: str) -> Words:
     """
     hint = "give the parameters values and ranges at which the mechanism can stand"
     return Words(span, f"{result} was not checked against equilibrium: {reason}", hint)
+
+
+@coded("E604")
+def contact_would_pull(
+    span: Span, point: str, load: str, force: float, values: Mapping[str, float]
+) -> Words:
+    """A contact would have to pull for the loads to balance, and bodies that touch only push.
+
+    The normal of a contact is the direction in which the body pushes the point. Where
+    equilibrium asks for the opposite, the bodies part and nothing is transmitted::
+
+        contact A on WX normal 80 deg     # the wedge pushes A up
+        force F at A along y              # wrong: F lifts A off the wedge
+        force F at A along -y             # right
+
+    Turn the normal where it was drawn the wrong way, or the load.
+    """
+    shown = ", ".join(f"{name} = {value:.5g}" for name, value in values.items())
+    return Words(
+        span,
+        f"the contact at {point} would have to pull, with {-force:.4g} times {load} (at {shown}, in SI)",
+        "turn the normal round if it points the wrong way, or else the load",
+    )

@@ -69,33 +69,7 @@ class Call:
     arguments: tuple["Formula", ...]
 
 
-@frozen
-class System:
-    """Equations to be solved together, and the branch of their solution that is meant.
-
-    ``equations`` = 0 in the ``unknowns`` and in outer symbols. ``anchor`` gives every
-    outer symbol's value at the default pose, ``start`` the unknowns there.
-    """
-
-    unknowns: tuple[str, ...]
-    equations: tuple["Formula", ...]
-    anchor: tuple[tuple[str, float], ...]
-    start: tuple[float, ...]
-
-
-@frozen
-class Implicit:
-    """One unknown of a system, on the branch that is reached from its start.
-
-    The outer symbols go from the anchor to their values on a straight line; it has no
-    value where the branch ends on the way.
-    """
-
-    system: System
-    index: int
-
-
-Formula = Number | Pi | Symbol | Sum | Product | Power | Call | Implicit
+Formula = Number | Pi | Symbol | Sum | Product | Power | Call
 
 ZERO, ONE, PI = Number(Fraction(0)), Number(Fraction(1)), Pi()
 

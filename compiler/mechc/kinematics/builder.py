@@ -15,6 +15,7 @@ from ..algebra.trigonometry import sine
 from ..model.mechanism import Link
 from ..pose.pose import Pose, Vector
 from ..source import Span
+from .contacts import relations, spinning
 from .forms import QUARTER, projection, subtract, turned
 from .graph import Flow, Graph, Kind, Relation, Rule, Unknown, Velocity
 
@@ -37,6 +38,7 @@ class Builder:
         for link in self._mechanism.links:
             for point in link.points:
                 self._links_at[point].append(link)
+        self._spinning = spinning(pose)
         self._guides = dict(pose.guides)
         if self._mechanism.mirror and pose.axis is not None:
             for point in self._mechanism.mirror.sharing:
@@ -48,11 +50,13 @@ class Builder:
         pivoted, floating = self._split_links()
         for link in pivoted:
             self._turn_about_pivot(link)
+        self._move_slides()
         self._guide_sliders()
         rods = self._carry_bodies(floating)
         self._carry_free_pins(rods)
         for rod in rods:
             self._relate_rod(rod)
+        self._relations.extend(relations(self._pose, self._velocities, self._spins))
         return Graph(
             self._pose,
             tuple(self._unknowns),
@@ -81,6 +85,26 @@ class Builder:
                     link, point, turned(self._pose.vector(link.name, at_rest[0], point), spin)
                 )
 
+    def _move_slides(self) -> None:
+        """Give all points of a body that only translates one speed."""
+        for slide in self._mechanism.slides:
+            along = self._pose.slides[slide.name]
+            unknown = self._unknown(Unknown(Kind.SLIDE, slide.points[0], along))
+            for point in slide.points:
+                velocity = (Flow(ONE, along, unknown),)
+                known = self._velocities.setdefault(point, velocity)
+                if known != velocity:
+                    self._relate_points(slide.name, point, velocity, along, slide.span)
+
+    def _relate_points(
+        self, body: str, point: str, velocity: Velocity, along: Angle, span: Span
+    ) -> None:
+        """Let a point that something else carries have the velocity of a translating body too."""
+        for direction in (along, along + QUARTER):
+            known = projection(self._velocities[point], direction)
+            form = subtract(projection(velocity, direction), known)
+            self._relations.append(Relation(Rule.JOINT, body, (point,), direction, form, span))
+
     def _guide_sliders(self) -> None:
         for point, direction in self._guides.items():
             velocity = self._velocities.get(point)
@@ -106,7 +130,8 @@ class Builder:
 
     def _is_rod(self, link: Link) -> bool:
         """Tell whether a link is held at both of its two ends, so that its spin is not needed."""
-        return len(link.points) == 2 and all(self._is_held(link, p) for p in link.points)
+        held = len(link.points) == 2 and all(self._is_held(link, p) for p in link.points)
+        return held and link.name not in self._spinning
 
     def _is_held(self, link: Link, point: str) -> bool:
         return point in self._velocities or len(self._links_at[point]) > 1

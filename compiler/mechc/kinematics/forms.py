@@ -6,6 +6,7 @@ from ..algebra.angle import Angle
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
+from ..model.mechanism import Thrust
 from ..pose.pose import Pose, Vector
 from .graph import Flow, Form, Graph, Velocity
 
@@ -31,6 +32,17 @@ def subtract(left: Form, right: Form) -> Form:
     for u, p in right.items():
         terms.setdefault(u, []).append(-p)
     return _collected(terms)
+
+
+def parting(graph: Graph, pair: Thrust, line: Angle) -> Form:
+    """Return the rate at which the points of a pair part along a line.
+
+    Across the mirror it is the first point's part in it, half of the whole.
+    """
+    if pair.second == f"{pair.first}'":
+        return projection(graph.velocities[pair.first], line)
+    ahead, behind = (projection(graph.velocities[p], line) for p in (pair.second, pair.first))
+    return subtract(ahead, behind)
 
 
 def scaled(form: Form, factor: Product) -> Form:

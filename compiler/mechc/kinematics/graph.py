@@ -65,6 +65,18 @@ class Rule(StrEnum):
     """A point on a guide does not move across it."""
     REST = "rest"
     """A second point of the link is pinned to the ground."""
+    SLOT = "slot"
+    """A pin in a slot and the link under it have equal velocities across the slot."""
+    CONTACT = "contact"
+    """Two bodies that touch have equal velocities along the common normal."""
+    GEAR = "gear"
+    """Pitch circles roll on one another: ω₁r₁ = ∓ω₂r₂."""
+    BELT = "belt"
+    """A belt runs with the rims of both pulleys: ω₁r₁ = ±ω₂r₂."""
+    RACK = "rack"
+    """A rack moves with the rim of its gear: V = ωr."""
+    SCREW = "screw"
+    """A screw moves its nut by the pitch for each turn: V = ωp/2π."""
 
 
 class Relation(NamedTuple):

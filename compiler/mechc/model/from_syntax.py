@@ -25,6 +25,8 @@ from .results import read_expects, read_requires
 from .scope import Scope
 from .statements import every, only
 from .symmetry import read_copies, read_mirror
+from .thrusts import spring_name
+from .transmissions import read_joints
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:
@@ -42,6 +44,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     found = read_definitions(file, scope)
     pivots, places = read_pivots(file, scope)
     sliders, guides, guide_places = read_sliders(file, scope)
+    joints = read_joints(file, scope)
     geometry = read_geometry(file, scope)
     loads = read_loads(file, scope)
     mirror = read_mirror(file, sliders, loads, scope)
@@ -69,6 +72,13 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
         pivots=(*pivots, *guides),
         sliders=tuple(sliders),
         links=tuple(points.links.values()),
+        slides=joints.slides,
+        telescopes=joints.telescopes,
+        slots=joints.slots,
+        contacts=joints.contacts,
+        meshes=joints.meshes,
+        racks=joints.racks,
+        screws=joints.screws,
         drive=drive,
         assemblies=tuple(assemblies),
         geometry=(*places, *guide_places, *geometry),
@@ -103,6 +113,8 @@ def _declare_names(file: ast.File, scope: Scope) -> None:
                 scope.declare(name, "load", FORCE)
             case ast.Torque(name=name):
                 scope.declare(name, "load", TORQUE)
+            case ast.Spring():
+                scope.declare(ast.Name(spring_name(statement), statement.span), "load", FORCE)
 
 
 def _declare_lets(file: ast.File, finds: Sequence[Find], scope: Scope) -> None:

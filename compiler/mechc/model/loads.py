@@ -29,11 +29,13 @@ from .order import ordered
 from .parameters import constant
 from .scope import DESCRIPTION, TIE, Scope
 from .statements import every, only
+from .thrusts import read_thrust
 
 
 def read_loads(file: ast.File, scope: Scope) -> list[Load]:
     """Return every load in the order of the file."""
     gravity = _gravity(file, scope)
+    is_mirrored = only(file, ast.Mirror) is not None
     loads: list[Load] = []
     for statement in file.statements:
         match statement:
@@ -43,6 +45,8 @@ def read_loads(file: ast.File, scope: Scope) -> list[Load]:
                 load = _torque(statement, scope)
             case ast.Weight():
                 load = _weight(statement, gravity, scope)
+            case ast.Actuator() | ast.Spring():
+                load = read_thrust(statement, is_mirrored, _times(statement.times, scope), scope)
             case _:
                 continue
         if load:

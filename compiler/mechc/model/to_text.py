@@ -24,6 +24,7 @@ from .mechanism import (
     Speed,
     SpeedRatio,
     Target,
+    Thrust,
     Torque,
     Turn,
 )
@@ -42,6 +43,7 @@ def _lines(mechanism: Mechanism) -> Iterator[str]:
     yield from (f"pivot {pivot.point}" for pivot in mechanism.pivots)
     yield from map(_slider, mechanism.sliders)
     yield from (f"link {k.name} through {' '.join(k.points)}" for k in mechanism.links)
+    yield from _joints(mechanism)
     yield from map(_geometry, mechanism.geometry)
     yield from map(_load, mechanism.loads)
     yield from _symmetry(mechanism)
@@ -82,6 +84,28 @@ def direction_text(direction: Direction) -> str:
     return f"{direction.tail}{direction.head}{turned}"
 
 
+def _joints(mechanism: Mechanism) -> Iterator[str]:
+    for slide in mechanism.slides:
+        yield f"slide {slide.name} along {direction_text(slide.along)}"
+    yield from (f"telescope {t.name}" for t in mechanism.telescopes)
+    yield from (f"slot {s.point} in {s.tail}{s.head} of {s.link}" for s in mechanism.slots)
+    for contact in mechanism.contacts:
+        normal = direction_text(contact.normal)
+        yield f"contact {contact.point} on {contact.link} normal {normal}"
+    for mesh in mechanism.meshes:
+        radii = f"{text(mesh.first_radius)}, {text(mesh.second_radius)}"
+        way = "the same way" if mesh.same else "opposite ways"
+        yield f"{mesh.kind} {mesh.first}, {mesh.second} of radii {radii}, turning {way}"
+    for rack in mechanism.racks:
+        yield f"rack {rack.point} on {rack.pivot} of radius {text(rack.radius)}"
+    for screw in mechanism.screws:
+        yield f"screw {screw.link} moves {screw.point} by {text(screw.pitch)} per turn"
+    if drive := mechanism.drive:
+        ends = f" from {text(drive.low)} to {text(drive.high)}" if drive.low and drive.high else ""
+        yield f"drive {drive.parameter}{ends}"
+    yield from (f"assembly {' '.join(a.points)} {a.mode}" for a in mechanism.assemblies)
+
+
 def _geometry(entry: Geometry) -> str:
     match entry:
         case Arrow(tail, head, length, direction):
@@ -111,6 +135,9 @@ def _load(load: Load) -> str:
             line = f"{kind} {load.name} at {load.point} along {direction_text(load.along)}"
         case Torque():
             line = f"torque {load.name} on {load.link}"
+        case Thrust():
+            kind = "spring" if load.spring else "actuator"
+            line = f"{kind} {load.name} between {load.first} and {load.second}"
         case _:
             assert_never(load)
     tie = f" = {text(load.tie)}" if load.tie else ""

@@ -113,7 +113,9 @@ class Choice:
         stretches = reach_of(self._state, closures[0])
         drive = self._state.mechanism.drive
         name = drive.parameter if drive else ""
-        self._report.add(words.cannot_assemble(_span(group), loop_name(group), name, stretches))
+        self._report.add(
+            words.cannot_assemble(_span(group), loop_name(group.cycle), name, stretches)
+        )
 
     def _report_open(
         self, decisive: Sequence[Assembly], poses: Sequence[Values], group: Loops
@@ -123,7 +125,7 @@ class Choice:
             at = decisive[0]
             self._report.add(words.assembly_undecided(at.span, "".join(at.points), listed))
         else:
-            self._report.add(words.closure_open(_span(group), loop_name(group), listed))
+            self._report.add(words.closure_open(_span(group), loop_name(group.cycle), listed))
 
     def _described(self, group: Loops, values: Values, poses: Sequence[Values]) -> str:
         """Return the lines that would choose a closure, and its angles in degrees."""
@@ -175,6 +177,6 @@ def _span(group: Loops) -> Span:
     return max((e.span for e in group.cycle), key=lambda s: s.start)
 
 
-def loop_name(group: Loops) -> str:
+def loop_name(cycle: Cycle) -> str:
     """Return a loop by its points: ``O1-A-B-O2``."""
-    return "-".join(dict.fromkeys(e.tail for e in group.cycle if e.tail))
+    return "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))

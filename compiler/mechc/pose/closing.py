@@ -19,7 +19,7 @@ from ..units import ANGLE, LENGTH
 from .choosing import Choice, loop_name
 from .compass import Compass
 from .dyads import Group
-from .groups import closures, remaining_blocks
+from .groups import remaining_blocks
 from .rails import rails
 from .redundant import check_fit
 from .state import State
@@ -103,22 +103,14 @@ class _Closing:
         while self._state.open_angles and self._close_next():
             pass
         if self._state.open_angles:
-            self._close_together()
+            self._refuse_larger()
         self._choice.warn_of_unused()
 
-    def _close_together(self) -> None:
-        """Close the groups of higher class, each with its own system."""
+    def _refuse_larger(self) -> None:
+        """Report the loops that only close together: groups of class III and higher."""
         for block in remaining_blocks(self._state):
-            found = closures(block, self._state)
-            if not found:
-                self._report.add(
-                    words.cannot_assemble(block.cycle[0].span, loop_name(block), "", [])
-                )
-                self._report.stop_on_errors()
-            chosen = self._choice.choose(found, block)
-            self._report.stop_on_errors()
-            assert chosen is not None
-            self._state.take(chosen, block.unknown, block.sides)
+            span = max((e.span for e in block.cycle), key=lambda s: s.start)
+            self._report.add(words.group_of_higher_class(span, loop_name(block.cycle)))
 
     def _close_body(self, link: Link) -> None:
         """Close the triangles of a body whose sides are given, one direction apart."""

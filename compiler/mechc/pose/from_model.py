@@ -5,13 +5,15 @@ from collections.abc import Mapping
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as words
-from ..model.mechanism import Along, Direction, Force, Link, Mechanism
+from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Thrust
+from .bodies import touches
 from .closing import close
 from .closure import Closure, Condition, across
 from .compass import Compass
 from .nearby import poses_nearby
 from .pose import Pose, Vector
 from .terms import Terms
+from .thrusts import Pairing, thrust_line
 from .vectors import Vectors
 from .web import mentioned
 
@@ -27,10 +29,15 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     vectors = Vectors(mechanism, terms, compass)
     mechanism, found, rates = close(mechanism, terms, compass, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
-    guides, lines, axis = survey.guides(), survey.lines(), survey.axis()
+    guides, axis = survey.guides(), survey.axis()
+    lines = {**survey.lines(), **survey.thrusts()}
+    frames = {link.name: survey.frame(link) for link in mechanism.links}
+    frames |= {slide.name: survey.layout(slide) for slide in mechanism.slides}
+    slides = survey.slides()
+    held = tuple(touches(mechanism, compass, vectors, survey.direction))
     pose = Pose(
         mechanism=mechanism,
-        frames={link.name: survey.frame(link) for link in mechanism.links},
+        frames=frames,
         guides=guides,
         lines=lines,
         axis=axis,
@@ -38,6 +45,8 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         placeholders=dict.fromkeys(vectors.placeholders),
         free=tuple(p.name for p in mechanism.parameters if not p.dependent),
         rates=rates,
+        slides=slides,
+        touches=held,
     )
     survey.close_loops(pose)
     survey.report_unfound(pose, found)
@@ -71,6 +80,15 @@ class _Survey:
             frame[point] = vector
         return frame
 
+    def layout(self, slide: Slide) -> Mapping[str, Vector]:
+        """Return the vectors from a slide's first point, as far as they are given.
+
+        Velocities need none of them; where one is missing the guide's couple is open.
+        """
+        base = slide.points[0]
+        paths = {p: self._vectors.path(base, p) or () for p in slide.points}
+        return {p: () if self._vectors.is_open(path) else path for p, path in paths.items()}
+
     def _report_missing(self, link: Link, base: str, point: str, found: Vector | None) -> None:
         name = f"link {link.name}"
         if found is None:
@@ -81,14 +99,14 @@ class _Survey:
     def guides(self) -> Mapping[str, Angle]:
         """Return the direction of every guide."""
         return {
-            s.point: self._direction(s.along, f"theta_{s.point}", f"the guide of {s.point}")
+            s.point: self.direction(s.along, f"theta_{s.point}", f"the guide of {s.point}")
             for s in self._mechanism.sliders
         }
 
     def lines(self) -> Mapping[str, Angle]:
         """Return the direction of every force."""
         return {
-            f.name: self._direction(f.along, f"theta_{f.name}", f"the force {f.name}")
+            f.name: self.direction(f.along, f"theta_{f.name}", f"the force {f.name}")
             for f in self._mechanism.loads
             if isinstance(f, Force)
         }
@@ -96,9 +114,25 @@ class _Survey:
     def axis(self) -> Angle | None:
         """Return the direction of the mirror line."""
         mirror = self._mechanism.mirror
-        return self._direction(mirror.across, "theta_mirror", "the mirror") if mirror else None
+        return self.direction(mirror.across, "theta_mirror", "the mirror") if mirror else None
 
-    def _direction(self, direction: Direction, name: str, for_what: str) -> Angle:
+    def slides(self) -> Mapping[str, Angle]:
+        """Return the direction of every body that only translates."""
+        return {
+            s.name: self.direction(s.along, f"theta_{s.name}", f"the slide {s.name}")
+            for s in self._mechanism.slides
+        }
+
+    def thrusts(self) -> Mapping[str, Angle]:
+        """Return the direction in which each pair of forces pushes its second point."""
+        pairs = [t for t in self._mechanism.loads if isinstance(t, Thrust)]
+        return {t.name: thrust_line(t, self._pairing()) for t in pairs}
+
+    def _pairing(self) -> Pairing:
+        return Pairing(self._mechanism, self._terms, self._vectors, self.axis(), self._report)
+
+    def direction(self, direction: Direction, name: str, for_what: str) -> Angle:
+        """Return a direction as an angle; report one that nothing gives."""
         angle = self._compass.resolve(direction, name)
         if angle is None:
             assert isinstance(direction, Along)

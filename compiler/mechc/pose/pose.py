@@ -7,7 +7,7 @@ A vector is a sum of ``length @ angle`` terms, never expanded into components:
 import math
 from collections.abc import Collection, Iterable, Mapping
 from types import MappingProxyType
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
@@ -16,6 +16,7 @@ from ..algebra.trigonometry import cosine, sine
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..model.mechanism import Mechanism
+from ..source import Span
 
 
 class Arm(NamedTuple):
@@ -36,6 +37,23 @@ class Definition(NamedTuple):
     formula: Formula
 
 
+class Touch(NamedTuple):
+    """A pin that slides along a body: in a slot of it, or touching a face.
+
+    ``reach`` is the vector from the body's point ``tail`` to the pin, () on a body that only
+    translates. ``normal`` is the direction in which the body pushes the pin; in a slot it
+    may push either way.
+    """
+
+    kind: Literal["slot", "contact"]
+    point: str
+    body: str
+    tail: str
+    reach: Vector
+    normal: Angle
+    span: Span
+
+
 @frozen
 class Pose:
     """A mechanism with its directions settled.
@@ -49,6 +67,9 @@ class Pose:
     fixes it, and which a result must not depend on. ``free`` are the names of the
     independent parameters, in declared order. ``rates`` are the derivatives by the drive of
     the names that move with it, the drive's own being 1; empty without a drive.
+    ``slides[body]`` is the direction of a body that only translates; ``lines`` has also the
+    direction in which a pair of forces pushes its second point, or its first one where the
+    second is the twin of it.
     """
 
     mechanism: Mechanism
@@ -60,6 +81,8 @@ class Pose:
     placeholders: Mapping[str, Product | None]
     free: tuple[str, ...]
     rates: Mapping[str, Product] = MappingProxyType({})
+    slides: Mapping[str, Angle] = MappingProxyType({})
+    touches: tuple[Touch, ...] = ()
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""

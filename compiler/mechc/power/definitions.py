@@ -25,10 +25,11 @@ def resting_on(plan: Plan, formula: Formula, values: Sequence[Product]) -> tuple
             chosen.append(Definition(binding.name, binding.value.formula()))
             bound |= set(_bound_names(binding.value))
     chosen.reverse()
-    return (*_intermediates(plan, [formula, *(d.formula for d in chosen)]), *chosen)
+    return (*intermediates(plan, [formula, *(d.formula for d in chosen)]), *chosen)
 
 
-def _intermediates(plan: Plan, formulas: Sequence[Formula]) -> list[Definition]:
+def intermediates(plan: Plan, formulas: Sequence[Formula]) -> list[Definition]:
+    """Return the named angles and lengths of the pose that formulas rest on, in order."""
     if not plan.graph.pose.definitions:
         return []
     used = {s for f in formulas for s in symbols(f)}

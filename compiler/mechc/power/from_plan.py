@@ -16,7 +16,7 @@ from ..model.mechanism import Find, LoadForm, LoadRatio, Speed, SpeedRatio, Torq
 from ..model.result import Definition, Result
 from ..units import FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
-from .definitions import let_results, resting_on
+from .definitions import intermediates, let_results, resting_on
 from .equations import Equations
 from .loads import terms
 from .numbers import check_numbers
@@ -135,7 +135,9 @@ class _Asked:
         formula = total(product([(c, 1), (Symbol(n), 1)]) for n, c in coefficients.items())
         result = self._result(find, formula, self._dimension(load), list(values.values()))
         given = [Definition(n, f) for n in values if (f := self._given(n)) is not None]
-        return replace(result, where=(*given, *result.where), coefficients=coefficients)
+        found = intermediates(self._plan, [*(g.formula for g in given), formula])
+        where = dict.fromkeys((*found, *result.where, *given))
+        return replace(result, where=tuple(where), coefficients=coefficients)
 
     def _given(self, load: str) -> Formula | None:
         """Return the value of a known load: a weight, or one that a let defines."""

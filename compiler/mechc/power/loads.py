@@ -7,8 +7,9 @@ from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
+from ..kinematics.forms import parting
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, Load, Mechanism
+from ..model.mechanism import Force, Load, Mechanism, Thrust
 from .balance import Term
 
 
@@ -25,6 +26,9 @@ def _term(plan: Plan, load: Load, names: set[str]) -> Term:
     if isinstance(load, Force):
         line = plan.graph.pose.lines[load.name]
         return Term(load, count, plan.component(load.point, line), line, tie)
+    if isinstance(load, Thrust):
+        line = plan.graph.pose.lines[load.name]
+        return Term(load, count, plan.value(parting(plan.graph, load, line)), line, tie)
     return Term(load, count, plan.spin(load.link), None, tie)
 
 
@@ -50,4 +54,6 @@ def occurrences(mechanism: Mechanism, load: Load) -> Fraction:
 def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
     if isinstance(load, Force):
         return (load.point,)
+    if isinstance(load, Thrust):
+        return (load.first, load.second)
     return next(k.points for k in mechanism.links if k.name == load.link)

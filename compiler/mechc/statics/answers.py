@@ -96,13 +96,45 @@ def _gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, floa
     return columns
 
 
-def balance(system: System, loads: Mapping[str, Row], right: Row, wanted: str) -> Answer:
-    """Solve for the reactions and the unknown ``loads``, and return the wanted load."""
+def pushes(unfolding: Unfolding, wanted: str, given: str, kind: str) -> dict[str, float]:
+    """Return the forces on pins at joints of one kind where ``given`` is 1, by the pin.
+
+    ``wanted`` is what balances it; empty where equilibrium does not determine all.
+    """
+    mechanism = unfolding.pose.mechanism
+    tied = ties(mechanism, unfolding.values)
+    source, target = tied[given], tied[wanted]
+    system = equilibrium(unfolding.assembly())
+    columns = _gather(system, tied)
+    given_row = columns.pop(source.base)
+    right = {i: -amount / source.factor for i, amount in given_row.items()}
+    rows, places = _with_loads(system, {target.base: columns[target.base]})
+    factors = factor(rows, len(system.unknowns) + 1, places[target.base])
+    found = factors.solve(right)
+    if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
+        return {}
+    return {
+        unknown.on: found[i]
+        for i, unknown in enumerate(system.unknowns)
+        if unknown.component == kind and factors.determined(i)
+    }
+
+
+def _with_loads(
+    system: System, loads: Mapping[str, Row]
+) -> tuple[list[dict[int, float]], dict[str, int]]:
+    """Return the rows with columns for unknown loads behind those of the reactions."""
     rows = [dict(row) for row in system.rows]
     columns = {name: len(system.unknowns) + i for i, name in enumerate(loads)}
     for name, column in columns.items():
         for i, amount in loads[name].items():
             rows[i][column] = amount
+    return rows, columns
+
+
+def balance(system: System, loads: Mapping[str, Row], right: Row, wanted: str) -> Answer:
+    """Solve for the reactions and the unknown ``loads``, and return the wanted load."""
+    rows, columns = _with_loads(system, loads)
     column = columns[wanted]
     factors = factor(rows, len(system.unknowns) + len(loads), column)
     found = factors.solve(right)

@@ -14,7 +14,17 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from ..frozen import frozen
-from .unfold import Action, Assembly, Body, Couple, Plane, Push
+from .unfold import (
+    Action,
+    Assembly,
+    Body,
+    Couple,
+    Plane,
+    Push,
+    Rubbing,
+    Transfer,
+    Translation,
+)
 
 ROUNDED = 1e-13
 """A component below this part of its vector is a zero that was rounded.
@@ -97,7 +107,9 @@ def equilibrium(assembly: Assembly) -> System:
     """Return the equations of every free body of an assembly."""
     sums = _Sums()
     actions = [a for several in assembly.loads.values() for a in several]
+    actions += [a for transfer in assembly.transfers for a in transfer.actions]
     twisted = {a.body for a in actions if isinstance(a, Couple)}
+    twisted |= {rubbing.body for rubbing in assembly.rubbings}
     for body in assembly.bodies:
         if len(body.points) == 2 and body.name not in twisted:
             _tension(sums, body)
@@ -108,6 +120,12 @@ def equilibrium(assembly: Assembly) -> System:
         sums.force(Unknown("ground", point, "y"), point, Y)
     for guide in assembly.guides:
         sums.force(Unknown("guide", guide.point, "normal"), guide.point, guide.along.turned())
+    for slide in assembly.slides:
+        _translation(sums, slide)
+    for rubbing in assembly.rubbings:
+        _rubbing(sums, rubbing)
+    for transfer in assembly.transfers:
+        _transfer(sums, transfer)
     loads = {name: _load(sums, actions) for name, actions in assembly.loads.items()}
     return System(tuple(sums.rows), tuple(sums.unknowns), loads)
 
@@ -128,6 +146,33 @@ def _pin_forces(sums: _Sums, body: Body) -> None:
             column = sums.force(Unknown(body.name, point, component), point, along)
             sums.act(column, first, along.times(-1))
             sums.rows[first + 2][column] = lever
+
+
+def _translation(sums: _Sums, slide: Translation) -> None:
+    """Let pins act on a body that its guide holds across its direction and against turning."""
+    _pin_forces(sums, slide.body)
+    first = sums.body(slide.body.name)
+    across, couple = len(sums.unknowns), len(sums.unknowns) + 1
+    sums.unknowns.append(Unknown("guide", slide.body.name, "normal"))
+    sums.unknowns.append(Unknown("guide", slide.body.name, "couple"))
+    sums.act(across, first, slide.along.turned())
+    sums.rows[first + 2][couple] = 1.0
+
+
+def _rubbing(sums: _Sums, rubbing: Rubbing) -> None:
+    """Let a body push a pin along the normal, and the pin push back where it is."""
+    n = Plane(*_components(rubbing.normal))
+    column = sums.force(Unknown(rubbing.body, rubbing.point, rubbing.kind), rubbing.point, n)
+    first = sums.body(rubbing.body)
+    sums.act(column, first, n.times(-1))
+    sums.rows[first + 2][column] = rubbing.arm.y * n.x - rubbing.arm.x * n.y
+
+
+def _transfer(sums: _Sums, transfer: Transfer) -> None:
+    column = len(sums.unknowns)
+    sums.unknowns.append(Unknown(transfer.name, "", "transfer"))
+    for row, amount in _places(sums, transfer.actions):
+        sums.rows[row][column] = sums.rows[row].get(column, 0.0) + amount
 
 
 def _load(sums: _Sums, actions: tuple[Action, ...]) -> dict[int, float]:

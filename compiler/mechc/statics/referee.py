@@ -26,6 +26,7 @@ from ..pose.pose import Pose
 from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio
 from .closure import worst_gap
+from .contacts import pulling
 from .poses import Replay, Values, candidates
 from .speeds import speed_ratio
 from .unfold import Unfolding
@@ -83,6 +84,9 @@ def judge(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
     """
     poses = Replay(candidates(pose, DRAWS))
     _measure(pose, poses, report)
+    for values in islice(poses, 1):
+        for fault in pulling(results, Unfolding(pose, values)):
+            report.add(fault)
     trials: list[Trial] = []
     remarks: list[str] = []
     for question in _questions(results, pose.mechanism):

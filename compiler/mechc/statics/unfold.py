@@ -13,10 +13,11 @@ cancel around the axis. In the plane of one branch a guide takes that cross part
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
+from ..formula.walk import evaluate
 from ..frozen import frozen
-from ..model.mechanism import Force, Load, Torque
+from ..model.mechanism import Force, Load, Thrust, Torque
 from ..pose.pose import Pose, evaluate_vector
 
 
@@ -53,6 +54,36 @@ class Guide(NamedTuple):
     along: Plane
 
 
+class Translation(NamedTuple):
+    """A body that only translates: its guide takes any force across and any couple."""
+
+    body: Body
+    along: Plane
+
+
+class Rubbing(NamedTuple):
+    """A pin held by a body across a line: the force on the pin is along the normal.
+
+    ``arm`` is the vector from the body's first point to the pin.
+    """
+
+    kind: str
+    point: str
+    body: str
+    arm: Plane
+    normal: Plane
+
+
+class Transfer(NamedTuple):
+    """One force that wheels, a rack or a screw pass on, and all that a unit of it does.
+
+    The bearings take the same force back; it does no more than load the ground there.
+    """
+
+    name: str
+    actions: tuple["Action", ...]
+
+
 class Push(NamedTuple):
     """A force on a point, per unit of its load."""
 
@@ -77,6 +108,9 @@ class Assembly:
     bodies: tuple[Body, ...]
     pivots: tuple[str, ...]
     guides: tuple[Guide, ...]
+    slides: tuple[Translation, ...]
+    rubbings: tuple[Rubbing, ...]
+    transfers: tuple[Transfer, ...]
     loads: Mapping[str, tuple[Action, ...]]
 
 
@@ -154,6 +188,27 @@ class Unfolding:
                 return self.push(point, line.times(float(load.times)))
             case Torque(_, link):
                 return self.couple(link, float(load.times))
+            case Thrust():
+                return self._pair(load)
+            case _:
+                assert_never(load)
+
+    def _pair(self, load: Thrust) -> tuple[Action, ...]:
+        """Return both forces of a pair; across the mirror the twin's is the other one."""
+        line = direction(self.pose.lines[load.name].evaluate(self.values))
+        push = line.times(float(load.times))
+        if load.second == f"{load.first}'":
+            return self.push(load.first, push)
+        shared = self._shared(load.first) and self._shared(load.second)
+        if not shared or self._axis is None:
+            return (*self._half(load.second, push), *self._half(load.first, push.times(-1)))
+        return (*self.push(load.second, push), *self.push(load.first, push.times(-1)))
+
+    def _half(self, point: str, force: Plane) -> tuple[Action, ...]:
+        """Return a force that both halves have, on a point that they may share."""
+        if self._axis is None:
+            return self.push(point, force)
+        return (Push(point, force), Push(self._twin(point), self._reflected(force)))
 
     def _bodies(self) -> Iterator[Body]:
         for link in self.pose.mechanism.links:
@@ -186,6 +241,75 @@ class Unfolding:
             if axis is not None and point not in guides and point not in fixed:
                 yield Guide(point, axis)
 
+    def _slides(self) -> Iterator[Translation]:
+        for slide in self.pose.mechanism.slides:
+            along = direction(self.pose.slides[slide.name].evaluate(self.values))
+            frame = self.pose.frames[slide.name]
+            points = {p: Plane(*evaluate_vector(frame[p], self.values)) for p in slide.points}
+            yield Translation(Body(slide.name, points), along)
+            if not self._shared(slide.name):
+                twins = {self._twin(p): self._reflected(v) for p, v in points.items()}
+                yield Translation(Body(f"{slide.name}'", twins), self._reflected(along))
+
+    def _rubbings(self) -> Iterator[Rubbing]:
+        for touch in self.pose.touches:
+            normal = direction(touch.normal.evaluate(self.values))
+            reach = Plane(*evaluate_vector(touch.reach, self.values))
+            first = next(iter(self.pose.frames[touch.body]))
+            base = self.arm(touch.body, first, touch.tail)
+            arm = Plane(base.x + reach.x, base.y + reach.y)
+            yield Rubbing(touch.kind, touch.point, touch.body, arm, normal)
+            if not (self._shared(touch.point) and self._shared(touch.body)):
+                body = touch.body if self._shared(touch.body) else f"{touch.body}'"
+                mirrored = self._reflected(arm), self._reflected(normal)
+                yield Rubbing(touch.kind, self._twin(touch.point), body, *mirrored)
+
+    def _transfers(self) -> Iterator[Transfer]:
+        """Yield the forces that wheels and screws pass on.
+
+        Gears press on each other at the pitch point, so their moments have one sign; a belt
+        pulls both rims the same way round, which turns them oppositely as seen from inside.
+        """
+        mechanism, values = self.pose.mechanism, self.values
+        for mesh in mechanism.meshes:
+            first, second = (
+                evaluate(mesh.first_radius, values),
+                evaluate(mesh.second_radius, values),
+            )
+            sign = -1.0 if mesh.same else 1.0
+            couples = Couple(mesh.first_link, first), Couple(mesh.second_link, sign * second)
+            yield from self._both(f"{mesh.kind} {mesh.first}", couples)
+        for rack in mechanism.racks:
+            radius = evaluate(rack.radius, values)
+            yield from self._both(f"rack {rack.point}", self._driven(rack.point, rack.link, radius))
+        for screw in mechanism.screws:
+            lead = evaluate(screw.pitch, values) / (2 * math.pi)
+            yield from self._both(
+                f"screw {screw.point}", self._driven(screw.point, screw.link, lead)
+            )
+
+    def _driven(self, point: str, link: str, lever: float) -> tuple[Action, ...]:
+        """Return a force along a slider's guide, and the couple of its reaction on a wheel."""
+        return Push(point, self.direction_of_guide(point)), Couple(link, -lever)
+
+    def _both(self, name: str, actions: tuple[Action, ...]) -> Iterator[Transfer]:
+        """Yield a transfer and its twin in the other half."""
+        yield Transfer(name, actions)
+        if self._axis is not None and not all(map(self._is_shared, actions)):
+            yield Transfer(f"{name}'", tuple(map(self._mirrored, actions)))
+
+    def _is_shared(self, action: Action) -> bool:
+        return self._shared(action.point if isinstance(action, Push) else action.body)
+
+    def _mirrored(self, action: Action) -> Action:
+        match action:
+            case Push(point, force):
+                return Push(self._twin(point), self._reflected(force))
+            case Couple(body, moment):
+                return Couple(body if self._shared(body) else f"{body}'", -moment)
+            case _:
+                assert_never(action)
+
     def assembly(self, *more: tuple[str, tuple[Action, ...]]) -> Assembly:
         """Return the unfolded mechanism with its own loads and ``more`` named ones."""
         loads = {load.name: self._actions(load) for load in self.pose.mechanism.loads}
@@ -193,5 +317,8 @@ class Unfolding:
             tuple(self._bodies()),
             tuple(self._pivots()),
             tuple(self._guides()),
+            tuple(self._slides()),
+            tuple(self._rubbings()),
+            tuple(self._transfers()),
             {**loads, **dict(more)},
         )

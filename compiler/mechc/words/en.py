@@ -24,6 +24,23 @@ WORDS = Words(
     mirror="the mechanism is symmetric about a line with the direction {direction}; "
     "one half is described, both halves share {points}",
     copies="the mechanism has {number} identical branches that share {points}",
+    joints={
+        "slide": "the body {body} only translates, in the direction {direction}",
+        "telescope": "telescopic links: {links}",
+        "slot": "the pin {point} slides along the line {line} of {body}",
+        "contact": "the point {point} touches {body} with the common normal {normal}",
+        "gear": "the gears on {first} (radius {one}) and {second} (radius {two}) mesh",
+        "inner": "the gear on {first} (radius {one}) and the inner gear on {second} "
+        "(radius {two}) mesh",
+        "belt": "a belt joins the pulleys on {first} (radius {one}) and {second} (radius {two})",
+        "crossed": "a crossed belt joins the pulleys on {first} (radius {one}) and "
+        "{second} (radius {two})",
+        "rack": "the rack at {point} meshes with the gear on {pivot} (radius {radius})",
+        "screw": "the screw {link} moves {point} by {pitch} for each turn",
+        "actuator": "the actuator {load} pushes {first} and {second} apart",
+        "spring": "the spring {load} acts between {first} and {second}",
+        "drive": "the drive is {name}",
+    },
     geometry="Geometry",
     vector="Vector",
     length="Length or coordinates",
@@ -46,6 +63,17 @@ WORDS = Words(
         "the two links.",
         "together": "The relations for {all} are solved together.",
         "guide": "The guide fixes the direction of the velocity of {all}.",
+        "slot": "The pin {first} slides in {rest}: across the slot the pin and the body"
+        " under it have equal velocities.",
+        "contact": "The point {first} touches {rest}: along the common normal both have "
+        "equal velocities.",
+        "gear": "The gears on {all} roll on one another: their pitch circles have equal"
+        " speeds at the pitch point.",
+        "belt": "The belt between {all} runs with both rims: their speeds are equal.",
+        "rack": "The rack {rest} moves with the pitch circle of the gear on {first}.",
+        "screw": "The screw moves {rest} by its pitch for each turn.",
+        "parting": "Rate of the distance between {all}: the difference of their velocities"
+        " along the line through them.",
         "component": "Component of the velocity of {first} in the direction of the load {rest}.",
     },
     hence="hence",

@@ -10,7 +10,8 @@ class Words(NamedTuple):
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
-    words of a result. ``units`` maps a unit's letters to the language's.
+    words of a result, ``joints`` those of a joint that is neither pin nor guide. ``units``
+    maps a unit's letters to the language's.
     """
 
     babel: str
@@ -35,6 +36,7 @@ class Words(NamedTuple):
     torque: str
     mirror: str
     copies: str
+    joints: Mapping[str, str]
     geometry: str
     vector: str
     length: str

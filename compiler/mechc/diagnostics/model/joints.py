@@ -1,5 +1,7 @@
 """Words for links, joints and geometry (E24x)."""
 
+from collections.abc import Iterable
+
 from ...source import Span
 from ..diagnostic import Related, Words, coded
 
@@ -195,4 +197,78 @@ def drive_depends(at: Span, name: str) -> Words:
         at,
         f"the drive {name} follows from other parameters, expected an independent one",
         "drive a parameter that it follows from",
+    )
+
+
+@coded("E291")
+def slides_in_itself(at: Span, point: str, body: str) -> Words:
+    """A pin slides along a body that it belongs to, so it cannot move there.
+
+    The pin belongs to one body and slides along another::
+
+        link OC
+        link AB
+        slot B in OC         # right: B is of AB
+        slot C in OC         # wrong
+    """
+    return Words(
+        at,
+        f"point {point} belongs to {body} and cannot slide along it",
+        "name a pin of another body",
+    )
+
+
+@coded("E292")
+def wheel_without_pivot(at: Span, what: str) -> Words:
+    """A gear, a pulley or a screw turns about a pin on the ground.
+
+    ::
+
+        pivot O1
+        link O1A
+        gear O1 r1, O2 r2
+    """
+    return Words(
+        at, f"{what} turns about no pivot, expected a pin on the ground", "add a `pivot` line"
+    )
+
+
+@coded("E293")
+def wheel_of_several(at: Span, pivot: str, links: Iterable[str]) -> Words:
+    """A wheel is fixed to the one link on its pivot; here there is none, or there are several.
+
+    Give each wheel a pivot of its own, at the same place if need be::
+
+        pivot O1
+        link O1A             # the gear on O1 turns with it
+        gear O1 r1, O2 r2
+    """
+    named = ", ".join(links)
+    count = f"carries {named}" if named else "carries no link"
+    return Words(
+        at,
+        f"pivot {pivot} {count}, expected one link to which the wheel is fixed",
+        "give the wheel a pivot with one link",
+    )
+
+
+@coded("E294")
+def radius_not_positive(at: Span, shown: str) -> Words:
+    """A radius or a pitch is zero or negative. A rack's may be negative: it lies on the left."""
+    return Words(at, f"expected a positive length, found {shown}", "check the value")
+
+
+@coded("E295")
+def rack_without_guide(at: Span, point: str) -> Words:
+    """A rack or a screw moves a point along its guide, and this point has none.
+
+    ::
+
+        slider A along x
+        rack A on O r
+    """
+    return Words(
+        at,
+        f"point {point} is no slider, so it has no guide to move along",
+        f"add `slider {point} along x`",
     )

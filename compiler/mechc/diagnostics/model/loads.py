@@ -71,3 +71,20 @@ def idle_gravity(span: Span) -> Words:
     weight W mass m at G
     """
     return Words(span, "gravity acts on nothing: there is no 'weight'")
+
+
+@coded("E296")
+def pair_across_the_mirror(at: Span, first: str, second: str) -> Words:
+    """A pair of forces joins a point of one half to the twin of another point.
+
+    Across the mirror an actuator or a spring joins a point to its own twin, and then lies
+    across the line::
+
+        actuator P between A and A'    # right
+        actuator P between A and B'    # wrong
+    """
+    return Words(
+        at,
+        f"a pair across the mirror joins a point to its own twin, found {first} and {second}",
+        "write the point described first, and its twin second: `between A and A'`",
+    )

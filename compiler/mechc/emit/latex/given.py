@@ -5,23 +5,24 @@ from typing import NamedTuple, assert_never
 
 from ...derivation.definitions import by_letter, is_by_letter
 from ...derivation.wording import enumeration
-from ...formula.tree import ZERO, number
+from ...formula.tree import number
 from ...model.mechanism import (
     GRAVITY,
-    Absolute,
     Arrow,
-    Direction,
     Force,
     Geometry,
     Load,
     Mechanism,
     Offset,
     Parameter,
+    Thrust,
     Torque,
     Turn,
 )
 from ...units import DIMENSIONS
 from ...words.table import Words
+from .directions import direction, math
+from .joints import joint_sentences
 from .notation import Notation, name, points
 from .printer import latex
 from .quantity import quantity, unit_symbol, usual_unit
@@ -43,11 +44,6 @@ class VectorRow(NamedTuple):
     vector: str
     length: str
     direction: str
-
-
-def math(tex: str) -> str:
-    """Return inline mathematics."""
-    return f"${tex}$"
 
 
 def parameter_row(parameter: Parameter, words: Words, style: Notation) -> ParameterRow:
@@ -80,15 +76,6 @@ def _range(parameter: Parameter, words: Words, style: Notation) -> str:
     return math(rf"{low}\ \ldots\ {{{high}}}")
 
 
-def direction(given: Direction, style: Notation) -> str:
-    r"""Return a direction as mathematics: an angle, or along or square to a vector."""
-    if isinstance(given, Absolute):
-        return r"0^\circ" if given.angle == ZERO else latex(given.angle, style, angle=True)
-    ends = (given.tail, given.head) if given.quarter < 2 else (given.head, given.tail)
-    vector = rf"\overrightarrow{{{''.join(map(points, ends))}}}"
-    return rf"\perp {vector}" if given.quarter % 2 else rf"\parallel {vector}"
-
-
 def vector_row(entry: Geometry, style: Notation) -> VectorRow:
     """Return one entry of the geometry."""
     match entry:
@@ -113,6 +100,7 @@ def _vector(tail: str, head: str) -> str:
 def scheme(mechanism: Mechanism, words: Words, style: Notation) -> tuple[str, ...]:
     """Return the mechanism in sentences: joints, links, loads, symmetry."""
     sentences = [*_joints(mechanism, words, style), *_links(mechanism, words)]
+    sentences += joint_sentences(mechanism, words, style)
     sentences += (_load(load, words, style) for load in mechanism.loads)
     sentences += _symmetry(mechanism, words, style)
     return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
@@ -151,6 +139,10 @@ def _load(load: Load, words: Words, style: Notation) -> str:
             said = template.format(load=math(symbol), point=math(points(point)), direction=where)
         case Torque(_, link):
             said = words.torque.format(load=math(symbol), link=math(points(link)))
+        case Thrust(_, first, second):
+            kind = "spring" if load.spring else "actuator"
+            ends = {"first": math(points(first)), "second": math(points(second))}
+            said = words.joints[kind].format(load=math(symbol), **ends)
         case _:
             assert_never(load)
     return said + tie

@@ -1,0 +1,74 @@
+"""What slots, contacts, wheels and screws demand of velocities that others carry."""
+
+from collections.abc import Iterator, Mapping
+
+from ..algebra.angle import Angle
+from ..algebra.from_formula import to_product
+from ..algebra.product import ONE, Product
+from ..formula.tree import PI, number, product
+from ..model.mechanism import Mesh, Rack, Screw
+from ..pose.pose import Pose, Touch
+from .forms import projection, scaled, subtract, turned
+from .graph import Form, Relation, Rule, Velocity
+
+Velocities = Mapping[str, Velocity]
+Spins = Mapping[str, int]
+
+
+def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Relation]:
+    """Yield the relation of every joint that holds no pin."""
+    for touch in pose.touches:
+        yield _touch(touch, velocities, spins)
+    mechanism = pose.mechanism
+    for mesh in mechanism.meshes:
+        yield _mesh(mesh, spins)
+    for rack in mechanism.racks:
+        yield _rack(rack, pose, velocities, spins)
+    for screw in mechanism.screws:
+        yield _screw(screw, pose, velocities, spins)
+
+
+def spinning(pose: Pose) -> set[str]:
+    """Return the links whose angular velocity such a joint asks for."""
+    mechanism = pose.mechanism
+    meshed = {link for m in mechanism.meshes for link in (m.first_link, m.second_link)}
+    racked, screwed = {r.link for r in mechanism.racks}, {s.link for s in mechanism.screws}
+    return meshed | racked | screwed | {touch.body for touch in pose.touches}
+
+
+def _touch(touch: Touch, velocities: Velocities, spins: Spins) -> Relation:
+    """(V_B − V of the body under B) · normal = 0."""
+    under = velocities[touch.tail]
+    if touch.body in spins:
+        under = (*under, *turned(touch.reach, spins[touch.body]))
+    own = projection(velocities[touch.point], touch.normal)
+    form = subtract(own, projection(under, touch.normal))
+    rule = Rule.SLOT if touch.kind == "slot" else Rule.CONTACT
+    return Relation(rule, touch.body, (touch.point,), touch.normal, form, touch.span)
+
+
+def _mesh(mesh: Mesh, spins: Spins) -> Relation:
+    first, second = (to_product(r) for r in (mesh.first_radius, mesh.second_radius))
+    sign = -1 if mesh.same else 1
+    form = {spins[mesh.first_link]: first, spins[mesh.second_link]: second.scaled(sign)}
+    rule = Rule.GEAR if mesh.kind == "gear" else Rule.BELT
+    return Relation(rule, mesh.first_link, (mesh.first, mesh.second), Angle(), form, mesh.span)
+
+
+def _rack(rack: Rack, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
+    form = _driven(rack.point, spins[rack.link], to_product(rack.radius), pose, velocities)
+    along = pose.guides[rack.point]
+    return Relation(Rule.RACK, rack.link, (rack.pivot, rack.point), along, form, rack.span)
+
+
+def _screw(screw: Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
+    lead = to_product(product([(screw.pitch, 1), (number(2), -1), (PI, -1)]))
+    form = _driven(screw.point, spins[screw.link], lead, pose, velocities)
+    along = pose.guides[screw.point]
+    return Relation(Rule.SCREW, screw.link, (screw.point,), along, form, screw.span)
+
+
+def _driven(point: str, spin: int, reach: Product, pose: Pose, velocities: Velocities) -> Form:
+    """Return V − ω·reach, V the speed of a slider along its guide."""
+    speed = projection(velocities[point], pose.guides[point])
+    return subtract(speed, scaled({spin: ONE}, reach))

@@ -1,0 +1,202 @@
+"""Joints beyond pins and guides: slides, telescopes, slots, contacts, gears, racks, screws."""
+
+from collections.abc import Iterable
+from typing import Protocol, TypeVar
+
+from ..diagnostics.model import joints as words
+from ..formula.tree import Formula
+from ..frozen import frozen
+from ..syntax import ast
+from ..units import LENGTH
+from .directions import read_direction, value_of
+from .expressions import Reader
+from .mechanism import Contact, Link, Mesh, Rack, Screw, Slide, Slot, Telescope
+from .scope import DESCRIPTION, Scope
+from .statements import every
+
+
+class Body(Protocol):
+    """A link or a slide."""
+
+    @property
+    def name(self) -> str:
+        """Return the points as written."""
+        ...
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points."""
+        ...
+
+
+@frozen
+class Joints:
+    """All of them."""
+
+    slides: tuple[Slide, ...]
+    telescopes: tuple[Telescope, ...]
+    slots: tuple[Slot, ...]
+    contacts: tuple[Contact, ...]
+    meshes: tuple[Mesh, ...]
+    racks: tuple[Rack, ...]
+    screws: tuple[Screw, ...]
+
+
+def read_joints(file: ast.File, scope: Scope) -> Joints:
+    """Return every joint of the description that is neither pin nor guide nor rigid link."""
+    slides = tuple(found(_slide(s, scope) for s in every(file, ast.Slide)))
+    return Joints(
+        slides,
+        tuple(found(_telescope(s, scope) for s in every(file, ast.Telescope))),
+        tuple(found(_slot(s, slides, scope) for s in every(file, ast.Slot))),
+        tuple(found(_contact(s, slides, scope) for s in every(file, ast.Contact))),
+        tuple(
+            found(_mesh(s, scope) for s in file.statements if isinstance(s, ast.Gear | ast.Belt))
+        ),
+        tuple(found(_rack(s, scope) for s in every(file, ast.Rack))),
+        tuple(found(_screw(s, scope) for s in every(file, ast.Screw))),
+    )
+
+
+T = TypeVar("T")
+
+
+def found(items: Iterable[T | None]) -> Iterable[T]:
+    """Yield what was read without an error."""
+    return (item for item in items if item is not None)
+
+
+def _slide(statement: ast.Slide, scope: Scope) -> Slide | None:
+    points = scope.points.known(statement.points)
+    along = read_direction(statement.along, scope)
+    if not points or not along:
+        return None
+    return Slide(statement.points.text, points, along, statement.span)
+
+
+def _telescope(statement: ast.Telescope, scope: Scope) -> Telescope | None:
+    points = scope.points.known(statement.points)
+    if not points:
+        return None
+    return Telescope(statement.points.text, (points[0], points[1]), statement.span)
+
+
+def _body(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> Body | None:
+    """Return the link or slide that points name."""
+    points = scope.points.known(name)
+    if not points:
+        return None
+    slide = next((s for s in slides if set(points) <= set(s.points)), None)
+    return slide or scope.points.link(name)
+
+
+def _on_line(
+    point: ast.Name, line: ast.Name, slides: Iterable[Slide], scope: Scope
+) -> tuple[str, Body, str, str] | None:
+    """Return a pin, the body on whose line it slides, and the two points of the line."""
+    acting = scope.points.acting(point)
+    body = _body(line, slides, scope)
+    ends = scope.points.acting(line) if body else None
+    if not acting or body is None or not ends:
+        return None
+    if acting[0] in body.points:
+        scope.report.add(words.slides_in_itself(point.span, acting[0], body.name))
+        return None
+    return acting[0], body, ends[0], ends[1]
+
+
+def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> Slot | None:
+    held = _on_line(statement.point, statement.line, slides, scope)
+    if held is None:
+        return None
+    point, body, tail, head = held
+    return Slot(point, body.name, tail, head, statement.span)
+
+
+def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> Contact | None:
+    held = _on_line(statement.point, statement.line, slides, scope)
+    normal = read_direction(statement.normal, scope)
+    if held is None or normal is None:
+        return None
+    point, body, tail, head = held
+    return Contact(point, body.name, tail, head, normal, statement.span)
+
+
+# ------------------------------------------------------------------------------ wheels
+
+
+def _mesh(statement: ast.Gear | ast.Belt, scope: Scope) -> Mesh | None:
+    first, second = (_wheel(name, scope) for name in (statement.first, statement.second))
+    radii = [_radius(r, scope) for r in (statement.first_radius, statement.second_radius)]
+    if first is None or second is None or radii[0] is None or radii[1] is None:
+        return None
+    is_gear = isinstance(statement, ast.Gear)
+    same = statement.inner if isinstance(statement, ast.Gear) else not statement.crossed
+    return Mesh(
+        "gear" if is_gear else "belt",
+        statement.first.text,
+        first.name,
+        radii[0],
+        statement.second.text,
+        second.name,
+        radii[1],
+        same,
+        statement.span,
+    )
+
+
+def _wheel(pivot: ast.Name, scope: Scope) -> Link | None:
+    """Return the one link on a pivot, to which the wheel there is fixed."""
+    points = scope.points.acting(pivot)
+    if not points:
+        return None
+    if points[0] not in scope.points.fixed:
+        scope.report.add(words.wheel_without_pivot(pivot.span, points[0]))
+        return None
+    links = scope.points.carried.get(points[0], [])
+    if len(links) != 1:
+        scope.report.add(words.wheel_of_several(pivot.span, points[0], [k.name for k in links]))
+        return None
+    scope.points.used.update(links[0].points)
+    return links[0]
+
+
+def _radius(radius: ast.Expr, scope: Scope, signed: bool = False) -> Formula | None:
+    formula = Reader(scope, DESCRIPTION).wanted(radius, LENGTH, "a radius")
+    value = value_of(formula, scope) if formula else None
+    if value is not None and (value == 0 or (value < 0 and not signed)):
+        scope.report.add(words.radius_not_positive(radius.span, f"{value * 1000:g} mm"))
+        return None
+    return formula
+
+
+def _rack(statement: ast.Rack, scope: Scope) -> Rack | None:
+    point = _slider(statement.point, scope)
+    link = _wheel(statement.pivot, scope)
+    radius = _radius(statement.radius, scope, signed=True)
+    if not point or not link or not radius:
+        return None
+    return Rack(point, statement.pivot.text, link.name, radius, statement.span)
+
+
+def _screw(statement: ast.Screw, scope: Scope) -> Screw | None:
+    point = _slider(statement.point, scope)
+    link = scope.points.link(statement.link)
+    pitch = _radius(statement.pitch, scope, signed=True)
+    if not point or not link or not pitch:
+        return None
+    if scope.points.fixed.isdisjoint(link.points):
+        scope.report.add(words.wheel_without_pivot(statement.link.span, link.name))
+        return None
+    return Screw(point, pitch, link.name, statement.span)
+
+
+def _slider(name: ast.Name, scope: Scope) -> str | None:
+    """Return a point that a guide of the ground holds."""
+    points = scope.points.acting(name)
+    if not points:
+        return None
+    if points[0] not in scope.points.guided:
+        scope.report.add(words.rack_without_guide(name.span, points[0]))
+        return None
+    return points[0]

@@ -1,0 +1,92 @@
+"""The line of a pair of forces, and the distance between its points."""
+
+import math
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.product import Product
+from ..algebra.sums import add
+from ..algebra.trigonometry import sine
+from ..diagnostics import Report
+from ..diagnostics import pose as words
+from ..model.mechanism import Mechanism, Thrust
+from .nearby import poses_nearby
+from .pose import Definition, Vector, evaluate_vector
+from .terms import Terms
+from .vectors import Vectors
+
+QUARTER = Angle.constant(90)
+
+
+class Pairing(NamedTuple):
+    """What it takes to settle a pair: the vectors, the mirror line, where to report."""
+
+    mechanism: Mechanism
+    terms: Terms
+    vectors: Vectors
+    axis: Angle | None
+    report: Report
+
+
+def thrust_line(thrust: Thrust, pairing: Pairing) -> Angle:
+    """Return the direction in which a pair pushes its second point.
+
+    Across the mirror it is the direction in which it pushes the first point away from the
+    line. The distance of a spring's points becomes a definition of the pose.
+    """
+    if thrust.second == f"{thrust.first}'" and pairing.axis is not None:
+        return _across(thrust, pairing, pairing.axis)
+    vector = pairing.vectors.path(thrust.first, thrust.second)
+    if not vector:
+        pairs = f"{thrust.first}{thrust.second}"
+        what = f"the {'spring' if thrust.spring else 'actuator'} {thrust.name}"
+        pairing.report.add(words.missing_direction(thrust.span, pairs, what))
+        return Angle()
+    if len(vector) == 1:
+        _define_length(thrust, vector[0].length, pairing)
+        return vector[0].angle
+    if pairing.vectors.is_open(vector):
+        pairs = f"{thrust.first}{thrust.second}"
+        pairing.report.add(words.no_direction_of_its_own(thrust.span, pairs))
+        return Angle()
+    return pairing.vectors.straighten(thrust.first, thrust.second)
+
+
+def _define_length(thrust: Thrust, length: Product, pairing: Pairing) -> None:
+    name = f"len_{thrust.first}{thrust.second}"
+    known = {*pairing.vectors.placeholders, *(d.name for d in pairing.terms.definitions)}
+    if thrust.spring and name not in known:
+        pairing.terms.definitions.append(Definition(name, length.formula()))
+
+
+def _across(thrust: Thrust, pairing: Pairing, axis: Angle) -> Angle:
+    """Return the normal of the mirror line on the side of the first point."""
+    mirror = pairing.mechanism.mirror
+    shared = mirror.sharing if mirror else ()
+    paths = (pairing.vectors.path(point, thrust.first) for point in shared)
+    vector = next((v for v in paths if v), None)
+    if vector is None:
+        pairs = f"{shared[0] if shared else 'O'}{thrust.first}"
+        what = f"the side of {thrust.first} on which {thrust.name} pushes it"
+        pairing.report.add(words.missing_direction(thrust.span, pairs, what))
+        return axis + QUARTER
+    away = add(arm.length * sine(arm.angle - axis) for arm in vector)
+    if _is_left(vector, axis, pairing):
+        _define_length(thrust, away.scaled(2), pairing)
+        return axis + QUARTER
+    _define_length(thrust, away.scaled(-2), pairing)
+    return axis + QUARTER + Angle.constant(180)
+
+
+def _is_left(vector: Vector, axis: Angle, pairing: Pairing) -> bool:
+    """Tell on which side of the mirror line a vector ends, at the default pose."""
+    poses = poses_nearby(pairing.mechanism, pairing.terms.definitions)
+    open_lengths = dict.fromkeys(pairing.vectors.placeholders, 1.0)
+    for values in poses:
+        try:
+            x, y = evaluate_vector(vector, {**open_lengths, **values})
+            normal = (axis + QUARTER).evaluate(values)
+        except KeyError:
+            continue
+        return x * math.cos(normal) + y * math.sin(normal) >= 0
+    return True
