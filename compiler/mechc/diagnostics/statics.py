@@ -95,8 +95,9 @@ def contact_would_pull(
     Turn the normal where it was drawn the wrong way, or the load.
     """
     shown = ", ".join(f"{name} = {value:.5g}" for name, value in values.items())
+    pull = f"{-force:.4g} times {load} (at {shown}, in SI)"
     return Words(
         span,
-        f"the contact at {point} would have to pull, with {-force:.4g} times {load} (at {shown}, in SI)",
+        f"the contact at {point} would have to pull, with {pull}",
         "turn the normal round if it points the wrong way, or else the load",
     )
