@@ -1,8 +1,10 @@
 """Words for what the referee finds: equilibrium of the free bodies against virtual power."""
 
+import math
 from collections.abc import Mapping
 
 from ..source import Span
+from ..units import ANGLE, NUMBER, Dimension, base_units
 from .diagnostic import Words, coded
 
 REPORT_IT = "this is a bug in mechc, not in the description: please report it with this file"
@@ -81,7 +83,12 @@ def not_judged(span: Span, result: str, reason: str) -> Words:
 
 @coded("E604")
 def contact_would_pull(
-    span: Span, point: str, load: str, force: float, values: Mapping[str, float]
+    span: Span,
+    point: str,
+    body: str,
+    load: str,
+    force: float,
+    pose: Mapping[str, tuple[float, Dimension]],
 ) -> Words:
     """A contact would have to pull for the loads to balance, and bodies that touch only push.
 
@@ -94,10 +101,17 @@ def contact_would_pull(
 
     Turn the normal where it was drawn the wrong way, or the load.
     """
-    shown = ", ".join(f"{name} = {value:.5g}" for name, value in values.items())
-    pull = f"{-force:.4g} times {load} (at {shown}, in SI)"
+    place = ", ".join(f"{name} = {_measured(*value)}" for name, value in pose.items())
+    at = f" at {place}" if place else ""
     return Words(
         span,
-        f"the contact at {point} would have to pull, with {pull}",
+        f"{body} would have to pull {point} with {-force:.4g} times {load}{at}, "
+        "but a contact can only push",
         "turn the normal round if it points the wrong way, or else the load",
     )
+
+
+def _measured(value: float, dimension: Dimension) -> str:
+    if dimension == ANGLE:
+        return f"{math.degrees(value):.6g} deg"
+    return f"{value:.6g} {'' if dimension == NUMBER else base_units(dimension)}".strip()

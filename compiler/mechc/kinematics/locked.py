@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ..algebra.blocks import blocks, match
 from ..source import Span
-from .graph import Graph, Kind, Relation
+from .graph import Graph, Kind, Relation, Rule
 
 
 class Locked(NamedTuple):
@@ -44,4 +44,16 @@ def _parts(graph: Graph, unknowns: Sequence[int], held: Sequence[Relation]) -> I
         elif kind is Kind.SLIDE:
             yield f"slider {of}"
     for relation in held:
-        yield f"link {relation.link}" if relation.link else f"the guide of {relation.points[0]}"
+        yield described(relation)
+
+
+def described(relation: Relation) -> str:
+    """Return the part of the mechanism that demands a relation."""
+    point, body = relation.points[0], relation.link
+    match relation.rule:
+        case Rule.SLOT:
+            return f"the slot of {point} in {body}"
+        case Rule.CONTACT:
+            return f"the contact of {point} with {body}"
+        case _:
+            return f"link {body}" if body else f"the guide of {point}"

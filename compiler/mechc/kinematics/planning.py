@@ -10,7 +10,7 @@ from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as words
 from .graph import Graph, Kind, Relation
-from .locked import locked
+from .locked import described, locked
 from .plan import Block, Plan, Speeds
 from .solving import Binder, Memory, solve
 
@@ -27,7 +27,7 @@ def plan_of(graph: Graph, report: Report) -> Plan:
     redundant = tuple(r for r, keep in zip(graph.relations, kept, strict=True) if not keep)
     mobility = len(graph.unknowns) - len(relations)
     for relation in redundant:
-        report.add(words.redundant_constraint(relation.span, _described(relation)))
+        report.add(words.redundant_constraint(relation.span, described(relation)))
     if mobility <= 0:
         raise report.fail(words.nothing_can_move(*locked(graph, relations)))
     if mobility > MOTIONS:
@@ -35,12 +35,6 @@ def plan_of(graph: Graph, report: Report) -> Plan:
         raise report.fail(words.too_many_motions(span, mobility, MOTIONS))
     drives = _drives(graph, [residues(r.form, point) for r in relations])
     return _solved(graph, relations, drives, redundant)
-
-
-def _described(relation: Relation) -> str:
-    if relation.link:
-        return f"link {relation.link}"
-    return f"the guide of {relation.points[0]}"
 
 
 def _drives(graph: Graph, rows: Sequence[Residues]) -> tuple[int, ...]:

@@ -22,7 +22,9 @@ def declare_points(file: ast.File, points: Points) -> None:
             case ast.Slider(point=name):
                 points.declare(name)
                 points.guided.add(name.text)
-            case ast.Slide(points=name) | ast.Telescope(points=name):
+            case ast.Slide(points=name):
+                _add_slide(name, points)
+            case ast.Telescope(points=name):
                 points.used.update(points.declare(name) or ())
             case ast.Link(points=name, label=label):
                 _add_link(name, label, points)
@@ -33,10 +35,23 @@ def _add_link(name: ast.Name, label: str, points: Points) -> None:
     carried = points.declare(name)
     if carried is None:
         return
-    if other := points.bodies.get(frozenset(carried)):
+    if not _is_again(name, carried, points):
+        points.add(Link(name.text, carried, name.span, label))
+
+
+def _add_slide(name: ast.Name, points: Points) -> None:
+    carried = points.declare(name)
+    if carried and not _is_again(name, carried, points):
+        points.used.update(carried)
+        points.slides[frozenset(carried)] = name
+
+
+def _is_again(name: ast.Name, carried: Sequence[str], points: Points) -> bool:
+    """Report a second body through the same points."""
+    key = frozenset(carried)
+    if other := points.bodies.get(key) or points.slides.get(key):
         points.report.add(words.link_again(name.span, name.text, other.span))
-        return
-    points.add(Link(name.text, carried, name.span, label))
+    return other is not None
 
 
 def _check_joints(file: ast.File, points: Points) -> None:

@@ -1,10 +1,11 @@
 """Points and the links through them: who carries what, and how users name it."""
 
 from collections import Counter
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from itertools import accumulate, pairwise
 
 from ..diagnostics import Report
+from ..diagnostics.model import joints
 from ..diagnostics.model import names as words
 from ..source import Span
 from ..syntax import ast
@@ -16,7 +17,7 @@ class Points:
     """The points of one description, filled while its joints are read.
 
     ``places`` tells where each point was first named; ``carried`` the links through it,
-    ``bodies`` the link through a set of points;
+    ``bodies`` the link through a set of points, ``slides`` the name of a slide through one;
     ``fixed`` and ``guided`` hold the pivots and sliders; ``used`` counts
     what acts at a point or asks for it.
     """
@@ -27,6 +28,7 @@ class Points:
         self.carried: dict[str, list[Link]] = {}
         self.links: dict[str, Link] = {}
         self.bodies: dict[frozenset[str], Link] = {}
+        self.slides: dict[frozenset[str], ast.Name] = {}
         self.fixed: set[str] = set()
         self.guided: set[str] = set()
         self.used: Counter[str] = Counter()
@@ -79,11 +81,18 @@ class Points:
             case [link]:
                 return link
             case []:
-                self.report.add(words.unknown_link(name.span, name.text, self.links))
+                self._report_no_link(name, points)
             case several:
                 candidates = [link.name for link in several]
                 self.report.add(words.ambiguous_link(name.span, name.text, candidates))
         return None
+
+    def _report_no_link(self, name: ast.Name, points: Collection[str]) -> None:
+        slide = next((s for own, s in self.slides.items() if own.issuperset(points)), None)
+        if slide is None:
+            self.report.add(words.unknown_link(name.span, name.text, self.links))
+        else:
+            self.report.add(joints.slide_does_not_turn(name.span, slide.text, slide.span))
 
     def _through(self, points: Iterable[str]) -> list[Link]:
         first, *rest = points

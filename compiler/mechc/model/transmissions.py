@@ -71,6 +71,8 @@ def _slide(statement: ast.Slide, scope: Scope) -> Slide | None:
     along = read_direction(statement.along, scope)
     if not points or not along:
         return None
+    for point in (p for p in points if p in scope.points.guided):
+        scope.report.add(words.guided_twice(statement.span, statement.points.text, point))
     return Slide(statement.points.text, points, along, statement.span)
 
 

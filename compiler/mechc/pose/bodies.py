@@ -1,10 +1,11 @@
 """Slides, slots and contacts at a pose: directions, and where pins touch bodies."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..model.mechanism import Direction, Mechanism
+from ..model.mechanism import Along, Arrow, Direction, Geometry, Mechanism, Offset, Slot
+from .closure import Condition, across
 from .compass import Compass
 from .pose import Arm, Touch, Vector
 from .vectors import Vectors
@@ -13,35 +14,67 @@ Find = Callable[[Direction, str, str], Angle]
 """Resolves a direction: its name, and what it is wanted for."""
 
 
+def aligned(mechanism: Mechanism) -> tuple[Geometry, ...]:
+    """Return the geometry with the line of a slot and the vector to its pin in one direction.
+
+    Where only one of ``OC`` and ``OB`` (pin B in the slot OC) has a direction, the other
+    has the same: the pin is on the side of O on which C is.
+    """
+    found = list(mechanism.geometry)
+    for slot in mechanism.slots:
+        line, pin = (slot.tail, slot.head), (slot.tail, slot.point)
+        given, placed = _entry(found, line), _entry(found, pin)
+        if _directed(placed) and not _directed(given):
+            _lay(found, given, line, Along(*pin, 0, slot.span))
+        elif _directed(given) and placed is not None and not _directed(placed):
+            _lay(found, placed, pin, Along(*line, 0, slot.span))
+    return tuple(found)
+
+
+def _entry(geometry: Sequence[Geometry], ends: tuple[str, str]) -> Arrow | Offset | None:
+    vectors = (g for g in geometry if isinstance(g, Arrow | Offset))
+    return next((g for g in vectors if {g.tail, g.head} == set(ends)), None)
+
+
+def _directed(entry: Arrow | Offset | None) -> bool:
+    return isinstance(entry, Offset) or (entry is not None and entry.direction is not None)
+
+
+def _lay(
+    geometry: list[Geometry], entry: Arrow | Offset | None, ends: tuple[str, str], along: Along
+) -> None:
+    """Give a vector a direction, and an entry if it has none yet."""
+    length = entry.length if isinstance(entry, Arrow) else None
+    arrow = Arrow(*ends, length, along, entry.span if entry else along.span)
+    if entry is None:
+        geometry.append(arrow)
+    else:
+        geometry[geometry.index(entry)] = arrow
+
+
 def touches(
     mechanism: Mechanism, compass: Compass, vectors: Vectors, find: Find
 ) -> Iterator[Touch]:
     """Yield every pin that slides along a body."""
     slides = {s.name for s in mechanism.slides}
     for slot in mechanism.slots:
-        line = compass.of(slot.tail, slot.head) or Angle()
-        reach = _reach(slot.tail, slot.point, line, vectors)
-        yield Touch(
-            "slot",
-            slot.point,
-            slot.link,
-            slot.tail,
-            () if slot.link in slides else reach,
-            line + Angle.constant(90),
-            slot.span,
-        )
+        line = _line(slot, slot.link in slides, compass, vectors, find)
+        reach = () if slot.link in slides else _reach(slot.tail, slot.point, line, vectors)
+        yield Touch("slot", slot.point, slot.link, slot.tail, reach, across(line), slot.span)
     for contact in mechanism.contacts:
-        normal = find(contact.normal, f"theta_{contact.point}", f"the contact at {contact.point}")
-        reach = _reach(contact.tail, contact.point, normal + Angle.constant(-90), vectors)
-        yield Touch(
-            "contact",
-            contact.point,
-            contact.link,
-            contact.tail,
-            () if contact.link in slides else reach,
-            normal,
-            contact.span,
-        )
+        point, tail = contact.point, contact.tail
+        normal = find(contact.normal, f"theta_{point}", f"the contact at {point}")
+        face = normal - Angle.constant(90)
+        reach = () if contact.link in slides else _reach(tail, point, face, vectors)
+        yield Touch("contact", point, contact.link, tail, reach, normal, contact.span)
+
+
+def _line(slot: Slot, on_slide: bool, compass: Compass, vectors: Vectors, find: Find) -> Angle:
+    """Return the direction of a slot; that of a link which nothing gives is reported there."""
+    if not on_slide and vectors.path(slot.tail, slot.head) is None:
+        return compass.of(slot.tail, slot.head) or Angle()
+    name = f"{slot.tail}{slot.head}"
+    return find(Along(slot.tail, slot.head, 0, slot.span), f"theta_{name}", f"the slot {name}")
 
 
 def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
@@ -53,3 +86,14 @@ def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
     if name not in vectors.placeholders:
         vectors.placeholders.append(name)
     return (Arm(Product.symbol(name), line),)
+
+
+def on_the_line(slots: Sequence[Touch], vectors: Vectors) -> list[Condition]:
+    """Return the condition of every pin in a slot that has a place: it stands on the line."""
+    conditions = []
+    for slot in slots:
+        chain = vectors.chain(slot.tail, slot.point)
+        if chain:
+            arms = vectors.arms(chain)
+            conditions.append(Condition("-".join(chain), arms, (slot.normal,), slot.span))
+    return conditions

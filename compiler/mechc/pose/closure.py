@@ -76,7 +76,8 @@ class Closure:
         few poses tell.
         """
         counted = tuple(arm for arm in arms if cosine(arm.angle - direction))
-        if self._defined.isdisjoint(_symbols(counted)) or self._mentions_open(counted):
+        named = _symbols(counted) | dict(direction.terms).keys()
+        if self._defined.isdisjoint(named) or self._mentions_open(counted):
             return False
         return not any(abs(_along(counted, direction, values)) > GAP for values in poses)
 

@@ -5,8 +5,9 @@ from collections.abc import Mapping
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as words
+from ..frozen import replace
 from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Thrust
-from .bodies import touches
+from .bodies import aligned, on_the_line, touches
 from .closing import close
 from .closure import Closure, Condition, across
 from .compass import Compass
@@ -24,6 +25,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     Reports E301 and E305 where a direction is missing, E302 where two disagree, E303
     and E304 where a loop does not close for independent symbols.
     """
+    mechanism = replace(mechanism, geometry=aligned(mechanism))
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
@@ -31,10 +33,10 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     survey = _Survey(mechanism, terms, compass, vectors, report)
     guides, axis = survey.guides(), survey.axis()
     lines = {**survey.lines(), **survey.thrusts()}
+    held = tuple(touches(mechanism, compass, vectors, survey.direction))
     frames = {link.name: survey.frame(link) for link in mechanism.links}
     frames |= {slide.name: survey.layout(slide) for slide in mechanism.slides}
     slides = survey.slides()
-    held = tuple(touches(mechanism, compass, vectors, survey.direction))
     pose = Pose(
         mechanism=mechanism,
         frames=frames,
@@ -174,7 +176,8 @@ class _Survey:
         """Report every loop that does not close for independent symbols."""
         closure = Closure(pose.placeholders, {d.name for d in pose.definitions})
         values = poses_nearby(self._mechanism, pose.definitions)
-        for condition in (*self._loops(), *self._guide_lines(pose)):
+        slots = on_the_line([t for t in pose.touches if t.kind == "slot"], self._vectors)
+        for condition in (*self._loops(), *self._guide_lines(pose), *slots):
             if fault := closure.check(condition, values):
                 self._report.add(fault)
 

@@ -89,6 +89,13 @@ class Pose:
         frame = self.frames[link]
         return gathered((*reverse(frame[tail]), *frame[head]))
 
+    def guide_of(self, point: str) -> Angle | None:
+        """Return the direction in which a slider, or a point of a slide, is guided."""
+        if point in self.guides:
+            return self.guides[point]
+        slides = (s.name for s in self.mechanism.slides if point in s.points)
+        return next((self.slides[name] for name in slides), None)
+
 
 def reverse(vector: Vector) -> Vector:
     """Return the vector from head to tail: the same lengths, directions turned round."""

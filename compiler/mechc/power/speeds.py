@@ -33,9 +33,9 @@ def speed(plan: Plan, wanted: Speed) -> Rate:
     """
     if wanted.kind == "link":
         return Rate(plan.spin(wanted.of))
-    guides = plan.graph.pose.guides
-    if wanted.of in guides:
-        return Rate(plan.component(wanted.of, guides[wanted.of]))
+    guide = plan.graph.pose.guide_of(wanted.of)
+    if guide is not None:
+        return Rate(plan.component(wanted.of, guide))
     return _about_pivot(plan, wanted.of) or Rate(_lengths(plan, wanted.of), signed=False)
 
 

@@ -96,27 +96,30 @@ def _gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, floa
     return columns
 
 
-def pushes(unfolding: Unfolding, wanted: str, given: str, kind: str) -> dict[str, float]:
-    """Return the forces on pins at joints of one kind where ``given`` is 1, by the pin.
+def pushes(
+    unfolding: Unfolding, wanted: str, given: str, known: Set[str], kind: str
+) -> dict[tuple[str, str], float]:
+    """Return the forces on pins at joints of one kind where ``given`` is 1, by pin and body.
 
-    ``wanted`` is what balances it; empty where equilibrium does not determine all.
+    ``wanted`` balances it, and the rest of the ``known`` loads are 0. Forces that
+    equilibrium does not determine are left out.
     """
-    mechanism = unfolding.pose.mechanism
-    tied = ties(mechanism, unfolding.values)
+    tied = ties(unfolding.pose.mechanism, unfolding.values)
     source, target = tied[given], tied[wanted]
     system = equilibrium(unfolding.assembly())
     columns = _gather(system, tied)
     given_row = columns.pop(source.base)
+    unknown = {b: row for b, row in columns.items() if b == target.base or b not in known}
     right = {i: -amount / source.factor for i, amount in given_row.items()}
-    rows, places = _with_loads(system, {target.base: columns[target.base]})
-    factors = factor(rows, len(system.unknowns) + 1, places[target.base])
+    rows, _ = _with_loads(system, unknown)
+    factors = factor(rows, len(system.unknowns) + len(unknown))
     found = factors.solve(right)
     if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
         return {}
     return {
-        unknown.on: found[i]
-        for i, unknown in enumerate(system.unknowns)
-        if unknown.component == kind and factors.determined(i)
+        (force.on, force.by): found[i]
+        for i, force in enumerate(system.unknowns)
+        if force.component == kind and factors.determined(i)
     }
 
 

@@ -1,27 +1,57 @@
-"""Contacts that would have to pull: two bodies that only touch can't."""
+"""Contacts that would have to pull: two bodies that only touch can't.
 
-from collections.abc import Iterable, Iterator
+Each load that a result takes as given acts by itself, as directed: a contact is refused
+that pulls under one of them and pushes under none.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping
 
 from ..diagnostics import Diagnostic
 from ..diagnostics.statics import contact_would_pull
-from ..model.mechanism import LoadRatio
+from ..model.mechanism import LoadForm, LoadRatio
 from ..model.result import Result
+from ..pose.pose import Touch
 from .answers import pushes
 from .unfold import Unfolding
 
 PULL = 1e-9
 """A pull below this part of the load is rounding."""
 
+Forces = Mapping[tuple[str, str], float]
+"""What each body does to a pin, by pin and body; a pull is negative."""
+
 
 def pulling(results: Iterable[Result], unfolding: Unfolding) -> Iterator[Diagnostic]:
-    """Yield an error for each contact that pulls where the load below a ratio acts as drawn."""
-    contacts = {t.point: t.span for t in unfolding.pose.touches if t.kind == "contact"}
-    ratios = [r.target for r in results if isinstance(r.target, LoadRatio)]
-    if not contacts or not ratios:
-        return
-    target = ratios[0]
-    found = pushes(unfolding, target.above, target.below, "contact")
-    for point, span in contacts.items():
-        if found.get(point, 0.0) < -PULL:
-            free = {n: unfolding.values[n] for n in unfolding.pose.free}
-            yield contact_would_pull(span, point, target.below, found[point], free)
+    """Yield an error for each contact that pulls where the given loads act as drawn."""
+    contacts = [t for t in unfolding.pose.touches if t.kind == "contact"]
+    refused: set[Touch] = set()
+    for result in results if contacts else ():
+        forces = dict(_forces(result, unfolding))
+        for touch in contacts:
+            found = {load: f.get((touch.point, touch.body), 0.0) for load, f in forces.items()}
+            worst = min(found, key=lambda load: found[load], default="")
+            if worst and found[worst] < -PULL and max(found.values()) < PULL:
+                if touch not in refused:
+                    yield _refused(touch, worst, found[worst], unfolding)
+                refused.add(touch)
+
+
+def _forces(result: Result, unfolding: Unfolding) -> Iterator[tuple[str, Forces]]:
+    """Yield what each load that a result takes as given does in the contacts."""
+    mechanism = unfolding.pose.mechanism
+    given = {load.name for load in mechanism.loads if load.tie is not None}
+    given |= {let.name for let in mechanism.lets}
+    match result.target:
+        case LoadRatio(above, below):
+            yield below, pushes(unfolding, above, below, given, "contact")
+        case LoadForm(load):
+            coefficients = result.coefficients or {}
+            for other in coefficients:
+                known = given | coefficients.keys()
+                yield other, pushes(unfolding, load, other, known, "contact")
+
+
+def _refused(touch: Touch, load: str, force: float, unfolding: Unfolding) -> Diagnostic:
+    parameters = (p for p in unfolding.pose.mechanism.parameters if p.name in unfolding.pose.free)
+    place = {p.name: (unfolding.values[p.name], p.dimension) for p in parameters}
+    return contact_would_pull(touch.span, touch.point, touch.body, load, force, place)

@@ -52,11 +52,12 @@ def has_sign(unfolding: Unfolding, target: SpeedRatio) -> bool:
 def direction_of_motion(unfolding: Unfolding, point: str) -> Plane | None:
     """Return the direction in which a point's speed counts as positive, None where it has none.
 
-    That is along the guide of a slider, and counter-clockwise about the pivot of a link.
+    That is along the guide of a slider or slide, and counter-clockwise about the pivot of a link.
     """
     pose = unfolding.pose
-    if point in pose.guides:
-        return unfolding.direction_of_guide(point)
+    guide = pose.guide_of(point)
+    if guide is not None:
+        return direction(guide.evaluate(unfolding.values))
     fixed = {pivot.point for pivot in pose.mechanism.pivots} - {point}
     for link in pose.mechanism.links:
         pivot = next((p for p in link.points if p in fixed), None)

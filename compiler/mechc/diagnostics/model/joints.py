@@ -272,3 +272,39 @@ def rack_without_guide(at: Span, point: str) -> Words:
         f"point {point} is no slider, so it has no guide to move along",
         f"add `slider {point} along x`",
     )
+
+
+@coded("E297")
+def slide_does_not_turn(at: Span, slide: str, first: Span) -> Words:
+    """A couple, or an angular velocity, is asked of a body that only translates.
+
+    A ``slide`` never turns: a couple on it does no work, its guide takes it, and its
+    angular velocity is zero. Loads of a slide are forces at its points::
+
+        slide WXY along x
+        torque M on WXY            # wrong
+        force  P at W along x      # right
+    """
+    return Words(
+        at,
+        f"{slide} only translates, expected a link that turns",
+        f"let a force act at a point of {slide}, or declare it as a link",
+        (Related(first, "declared as a slide"),),
+    )
+
+
+@coded("W241")
+def guided_twice(at: Span, slide: str, point: str) -> Words:
+    """A point of a slide is a slider as well.
+
+    All points of a slide move along its direction, so that a guide of their own adds
+    nothing where it is parallel, and locks the slide where it is not::
+
+        slider W along x
+        slide  WXY along x      # warned of: the slide guides W by itself
+    """
+    return Words(
+        at,
+        f"slider {point} is a point of the slide {slide}, which guides it by itself",
+        f"leave the slider {point} out",
+    )
