@@ -133,6 +133,7 @@ def arms_of(file: ast.File, values: Values) -> Arms:
                 later.append(item)
         assert len(later) < len(waiting), "directions rest on one another"
         waiting = later
+    _align(file, arms)
     return arms
 
 
@@ -157,6 +158,15 @@ def _take_turn(turn: ast.Turn, values: Values, arms: Arms) -> None:
         arms.set_angle(vertex, second, arms.angles[vertex, first] + by)
     else:
         arms.set_angle(vertex, first, arms.angles[vertex, second] - by)
+
+
+def _align(file: ast.File, arms: Arms) -> None:
+    """Turn the line of a slot to its pin."""
+    for slot in every(file, ast.Slot):
+        tail, head = points_of(slot.line.text)
+        placed = arms.angles.get((tail, slot.point.text))
+        if placed is not None and (tail, head) not in arms.angles:
+            arms.set_angle(tail, head, placed)
 
 
 def angle_of(direction: ast.Direction, values: Values, arms: Arms) -> float:
@@ -199,13 +209,24 @@ class Action(NamedTuple):
     times: float
 
 
+class Touch(NamedTuple):
+    """A pin in a slot of a body, or in contact with it: the normal, and the pin's place on it."""
+
+    pin: str
+    body: str
+    normal: complex
+    place: complex
+
+
 @dataclass
 class Assembly:
-    """Links with coordinates, pins to the ground, guides and loads, all numbers."""
+    """Bodies with coordinates, pins to the ground, guides and loads, all numbers."""
 
     links: dict[str, dict[str, complex]]
     pivots: set[str]
     guides: dict[str, complex]
+    slides: dict[str, complex]
+    touches: list[Touch]
     actions: list[Action]
     lengths: dict[tuple[str, str], float]
 
@@ -236,19 +257,48 @@ def _mirrors(file: ast.File, values: Values) -> Iterator[tuple[complex, set[str]
 
 def _as_described(file: ast.File, values: Values, seed: int) -> Assembly:
     arms, guess = arms_of(file, values), random.Random(seed)
+    links = {
+        s.points.text: frame(points_of(s.points.text), arms, guess) for s in every(file, ast.Link)
+    }
+    slides = {
+        s.points.text: cmath.rect(1, angle_of(s.along, values, arms))
+        for s in every(file, ast.Slide)
+    }
+    guides = {
+        s.point.text: cmath.rect(1, angle_of(s.along, values, arms))
+        for s in every(file, ast.Slider)
+    }
+    carried = {p for points in links.values() for p in points}
+    slides |= {p: along for p, along in guides.items() if p not in carried}
+    links |= {name: dict.fromkeys(points_of(name), 0j) for name in slides}
     return Assembly(
-        {
-            s.points.text: frame(points_of(s.points.text), arms, guess)
-            for s in every(file, ast.Link)
-        },
+        links,
         {s.point.text for s in every(file, ast.Pivot)},
-        {
-            s.point.text: cmath.rect(1, angle_of(s.along, values, arms))
-            for s in every(file, ast.Slider)
-        },
+        guides,
+        slides,
+        list(_touches(file, values, arms, links, slides)),
         _actions(file, values, arms),
         arms.lengths,
     )
+
+
+def _touches(
+    file: ast.File,
+    values: Values,
+    arms: Arms,
+    links: dict[str, dict[str, complex]],
+    slides: Collection[str],
+) -> Iterator[Touch]:
+    for s in (*every(file, ast.Slot), *every(file, ast.Contact)):
+        tail, head = points_of(s.line.text)
+        if isinstance(s, ast.Contact):
+            normal = angle_of(s.normal, values, arms)
+        else:
+            normal = cmath.phase(arms.between(tail, head)) + math.pi / 2
+        body = next(name for name, points in links.items() if {tail, head} <= points.keys())
+        pin, first = s.point.text, next(iter(links[body]))
+        place = 0j if body in slides else arms.between(first, pin)
+        yield Touch(pin, body, cmath.rect(1, normal), place)
 
 
 def _actions(file: ast.File, values: Values, arms: Arms) -> list[Action]:
@@ -284,6 +334,14 @@ def _unfold(half: Assembly, axis: complex, shared: set[str]) -> None:
     for name, points in list(half.links.items()):
         if not set(points) <= shared:
             half.links[name + "'"] = {twin(p): reflect(v) for p, v in points.items()}
+    for touch in list(half.touches):
+        body = touch.body if set(half.links[touch.body]) <= shared else touch.body + "'"
+        if (twin(touch.pin), body) != (touch.pin, touch.body):
+            normal, place = reflect(touch.normal), reflect(touch.place)
+            half.touches.append(Touch(twin(touch.pin), body, normal, place))
+    for name, along in list(half.slides.items()):
+        if name + "'" in half.links:
+            half.slides[name + "'"] = reflect(along)
     half.pivots |= {twin(p) for p in half.pivots}
     half.guides |= {twin(p): reflect(v) for p, v in half.guides.items() if p not in shared}
     half.guides |= dict.fromkeys(shared - half.pivots - half.guides.keys(), axis)

@@ -42,7 +42,10 @@ class Motion:
         """Return the 2-row matrix that gives a point's velocity from the unknowns."""
         links = self.assembly.links
         name = link or next(n for n, points in links.items() if point in points)
-        arm, at = links[name][point], self.column[name]
+        return self._velocity_at(name, links[name][point])
+
+    def _velocity_at(self, name: str, arm: complex) -> Array:
+        at = self.column[name]
         matrix = np.zeros((2, self.size))
         matrix[0, at], matrix[0, at + 2] = 1, -arm.imag
         matrix[1, at + 1], matrix[1, at + 2] = 1, arm.real
@@ -65,6 +68,14 @@ class Motion:
             yield from self.velocity(point)
         for point, along in self.assembly.guides.items():
             yield np.array([-along.imag, along.real]) @ self.velocity(point)
+
+        for name, along in self.assembly.slides.items():
+            yield self.turning(name)
+            first = next(iter(self.assembly.links[name]))
+            yield np.array([-along.imag, along.real]) @ self.velocity(first, name)
+        for pin, body, normal, place in self.assembly.touches:
+            own = self.velocity(pin) - self._velocity_at(body, place)
+            yield np.array([normal.real, normal.imag]) @ own
 
     def power(self, load: Action) -> Array:
         """Return the power of one unit of a load in each basic motion."""
@@ -134,7 +145,8 @@ def _found(file: ast.File, find: ast.Find, motion: Motion, values: Values) -> tu
 
 def _power_columns(file: ast.File, motion: Motion, values: Values) -> dict[str, Array]:
     """Return the power of each free load in each motion, tied loads with their masters."""
-    ties = {f.name.text: f.tie for f in every(file, ast.Force) if f.tie is not None}
+    loads = (*every(file, ast.Force), *every(file, ast.Torque))
+    ties = {f.name.text: f.tie for f in loads if f.tie is not None}
     columns: dict[str, Array] = {}
     for load in motion.assembly.actions:
         name, factor = load.name, 1.0
