@@ -239,3 +239,34 @@ def test_the_place_of_a_pin_that_matters_is_asked_for() -> None:
     with pytest.raises(MechcError) as caught:
         compiled(SLOTTED_LEVER.format(geometry="OC = @ 90 deg - alpha"))
     assert {d.code for d in caught.value.diagnostics if d.code.startswith("E")} == {"E506"}
+
+
+SHARED_PISTON = """
+param r = 50 mm
+param phi = 40 deg
+param b = 15 deg
+pivot O
+link OA
+link AB
+slide BX along x
+OA = r @ phi
+AB = @ -b
+torque M on OA
+force F at X along x
+{mirror}
+find k = M / F
+"""
+
+
+@pytest.mark.parametrize(
+    ("mirror", "halves"), [("", 1), ("mirror across 0 deg sharing B X", 2)], ids=["one", "two"]
+)
+def test_a_slide_on_rods_is_the_piston_of_a_slider_crank(mirror: str, halves: int) -> None:
+    phi, b = math.radians(40), math.radians(15)
+    expected = 0.05 * math.sin(phi + b) / math.cos(b) / halves
+    assert value(SHARED_PISTON.format(mirror=mirror)) == pytest.approx(expected, rel=1e-12)
+
+
+def test_three_wedges_around_a_rod_take_a_third_each() -> None:
+    text = HALF.replace("mirror across 0 deg", "copies 3")
+    assert value(text) == pytest.approx(1 / (3 * math.tan(math.radians(10))), rel=1e-12)

@@ -47,7 +47,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     joints = read_joints(file, scope)
     geometry = read_geometry(file, scope)
     loads = read_loads(file, scope)
-    mirror = read_mirror(file, sliders, loads, scope)
+    mirror = read_mirror(file, (*sliders, *joints.slides), loads, scope)
     copies = read_copies(file, scope)
     drive = read_drive(file, scope)
     assemblies = read_assemblies(file, scope)

@@ -10,14 +10,14 @@ from ..units import NUMBER
 from .constants import rational
 from .directions import parallel, read_direction
 from .expressions import Reader
-from .mechanism import Copies, Direction, Force, Load, Mirror, Slider
+from .mechanism import Copies, Direction, Force, Load, Mirror, Slide, Slider
 from .parameters import constant
 from .scope import DESCRIPTION, Scope
 from .statements import only
 
 
 def read_mirror(
-    file: ast.File, sliders: Sequence[Slider], loads: Sequence[Load], scope: Scope
+    file: ast.File, guided: Sequence[Slider | Slide], loads: Sequence[Load], scope: Scope
 ) -> Mirror | None:
     """Return the mirror.
 
@@ -35,10 +35,12 @@ def read_mirror(
         if isinstance(load, Force) and not _symmetric(load, across, shared, scope):
             what = "gravity" if load.weight else f"force {load.name} on the shared {load.point}"
             scope.report.add(load_words.off_the_mirror(load.along.span, what, statement.span))
-    for slider in sliders:
-        if slider.point in shared and not parallel(slider.along, across, scope):
-            what = f"the guide of the shared {slider.point}"
-            scope.report.add(load_words.off_the_mirror(slider.along.span, what, statement.span))
+    for body in guided:
+        points = body.points if isinstance(body, Slide) else (body.point,)
+        common = next((p for p in points if p in shared), None)
+        if common and not parallel(body.along, across, scope):
+            what = f"the guide of the shared {common}"
+            scope.report.add(load_words.off_the_mirror(body.along.span, what, statement.span))
     return Mirror(across, shared, statement.span)
 
 
