@@ -5,7 +5,7 @@ from collections.abc import Hashable, Mapping
 from functools import lru_cache
 from typing import Literal, Protocol
 
-from ..formula.tree import Call, Formula, Symbol
+from ..formula.tree import Call, Formula, Pi, Symbol
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from .angle import Angle
@@ -112,4 +112,4 @@ class Opaque:
 
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
-        return (2, str(self.inside))
+        return (0, "") if isinstance(self.inside, Pi) else (2, str(self.inside))

@@ -190,6 +190,7 @@ def _screw(statement: ast.Screw, scope: Scope) -> Screw | None:
     if scope.points.fixed.isdisjoint(link.points):
         scope.report.add(words.wheel_without_pivot(statement.link.span, link.name))
         return None
+    scope.points.used.update(link.points)
     return Screw(point, pitch, link.name, statement.span)
 
 

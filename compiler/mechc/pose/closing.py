@@ -9,6 +9,7 @@ put in where it is a sum of named angles.
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..diagnostics import Report
 from ..diagnostics import pose as words
@@ -152,13 +153,19 @@ class _Closing:
         ways = group.closures()
         if not ways:
             return False
-        familiar = [arm.angle for edge in cycle for arm in edge.arms]
+        familiar = self._familiar(cycle)
         candidates = [state.recognised(c, wanted, familiar) for c in ways]
         chosen = self._choice.choose(candidates, group)
         self._report.stop_on_errors()
         assert chosen is not None
         state.take(chosen, wanted, [tuple(a for e in cycle for a in e.arms)])
         return True
+
+    def _familiar(self, cycle: Cycle) -> list[Angle]:
+        """Return the directions of the vectors that hang on the points of a loop."""
+        points = {p for edge in cycle for p in (edge.tail, edge.head)}
+        around = (e for e in self._state.web.edges if not points.isdisjoint((e.tail, e.head)))
+        return list(dict.fromkeys(arm.angle for edge in (*cycle, *around) for arm in edge.arms))
 
     def _fit(self, name: str, cycle: Cycle) -> bool:
         """Take a vector between placed points; a loop inside one body turns as a whole."""

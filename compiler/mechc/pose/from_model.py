@@ -13,6 +13,7 @@ from .closure import Closure, Condition, across
 from .compass import Compass
 from .nearby import poses_nearby
 from .pose import Pose, Vector
+from .rails import with_lines
 from .terms import Terms
 from .thrusts import Pairing, thrust_line
 from .vectors import Vectors
@@ -25,7 +26,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     Reports E301 and E305 where a direction is missing, E302 where two disagree, E303
     and E304 where a loop does not close for independent symbols.
     """
-    mechanism = replace(mechanism, geometry=aligned(mechanism))
+    mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)

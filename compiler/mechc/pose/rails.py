@@ -1,11 +1,12 @@
 """Guides and slots as vectors of open length, for loops that close through them."""
 
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..model.mechanism import Mechanism
+from ..frozen import replace
+from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .compass import Compass
 from .pose import Arm
@@ -41,3 +42,28 @@ def rails(mechanism: Mechanism, compass: Compass) -> Iterator[Rail]:
     for slot in mechanism.slots:
         if (angle := compass.of(slot.tail, slot.head)) is not None:
             yield Rail(slot.tail, slot.point, angle, slot.span)
+
+
+def with_lines(mechanism: Mechanism) -> Mechanism:
+    """Return the mechanism with a vector for each slot's line that has none.
+
+    Such a line only names the slot: its direction follows from a loop, its length is open.
+    """
+    known = {frozenset(ends(g)) for g in mechanism.geometry}
+    lines = {
+        frozenset((s.tail, s.head)): Arrow(s.tail, s.head, None, None, s.span)
+        for s in mechanism.slots
+    }
+    fresh = tuple(line for pair, line in lines.items() if pair not in known)
+    return replace(mechanism, geometry=(*mechanism.geometry, *fresh)) if fresh else mechanism
+
+
+def ends(entry: Geometry) -> tuple[str, ...]:
+    """Return the points of an entry of the geometry."""
+    match entry:
+        case Arrow(tail, head) | Offset(tail, head):
+            return (tail, head)
+        case Turn(first, vertex, second):
+            return (first, vertex, second)
+        case _:
+            assert_never(entry)

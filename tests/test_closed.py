@@ -1,0 +1,75 @@
+"""Closed mechanisms along their strokes, against the loops solved by coordinates.
+
+The reference differences the work of the loads, so that it knows nothing of velocities
+either; what it leaves open is the error of a central difference.
+"""
+
+import pytest
+
+import reference_closed
+from good_mechanisms import compiled, tree_of
+from mechc.formula.walk import evaluate
+from mechc.model.mechanism import LoadRatio
+from mechc.power.numbers import value_of
+
+CLOSED = (
+    "crank_rocker",
+    "double_crank",
+    "double_rocker",
+    "triple_rocker",
+    "whitworth",
+    "oscillating_cylinder",
+    "toggle_clamp",
+    "vice_grip",
+    "watt_closed",
+    "stephenson_closed",
+    "peaucellier_closed",
+    "excavator_arm",
+    "gripper_closed",
+    "steering_trapezium",
+)
+PARTS = (0.15, 0.4, 0.65, 0.9)
+
+
+def values_at(name, part):
+    mechanism = compiled(name).pose.mechanism
+    drive = mechanism.drive
+    low, high = (evaluate(end, {}) for end in (drive.low, drive.high))
+    values = {
+        p.name: evaluate(p.value, {}) for p in mechanism.parameters if p.value and not p.dependent
+    }
+    return {**values, drive.parameter: low + (high - low) * part}
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_k_along_the_stroke(name):
+    compilation, tree = compiled(name), tree_of(name)
+    result = next(r for r in compilation.balance.results if isinstance(r.target, LoadRatio))
+    for part in PARTS:
+        values = values_at(name, part)
+        expected = reference_closed.ratio(
+            compilation, tree, values, result.target.above, result.target.below
+        )
+        assert value_of(result, values) == pytest.approx(expected, rel=1e-6)
+
+
+@pytest.mark.parametrize("name", [*CLOSED, "claw_closed"])
+def test_the_derivative_is_total(name):
+    """dk/dφ along the stroke, against a difference of k itself."""
+    compilation = compiled(name)
+    result = next(r for r in compilation.results if isinstance(r.target, LoadRatio))
+    drive = compilation.pose.mechanism.drive.parameter
+    slope = result.derivatives[drive]
+    for part in PARTS:
+        values = values_at(name, part)
+        step = 1e-5 * max(abs(values[drive]), 0.1)
+        ahead, behind = (
+            value_of(result, {**values, drive: values[drive] + s * step}) for s in (1, -1)
+        )
+        full = dict(values)
+        for definition in compilation.pose.definitions:
+            full[definition.name] = evaluate(definition.formula, full)
+        scale = abs(ahead) / max(abs(values[drive]), 0.1)
+        assert evaluate(slope, full) == pytest.approx(
+            (ahead - behind) / (2 * step), rel=1e-6, abs=1e-6 * scale
+        )
