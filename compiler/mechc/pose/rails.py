@@ -48,11 +48,14 @@ def with_lines(mechanism: Mechanism) -> Mechanism:
     """Return the mechanism with a vector for each slot's line that has none.
 
     Such a line only names the slot: its direction follows from a loop, its length is open.
+    A slide does not turn, so the direction of a slot in it is the user's to give.
     """
+    slides = {slide.name for slide in mechanism.slides}
     known = {frozenset(ends(g)) for g in mechanism.geometry}
     lines = {
         frozenset((s.tail, s.head)): Arrow(s.tail, s.head, None, None, s.span)
         for s in mechanism.slots
+        if s.link not in slides
     }
     fresh = tuple(line for pair, line in lines.items() if pair not in known)
     return replace(mechanism, geometry=(*mechanism.geometry, *fresh)) if fresh else mechanism
