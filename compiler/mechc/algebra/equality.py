@@ -11,7 +11,7 @@ False
 from collections.abc import Sequence
 from typing import assert_never
 
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from .angle import Angle
 from .from_formula import to_angle
 from .modular import Point
@@ -86,7 +86,7 @@ class _Place:
                 return point.power(self.residue(base), value.numerator)
             case Call(function, (argument,)) if (angle := to_angle(argument)) is not None:
                 return self._trigonometric(formula, function, self._inside(angle))
-            case Pi() | Power() | Call():
+            case Pi() | Power() | Call() | Implicit():
                 return point.length(str(formula))
             case _:
                 assert_never(formula)

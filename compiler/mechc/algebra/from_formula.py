@@ -11,7 +11,7 @@
 from fractions import Fraction
 from typing import assert_never
 
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from .angle import RADIAN, Angle, rational
 from .factors import Opaque
 from .modular import PARTS
@@ -46,7 +46,7 @@ def _linear(formula: Formula) -> Angle | None:
             return _sum_of_angles(terms)
         case Product(factors):
             return _scaled_angle(factors)
-        case Power() | Call():
+        case Power() | Call() | Implicit():
             return None
         case _:
             assert_never(formula)
@@ -94,7 +94,7 @@ def to_product(formula: Formula) -> Factored:
             return to_product(base) ** value.numerator
         case Call(function, (argument,)) if function in ("sin", "cos", *_QUOTIENTS):
             return _trigonometric(function, argument)
-        case Pi() | Power() | Call():
+        case Pi() | Power() | Call() | Implicit():
             return Factored.of(Opaque(formula))
         case _:
             assert_never(formula)

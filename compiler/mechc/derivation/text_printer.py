@@ -19,7 +19,20 @@ from typing import assert_never
 
 from ..formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
 from ..formula.names import GREEK, split_name
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
+from ..formula.tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    number,
+    power,
+)
+from ..formula.walk import equations
 from ..frozen import frozen
 
 SUM, FACTOR, BASE = 0, 1, 2
@@ -95,6 +108,9 @@ def _print(formula: Formula, signs: Signs, around: int, angle: bool) -> str:
             return _power(base, exponent, signs, around)
         case Call(function, arguments):
             return _call(function, arguments, signs)
+        case Implicit(system, index, _):
+            zeros = ", ".join(f"{_print(e, signs, SUM, False)} = 0" for e in equations(formula))
+            return f"({print_name(system.unknowns[index], signs)}: {zeros})"
         case _:
             assert_never(formula)
 

@@ -11,7 +11,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..routine.quotient import is_decimal, quotient_of
 from ..routine.steps import Guard
 
@@ -68,6 +68,8 @@ class Printer(ABC):
                 return self.power(self.print(base), self.print(exponent))
             case Call(function, arguments):
                 return self._call(function, arguments, level)
+            case Implicit():
+                raise TypeError("a solution is a step of its own")
             case _:
                 assert_never(formula)
 

@@ -10,7 +10,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from .operations import split_fraction
-from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from .walk import children
 
 INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
@@ -101,7 +101,7 @@ def _place(factor: Formula) -> int:
 
 
 def _has_function(formula: Formula) -> bool:
-    return isinstance(formula, Call) or any(map(_has_function, children(formula)))
+    return isinstance(formula, Call | Implicit) or any(map(_has_function, children(formula)))
 
 
 def in_degrees(formula: Formula) -> Fraction | None:
@@ -138,6 +138,8 @@ def is_angle(formula: Formula, angles: Set[str]) -> bool:
         case Call(function, arguments):
             passes = function in {"abs", "min", "max"}
             return function in INVERSE or (passes and any(is_angle(a, angles) for a in arguments))
+        case Implicit(system, index, _):
+            return is_angle(Symbol(system.unknowns[index]), angles)
         case _:
             return False
 

@@ -3,7 +3,7 @@
 from fractions import Fraction
 from typing import assert_never
 
-from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
+from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
 
 
 def split_fraction(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
@@ -48,6 +48,8 @@ def count_operations(formula: Formula) -> int:
             return 1 + count_operations(base) + count_operations(exponent) - _negated(exponent)
         case Call(_, arguments):
             return 1 + sum(map(count_operations, arguments))
+        case Implicit(system, _, arguments):
+            return sum(map(count_operations, (*system.equations, *arguments)))
         case _:
             assert_never(formula)
 

@@ -4,10 +4,11 @@ sympy is imported when the first expression is asked for: it costs more time tha
 whole compilation.
 """
 
-from functools import reduce
+from functools import cache, reduce
 from typing import TYPE_CHECKING, Any, assert_never
 
-from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, System
+from .walk import solution
 
 if TYPE_CHECKING:
     import sympy
@@ -49,5 +50,32 @@ def _convert(formula: Formula, sympy: Any) -> Any:
         case Call(function, arguments):
             call = getattr(sympy, NAMES.get(function, function))
             return call(*(_convert(a, sympy) for a in arguments))
+        case Implicit(system, index, arguments):
+            return _solution(system, index)(*(_convert(a, sympy) for a in arguments))
         case _:
             assert_never(formula)
+
+
+@cache
+def _solution(system: System, index: int) -> Any:
+    """Return an unknown as a function of sympy's, to any precision where numbers are put in.
+
+    The branch is chosen in floats; from there ``nsolve`` goes on.
+    """
+    import sympy
+
+    def _eval_evalf(self: Any, precision: int) -> Any:
+        outer = [a.evalf(n=15) for a in self.args]
+        if not all(a.is_Float or a.is_Integer for a in outer):
+            return None
+        near = solution(system, tuple(map(float, outer)))
+        if near[index] != near[index]:
+            return sympy.nan
+        values = {sympy.Symbol(n): a for (n, _), a in zip(system.anchor, self.args, strict=True)}
+        exact = [_convert(e, sympy).subs(values) for e in system.equations]
+        unknowns = [sympy.Symbol(name) for name in system.unknowns]
+        digits = sympy.core.evalf.prec_to_dps(precision) + 2
+        return sympy.nsolve(exact, unknowns, near, prec=digits)[index]
+
+    body = {"_eval_evalf": _eval_evalf, "nargs": len(system.anchor)}
+    return type(f"solution_{system.unknowns[index]}", (sympy.Function,), body)

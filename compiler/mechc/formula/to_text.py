@@ -4,7 +4,8 @@ from functools import reduce
 from typing import assert_never
 
 from .operations import split_fraction
-from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power
+from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
+from .walk import equations
 
 
 def text(formula: Formula) -> str:
@@ -41,6 +42,10 @@ def _text(formula: Formula, level: int) -> str:
             return f"({raised})" if level > 2 else raised
         case Call(function, arguments):
             return f"{function}({', '.join(_text(a, 0) for a in arguments)})"
+        case Implicit(system, index, _):
+            told = ", ".join(f"{_text(e, 0)} = 0" for e in equations(formula))
+            solved = f"solution of ({told}) for {system.unknowns[index]}"
+            return f"({solved})" if level else solved
         case _:
             assert_never(formula)
 

@@ -69,7 +69,37 @@ class Call:
     arguments: tuple["Formula", ...]
 
 
-Formula = Number | Pi | Symbol | Sum | Product | Power | Call
+@frozen
+class System:
+    """Equations ``= 0`` in unknowns and outer symbols: a loop that no triangles close.
+
+    ``anchor`` has the outer symbols and their values at the default pose, ``start`` the
+    unknowns there: of several solutions, the branch that is meant. Both kinds of names
+    are bound, as a function's arguments are; what outer symbols stand for in a formula
+    is told by the :class:`Implicit` that mentions the system.
+    """
+
+    unknowns: tuple[str, ...]
+    equations: tuple["Formula", ...]
+    anchor: tuple[tuple[str, float], ...]
+    start: tuple[float, ...]
+
+
+@frozen
+class Implicit:
+    """One unknown of a system's solution, where the outer symbols have these values.
+
+    It is the solution that is reached from ``start`` when the outer symbols go from the
+    anchor to ``arguments`` (in the anchor's order) on a straight line; it has no value
+    (NaN) where the branch ends on the way. :func:`implicit` makes one.
+    """
+
+    system: System
+    index: int
+    arguments: tuple["Formula", ...]
+
+
+Formula = Number | Pi | Symbol | Sum | Product | Power | Call | Implicit
 
 ZERO, ONE, PI = Number(Fraction(0)), Number(Fraction(1)), Pi()
 
@@ -140,6 +170,11 @@ def power(base: Formula, exponent: Formula) -> Formula:
         case Power(inner, Number(e1)), Number(e2) if e1.denominator == e2.denominator == 1:
             return power(inner, Number(e1 * e2))
     return Power(base, exponent)
+
+
+def implicit(system: System, index: int) -> Implicit:
+    """Return an unknown of a system whose outer symbols stand for themselves."""
+    return Implicit(system, index, tuple(Symbol(name) for name, _ in system.anchor))
 
 
 def negative(formula: Formula) -> Formula:

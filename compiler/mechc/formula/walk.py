@@ -1,10 +1,27 @@
 """Walking over formulas: parts, symbols, substitution, the value on floats."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import cache, lru_cache
 from typing import assert_never
 
-from .tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, power, product, total
+from .derivative import jacobian
+from .newton import Equations, Matrix, follow
+from .tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    System,
+    power,
+    product,
+    total,
+)
 
 
 def _cot(x: float) -> float:
@@ -44,7 +61,7 @@ def children(formula: Formula) -> tuple[Formula, ...]:
             return factors
         case Power(base, exponent):
             return (base, exponent)
-        case Call(_, arguments):
+        case Call(_, arguments) | Implicit(_, _, arguments):
             return arguments
         case _:
             assert_never(formula)
@@ -63,6 +80,8 @@ def rebuild(formula: Formula, parts: tuple[Formula, ...]) -> Formula:
             return power(*parts)
         case Call(function, _):
             return Call(function, parts)
+        case Implicit(system, index, _):
+            return Implicit(system, index, parts)
         case _:
             assert_never(formula)
 
@@ -119,5 +138,38 @@ def _evaluate(formula: Formula, values: Mapping[str, float]) -> float:
             return result if isinstance(result, float) else math.nan
         case Call(function, arguments):
             return float(FUNCTIONS[function](*(_evaluate(a, values) for a in arguments)))
+        case Implicit(system, index, arguments):
+            return solution(system, tuple(_evaluate(a, values) for a in arguments))[index]
         case _:
             assert_never(formula)
+
+
+# ------------------------------------------------------------------------- systems
+
+
+def equations(formula: Implicit) -> tuple[Formula, ...]:
+    """Return what is zero, in the unknowns and what the outer symbols stand for."""
+    names = (name for name, _ in formula.system.anchor)
+    values = dict(zip(names, formula.arguments, strict=True))
+    return tuple(substitute(e, values) for e in formula.system.equations)
+
+
+@lru_cache(maxsize=64)
+def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
+    """Return the unknowns at values of the outer symbols; NaN where the branch ends."""
+    anchor = tuple(value for _, value in system.anchor)
+    status, found = follow(_numeric(system), anchor, system.start, outer)
+    return found if status == 0 else (math.nan,) * len(found)
+
+
+@cache
+def _numeric(system: System) -> Equations:
+    rows = jacobian(system.equations, system.unknowns)
+    names = (*system.unknowns, *(name for name, _ in system.anchor))
+
+    def at(unknowns: Sequence[float], outer: Sequence[float]) -> tuple[list[float], Matrix]:
+        values = dict(zip(names, (*unknowns, *outer), strict=True))
+        residuals = [evaluate(e, values) for e in system.equations]
+        return residuals, [[evaluate(e, values) for e in row] for row in rows]
+
+    return at

@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from ..formula.to_text import text
 from ..formula.tree import Call, Formula, Number, Power, Sum
 from ..formula.walk import symbols, walk
-from .steps import Function
+from .steps import Function, formulas_of, names_of
 
 
 def broken_promises(function: Function) -> list[str]:
@@ -15,16 +15,16 @@ def broken_promises(function: Function) -> list[str]:
 
 
 def _formulas(function: Function) -> list[Formula]:
-    return [*(step.formula for step in function.steps), function.output]
+    return [*(f for step in function.steps for f in formulas_of(step)), function.output]
 
 
 def _open_names(function: Function) -> Iterator[str]:
     known = {i.name for i in function.inputs}
     for step in function.steps:
-        yield from (f"{step.name} uses {n} too early" for n in symbols(step.formula) - known)
-        if step.name in known:
-            yield f"{step.name} means two things"
-        known.add(step.name)
+        names, used = names_of(step), frozenset[str]().union(*map(symbols, formulas_of(step)))
+        yield from (f"{', '.join(names)} uses {n} too early" for n in used - known)
+        yield from (f"{name} means two things" for name in names if name in known)
+        known.update(names)
     sides = [side for guard in function.guards for side in (guard.left, guard.right)]
     for formula in (function.output, *sides):
         yield from (f"{n} is not defined" for n in symbols(formula) - known)

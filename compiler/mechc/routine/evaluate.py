@@ -11,11 +11,11 @@ from typing import TypeAlias, assert_never
 import numpy as np
 from numpy.typing import NDArray
 
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from .newton import Array, follow
 from .quotient import quotient_of
-from .steps import Function, Guard
+from .steps import Function, Guard, Pose, Solve, Statement
 
-Array: TypeAlias = NDArray[np.float64]
 Value: TypeAlias = float | Array
 
 FUNCTIONS: Mapping[str, Callable[..., Array]] = {
@@ -59,11 +59,55 @@ def evaluate(function: Function, values: Mapping[str, Value]) -> Value:
     scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in function.inputs}
     with np.errstate(all="ignore"):
         for step in function.steps:
-            scope[step.name] = compute(step.formula, scope)
+            _run(step, scope)
         result = compute(function.output, scope)
         for guard in function.guards:
             result = np.where(_holds(guard, scope), result, np.nan)
     return result if np.ndim(result) else float(result)
+
+
+def pose(pose: Pose, values: Mapping[str, Value]) -> tuple[dict[str, Value], Value]:
+    """Return the intermediates at values of the inputs, and the status.
+
+    The status is 0 where all have values, 1 where the loops do not close or a branch has
+    ended, and 2 where Newton's method ran out of corrections.
+    """
+    scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in pose.inputs}
+    status: Array = np.asarray(0.0)
+    with np.errstate(all="ignore"):
+        for step in pose.steps:
+            status = np.maximum(status, _run(step, scope))
+        found = {name: scope[name] for name in pose.outputs}
+        for value in found.values():
+            status = np.maximum(status, np.isnan(value))
+    return {n: v if np.ndim(v) else float(v) for n, v in found.items()}, status
+
+
+def _run(statement: Statement, scope: dict[str, Array]) -> Array:
+    """Add what a statement defines to the scope; return the status of a solution, else 0."""
+    if not isinstance(statement, Solve):
+        scope[statement.name] = compute(statement.formula, scope)
+        return np.asarray(0.0)
+    solver = statement.solver
+    outer = [compute(a, scope) for a in statement.arguments]
+
+    def equations(unknowns: Array, known: Array) -> tuple[Array, Array]:
+        inner = dict(zip((*solver.unknowns, *solver.outer), (*unknowns, *known), strict=True))
+        for step in solver.steps:
+            inner[step.name] = compute(step.formula, inner)
+        rows = [solver.residuals, *solver.jacobian]
+        residuals, *slopes = ([compute(f, inner) for f in row] for row in rows)
+        return _stacked(residuals, unknowns[0]), np.stack(
+            [_stacked(s, unknowns[0]) for s in slopes]
+        )
+
+    status, found = follow(equations, solver, outer)
+    scope.update(zip(statement.names, found, strict=True))
+    return status
+
+
+def _stacked(values: list[Array], like: Array) -> Array:
+    return np.stack([np.broadcast_to(value, like.shape) for value in values])
 
 
 def _holds(guard: Guard, scope: Mapping[str, Array]) -> NDArray[np.bool_]:
@@ -89,6 +133,8 @@ def compute(formula: Formula, scope: Mapping[str, Array]) -> Array:
             return np.power(compute(base, scope), compute(exponent, scope))
         case Call(function, arguments):
             return FUNCTIONS[function](*(compute(a, scope) for a in arguments))
+        case Implicit():
+            raise TypeError("a solution is a step of its own")
         case _:
             assert_never(formula)
 

@@ -1,6 +1,6 @@
 """From results to straight-line programs, one function per ``find`` and ``let``."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import assert_never
 
 from ..formula.operations import count_operations
@@ -22,7 +22,7 @@ from ..model.result import Result
 from ..units import FORCE, TORQUE
 from .scope import Definitions, Scope, rename
 from .sharing import share
-from .steps import Function, Guard, Input, Routine, Step
+from .steps import Function, Guard, Input, Routine, Solve, Statement, Step, formulas_of
 
 
 def program(mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
@@ -55,8 +55,19 @@ def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Func
         formula=formula,
         where=tuple(Step(name, f) for name, f in definitions.formulas),
         dimension=result.dimension,
-        operations=sum(count_operations(f) for f in (*(s.formula for s in steps), output)),
+        operations=sum(map(count_operations, _computed(steps))) + count_operations(output),
     )
+
+
+def _computed(statements: Iterable[Statement]) -> Iterator[Formula]:
+    """Yield every formula that is computed, those of a solver once."""
+    for statement in statements:
+        yield from formulas_of(statement)
+        if isinstance(statement, Solve):
+            solver = statement.solver
+            yield from (step.formula for step in solver.steps)
+            yield from solver.residuals
+            yield from (entry for row in solver.jacobian for entry in row)
 
 
 def title(target: Target | None) -> str:

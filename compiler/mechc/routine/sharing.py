@@ -10,9 +10,22 @@ from fractions import Fraction
 from itertools import count
 from typing import NamedTuple, assert_never
 
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
-from .steps import Step
-from .table import Apply, Entry, Leaf, Raised, Ratio, Scaled, Table, Terms, parts, tabulate
+from ..formula.derivative import jacobian
+from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, System
+from .steps import Solve, Solver, Statement, Step
+from .table import (
+    Apply,
+    Entry,
+    Leaf,
+    Raised,
+    Ratio,
+    Scaled,
+    Table,
+    Terms,
+    Unknown,
+    parts,
+    tabulate,
+)
 
 LONGEST_LABEL = 24
 """Characters of a step's name beyond which it is numbered instead."""
@@ -21,7 +34,7 @@ LONGEST_LABEL = 24
 class Shared(NamedTuple):
     """The steps in order, and the formulas rewritten in terms of them."""
 
-    steps: tuple[Step, ...]
+    steps: tuple[Statement, ...]
     formulas: tuple[Formula, ...]
 
 
@@ -40,10 +53,29 @@ def share(
     table, roots = tabulate([*(formula for _, formula in definitions), *results])
     names = [name for name, _ in definitions]
     writer = _Writer(table, _used_twice(table, roots), {*taken, *names})
+    writer.expect(zip(names, roots, strict=False))
     for name, root in zip(names, roots, strict=False):
         writer.define(name, root)
     formulas = tuple(writer.write(root) for root in roots[len(names) :])
     return Shared(tuple(writer.steps), formulas)
+
+
+def solver(system: System) -> Solver:
+    """Return a system in straight lines, its equations and their slopes sharing parts."""
+    outer = tuple(name for name, _ in system.anchor)
+    rows = jacobian(system.equations, system.unknowns)
+    entries = [entry for row in rows for entry in row]
+    steps, formulas = share([], [*system.equations, *entries], [*system.unknowns, *outer])
+    size = len(system.unknowns)
+    return Solver(
+        system.unknowns,
+        outer,
+        system.start,
+        tuple(value for _, value in system.anchor),
+        tuple(step for step in steps if isinstance(step, Step)),
+        formulas[:size],
+        tuple(formulas[size * i : size * (i + 1)] for i in range(1, size + 1)),
+    )
 
 
 def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
@@ -58,7 +90,7 @@ def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
     return frozenset(
         index
         for index, number in uses.items()
-        if number > 1 and index not in constant and _is_work(table.entries[index], table)
+        if number > 1 and index not in constant and _is_step(table.entries[index], table)
     )
 
 
@@ -72,6 +104,11 @@ def _constants(table: Table) -> set[int]:
         if known:
             constant.add(index)
     return constant
+
+
+def _is_step(entry: Entry, table: Table) -> bool:
+    """Return whether a shared entry is a step; an unknown has its name from the solution."""
+    return _is_work(entry, table) and not isinstance(entry, Unknown)
 
 
 def _is_work(entry: Entry, table: Table) -> bool:
@@ -92,9 +129,18 @@ class _Writer:
         self.table = table
         self.shared = shared
         self.taken = taken
-        self.steps: list[Step] = []
+        self.steps: list[Statement] = []
         self._written: dict[int, Formula] = {}
         self._labels: dict[int, str] = {}
+        self._names: dict[Unknown, str] = {}
+        self._solved: dict[tuple[System, tuple[int, ...]], Solve] = {}
+
+    def expect(self, definitions: Iterable[tuple[str, int]]) -> None:
+        """Note which unknowns will be defined, so that solutions call them by these names."""
+        for name, root in definitions:
+            entry = self.table.entries[root]
+            if isinstance(entry, Unknown):
+                self._names.setdefault(entry, name)
 
     def write(self, root: int) -> Formula:
         """Return an entry's formula; the steps it needs are added on the way."""
@@ -114,8 +160,10 @@ class _Writer:
         for part in parts(entry):
             self.write(part)
         formula = self._written[root] if root in self._written else self._formula(entry)
+        if formula == Symbol(name):
+            return
         self.steps.append(Step(name, formula))
-        if not isinstance(entry, Leaf):
+        if not isinstance(entry, Leaf | Unknown):
             self._written.setdefault(root, Symbol(name))
             self._labels.setdefault(root, name)
 
@@ -145,8 +193,21 @@ class _Writer:
                 return Call(function, tuple(self._written[a] for a in arguments))
             case Raised(base, exponent):
                 return Power(self._written[base], self._written[exponent])
+            case Unknown(system, which, arguments):
+                return Symbol(self._solution(system, arguments).names[which])
             case _:
                 assert_never(entry)
+
+    def _solution(self, system: System, arguments: tuple[int, ...]) -> Solve:
+        """Return the step that solves a system, added where it is first needed."""
+        key = (system, arguments)
+        if key not in self._solved:
+            entries = [Unknown(system, i, arguments) for i in range(len(system.unknowns))]
+            names = [self._names.get(e) or self._name(e, system.unknowns[e.which]) for e in entries]
+            values = tuple(self._written[a] for a in arguments)
+            self._solved[key] = Solve(tuple(names), values, solver(system))
+            self.steps.append(self._solved[key])
+        return self._solved[key]
 
     def _name(self, entry: Entry, label: str) -> str:
         if label in ("", *self.taken) or label[0].isdigit():
@@ -170,6 +231,8 @@ class _Writer:
                 return f"{function}_{self._labels[argument]}"
             case Scaled(coefficient, part):
                 return self._scaled_words(coefficient, part)
+            case Unknown(system, which, arguments):
+                return self._solution(system, arguments).names[which]
             case Terms(terms) if all(self._labels[t] for t in terms):
                 return "_plus_".join(self._labels[t] for t in terms).replace("plus_minus", "minus")
             case _:

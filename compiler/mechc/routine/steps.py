@@ -35,6 +35,51 @@ class Step:
 
 
 @frozen
+class Solver:
+    """A system in straight lines: what Newton's method needs at each correction.
+
+    ``residuals`` and the rows of ``jacobian`` are worth the equations' left sides and
+    their derivatives by the unknowns; ``steps`` are what these share. All mention
+    unknowns, outer symbols and earlier steps only. ``anchor`` and ``start`` are the
+    values of outer symbols and unknowns at the default pose; the method is that of
+    :mod:`mechc.formula.newton`.
+    """
+
+    unknowns: tuple[str, ...]
+    outer: tuple[str, ...]
+    start: tuple[float, ...]
+    anchor: tuple[float, ...]
+    steps: tuple[Step, ...]
+    residuals: tuple[Formula, ...]
+    jacobian: tuple[tuple[Formula, ...], ...]
+
+
+@frozen
+class Solve:
+    """``names = the solver's unknowns`` where its outer symbols are worth ``arguments``.
+
+    All are NaN where the branch ends or corrections run out.
+    """
+
+    names: tuple[str, ...]
+    arguments: tuple[Formula, ...]
+    solver: Solver
+
+
+Statement = Step | Solve
+
+
+def names_of(statement: Statement) -> tuple[str, ...]:
+    """Return the names that a statement gives values to."""
+    return statement.names if isinstance(statement, Solve) else (statement.name,)
+
+
+def formulas_of(statement: Statement) -> tuple[Formula, ...]:
+    """Return what a statement computes from names outside it."""
+    return statement.arguments if isinstance(statement, Solve) else (statement.formula,)
+
+
+@frozen
 class Guard:
     """A ``require``: where ``left OP right`` is false, the output is NaN."""
 
@@ -50,14 +95,14 @@ class Function:
     ``formula`` is the result as a reader sees it, with ``where`` defining the named
     intermediates it mentions, in order; ``steps`` compute the same, shared parts once,
     and ``output`` is the formula of the last line (usually one symbol or a short
-    product). ``operations`` counts ``steps`` and ``output``.
+    product). ``operations`` counts ``steps`` and ``output``, one correction of each solver.
     """
 
     name: str
     title: str
     inputs: tuple[Input, ...]
     guards: tuple[Guard, ...]
-    steps: tuple[Step, ...]
+    steps: tuple[Statement, ...]
     output: Formula
     formula: Formula
     where: tuple[Step, ...]
@@ -66,10 +111,23 @@ class Function:
 
 
 @frozen
+class Pose:
+    """The intermediates of all results, together.
+
+    ``outputs`` are their names in the order of the results, each defined by ``steps``.
+    """
+
+    inputs: tuple[Input, ...]
+    steps: tuple[Statement, ...]
+    outputs: tuple[str, ...]
+
+
+@frozen
 class Routine:
-    """All functions of one mechanism."""
+    """All functions of one mechanism; ``pose`` is None where no result has intermediates."""
 
     name: str
     title: str
     source: str
     functions: tuple[Function, ...]
+    pose: Pose | None = None

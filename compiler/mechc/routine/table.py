@@ -10,7 +10,18 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    System,
+)
 from ..formula.walk import children
 
 
@@ -54,7 +65,15 @@ class Raised(NamedTuple):
     exponent: int
 
 
-Entry = Leaf | Terms | Scaled | Ratio | Apply | Raised
+class Unknown(NamedTuple):
+    """An unknown of a system, whose outer symbols are worth entries."""
+
+    system: System
+    which: int
+    arguments: tuple[int, ...]
+
+
+Entry = Leaf | Terms | Scaled | Ratio | Apply | Raised | Unknown
 
 
 class Factors(NamedTuple):
@@ -84,7 +103,7 @@ def parts(entry: Entry) -> tuple[int, ...]:
             return (part,)
         case Ratio(above, below):
             return above + below
-        case Apply(_, arguments):
+        case Apply(_, arguments) | Unknown(_, _, arguments):
             return arguments
         case Raised(base, exponent):
             return (base, exponent)
@@ -128,6 +147,9 @@ class Table:
                 return self._add(Raised(*arguments), (Power, arguments))
             case Call(function, _):
                 return self._call(function, arguments)
+            case Implicit(system, index, _):
+                unknown = Unknown(system, index, arguments)
+                return self._add(unknown, (Unknown, *unknown))
             case _:
                 assert_never(node)
 

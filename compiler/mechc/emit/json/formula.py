@@ -4,7 +4,7 @@ from typing import assert_never
 
 from ...formula.operations import count_operations
 from ...formula.to_text import text
-from ...formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol
+from ...formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from .kinds import TEXT, WHOLE, Json, Kind, member, record
 
 
@@ -29,8 +29,23 @@ def tree(formula: Formula) -> Json:
             return {"power": [tree(base), tree(exponent)]}
         case Call(function, arguments):
             return {"call": function, "arguments": [tree(a) for a in arguments]}
+        case Implicit():
+            return _solution(formula)
         case _:
             assert_never(formula)
+
+
+def _solution(formula: Implicit) -> Json:
+    system = formula.system
+    return {
+        "solution": system.unknowns[formula.index],
+        "unknowns": list(system.unknowns),
+        "start": list(system.start),
+        "equations": [tree(e) for e in system.equations],
+        "outer": [name for name, _ in system.anchor],
+        "anchor": [value for _, value in system.anchor],
+        "arguments": [tree(a) for a in formula.arguments],
+    }
 
 
 def _node(**members: Json) -> Json:
@@ -44,8 +59,21 @@ def _node(**members: Json) -> Json:
 
 _TREES: Json = {"type": "array", "items": {"$ref": "#/$defs/tree"}}
 _PAIR: Json = {"type": "array", "items": {"$ref": "#/$defs/tree"}, "minItems": 2, "maxItems": 2}
+_NAMES: Json = {"type": "array", "items": {"type": "string"}}
+_VALUES: Json = {"type": "array", "items": {"type": "number"}}
+_SOLUTION = _node(
+    solution={"type": "string"},
+    unknowns=_NAMES,
+    start=_VALUES,
+    equations=_TREES,
+    outer=_NAMES,
+    anchor=_VALUES,
+    arguments=_TREES,
+)
 _SCHEMA: Json = {
-    "description": "A formula's tree. A number is an exact rational such as 2 or -1/3.",
+    "description": "A formula's tree. A number is an exact rational such as 2 or -1/3. A solution "
+    "is an unknown of equations = 0 in unknowns and outer names; it is the one that is reached "
+    "from start when the outer names' values go from anchor to arguments on a straight line.",
     "anyOf": [
         _node(number={"type": "string", "pattern": r"^-?\d+(/\d+)?$"}),
         _node(pi={"const": True}),
@@ -54,6 +82,7 @@ _SCHEMA: Json = {
         _node(product=_TREES),
         _node(power=_PAIR),
         _node(call={"type": "string"}, arguments=_TREES),
+        _SOLUTION,
     ],
 }
 TREE: Kind[Formula] = Kind({"$ref": "#/$defs/tree"}, tree, {"tree": _SCHEMA})

@@ -20,7 +20,20 @@ from fractions import Fraction
 from typing import NamedTuple, assert_never
 
 from ...formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
-from ...formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, number, power
+from ...formula.tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    number,
+    power,
+)
+from ...formula.walk import equations
 from .notation import Notation, name
 
 SUM, FACTOR, BASE = 0, 1, 2
@@ -103,8 +116,16 @@ def _set(formula: Formula, style: Notation, around: int, angle: bool) -> Box:
             return _power(base, exponent, style, around)
         case Call(function, arguments):
             return _call(function, arguments, style)
+        case Implicit(system, index, _):
+            return parentheses(_solution(system.unknowns[index], equations(formula), style))
         case _:
             assert_never(formula)
+
+
+def _solution(unknown: str, zeros: Iterable[Formula], style: Notation) -> Box:
+    """Set an unknown and its equations in a row; where they are defined they have lines."""
+    lines = [row((_set(zero, style, SUM, False), plain("=0"))) for zero in zeros]
+    return row((plain(name(unknown, style) + ":"), *(row((plain(r"\;"), x)) for x in lines)))
 
 
 def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> Box:

@@ -1,0 +1,133 @@
+"""Newton's method along a path: which of several solutions a system's unknowns are.
+
+The outer symbols go from the anchor to their values on a straight line, in one step
+where Newton's method allows. It does where its corrections shrink at once: then the
+theorem of Newton and Kantorovich says that the solution that it finds is the one that
+the start leads to (P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, ch. 2
+and 5). A step is halved where the first correction is long, where the corrections do not shrink
+to :data:`CONTRACTION`, or where the determinant changes its sign: solutions that meet where
+the branch ends have unlike signs.
+
+Every target and the interpreter do the same, correction by correction.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import Literal
+
+Matrix = list[list[float]]
+Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
+"""Residuals and Jacobian at values of the unknowns and of the outer symbols."""
+
+Status = Literal[0, 1, 2]
+"""0: solved; 1: the branch ends on the way; 2: corrections ran out."""
+
+CORRECTIONS = 96
+"""Corrections of the unknowns altogether, those of steps that are given up among them."""
+
+CONTRACTION = 0.4
+"""What a correction may be at most, as a part of the one before."""
+
+LONGEST = 1.0
+"""What the first correction of a step may be, as a part of :func:`scale`: one radian."""
+
+SHORTEST = 2.0**-10
+"""Where corrections run out at steps below this part of the path, the branch ends there."""
+
+TINY = 1e-11
+"""A correction behind which no other is needed."""
+
+ROUGH = 1e-2
+"""A correction behind which a step that does not end the path may follow."""
+
+ROUNDING = 1e-17
+"""Nor is one needed that is expected, from how the last two shrank, to be below this."""
+
+
+def scale(start: float) -> float:
+    """Return the size by which an unknown's corrections are measured.
+
+    A radian for angles; a length of several metres is measured by itself.
+    """
+    return max(1.0, abs(start) / math.pi)
+
+
+def follow(
+    equations: Equations,
+    anchor: Sequence[float],
+    start: Sequence[float],
+    outer: Sequence[float],
+) -> tuple[Status, tuple[float, ...]]:
+    """Return how it went, and the unknowns where it ended.
+
+    >>> circle = lambda x, p: ([x[0] * x[0] - p[0]], [[2 * x[0]]])
+    >>> follow(circle, [1.0], [-1.0], [4.0])
+    (0, (-2.0,))
+    >>> follow(circle, [1.0], [-1.0], [-4.0])[0]
+    1
+    """
+    scales = [scale(s) for s in start]
+    side = _determinant_sign(equations(start, anchor)[1])
+    base, found = list(start), list(start)
+    reached, step, last = 0.0, 1.0, 0.0
+    for _ in range(CORRECTIONS):
+        aim = reached + step
+        here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
+        residuals, matrix = equations(found, here)
+        sign = eliminate(matrix, residuals)
+        size = math.sqrt(sum((r / s) * (r / s) for r, s in zip(residuals, scales, strict=True)))
+        if not (sign == side != 0 and (size <= TINY or size <= _allowed(last))):
+            step, last, found = step / 2, 0.0, list(base)
+            continue
+        found = [x - r for x, r in zip(found, residuals, strict=True)]
+        precise = size <= TINY or size * size * size <= ROUNDING * last * last
+        if not (precise or (aim < 1.0 and size <= ROUGH)):
+            last = size
+            continue
+        if aim == 1.0:
+            return 0, tuple(found)
+        base, reached, last = list(found), aim, 0.0
+        step = min(2 * step, 1.0 - reached)
+    return 1 if step < SHORTEST else 2, tuple(base)
+
+
+def _allowed(last: float) -> float:
+    return CONTRACTION * last if last > 0 else LONGEST
+
+
+def _determinant_sign(matrix: Matrix) -> int:
+    return eliminate([list(row) for row in matrix], [0.0] * len(matrix))
+
+
+def eliminate(matrix: Matrix, right: list[float]) -> int:
+    """Solve ``matrix · x = right`` in place, rows exchanged for the largest pivot.
+
+    ``right`` becomes x. Return the sign of the determinant, 0 where there is no solution.
+    """
+    size, sign = len(right), 1
+    for k in range(size):
+        best = k
+        for i in range(k + 1, size):
+            if abs(matrix[i][k]) > abs(matrix[best][k]):
+                best = i
+        pivot = matrix[best][k]
+        if not 0 < abs(pivot) < math.inf:
+            return 0
+        if best != k:
+            matrix[k], matrix[best] = matrix[best], matrix[k]
+            right[k], right[best] = right[best], right[k]
+            sign = -sign
+        sign = -sign if pivot < 0 else sign
+        for i in range(k + 1, size):
+            _subtract(matrix, right, i, k, matrix[i][k] / pivot)
+    for k in reversed(range(size)):
+        for j in range(k + 1, size):
+            right[k] -= matrix[k][j] * right[j]
+        right[k] /= matrix[k][k]
+    return sign
+
+
+def _subtract(matrix: Matrix, right: list[float], row: int, pivot: int, times: float) -> None:
+    for j in range(pivot + 1, len(right)):
+        matrix[row][j] -= times * matrix[pivot][j]
+    right[row] -= times * right[pivot]

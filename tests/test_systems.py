@@ -1,0 +1,161 @@
+"""Unknowns of systems: the branch that is meant, to the last digits, or no number."""
+
+import math
+
+import numpy as np
+import pytest
+
+from mechc.formula.derivative import derivative
+from mechc.formula.newton import eliminate, follow
+from mechc.formula.to_sympy import to_sympy
+from mechc.formula.to_text import text
+from mechc.formula.tree import (
+    Call,
+    Implicit,
+    Power,
+    Symbol,
+    System,
+    implicit,
+    negative,
+    number,
+    power,
+    product,
+    total,
+)
+from mechc.formula.walk import evaluate, solution, substitute, symbols
+from systems import Triad, s, triad
+
+ROOT = System(
+    ("x",), (total([power(s("x"), number(2)), negative(s("p"))]),), (("p", 1.0),), (-1.0,)
+)
+
+
+def by_small_steps(triad: Triad, phi: float, steps: int = 2000) -> list[float] | None:
+    """Return the unknowns by Newton's method in steps so small that no branch is left.
+
+    The Jacobian is by differences: nothing of the compiler is used. None where a
+    determinant vanishes on the way.
+    """
+    found, first = np.array(triad.start), triad.values["phi"]
+    sides = set[float]()
+    for k in range(steps + 1):
+        here = first + (phi - first) * k / steps
+        for _ in range(4):
+            matrix = np.array(
+                [
+                    (
+                        np.array(triad.residuals(found + h, phi=here))
+                        - triad.residuals(found - h, phi=here)
+                    )
+                    / 2e-6
+                    for h in 1e-6 * np.eye(4)
+                ]
+            ).T
+            move = np.linalg.solve(matrix, triad.residuals(found, phi=here))
+            found = found - move
+            if abs(move).max() > 0.05:
+                return None
+        sides.add(np.sign(np.linalg.det(matrix)))
+        if len(sides) > 1:
+            return None
+    return list(found)
+
+
+@pytest.mark.parametrize("seed", range(12))
+def test_a_triad_keeps_its_branch(seed: int) -> None:
+    made = triad(seed)
+    for turn in (-0.9, 0.05, 0.7):
+        phi = made.values["phi"] + turn
+        found = solution(made.system(), tuple((made.values | {"phi": phi}).values()))
+        slow = by_small_steps(made, phi)
+        if slow is None:
+            assert all(map(math.isnan, found))
+        else:
+            assert found == pytest.approx(slow, abs=1e-9)
+            assert max(map(abs, made.residuals(found, phi=phi))) < 1e-14
+
+
+def test_a_branch_ends_where_its_roots_meet() -> None:
+    x = implicit(ROOT, 0)
+    for p in (1e-6, 0.3, 1.0, 4.0, 100.0):
+        assert evaluate(x, {"p": p}) == pytest.approx(-math.sqrt(p), rel=4e-16, abs=1e-18)
+    for p in (-1e-6, -1.0, math.inf, math.nan):
+        assert math.isnan(evaluate(x, {"p": p}))
+
+
+def test_the_status_says_why() -> None:
+    def circle(x: list[float], p: list[float]) -> tuple[list[float], list[list[float]]]:
+        return [x[0] * x[0] - p[0]], [[2 * x[0]]]
+
+    assert follow(circle, [1.0], [1.0], [9.0]) == (0, (3.0,))
+    assert follow(circle, [1.0], [1.0], [-1.0])[0] == 1
+    assert follow(circle, [0.0], [0.0], [1.0])[0] == 1
+    assert follow(circle, [1.0], [1.0], [4000.0])[0] == 2
+
+
+def test_elimination_tells_the_determinants_sign() -> None:
+    for rows, sign in (([[0.0, 1.0], [1.0, 0.0]], -1), ([[2.0, 1.0], [1.0, 3.0]], 1)):
+        right = [5.0, 10.0]
+        expected = np.linalg.solve(np.array(rows), right)
+        assert eliminate([list(row) for row in rows], right) == sign
+        assert right == pytest.approx(list(expected))
+    assert eliminate([[1.0, 2.0], [2.0, 4.0]], [1.0, 2.0]) == 0
+    assert eliminate([[math.nan]], [1.0]) == 0
+
+
+# ------------------------------------------------------------------------- as formulas
+
+
+def test_only_outer_symbols_are_open() -> None:
+    x = implicit(ROOT, 0)
+    assert symbols(x) == {"p"}
+    assert text(x) == "solution of (x^2 - p = 0) for x"
+    assert text(product([(number(2), 1), (x, 1)])) == "2*(solution of (x^2 - p = 0) for x)"
+
+
+def test_what_is_put_in_is_solved_for() -> None:
+    square = product([(s("q"), 2)])
+    x = substitute(implicit(ROOT, 0), {"p": square, "x": number(7)})
+    assert isinstance(x, Implicit)
+    assert text(x) == "solution of (x^2 - q^2 = 0) for x"
+    assert evaluate(x, {"q": 3.0}) == pytest.approx(-3.0)
+
+
+def test_sympy_solves_to_any_precision() -> None:
+    sympy = pytest.importorskip("sympy")
+    x = to_sympy(implicit(ROOT, 0))
+    assert x.free_symbols == {sympy.Symbol("p")}
+    exact = -sympy.sqrt(2).evalf(40)
+    assert abs(x.subs({sympy.Symbol("p"): 2}).evalf(40) - exact) < sympy.Float("1e-38")
+
+
+# ------------------------------------------------------------------------- derivatives
+
+X, Y = Symbol("x"), Symbol("y")
+TRIGONOMETRIC = ("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos")
+FORMULAS = [
+    *(Call(f, (product([(X, 1), (Y, 1)]),)) for f in TRIGONOMETRIC),
+    *(Call(f, (total([X, power(Y, number(2))]),)) for f in ("atan", "sqrt", "abs", "exp", "log")),
+    Call("abs", (total([X, negative(Y), number(-1)]),)),
+    *(Call(f, (power(X, number(2)), product([(X, 1), (Y, 1)]))) for f in ("atan2", "min", "max")),
+    Call("hypot", (X, power(X, number(3)), Y)),
+    Call("max", (X, Y, product([(X, 3)]))),
+    Power(X, product([(X, 1), (Y, 1)])),
+    product([(X, -2), (total([X, Y]), 3), (Call("sin", (X,)), 1)]),
+    power(X, number(-1)),
+    Y,
+]
+
+
+@pytest.mark.parametrize("formula", FORMULAS, ids=text)
+def test_a_derivative_is_the_limit_of_differences(formula: Symbol) -> None:
+    at, step = {"x": 0.7, "y": 0.45}, 1e-5
+    ends = [evaluate(formula, at | {"x": at["x"] + h}) for h in (step, -step)]
+    slope = evaluate(derivative(formula, "x"), at)
+    assert slope == pytest.approx((ends[0] - ends[1]) / (2 * step), rel=1e-8, abs=1e-9)
+
+
+def test_a_solution_has_no_formula_for_its_slope() -> None:
+    assert derivative(implicit(ROOT, 0), "x") == number(0)
+    with pytest.raises(ValueError, match="no formula"):
+        derivative(implicit(ROOT, 0), "p")
