@@ -17,12 +17,15 @@ from mechc.formula.tree import (
     Power,
     Symbol,
     degrees,
+    implicit,
     negative,
     number,
     product,
     quotient,
     total,
 )
+from mechc.formula.walk import substitute
+from mechc.frozen import replace
 from mechc.model.mechanism import (
     Absolute,
     Force,
@@ -43,6 +46,7 @@ from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import Trial, Verdict
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER, Dimension
+from systems import triad
 
 HERE = Span(0, 0)
 
@@ -233,7 +237,33 @@ def chain_of(stages: int) -> tuple[Mechanism, tuple[Result, ...]]:
     return mechanism, (Result("u", ratio, NUMBER, s(f"v{stages - 1}"), tuple(where)),)
 
 
+def triple() -> tuple[Mechanism, tuple[Result, ...]]:
+    """A ternary link on three rods: four unknowns of one system, two of them in k."""
+    made = triad()
+    system = made.system()
+    parameters = [
+        parameter(name, ANGLE if name in ("phi", "epsilon") else LENGTH, number(Fraction(value)))
+        for name, value in made.values.items()
+    ]
+    turned = replace(
+        parameters[0], range=Interval(*(number(Fraction(made.values["phi"]) + t) for t in (-1, 1)))
+    )
+    fixed = [replace(p, range=None) for p in parameters[1:]]
+    mechanism = Mechanism("triple", "", "", HERE, (turned, *fixed), loads=(force("P"), force("F")))
+    where = tuple(Definition(n, implicit(system, i)) for i, n in enumerate(system.unknowns))
+    k = product([(sin(total([s("beta"), negative(s("gamma"))])), 1), (cos(s("theta")), -1)])
+    back = (Definition("epsilon_2", product([(number(2), 1), (s("epsilon"), 1)])),)
+    inner = substitute(
+        implicit(system, 3), {"epsilon": product([(s("epsilon_2"), 1), (number(2), -1)])}
+    )
+    return mechanism, (
+        Result("k", LoadRatio("P", "F"), NUMBER, k, where[:3]),
+        Result("delta", None, ANGLE, total([inner, s("phi")]), back),
+    )
+
+
 SAMPLES = {
+    "triple": triple,
     "clamp": clamp,
     "chained": chained,
     "badly_named": badly_named,

@@ -15,11 +15,13 @@ from mechc.formula.tree import (
     PI,
     Call,
     Formula,
+    Implicit,
     Number,
     Power,
     Product,
     Sum,
     Symbol,
+    System,
 )
 from routine_samples import LIBRARY, SAMPLES, compiled, solved
 
@@ -48,6 +50,12 @@ def formula_of(tree: Any) -> Formula:
             return Power(formula_of(base), formula_of(exponent))
         case {"call": function, "arguments": arguments}:
             return Call(function, tuple(map(formula_of, arguments)))
+        case {"solution": unknown, "arguments": arguments}:
+            names = zip(tree["outer"], tree["anchor"], strict=True)
+            equations = tuple(map(formula_of, tree["equations"]))
+            unknowns, start = tuple(tree["unknowns"]), tuple(tree["start"])
+            system = System(unknowns, equations, tuple(names), start)
+            return Implicit(system, unknowns.index(unknown), tuple(map(formula_of, arguments)))
     raise AssertionError(tree)
 
 

@@ -64,7 +64,7 @@ def test_the_docstring_says_formula_units_ranges_and_conditions() -> None:
 def test_bad_names_keep_apart() -> None:
     tree = ast.parse(text("badly_named"))
     functions = {n.name: n for n in tree.body if isinstance(n, ast.FunctionDef)}
-    assert list(functions) == ["k", "k_n", "int_2", "int_", "seven"]
+    assert list(functions) == ["k", "k_n", "int_2", "int_", "seven", "pose"]
     arguments = " ".join(a.arg for a in functions["k"].args.args)
     assert arguments == "lambda_ int_ I n i np_ beta_3 beta beta_2 double l_A_prime k"
     assert "lambda_: m; lambda in the formula" in (ast.get_docstring(functions["k"]) or "")

@@ -4,7 +4,7 @@ import ctypes
 import math
 import shutil
 import subprocess
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -33,11 +33,11 @@ def poses(function: Function, seed: int = 0) -> dict[str, np.ndarray]:
     return {i.name: random.uniform(*span(i), POSES) for i in function.inputs}
 
 
-def span(item: Input) -> tuple[float, float]:
+def span(item: Input) -> Sequence[float]:
     if item.low is not None and item.high is not None:
         return item.low, item.high
     if item.default is not None:
-        return 0.9 * item.default, 1.1 * item.default
+        return sorted((0.9 * item.default, 1.1 * item.default))
     return (0.5, 2.0) if item.dimension == LENGTH else (-100.0, 100.0)
 
 
@@ -49,7 +49,8 @@ def by_python(found: Compiled) -> Outputs:
     (module,) = PYTHON.emit(found, Options("module"))
     space: dict[str, Callable[..., np.ndarray]] = {"__name__": "module"}
     exec(compile(module.text, "module.py", "exec"), space)
-    callables = [v for k, v in space.items() if getattr(v, "__module__", "") == "module"]
+    made = (v for v in space.values() if getattr(v, "__module__", "") == "module")
+    callables = [v for v in made if not v.__name__.startswith(("_", "pose"))]
     return {
         f.name: np.broadcast_to(call(*poses(f).values()), POSES)
         for f, call in zip(found.routine.functions, callables, strict=True)
@@ -66,7 +67,7 @@ def built(found: Compiled, folder: Path) -> SimpleNamespace:
     command = [COMPILER, *strict, "-O1", "-fPIC", "-shared", "code.c", "-o", made, "-lm"]
     subprocess.run(command, cwd=folder, check=True)
     heads = [line for line in header.text.splitlines() if line.startswith(("double ", "void "))]
-    names = [line.split("(")[0].split()[1] for line in heads]
+    names = [line.split("(")[0].split()[1] for line in heads if "_pose_n(" not in line]
     return SimpleNamespace(code=ctypes.CDLL(str(made)), singles=names[::2], batches=names[1::2])
 
 

@@ -1,8 +1,10 @@
 """What stands behind *where*: the names that a result mentions, each told once."""
 
-from collections.abc import Container
+from collections.abc import Container, Iterable
+from typing import NamedTuple
 
-from ..formula.tree import Formula, Number, Product, Symbol
+from ..formula.tree import Formula, Implicit, Number, Product, Symbol
+from ..formula.walk import equations, substitute
 from ..model.mechanism import GRAVITY
 from ..model.result import Definition, Result
 
@@ -35,3 +37,29 @@ def by_letter(formula: Formula) -> Formula:
 def is_by_letter(formula: Formula) -> bool:
     """Return whether a formula is a weight that :func:`by_letter` has shortened."""
     return isinstance(formula, Product) and formula.factors[-1] == FREE_FALL
+
+
+class Solved(NamedTuple):
+    """Names that one system defines, and what is zero for them."""
+
+    names: tuple[str, ...]
+    zeros: tuple[Formula, ...]
+
+
+def grouped(where: Iterable[tuple[str, Formula]]) -> list[Definition | Solved]:
+    """Return definitions in order, those that one system defines as one."""
+    found: dict[object, list[tuple[str, Formula]]] = {}
+    for name, formula in where:
+        same = (formula.system, formula.arguments) if isinstance(formula, Implicit) else name
+        found.setdefault(same, []).append((name, formula))
+    return [_group(members) for members in found.values()]
+
+
+def _group(members: list[tuple[str, Formula]]) -> Definition | Solved:
+    name, formula = members[0]
+    if not isinstance(formula, Implicit):
+        return Definition(name, formula)
+    unknowns = formula.system.unknowns
+    names = {unknowns[f.index]: Symbol(n) for n, f in members if isinstance(f, Implicit)}
+    zeros = tuple(substitute(zero, names) for zero in equations(formula))
+    return Solved(tuple(n for n, _ in members), zeros)

@@ -7,8 +7,10 @@ import math
 from collections.abc import Iterable
 from unicodedata import category
 
+from ..derivation.definitions import Solved, grouped
 from ..formula.to_text import text
 from ..model.mechanism import Mechanism
+from ..model.result import Definition
 from ..routine.steps import Function, Input
 from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension
 
@@ -99,8 +101,16 @@ def _range_words(item: Input) -> str:
 
 def formula_lines(function: Function) -> list[str]:
     """Return the result as a reader writes it: ``k = …`` and the intermediates it mentions."""
-    where = [f"where {step.name} = {text(step.formula)}" for step in function.where]
+    pairs = ((step.name, step.formula) for step in function.where)
+    where = (line for group in grouped(pairs) for line in _group_lines(group))
     return [f"{function.name} = {text(function.formula)}", *where]
+
+
+def _group_lines(group: Definition | Solved) -> list[str]:
+    if isinstance(group, Definition):
+        return [f"where {group.name} = {text(group.formula)}"]
+    names = ", ".join(group.names)
+    return [f"where {names} solve", *(f"    {text(zero)} = 0" for zero in group.zeros)]
 
 
 def condition_lines(function: Function) -> list[str]:

@@ -67,7 +67,8 @@ def follow(
     1
     """
     scales = [scale(s) for s in start]
-    side = _determinant_sign(equations(start, anchor)[1])
+    residuals, matrix = equations(start, anchor)
+    side = eliminate(matrix, residuals)
     base, found = list(start), list(start)
     reached, step, last = 0.0, 1.0, 0.0
     for _ in range(CORRECTIONS):
@@ -93,10 +94,6 @@ def follow(
 
 def _allowed(last: float) -> float:
     return CONTRACTION * last if last > 0 else LONGEST
-
-
-def _determinant_sign(matrix: Matrix) -> int:
-    return eliminate([list(row) for row in matrix], [0.0] * len(matrix))
 
 
 def eliminate(matrix: Matrix, right: list[float]) -> int:

@@ -16,7 +16,7 @@ def text(formula: Formula) -> str:
     >>> text(total([x, product([(number(-2), 1), (Call("sin", (x,)), 1)])]))
     'x - 2*sin(x)'
     """
-    return _text(formula, 0)
+    return _solution(formula) if isinstance(formula, Implicit) else _text(formula, 0)
 
 
 def _text(formula: Formula, level: int) -> str:
@@ -42,12 +42,15 @@ def _text(formula: Formula, level: int) -> str:
             return f"({raised})" if level > 2 else raised
         case Call(function, arguments):
             return f"{function}({', '.join(_text(a, 0) for a in arguments)})"
-        case Implicit(system, index, _):
-            told = ", ".join(f"{_text(e, 0)} = 0" for e in equations(formula))
-            solved = f"solution of ({told}) for {system.unknowns[index]}"
-            return f"({solved})" if level else solved
+        case Implicit():
+            return f"({_solution(formula)})"
         case _:
             assert_never(formula)
+
+
+def _solution(formula: Implicit) -> str:
+    told = ", ".join(f"{_text(e, 0)} = 0" for e in equations(formula))
+    return f"solution of ({told}) for {formula.system.unknowns[formula.index]}"
 
 
 def _join(left: str, right: str) -> str:

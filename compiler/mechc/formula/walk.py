@@ -6,7 +6,7 @@ from functools import cache, lru_cache
 from typing import assert_never
 
 from .derivative import jacobian
-from .newton import Equations, Matrix, follow
+from .newton import Equations, Matrix, eliminate, follow
 from .tree import (
     Call,
     Formula,
@@ -160,6 +160,13 @@ def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
     anchor = tuple(value for _, value in system.anchor)
     status, found = follow(_numeric(system), anchor, system.start, outer)
     return found if status == 0 else (math.nan,) * len(found)
+
+
+def side(system: System) -> int:
+    """Return the sign of the Jacobian's determinant at the default pose."""
+    anchor = [value for _, value in system.anchor]
+    residuals, matrix = _numeric(system)(system.start, anchor)
+    return eliminate(matrix, residuals)
 
 
 @cache

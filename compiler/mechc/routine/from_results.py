@@ -22,7 +22,18 @@ from ..model.result import Result
 from ..units import FORCE, TORQUE
 from .scope import Definitions, Scope, rename
 from .sharing import share
-from .steps import Function, Guard, Input, Routine, Solve, Statement, Step, formulas_of
+from .steps import (
+    Function,
+    Guard,
+    Input,
+    Pose,
+    Routine,
+    Solve,
+    Statement,
+    Step,
+    formulas_of,
+    names_of,
+)
 
 
 def program(mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
@@ -35,7 +46,8 @@ def program(mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
     """
     scope, inputs = Scope(mechanism, results), _inputs(mechanism)
     functions = tuple(_function(result, scope, inputs) for result in results)
-    return Routine(mechanism.name, mechanism.title, mechanism.source, functions)
+    pose = _pose(scope, inputs)
+    return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose)
 
 
 def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Function:
@@ -57,6 +69,17 @@ def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Func
         dimension=result.dimension,
         operations=sum(map(count_operations, _computed(steps))) + count_operations(output),
     )
+
+
+def _pose(scope: Scope, inputs: Mapping[str, Input]) -> Pose | None:
+    found = scope.intermediates()
+    if not found.names:
+        return None
+    steps, _ = share(found.formulas, [], [*inputs, *scope.results])
+    used = frozenset[str]().union(*(symbols(f) for step in steps for f in formulas_of(step)))
+    defined = {name for step in steps for name in names_of(step)}
+    known = tuple(item for name, item in inputs.items() if name in used - defined)
+    return Pose(known, steps, tuple(found.names))
 
 
 def _computed(statements: Iterable[Statement]) -> Iterator[Formula]:

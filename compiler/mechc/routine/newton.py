@@ -20,9 +20,9 @@ Equations: TypeAlias = Callable[[Array, Array], tuple[Array, Array]]
 
 def follow(equations: Equations, solver: Solver, outer: Sequence[Array]) -> tuple[Array, Array]:
     """Return the status of every pose, and its unknowns: NaN where the status is not 0."""
-    wide = np.broadcast_arrays(*outer) if outer else [np.asarray(0.0)]
-    shape = wide[0].shape
-    known = np.reshape(outer and wide, (len(outer), -1 if outer else 1)).astype(np.float64)
+    shape = np.broadcast_shapes(*map(np.shape, outer))
+    wide = [np.broadcast_to(value, shape) for value in outer]
+    known = np.array(wide, dtype=np.float64).reshape(len(outer), int(np.prod(shape)))
     status, found = _follow(equations, solver, known)
     found[:, status != 0] = np.nan
     return status.reshape(shape), found.reshape(len(solver.unknowns), *shape)
@@ -32,8 +32,6 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
     poses = outer.shape[1]
     start, anchor = (np.array(v)[:, None] for v in (solver.start, solver.anchor))
     scales = np.array([newton.scale(s) for s in solver.start])[:, None]
-    residuals, matrix = equations(start, anchor)
-    side = eliminate(matrix, residuals)
     base = np.repeat(start, poses, axis=1)
     found = base.copy()
     reached, step, last = np.zeros(poses), np.ones(poses), np.zeros(poses)
@@ -45,7 +43,7 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
         sign = eliminate(matrix, residuals)
         size = np.sqrt(np.sum(residuals / scales * (residuals / scales), axis=0))
         allowed = np.where(last > 0, newton.CONTRACTION * last, newton.LONGEST)
-        good = (sign == side) & (sign != 0) & ((size <= newton.TINY) | (size <= allowed))
+        good = (sign == solver.side) & (sign != 0) & ((size <= newton.TINY) | (size <= allowed))
         found = np.where(good, found - residuals, base)
         precise = (size <= newton.TINY) | (size * size * size <= newton.ROUNDING * last * last)
         there = good & (precise | ((aim < 1.0) & (size <= newton.ROUGH)))

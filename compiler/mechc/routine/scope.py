@@ -74,16 +74,28 @@ class Scope:
 
     def definitions(self, owner: str, formulas: Iterable[Formula]) -> Definitions:
         """Return all that formulas of a result need, in order."""
+        wanted = dict(pair for f in formulas for pair in self._keys(owner, f))
+        found, chosen = self._named(wanted.values())
+        return Definitions(tuple(found.items()), {n: chosen[k] for n, k in wanted.items()})
+
+    def intermediates(self) -> Definitions:
+        """Return what any ``where`` defines, loads and results aside, and all that it needs."""
+        listed = [Key(o, n) for o, names in self._where.items() for n in names]
+        wanted = [k for k in listed if k.name not in self._loads and k.name not in self.results]
+        found, chosen = self._named(wanted)
+        return Definitions(tuple(found.items()), {chosen[k]: chosen[k] for k in wanted})
+
+    def _named(self, wanted: Iterable[Key]) -> tuple[dict[str, Formula], dict[Key, str]]:
+        """Return all that is needed by the name it gets, and the name of each key."""
         chosen: dict[Key, str] = {}
         found: dict[str, Formula] = {}
-        wanted = dict(pair for f in formulas for pair in self._keys(owner, f))
-        for key in self._needs_first(wanted.values()):
+        for key in self._needs_first(wanted):
             formula = self.formula(key)
             names = {n: chosen[k] for n, k in self._uses(key)}
             formula = rename(formula, names)
             chosen[key] = _free_name(key, formula, found)
             found[chosen[key]] = formula
-        return Definitions(tuple(found.items()), {n: chosen[k] for n, k in wanted.items()})
+        return found, chosen
 
     def _needs_first(self, wanted: Iterable[Key]) -> Iterator[Key]:
         """Yield every definition reached, each after those that it uses."""

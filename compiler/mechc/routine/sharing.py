@@ -12,6 +12,7 @@ from typing import NamedTuple, assert_never
 
 from ..formula.derivative import jacobian
 from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, System
+from ..formula.walk import side, symbols
 from .steps import Solve, Solver, Statement, Step
 from .table import (
     Apply,
@@ -62,7 +63,8 @@ def share(
 
 def solver(system: System) -> Solver:
     """Return a system in straight lines, its equations and their slopes sharing parts."""
-    outer = tuple(name for name, _ in system.anchor)
+    used = used_outer(system)
+    outer = tuple(system.anchor[i][0] for i in used)
     rows = jacobian(system.equations, system.unknowns)
     entries = [entry for row in rows for entry in row]
     steps, formulas = share([], [*system.equations, *entries], [*system.unknowns, *outer])
@@ -70,12 +72,20 @@ def solver(system: System) -> Solver:
     return Solver(
         system.unknowns,
         outer,
+        system.equations,
         system.start,
-        tuple(value for _, value in system.anchor),
+        tuple(system.anchor[i][1] for i in used),
+        side(system),
         tuple(step for step in steps if isinstance(step, Step)),
         formulas[:size],
         tuple(formulas[size * i : size * (i + 1)] for i in range(1, size + 1)),
     )
+
+
+def used_outer(system: System) -> tuple[int, ...]:
+    """Return the places of those outer symbols that the equations mention."""
+    used = frozenset[str]().union(*map(symbols, system.equations))
+    return tuple(i for i, (name, _) in enumerate(system.anchor) if name in used)
 
 
 def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
@@ -204,7 +214,7 @@ class _Writer:
         if key not in self._solved:
             entries = [Unknown(system, i, arguments) for i in range(len(system.unknowns))]
             names = [self._names.get(e) or self._name(e, system.unknowns[e.which]) for e in entries]
-            values = tuple(self._written[a] for a in arguments)
+            values = tuple(self._written[arguments[i]] for i in used_outer(system))
             self._solved[key] = Solve(tuple(names), values, solver(system))
             self.steps.append(self._solved[key])
         return self._solved[key]

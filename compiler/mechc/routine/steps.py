@@ -6,9 +6,11 @@ only. Parts that occur twice are steps of their own. The number of steps grows
 linearly with the mechanism.
 """
 
+from collections.abc import Iterable
 from typing import Literal
 
 from ..formula.tree import Formula
+from ..formula.walk import symbols
 from ..frozen import frozen
 from ..units import Dimension
 
@@ -38,17 +40,19 @@ class Step:
 class Solver:
     """A system in straight lines: what Newton's method needs at each correction.
 
-    ``residuals`` and the rows of ``jacobian`` are worth the equations' left sides and
-    their derivatives by the unknowns; ``steps`` are what these share. All mention
-    unknowns, outer symbols and earlier steps only. ``anchor`` and ``start`` are the
-    values of outer symbols and unknowns at the default pose; the method is that of
-    :mod:`mechc.formula.newton`.
+    ``equations`` are for the reader. ``residuals`` are worth their left sides, the rows
+    of ``jacobian`` these sides' slopes by the unknowns, and ``steps`` are what all share;
+    they mention unknowns, outer symbols and earlier steps only. ``anchor`` and ``start``
+    are the values of outer symbols and unknowns at the default pose, ``side`` is the
+    Jacobian's sign there. The method is that of :mod:`mechc.formula.newton`.
     """
 
     unknowns: tuple[str, ...]
     outer: tuple[str, ...]
+    equations: tuple[Formula, ...]
     start: tuple[float, ...]
     anchor: tuple[float, ...]
+    side: int
     steps: tuple[Step, ...]
     residuals: tuple[Formula, ...]
     jacobian: tuple[tuple[Formula, ...], ...]
@@ -77,6 +81,12 @@ def names_of(statement: Statement) -> tuple[str, ...]:
 def formulas_of(statement: Statement) -> tuple[Formula, ...]:
     """Return what a statement computes from names outside it."""
     return statement.arguments if isinstance(statement, Solve) else (statement.formula,)
+
+
+def mentioned(statements: Iterable[Statement], others: Iterable[Formula]) -> frozenset[str]:
+    """Return the names that statements and other formulas use."""
+    formulas = [*(f for s in statements for f in formulas_of(s)), *others]
+    return frozenset[str]().union(*map(symbols, formulas))
 
 
 @frozen

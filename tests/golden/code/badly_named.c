@@ -188,3 +188,53 @@ void class_seven_n(size_t n, double *MECHC_RESTRICT seven)
         seven[i] = class_seven();
     }
 }
+
+int class_pose(
+    double lambda,
+    double int_,
+    double I_,
+    double n,
+    double i,
+    double np,
+    double beta_3,
+    double beta,
+    double beta_2,
+    double double_,
+    double l_A_prime,
+    double k,
+    double *sin_lambda_out,
+    double *NAN_out)
+{
+    int status = 0;
+    const double sin_lambda = int_;
+    const double NAN_ = lambda + 2.0*int_ + 3.0*I_ + 4.0*n + 5.0*i + 6.0*np + 7.0*beta_3 + 8.0*beta + 9.0*beta_2 + 10.0*double_ + 11.0*l_A_prime + 12.0*k;
+    *sin_lambda_out = sin_lambda;
+    *NAN_out = NAN_;
+    if (sin_lambda != sin_lambda || NAN_ != NAN_) {
+        status = 1;
+    }
+    return status;
+}
+
+void class_pose_n(
+    size_t n_2,
+    const double *MECHC_RESTRICT lambda,
+    const double *MECHC_RESTRICT int_,
+    const double *MECHC_RESTRICT I_,
+    const double *MECHC_RESTRICT n,
+    const double *MECHC_RESTRICT i,
+    const double *MECHC_RESTRICT np,
+    const double *MECHC_RESTRICT beta_3,
+    const double *MECHC_RESTRICT beta,
+    const double *MECHC_RESTRICT beta_2,
+    const double *MECHC_RESTRICT double_,
+    const double *MECHC_RESTRICT l_A_prime,
+    const double *MECHC_RESTRICT k,
+    double *MECHC_RESTRICT sin_lambda_out,
+    double *MECHC_RESTRICT NAN_out,
+    int *MECHC_RESTRICT status)
+{
+    for (size_t i_2 = 0; i_2 < n_2; ++i_2) {
+        status[i_2] = class_pose(lambda[i_2], int_[i_2], I_[i_2], n[i_2], i[i_2], np[i_2], beta_3[i_2], beta[i_2], beta_2[i_2], double_[i_2], l_A_prime[i_2], k[i_2], sin_lambda_out + i_2, NAN_out + i_2);
+    }
+}

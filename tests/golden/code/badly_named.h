@@ -135,6 +135,61 @@ void class_int_n_2(
 double class_seven(void);
 void class_seven_n(size_t n, double *MECHC_RESTRICT seven);
 
+/*
+ * The intermediates of the pose. Returns 0 where all are there, 1 where the loops do not
+ * close or a branch has ended on the way from the default pose, 2 where Newton's method
+ * does not converge; what is not there is NaN.
+ *
+ *   lambda: m; 20 mm, in 10 mm .. 20 mm
+ *   int_: m; int in the formula, 30 mm, in 15 mm .. 30 mm
+ *   I_: m; I in the formula, 40 mm, in 20 mm .. 40 mm
+ *   n: m; 50 mm, in 25 mm .. 50 mm
+ *   i: m; 60 mm, in 30 mm .. 60 mm
+ *   np: m; 70 mm, in 35 mm .. 70 mm
+ *   beta_3: m; β in the formula, 80 mm, in 40 mm .. 80 mm
+ *   beta: m; 90 mm, in 45 mm .. 90 mm
+ *   beta_2: m; 100 mm, in 50 mm .. 100 mm
+ *   double_: m; double in the formula, 110 mm, in 55 mm .. 110 mm
+ *   l_A_prime: m; l_A' in the formula, 120 mm, in 60 mm .. 120 mm
+ *   k: m; 130 mm, in 65 mm .. 130 mm
+ *   sin_lambda_out: sin_lambda
+ *   NAN_out: NAN
+ *
+ * The second form computes the elements 0 .. n_2 - 1; its arrays must not overlap.
+ */
+int class_pose(
+    double lambda,
+    double int_,
+    double I_,
+    double n,
+    double i,
+    double np,
+    double beta_3,
+    double beta,
+    double beta_2,
+    double double_,
+    double l_A_prime,
+    double k,
+    double *sin_lambda_out,
+    double *NAN_out);
+void class_pose_n(
+    size_t n_2,
+    const double *MECHC_RESTRICT lambda,
+    const double *MECHC_RESTRICT int_,
+    const double *MECHC_RESTRICT I_,
+    const double *MECHC_RESTRICT n,
+    const double *MECHC_RESTRICT i,
+    const double *MECHC_RESTRICT np,
+    const double *MECHC_RESTRICT beta_3,
+    const double *MECHC_RESTRICT beta,
+    const double *MECHC_RESTRICT beta_2,
+    const double *MECHC_RESTRICT double_,
+    const double *MECHC_RESTRICT l_A_prime,
+    const double *MECHC_RESTRICT k,
+    double *MECHC_RESTRICT sin_lambda_out,
+    double *MECHC_RESTRICT NAN_out,
+    int *MECHC_RESTRICT status);
+
 #ifdef __cplusplus
 }
 #endif

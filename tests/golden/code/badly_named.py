@@ -112,6 +112,52 @@ def seven():
     return seven if np.ndim(seven) else float(seven)
 
 
+def pose(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k):
+    """Return the intermediates by their names, and the status.
+
+    Status 0: all are there; 1: the loops do not close, or a branch has ended on the way
+    from the default pose. What is not there is NaN.
+
+    Args:
+        lambda_: m; lambda in the formula, 20 mm, in 10 mm .. 20 mm
+        int_: m; int in the formula, 30 mm, in 15 mm .. 30 mm
+        I: m; 40 mm, in 20 mm .. 40 mm
+        n: m; 50 mm, in 25 mm .. 50 mm
+        i: m; 60 mm, in 30 mm .. 60 mm
+        np_: m; np in the formula, 70 mm, in 35 mm .. 70 mm
+        beta_3: m; β in the formula, 80 mm, in 40 mm .. 80 mm
+        beta: m; 90 mm, in 45 mm .. 90 mm
+        beta_2: m; 100 mm, in 50 mm .. 100 mm
+        double: m; 110 mm, in 55 mm .. 110 mm
+        l_A_prime: m; l_A' in the formula, 120 mm, in 60 mm .. 120 mm
+        k: m; 130 mm, in 65 mm .. 130 mm
+    """
+    lambda_ = np.asarray(lambda_, dtype=float)
+    int_ = np.asarray(int_, dtype=float)
+    I = np.asarray(I, dtype=float)
+    n = np.asarray(n, dtype=float)
+    i = np.asarray(i, dtype=float)
+    np_ = np.asarray(np_, dtype=float)
+    beta_3 = np.asarray(beta_3, dtype=float)
+    beta = np.asarray(beta, dtype=float)
+    beta_2 = np.asarray(beta_2, dtype=float)
+    double = np.asarray(double, dtype=float)
+    l_A_prime = np.asarray(l_A_prime, dtype=float)
+    k = np.asarray(k, dtype=float)
+    with np.errstate(all="ignore"):
+        sin_lambda = int_
+        NAN = lambda_ + 2.0*int_ + 3.0*I + 4.0*n + 5.0*i + 6.0*np_ + 7.0*beta_3 + 8.0*beta + 9.0*beta_2 + 10.0*double + 11.0*l_A_prime + 12.0*k
+    found = {
+        'sin_lambda': sin_lambda,
+        'NAN': NAN,
+    }
+    status = 0
+    for each in [*map(np.isnan, found.values())]:
+        status = np.maximum(status, each)
+    found = {name: value if np.ndim(value) else float(value) for name, value in found.items()}
+    return found, status if np.ndim(status) else int(status)
+
+
 if __name__ == "__main__":
     print(f"k = {k(lambda_=0.02, int_=0.03, I=0.04, n=0.05, i=0.06, np_=0.07, beta_3=0.08, beta=0.09, beta_2=0.1, double=0.11, l_A_prime=0.12, k=0.13):.10g}")
     print(f"k_n = {k_n(I=0.04, np_=0.07):.10g}")

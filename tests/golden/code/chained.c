@@ -243,3 +243,32 @@ void chained_twice_n(
         }
     }
 }
+
+int chained_pose(double a, double b, double phi, double *theta_out, double *reach_out)
+{
+    int status = 0;
+    const double sin_phi = sin(phi);
+    const double theta = asin(a*sin_phi/b);
+    const double cos_phi = cos(phi);
+    const double reach = a*cos_phi + cos_phi/sin_phi;
+    *theta_out = theta;
+    *reach_out = reach;
+    if (theta != theta || reach != reach) {
+        status = 1;
+    }
+    return status;
+}
+
+void chained_pose_n(
+    size_t n,
+    const double *MECHC_RESTRICT a,
+    const double *MECHC_RESTRICT b,
+    const double *MECHC_RESTRICT phi,
+    double *MECHC_RESTRICT theta_out,
+    double *MECHC_RESTRICT reach_out,
+    int *MECHC_RESTRICT status)
+{
+    for (size_t i = 0; i < n; ++i) {
+        status[i] = chained_pose(a[i], b[i], phi[i], theta_out + i, reach_out + i);
+    }
+}

@@ -116,6 +116,29 @@ void chained_twice_n(
     const double *MECHC_RESTRICT M,
     double *MECHC_RESTRICT twice);
 
+/*
+ * The intermediates of the pose. Returns 0 where all are there, 1 where the loops do not
+ * close or a branch has ended on the way from the default pose, 2 where Newton's method
+ * does not converge; what is not there is NaN.
+ *
+ *   a: m; 100 mm, in 50 mm .. 100 mm
+ *   b: m; 250 mm, in 125 mm .. 250 mm
+ *   phi: rad; 40 deg, in 20 deg .. 40 deg
+ *   theta_out: theta
+ *   reach_out: reach
+ *
+ * The second form computes the elements 0 .. n - 1; its arrays must not overlap.
+ */
+int chained_pose(double a, double b, double phi, double *theta_out, double *reach_out);
+void chained_pose_n(
+    size_t n,
+    const double *MECHC_RESTRICT a,
+    const double *MECHC_RESTRICT b,
+    const double *MECHC_RESTRICT phi,
+    double *MECHC_RESTRICT theta_out,
+    double *MECHC_RESTRICT reach_out,
+    int *MECHC_RESTRICT status);
+
 #ifdef __cplusplus
 }
 #endif

@@ -134,6 +134,36 @@ def twice(a, b, phi, m, M):
     return twice if np.ndim(twice) else float(twice)
 
 
+def pose(a, b, phi):
+    """Return the intermediates by their names, and the status.
+
+    Status 0: all are there; 1: the loops do not close, or a branch has ended on the way
+    from the default pose. What is not there is NaN.
+
+    Args:
+        a: m; 100 mm, in 50 mm .. 100 mm
+        b: m; 250 mm, in 125 mm .. 250 mm
+        phi: rad; 40 deg, in 20 deg .. 40 deg
+    """
+    a = np.asarray(a, dtype=float)
+    b = np.asarray(b, dtype=float)
+    phi = np.asarray(phi, dtype=float)
+    with np.errstate(all="ignore"):
+        sin_phi = np.sin(phi)
+        theta = np.arcsin(a*sin_phi/b)
+        cos_phi = np.cos(phi)
+        reach = a*cos_phi + cos_phi/sin_phi
+    found = {
+        'theta': theta,
+        'reach': reach,
+    }
+    status = 0
+    for each in [*map(np.isnan, found.values())]:
+        status = np.maximum(status, each)
+    found = {name: value if np.ndim(value) else float(value) for name, value in found.items()}
+    return found, status if np.ndim(status) else int(status)
+
+
 if __name__ == "__main__":
     print(f"k = {k(a=0.1, b=0.25, phi=0.6981317007977318):.10g}")
     print("P: no default for M")

@@ -1,22 +1,40 @@
 """C99: a header and a source that C++ reads too, each result for one pose and for many."""
 
 import re
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
+from types import ModuleType
 from typing import NamedTuple
 
 from ...diagnostics.diagnostic import MechcError
 from ...diagnostics.emission import unspeakable_file_name
+from ...formula import newton
 from ...formula.tree import Call, Formula, Pi
 from ...formula.walk import walk
-from ...routine.steps import Function
+from ...routine.steps import (
+    Function,
+    Routine,
+    Solve,
+    Solver,
+    Statement,
+    formulas_of,
+    mentioned,
+    names_of,
+)
 from .. import describe
 from ..names import Names, mangle, transliterate
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from .layout import harmless, wrapped
+from .pose import PoseContext, pose_context
 from .printer import CIRCULAR, RESERVED, CPrinter, QuickPrinter, guarded
-
-LONGEST_LINE = 100
+from .solvers import (
+    SolverContext,
+    inner_formulas,
+    lines,
+    solver_context,
+    solvers_of,
+)
 
 _CHOICES = {"min": "<", "max": ">"}
 
@@ -24,7 +42,7 @@ _CHOICES = {"min": "<", "max": ">"}
 class Body(NamedTuple):
     """What a function computes."""
 
-    body: list[Line]
+    body: list[str]
     conditions: list[str]
     output: str
 
@@ -56,7 +74,7 @@ class HeaderContext(NamedTuple):
 
     preface: list[str]
     guard: str
-    functions: list[FunctionContext]
+    functions: list[FunctionContext | PoseContext]
 
 
 class SourceContext(NamedTuple):
@@ -65,6 +83,9 @@ class SourceContext(NamedTuple):
     preface: list[str]
     header: str
     functions: list[FunctionContext]
+    pose: PoseContext | None
+    solvers: list[SolverContext]
+    newton: ModuleType
     pi: bool
     circular: bool
     guarded: bool
@@ -79,6 +100,19 @@ class Symbols(NamedTuple):
     kernel: str
 
 
+class Parts(NamedTuple):
+    """What a source consists of."""
+
+    functions: list[FunctionContext]
+    pose: PoseContext | None
+    solvers: list[SolverContext]
+
+    @property
+    def public(self) -> list[FunctionContext | PoseContext]:
+        """Return what the header declares."""
+        return [*self.functions, *([self.pose] if self.pose else [])]
+
+
 class CTarget:
     """``--emit c``."""
 
@@ -89,41 +123,61 @@ class CTarget:
         """Return source and header, or one file with the declarations in front."""
         if re.search(r'["\\\n]', options.stem):
             raise MechcError([unspeakable_file_name(options.stem)])
-        functions = _functions(compiled)
+        parts = _parts(compiled)
         preface = _preface(compiled)
         header = "" if options.single else f"{options.stem}.h"
-        source = Emitted(f"{options.stem}.c", _source(compiled, functions, preface, header))
+        source = Emitted(f"{options.stem}.c", _source(compiled, parts, preface, header))
         if options.single:
             return (source,)
         guard = f"MECHC_{transliterate(compiled.routine.name).upper()}_H"
-        context = HeaderContext(preface, guard, functions)
+        context = HeaderContext(preface, guard, parts.public)
         return (source, Emitted(header, render("c/header.jinja", context)))
 
 
 TARGET = CTarget()
 
 
-def _source(
-    compiled: Compiled, functions: list[FunctionContext], preface: list[str], header: str
-) -> str:
-    parts = [part for f in compiled.routine.functions for g in _formulas(f) for part in walk(g)]
-    called = {part.function for part in parts if isinstance(part, Call)}
+def _source(compiled: Compiled, parts: Parts, preface: list[str], header: str) -> str:
+    nodes = {node for formula in _all_formulas(compiled.routine) for node in walk(formula)}
+    called = {node.function for node in nodes if isinstance(node, Call)}
     choices = [Line(name, sign) for name, sign in _CHOICES.items() if name in called]
     context = SourceContext(
         preface=preface,
         header=header,
-        functions=functions,
-        pi=Pi() in parts,
-        circular=any(f.quick for f in functions),
-        guarded=any(f.quick and f.plain.conditions for f in functions),
+        functions=parts.functions,
+        pose=parts.pose,
+        solvers=parts.solvers,
+        newton=newton,
+        pi=Pi() in nodes,
+        circular=any(f.quick for f in parts.functions),
+        guarded=any(f.quick and f.plain.conditions for f in parts.functions),
         choices=choices,
     )
     return render("c/source.jinja", context)
 
 
+def _all_formulas(routine: Routine) -> Iterator[Formula]:
+    """Yield every formula of a source."""
+    for function in routine.functions:
+        yield from _formulas(function)
+    for statement in _statements(routine):
+        yield from formulas_of(statement)
+        if isinstance(statement, Solve):
+            yield from inner_formulas(statement.solver)
+
+
+def _statements(routine: Routine) -> list[Statement]:
+    posed = routine.pose.steps if routine.pose else ()
+    return [*(step for f in routine.functions for step in f.steps), *posed]
+
+
 def _formulas(function: Function) -> list[Formula]:
-    sides = [side for g in function.guards for side in (g.left, g.right)]
-    return [*(s.formula for s in function.steps), function.output, *sides]
+    return [*(f for s in function.steps for f in formulas_of(s)), *_ends(function)]
+
+
+def _ends(function: Function) -> list[Formula]:
+    """Return the output and what the guards compare."""
+    return [function.output, *(side for g in function.guards for side in (g.left, g.right))]
 
 
 def _preface(compiled: Compiled) -> list[str]:
@@ -134,38 +188,52 @@ def _preface(compiled: Compiled) -> list[str]:
     for line in describe.unchecked(mechanism, compiled.routine.functions):
         lines.append(f"Not checked here: {line}.")
     lines.append(f"Written by mechc {compiled.version}. SI units and radians.")
-    return [_harmless(line) for line in lines]
+    return [harmless(line) for line in lines]
 
 
-def _functions(compiled: Compiled) -> list[FunctionContext]:
-    routine = compiled.routine
-    arguments = mangle((i.name for f in routine.functions for i in f.inputs), Names(RESERVED))
-    linked = _symbols(routine.name, [f.name for f in routine.functions])
-    return [_function(f, linked[f.name], arguments) for f in routine.functions]
+def _parts(compiled: Compiled) -> Parts:
+    routine, space = compiled.routine, Names(RESERVED)
+    posed = routine.pose.inputs if routine.pose else ()
+    inputs = [*(i.name for f in routine.functions for i in f.inputs), *(i.name for i in posed)]
+    arguments = mangle(inputs, Names(RESERVED))
+    linked = _symbols(routine.name, [f.name for f in routine.functions], space)
+    pose, batch = (space.claim(f"{routine.name}_pose{end}") for end in ("", "_n"))
+    found = solvers_of(_statements(routine))
+    solvers = {s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)}
+    return Parts(
+        [_function(f, linked[f.name], arguments, solvers) for f in routine.functions],
+        pose_context(routine.pose, pose, batch, arguments, solvers) if routine.pose else None,
+        [solver_context(solver, name) for solver, name in solvers.items()],
+    )
 
 
-def _symbols(mechanism: str, functions: list[str]) -> dict[str, Symbols]:
+def _symbols(mechanism: str, functions: list[str], space: Names) -> dict[str, Symbols]:
     """Return the names at file scope; no second form may take another function's name."""
-    space = Names(RESERVED)
     singles = mangle((f"{mechanism}_{f}" for f in functions), space)
     found = {f: singles[f"{mechanism}_{f}"] for f in functions}
     batches = {f: space.claim(f"{name}_n") for f, name in found.items()}
     return {f: Symbols(n, batches[f], space.claim(f"{n}_quick")) for f, n in found.items()}
 
 
-def _function(function: Function, linked: Symbols, arguments: Mapping[str, str]) -> FunctionContext:
+def _function(
+    function: Function,
+    linked: Symbols,
+    arguments: Mapping[str, str],
+    solvers: Mapping[Solver, str],
+) -> FunctionContext:
     own = {i.name: arguments[i.name] for i in function.inputs}
-    names = own | mangle((s.name for s in function.steps), Names(RESERVED, set(own.values())))
+    inner = Names(RESERVED, {*own.values(), *solvers.values()})
+    names = own | mangle((n for s in function.steps for n in names_of(s)), inner)
     outer = Names(RESERVED, {*own.values(), *linked})
     number, loop = outer.claim("n"), outer.claim("i")
     result = outer.claim(function.name)
     elements = ", ".join(f"{a}[{loop}]" for a in own.values())
     return FunctionContext(
-        remarks=[_harmless(line) for line in _remarks(function, own, number, result)],
+        remarks=[harmless(line) for line in _remarks(function, own, number, result)],
         single=_single(linked.single, list(own.values())),
         batch=_batch(linked.batch, list(own.values()), number, result),
         kernel=_single(linked.kernel, list(own.values())),
-        plain=_plain(function, CPrinter(names)),
+        plain=_plain(function, CPrinter(names), solvers, inner),
         quick=_quick(function, QuickPrinter(names)) if _is_circular(function) else None,
         element=f"{result}[{loop}]",
         call=f"{linked.single}({elements})",
@@ -177,9 +245,14 @@ def _function(function: Function, linked: Symbols, arguments: Mapping[str, str])
     )
 
 
-def _plain(function: Function, printer: Printer) -> Body:
+def _plain(
+    function: Function, printer: Printer, solvers: Mapping[Solver, str], space: Names
+) -> Body:
     conditions = [printer.condition(guard) for guard in function.guards]
-    return Body(_lines(function, printer), conditions, printer.print(function.output))
+    used = mentioned(function.steps, _ends(function))
+    body, statuses = lines(function.steps, used, solvers, printer, space)
+    body += [f"(void){name}; /* where it is not 0, the unknowns are NaN */" for name in statuses]
+    return Body(body, conditions, printer.print(function.output))
 
 
 def _quick(function: Function, printer: Printer) -> Body:
@@ -187,33 +260,25 @@ def _quick(function: Function, printer: Printer) -> Body:
     output = printer.print(function.output)
     for guard in function.guards:
         output = guarded(guard, printer, output)
-    return Body(_lines(function, printer), [], output)
-
-
-def _lines(function: Function, printer: Printer) -> list[Line]:
-    return [Line(printer.names[s.name], printer.print(s.formula)) for s in function.steps]
+    return Body(lines(function.steps, frozenset(), {}, printer, Names(RESERVED))[0], [], output)
 
 
 def _is_circular(function: Function) -> bool:
     """Return whether a function of inputs calls a sine, a cosine or a tangent."""
+    if any(isinstance(step, Solve) for step in function.steps):
+        return False
     calls = [g for f in _formulas(function) for g in walk(f) if isinstance(g, Call)]
     return bool(function.inputs) and any(g.function in CIRCULAR for g in calls)
 
 
 def _single(name: str, arguments: list[str]) -> str:
-    return _wrapped(f"double {name}(", [f"double {a}" for a in arguments] or ["void"])
+    return wrapped(f"double {name}(", [f"double {a}" for a in arguments] or ["void"])
 
 
 def _batch(name: str, arguments: list[str], number: str, result: str) -> str:
     arrays = [f"const double *MECHC_RESTRICT {a}" for a in arguments]
     listed = [f"size_t {number}", *arrays, f"double *MECHC_RESTRICT {result}"]
-    return _wrapped(f"void {name}(", listed)
-
-
-def _wrapped(head: str, arguments: list[str]) -> str:
-    """Return a function's head on one line, or with one argument on each."""
-    line = f"{head}{', '.join(arguments)})"
-    return line if len(line) <= LONGEST_LINE else head + "\n    " + ",\n    ".join(arguments) + ")"
+    return wrapped(f"void {name}(", listed)
 
 
 def _remarks(function: Function, own: Mapping[str, str], number: str, result: str) -> list[str]:
@@ -230,13 +295,3 @@ def _remarks(function: Function, own: Mapping[str, str], number: str, result: st
         f"{function.operations} operations. The second form computes {result}[0 .. {number} - 1];",
         "its arrays must not overlap.",
     ]
-
-
-def _harmless(words: str) -> str:
-    """Return text that neither ends a comment nor starts one, a trigraph or a spliced line.
-
-    >>> _harmless("a */ b ??/")
-    'a * / b ? ?/'
-    """
-    words = words.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
-    return f"{words} ." if words.endswith("\\") else words

@@ -1,51 +1,23 @@
 """Python: one module that needs only NumPy, for floats and arrays alike."""
 
 from collections.abc import Mapping
+from types import ModuleType
 from typing import NamedTuple
 
+from ...formula import newton
 from ...formula.tree import Call, Formula, Number, Power
 from ...formula.walk import symbols, walk
-from ...routine.steps import Function
+from ...routine.steps import Function, Pose, Solve, Solver, formulas_of, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from .pose import PoseContext, pose_context
+from .printer import RESERVED, PythonPrinter
+from .solvers import SolverContext, line, solver_context, solver_names
 
-_WORDS = """
-    False None True and as assert async await break class continue def del elif else except
-    finally for from global if import in is lambda nonlocal not or pass raise return try while
-    with yield match case type np float print abs all any bin bool bytes chr complex dict dir
-    divmod eval exec filter format frozenset hash help hex id input int iter len list map max
-    min next object oct open ord pow range repr reversed round set slice sorted str sum super
-    tuple vars zip main
-"""
-RESERVED = frozenset(_WORDS.split())
-"""Keywords, the built-ins that a drawing might name, and what the template itself uses."""
-
-_FUNCTIONS = {
-    "asin": "np.arcsin",
-    "acos": "np.arccos",
-    "atan": "np.arctan",
-    "atan2": "np.arctan2",
-    "min": "np.minimum",
-    "max": "np.maximum",
-}
 _MAY_FAIL = ("asin", "acos", "sqrt", "log", "exp", "tan", "cot", "sec", "csc")
-
-
-class PythonPrinter(Printer):
-    """Prints for NumPy."""
-
-    pi = "np.pi"
-
-    def call(self, function: str, arguments: list[str]) -> str:
-        """Return a call of a NumPy function."""
-        return f"{_FUNCTIONS.get(function, f'np.{function}')}({', '.join(arguments)})"
-
-    def power(self, base: str, exponent: str) -> str:
-        """Return ``np.power``, which gives NaN where ``**`` on floats would be complex."""
-        return f"np.power({base}, {exponent})"
 
 
 class FunctionContext(NamedTuple):
@@ -69,7 +41,10 @@ class ModuleContext(NamedTuple):
 
     heading: str
     preface: list[str]
+    solvers: list[SolverContext]
+    newton: ModuleType
     functions: list[FunctionContext]
+    pose: PoseContext | None
     main: list[str]
 
 
@@ -89,13 +64,22 @@ TARGET = PythonTarget()
 
 def _module(compiled: Compiled) -> ModuleContext:
     routine = compiled.routine
-    names = mangle((f.name for f in routine.functions), Names(RESERVED))
-    arguments = mangle((i.name for f in routine.functions for i in f.inputs), Names(RESERVED))
-    functions = [_function(f, names[f.name], arguments) for f in routine.functions]
+    space = Names(RESERVED)
+    names = mangle((f.name for f in routine.functions), space)
+    parts: list[Function | Pose] = [*routine.functions]
+    parts += [routine.pose] if routine.pose else []
+    arguments = mangle((i.name for part in parts for i in part.inputs), Names(RESERVED))
+    solvers = solver_names(step for part in parts for step in part.steps)
+    functions = [_function(f, names[f.name], arguments, solvers) for f in routine.functions]
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
+        solvers=[solver_context(solver, name) for solver, name in solvers.items()],
+        newton=newton,
         functions=functions,
+        pose=pose_context(routine.pose, space.claim("pose"), arguments, solvers)
+        if routine.pose
+        else None,
         main=[_shown(f, names[f.name], arguments) for f in routine.functions],
     )
 
@@ -104,28 +88,32 @@ def _preface(compiled: Compiled) -> list[str]:
     lines = []
     if compiled.mechanism.source:
         lines.append(f"Source: {describe.one_line(compiled.mechanism.source)}.")
-    for line in describe.unchecked(compiled.mechanism, compiled.routine.functions):
-        lines.append(f"Not checked here: {line}.")
+    for condition in describe.unchecked(compiled.mechanism, compiled.routine.functions):
+        lines.append(f"Not checked here: {condition}.")
     return [
         *lines,
         f"Written by mechc {compiled.version}. SI units and radians; floats and arrays alike.",
     ]
 
 
-def _function(function: Function, name: str, arguments: Mapping[str, str]) -> FunctionContext:
+def _function(
+    function: Function, name: str, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+) -> FunctionContext:
     own = {i.name: arguments[i.name] for i in function.inputs}
     space = Names(RESERVED, set(own.values()))
     result = space.claim(function.name if function.name not in own else "result")
-    printer = PythonPrinter(own | mangle((s.name for s in function.steps), space))
-    lines = [Line(printer.names[s.name], printer.print(s.formula)) for s in function.steps]
+    steps = (name for step in function.steps for name in names_of(step))
+    printer = PythonPrinter(own | mangle(steps, space))
+    used = mentioned(function.steps, _ends(function))
+    lines = [line(step, used, solvers, printer) for step in function.steps]
     unit = describe.si_unit(function.dimension)
     return FunctionContext(
         name=name,
         arguments=list(own.values()),
         title=_quoted(describe.one_line(function.title)),
         unit=f", in {unit}" if unit else "",
-        formulas=[_quoted(line) for line in describe.formula_lines(function)],
-        conditions=[_quoted(line) for line in describe.condition_lines(function)],
+        formulas=[_quoted(words) for words in describe.formula_lines(function)],
+        conditions=[_quoted(words) for words in describe.condition_lines(function)],
         inputs=[
             Line(own[i.name], _quoted(describe.input_words(i, own[i.name])))
             for i in function.inputs
@@ -137,6 +125,11 @@ def _function(function: Function, name: str, arguments: Mapping[str, str]) -> Fu
     )
 
 
+def _ends(function: Function) -> list[Formula]:
+    """Return the output and what the guards compare."""
+    return [function.output, *(side for g in function.guards for side in (g.left, g.right))]
+
+
 def _returned(function: Function, result: str, printer: Printer) -> list[Line]:
     lines = [Line(result, printer.print(function.output))]
     for guard in function.guards:
@@ -146,9 +139,10 @@ def _returned(function: Function, result: str, printer: Printer) -> list[Line]:
 
 def _may_fail(function: Function) -> bool:
     """Return whether some input makes a step infinite or undefined, which NumPy remarks upon."""
-    formulas = [*(s.formula for s in function.steps), function.output]
-    guards = [side for g in function.guards for side in (g.left, g.right)]
-    return any(_is_partial(part) for f in (*formulas, *guards) for part in walk(f))
+    if any(isinstance(step, Solve) for step in function.steps):
+        return True
+    formulas = [*(f for step in function.steps for f in formulas_of(step)), *_ends(function)]
+    return any(_is_partial(part) for f in formulas for part in walk(f))
 
 
 def _is_partial(part: Formula) -> bool:

@@ -1,0 +1,19 @@
+"""How C's function heads and comments are laid out."""
+
+LONGEST_LINE = 100
+
+
+def wrapped(head: str, arguments: list[str]) -> str:
+    """Return a function's head on one line, or with one argument on each."""
+    line = f"{head}{', '.join(arguments)})"
+    return line if len(line) <= LONGEST_LINE else head + "\n    " + ",\n    ".join(arguments) + ")"
+
+
+def harmless(words: str) -> str:
+    """Return text that neither ends a comment nor starts one, a trigraph or a spliced line.
+
+    >>> harmless("a */ b ??/")
+    'a * / b ? ?/'
+    """
+    words = words.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
+    return f"{words} ." if words.endswith("\\") else words

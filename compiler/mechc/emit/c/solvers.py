@@ -1,0 +1,131 @@
+"""What a source needs to solve systems: one function for each, and elimination for all."""
+
+from collections.abc import Iterable, Iterator, Mapping, Set
+from typing import NamedTuple
+
+from ...formula import newton
+from ...formula.to_text import text
+from ...formula.tree import Formula
+from ...routine.steps import Solve, Solver, Statement
+from ..names import Names, mangle
+from ..printer import Printer
+from ..render import Line
+from .layout import harmless, wrapped
+from .printer import RESERVED, CPrinter
+
+_WORDS = """
+    base reached step last count i found aim rest right matrix sign size mechc_eliminate
+"""
+_OWN = frozenset(_WORDS.split())
+"""What the template calls its own."""
+
+
+NEVER = 2
+"""No determinant has this sign: nothing can be followed from a singular pose."""
+
+
+class SolverContext(NamedTuple):
+    """One system; fields are what ``c/solver.jinja`` mentions."""
+
+    title: str
+    zeros: list[str]
+    head: str
+    size: int
+    start: str
+    body: list[Line]
+    residuals: list[str]
+    jacobian: list[list[str]]
+    norm: str
+    side: int
+
+
+def solvers_of(statements: Iterable[Statement]) -> list[Solver]:
+    """Return every system once, however many mention it."""
+    return list(dict.fromkeys(s.solver for s in statements if isinstance(s, Solve)))
+
+
+def inner_formulas(solver: Solver) -> list[Formula]:
+    """Return what one correction computes."""
+    rows = [entry for row in solver.jacobian for entry in row]
+    return [*(step.formula for step in solver.steps), *solver.residuals, *rows]
+
+
+def solver_context(solver: Solver, name: str) -> SolverContext:
+    """Return a system's function."""
+    space = Names(RESERVED | _OWN, {name})
+    steps = [step.name for step in solver.steps]
+    names = mangle((*solver.unknowns, *solver.outer, *steps), space)
+    ends = {n: space.claim(f"{names[n]}_end") for n in solver.outer}
+    printer = CPrinter(names)
+    heads = [*(f"double {ends[n]}" for n in solver.outer), "double *found"]
+    unknowns = [Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)]
+    lines = [Line(names[s.name], printer.print(s.formula)) for s in solver.steps]
+    return SolverContext(
+        harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
+        [harmless(text(equation)) for equation in solver.equations],
+        wrapped(f"static int {name}(", heads),
+        len(solver.unknowns),
+        f"{{{', '.join(map(repr, solver.start))}}}",
+        [*(_between(n, names, ends, a) for n, a in _anchored(solver)), *unknowns, *lines],
+        [printer.print(f) for f in solver.residuals],
+        [[printer.print(f) for f in row] for row in solver.jacobian],
+        " + ".join(_square(i, newton.scale(s)) for i, s in enumerate(solver.start)),
+        solver.side or NEVER,
+    )
+
+
+def _anchored(solver: Solver) -> Iterator[tuple[str, float]]:
+    return zip(solver.outer, solver.anchor, strict=True)
+
+
+def _between(name: str, names: Mapping[str, str], ends: Mapping[str, str], anchor: float) -> Line:
+    value = f"({anchor!r})" if anchor < 0 else repr(anchor)
+    return Line(names[name], f"rest*{value} + aim*{ends[name]}")
+
+
+def _square(index: int, scale: float) -> str:
+    part = f"right[{index}]" if scale == 1 else f"right[{index}]/{scale!r}"
+    return f"{part}*{part}" if scale == 1 else f"({part})*({part})"
+
+
+# ----------------------------------------------------------------------- statements
+
+
+def lines(
+    statements: Iterable[Statement],
+    used: Set[str],
+    solvers: Mapping[Solver, str],
+    printer: Printer,
+    space: Names,
+) -> tuple[list[str], list[str]]:
+    """Return statements as C and the names of the solutions' statuses.
+
+    Unknowns that nobody has ``used`` get no names, so that no compiler complains.
+    """
+    made: list[str] = []
+    statuses: list[str] = []
+    for statement in statements:
+        if isinstance(statement, Solve):
+            made += _solution(statement, used, solvers, printer, space, statuses)
+        else:
+            value = printer.print(statement.formula)
+            made.append(f"const double {printer.names[statement.name]} = {value};")
+    return made, statuses
+
+
+def _solution(
+    statement: Solve,
+    used: Set[str],
+    solvers: Mapping[Solver, str],
+    printer: Printer,
+    space: Names,
+    statuses: list[str],
+) -> Iterator[str]:
+    solution, status = space.claim("solution"), space.claim("status_1")
+    given = [*map(printer.print, statement.arguments), solution]
+    statuses.append(status)
+    yield f"double {solution}[{len(statement.names)}];"
+    yield f"const int {status} = {solvers[statement.solver]}({', '.join(given)});"
+    for i, name in enumerate(statement.names):
+        if name in used:
+            yield f"const double {printer.names[name]} = {solution}[{i}];"

@@ -1,0 +1,76 @@
+"""What a module needs to solve systems: one function for each, and Newton's method for all."""
+
+from collections.abc import Iterable, Mapping, Set
+from typing import NamedTuple
+
+from ...formula import newton
+from ...formula.to_text import text
+from ...routine.steps import Solve, Solver, Statement
+from ..names import Names, mangle
+from ..render import Line
+from .printer import RESERVED, PythonPrinter
+
+_OWN = {"unknowns", "outer", "equations", "start", "anchor", "scales"}
+"""What the template calls its own."""
+
+
+class SolverContext(NamedTuple):
+    """One system; ``rows`` are the residuals and then the rows of the Jacobian."""
+
+    name: str
+    unknowns: list[str]
+    outer: list[str]
+    zeros: list[str]
+    body: list[Line]
+    rows: list[list[str]]
+    start: list[float]
+    anchor: list[float]
+    side: int
+    scales: list[float]
+
+
+def solver_names(statements: Iterable[Statement]) -> dict[Solver, str]:
+    """Return the function that solves each system: one, however many mention it."""
+    found = dict.fromkeys(s.solver for s in statements if isinstance(s, Solve))
+    return {solver: f"_solution_{i}" for i, solver in enumerate(found, 1)}
+
+
+def solver_context(solver: Solver, name: str) -> SolverContext:
+    """Return a system's function."""
+    space = Names(RESERVED | _OWN)
+    steps = (step.name for step in solver.steps)
+    names = mangle((*solver.unknowns, *solver.outer, *steps), space)
+    printer = PythonPrinter(names)
+    return SolverContext(
+        name,
+        [names[n] for n in solver.unknowns],
+        [names[n] for n in solver.outer],
+        zeros(solver),
+        [Line(names[s.name], printer.print(s.formula)) for s in solver.steps],
+        [[printer.print(f) for f in row] for row in (solver.residuals, *solver.jacobian)],
+        list(solver.start),
+        list(solver.anchor),
+        solver.side,
+        [newton.scale(s) for s in solver.start],
+    )
+
+
+def zeros(solver: Solver) -> list[str]:
+    """Return the left sides of a system's equations, with the names of the description."""
+    return [text(equation) for equation in solver.equations]
+
+
+def line(
+    statement: Statement,
+    used: Set[str],
+    solvers: Mapping[Solver, str],
+    printer: PythonPrinter,
+    status: str = "_",
+) -> Line:
+    """Return a statement as a line; a solution's status goes to the name ``status``."""
+    if not isinstance(statement, Solve):
+        return Line(printer.names[statement.name], printer.print(statement.formula))
+    names = ", ".join(printer.names[n] if n in used else "_" for n in statement.names)
+    given = ", ".join(printer.print(a) for a in statement.arguments)
+    comma = "," if len(statement.names) == 1 else ""
+    return Line(f"{status}, ({names}{comma})", f"{solvers[statement.solver]}({given})")
