@@ -18,6 +18,8 @@ TESTS = Path(__file__).parent
 FILES = sorted((TESTS / "corpus" / "bad").iterdir())
 
 ELSEWHERE = {
+    "E591": "test_stroke.py",
+    "E592": "test_stroke.py",
     "E601": "test_statics.py",
     "E602": "test_statics.py",
     "E603": "test_statics_closure.py",

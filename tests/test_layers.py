@@ -9,7 +9,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "compiler" / "mechc"
 
 BASE = ["frozen", "source", "units", "diagnostics", "data", "files", "words", "formula", "algebra"]
-STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check"]
+STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check", "stroke"]
 OUTPUT = ["derivation", "routine", "emit"]
 TOP = ["driver", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
@@ -23,6 +23,7 @@ DATA = {
     "power.balance",
     "model.result",
     "statics.verdict",
+    "stroke.stroke",
     "derivation.steps",
     "routine.steps",
     "emit.target",

@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 from .check.poses import default_pose
 from .derivation.steps import Derivation
 from .diagnostics import Diagnostic, near_miss
-from .driver import Compilation, compile_source, emit, warnings
+from .driver import Compilation, compile_source, emit, stroke, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
 from .files import find, read
 from .formula.to_sympy import to_sympy
 from .model.result import Result
 from .source import Source
+from .stroke.stroke import Stroke
 
 if TYPE_CHECKING:
     import sympy
@@ -125,6 +126,18 @@ class SolvedMechanism:
         given = {**self.defaults, **values}
         ready = (f for f in functions if all(i.name in given for i in f.inputs))
         return {f.name: evaluate(f, given) for f in ready}
+
+    def stroke(self, points: int = 19) -> Stroke:
+        """Return the results along the stroke of the drive, singular poses and extrema.
+
+        SI and radians. Raises :class:`mechc.MechcError` where no drive is named.
+
+        >>> import mechc
+        >>> claw = mechc.load("claw_closed").stroke()
+        >>> [(e.kind, round(e.drive, 7), round(e.value, 7)) for e in claw.extrema][-1]
+        ('minimum', 1.3805578, 1.3727737)
+        """
+        return stroke(self._compilation, points)
 
     def emit(self, target: str, **options: Any) -> str:
         """Return one self-contained file as text: ``python``, ``c``, ``latex`` or ``json``.

@@ -20,6 +20,7 @@ COMMANDS = {
     "compile": Entry("compile", "Write the formula, its derivation or code."),
     "check": Entry("check", "Find mistakes; prove or refute expectations."),
     "derive": Entry("derive", "Print the derivation of k step by step."),
+    "stroke": Entry("stroke", "Print k along the stroke, dead centres and extrema."),
     "show": Entry("show", "Print what a stage of the compiler made of a description."),
     "list": Entry("shelf", "List the mechanisms of the library."),
     "new": Entry("new", "Start a description from a commented example."),

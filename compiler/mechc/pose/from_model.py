@@ -13,6 +13,7 @@ from .closure import Closure, Condition, across
 from .compass import Compass
 from .nearby import poses_nearby
 from .pose import Pose, Vector
+from .pruning import pruned
 from .rails import with_lines
 from .terms import Terms
 from .thrusts import Pairing, thrust_line
@@ -54,7 +55,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     survey.close_loops(pose)
     survey.report_unfound(pose, found)
     report.stop_on_errors()
-    return pose
+    return pruned(pose)
 
 
 class _Survey:

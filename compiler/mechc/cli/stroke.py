@@ -1,0 +1,37 @@
+"""``mechc stroke``: k along the stroke, its singular poses and extrema."""
+
+import click
+
+from ..driver import checked, stroke, warnings
+from ..stroke.to_text import to_csv, to_table
+from ..syntax.settings import Settings
+from .begin import begin
+from .inputs import description_argument, settings_option, stdin_option
+from .session import Command, session, session_options
+
+
+@click.command("stroke", cls=Command)
+@description_argument
+@click.option(
+    "-n", "--points", type=click.IntRange(2, 100_000), default=19, show_default=True,
+    help="How many places along the stroke.",
+)  # fmt: skip
+@click.option("--csv", "as_csv", is_flag=True, help="Numbers only, in SI and radians.")
+@settings_option
+@stdin_option
+@session_options
+def command(file: str, points: int, as_csv: bool, settings: Settings, stdin_name: str) -> None:
+    """Print k along the stroke of the drive.
+
+    Every result, and the transmission angle at each pin between a rod and what it drives;
+    under the table where there is no pose, the singular poses told apart, and where each
+    result is least and greatest.
+
+    \b
+    mechc stroke crank_rocker
+    mechc stroke --points 101 --csv clamp.mech > clamp.csv
+    """
+    compilation = checked(begin(file, stdin_name, settings))
+    found = stroke(compilation, points)
+    session().accept(warnings(compilation), compilation.source)
+    click.echo(to_csv(found) if as_csv else to_table(found), nl=False)

@@ -1,0 +1,42 @@
+"""Definitions that closing made and nothing needs in the end."""
+
+from collections.abc import Iterator
+
+from ..formula.walk import symbols
+from ..frozen import replace
+from .pose import Pose
+from .web import mentioned
+
+
+def pruned(pose: Pose) -> Pose:
+    """Return the pose with only those definitions that it rests on, in their order.
+
+    A direction that turned out to be a known one leaves its triangle behind, which need not
+    have a value where the loop lies flat. Rates count as needed, where the name does.
+    """
+    formulas = {d.name: d.formula for d in pose.definitions}
+    used, waiting = set[str](), list(_names(pose))
+    while waiting:
+        name = waiting.pop()
+        if name in used or name not in formulas:
+            continue
+        used.add(name)
+        waiting.extend(symbols(formulas[name]))
+        if name in pose.rates:
+            waiting.extend(symbols(pose.rates[name].formula()))
+    return replace(pose, definitions=tuple(d for d in pose.definitions if d.name in used))
+
+
+def _names(pose: Pose) -> Iterator[str]:
+    """Yield the names that vectors and directions mention, and those the description asks for."""
+    vectors = [v for frame in pose.frames.values() for v in frame.values()]
+    for vector in (*vectors, *(touch.reach for touch in pose.touches)):
+        yield from mentioned(vector)
+    angles = [*pose.guides.values(), *pose.lines.values(), *pose.slides.values()]
+    for angle in (*angles, *(touch.normal for touch in pose.touches)):
+        yield from dict(angle.terms)
+    if pose.axis is not None:
+        yield from dict(pose.axis.terms)
+    yield from (parameter.name for parameter in pose.mechanism.parameters)
+    for load in pose.mechanism.loads:
+        yield from symbols(load.tie) if load.tie else ()

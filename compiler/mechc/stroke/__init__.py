@@ -1,0 +1,5 @@
+"""The stroke: what was asked for along the driving coordinate, and where it is singular.
+
+Promises: every row is a pose that can be assembled and that the conditions of use allow,
+or says why it is not; singular poses and extrema lie on the stroke, in its order.
+"""

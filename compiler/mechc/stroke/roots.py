@@ -1,0 +1,102 @@
+"""Zeros and turning points of a function of the drive: sampled, bracketed, refined.
+
+A sign change is halved to the last bit. A zero that is only touched is a minimum of the
+absolute value that is nil against the size of the function.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import pairwise
+from typing import NamedTuple
+
+Function = Callable[[float], float]
+
+NIL = 1e-7
+"""A minimum below this part of the greatest value is a zero that is touched.
+
+Half the digits: a double zero cannot be told better from one that is just missed.
+"""
+
+ROUNDED = 1e-14
+"""A value at an end of the stroke below this part of the greatest is a zero that was rounded."""
+
+GOLDEN = (math.sqrt(5) - 1) / 2
+
+
+class Root(NamedTuple):
+    """A zero, and the width of the interval that holds it."""
+
+    place: float
+    bracket: float
+
+
+def roots(function: Function, places: Sequence[float]) -> list[Root]:
+    """Return the zeros of a function between the places given.
+
+    >>> [round(r.place, 12) for r in roots(lambda x: x * x - 2, [0.0, 1.0, 2.0])]
+    [1.414213562373]
+    """
+    values = [function(x) for x in places]
+    found = [Root(x, 0.0) for x, y in zip(places, values, strict=True) if y == 0]
+    size = max((abs(y) for y in values if math.isfinite(y)), default=0.0)
+    for (a, b), (u, v) in zip(pairwise(places), pairwise(values), strict=True):
+        if u * v < 0:
+            root = halved(function, a, b)
+            if abs(function(root.place)) <= size:
+                found.append(root)
+    found.extend(_touched(function, places, values, size))
+    ends = ((places[0], values[0]), (places[-1], values[-1]))
+    found.extend(Root(x, math.ulp(x)) for x, y in ends if abs(y) < ROUNDED * size)
+    return _distinct(found, places)
+
+
+def halved(function: Function, a: float, b: float) -> Root:
+    """Halve an interval over which the sign changes until nothing is left between its ends."""
+    below = function(a)
+    while (middle := (a + b) / 2) not in (a, b):
+        value = function(middle)
+        if value == 0:
+            return Root(middle, 0.0)
+        if (value < 0) == (below < 0):
+            a = middle
+        else:
+            b = middle
+    return Root(a if abs(function(a)) < abs(function(b)) else b, abs(b - a))
+
+
+def _touched(
+    function: Function, places: Sequence[float], values: Sequence[float], size: float
+) -> Iterator[Root]:
+    for i in range(1, len(places) - 1):
+        before, here, after = (abs(v) for v in values[i - 1 : i + 2])
+        alike = values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0
+        if alike and here <= before and here <= after:
+            place = lowest(lambda x: abs(function(x)), places[i - 1], places[i + 1])
+            if abs(function(place)) < NIL * size:
+                yield Root(place, 1e-8 * max(abs(place), 1e-3))
+
+
+def lowest(function: Function, a: float, b: float) -> float:
+    """Return where a function with one minimum is least, by golden sections."""
+    c, d = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
+    at_c, at_d = function(c), function(d)
+    for _ in range(90):
+        if at_c < at_d:
+            b, d, at_d = d, c, at_c
+            c = b - GOLDEN * (b - a)
+            at_c = function(c)
+        else:
+            a, c, at_c = c, d, at_d
+            d = a + GOLDEN * (b - a)
+            at_d = function(d)
+    return (a + b) / 2
+
+
+def _distinct(found: list[Root], places: Sequence[float]) -> list[Root]:
+    """Return roots in order, those that are one within rounding once."""
+    width = 1e-9 * (abs(places[-1] - places[0]) or 1.0)
+    kept: list[Root] = []
+    for root in sorted(found):
+        if not kept or root.place - kept[-1].place > width:
+            kept.append(root)
+    return kept

@@ -1,0 +1,107 @@
+"""The stroke as a table for people, and as comma-separated values for programs."""
+
+import csv
+import io
+import math
+from collections.abc import Iterator, Sequence
+
+from ..formula.to_text import text
+from ..units import ANGLE, UNITS, Dimension
+from .stroke import Column, Extremum, Singular, Stretch, Stroke
+
+
+def to_csv(stroke: Stroke) -> str:
+    """Return the rows as CSV in SI and radians, 17 digits, empty where there is no value."""
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    writer.writerow([stroke.drive, *(c.name for c in stroke.columns), "trouble"])
+    for row in stroke.rows:
+        values = ("" if math.isnan(v) else repr(v) for v in row.values)
+        writer.writerow([repr(row.drive), *values, row.trouble])
+    return out.getvalue()
+
+
+def to_table(stroke: Stroke) -> str:
+    """Return the rows as a table, then stretches, singular poses and extrema, in users' units."""
+    return "\n".join(_lines(stroke)) + "\n"
+
+
+def _lines(stroke: Stroke) -> Iterator[str]:
+    head = [_headed(stroke.drive, _unit(stroke.dimension, stroke.unit))]
+    head += [_headed(c.name, _unit(c.dimension, "")) for c in stroke.columns]
+    body = [
+        [_place(row.drive, stroke), *_cells(row.values, stroke.columns), row.trouble]
+        for row in stroke.rows
+    ]
+    yield from _table([[*head, ""], *body])
+    for stretch in stroke.stretches:
+        yield from _stretch(stretch, stroke)
+    if not stroke.stretches:
+        yield "There is no pose anywhere on the stroke."
+    yield from (_singular(s, stroke) for s in stroke.singular)
+    yield from (_extremum(e, stroke) for e in stroke.extrema)
+
+
+def _cells(values: Sequence[float], columns: Sequence[Column]) -> list[str]:
+    return [
+        "" if math.isnan(v) else f"{v / _factor(_unit(c.dimension, '')):.9g}"
+        for v, c in zip(values, columns, strict=True)
+    ]
+
+
+def _unit(dimension: Dimension, wanted: str) -> str:
+    """Return the unit shown: the user's, degrees for angles, SI for the rest."""
+    if wanted in UNITS:
+        return wanted
+    return "deg" if dimension == ANGLE else ""
+
+
+def _factor(unit: str) -> float:
+    if not unit:
+        return 1.0
+    known = UNITS[unit]
+    return float(known.factor) * (math.pi if known.pi else 1.0)
+
+
+def _headed(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit else name
+
+
+def _place(place: float, stroke: Stroke, digits: int = 9) -> str:
+    return f"{place / _factor(_unit(stroke.dimension, stroke.unit)):.{digits}g}"
+
+
+def _at(place: float, stroke: Stroke) -> str:
+    unit = _unit(stroke.dimension, stroke.unit)
+    return f"{stroke.drive} = {_place(place, stroke, 13)}{' ' if unit else ''}{unit}"
+
+
+def _table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = [cell.rjust(w) for cell, w in zip(row[:-1], widths, strict=False)]
+        yield "  ".join([*cells, row[-1]]).rstrip()
+
+
+def _stretch(stretch: Stretch, stroke: Stroke) -> Iterator[str]:
+    if stretch.before:
+        yield f"below {_at(stretch.low, stroke)}: {stretch.before}"
+    if stretch.after:
+        yield f"above {_at(stretch.high, stroke)}: {stretch.after}"
+
+
+def _singular(found: Singular, stroke: Stroke) -> str:
+    kinds = {
+        "output still": "dead centre, the output stands still while the drive moves",
+        "drive locked": "dead centre, the drive stands still while the output can move",
+        "branch point": "branch point, the motion is not determined",
+        "perpendicular load": "a load perpendicular to the velocity of its point, no dead centre",
+        "other": "",
+    }
+    exact = f", exactly {text(found.exact)}" if found.exact is not None else ""
+    why = f": {kinds[found.kind]}" if kinds[found.kind] else ""
+    return f"{found.result} = {found.value} at {_at(found.drive, stroke)}{exact}{why}"
+
+
+def _extremum(found: Extremum, stroke: Stroke) -> str:
+    return f"{found.result} has a {found.kind} {found.value:.13g} at {_at(found.drive, stroke)}"

@@ -1,0 +1,177 @@
+"""The stroke: rows, stretches, singular poses told apart, extrema."""
+
+import math
+
+import pytest
+
+import mechc
+from mechc.cli.main import main
+
+CLAW = """
+param l_A = 100 mm
+param l = 500 mm
+param h = 120 mm
+param x_C = 100 mm
+param f = 0.2
+param phi = 1.35 rad
+param beta: angle
+pivot O
+slider B along y through O
+link OAC
+link AB
+OA = l_A @ 90 deg - phi
+OC = (x_C, -h)
+AB = l @ 90 deg + beta
+assembly B forward
+drive phi from 1 rad to 2 rad
+force P at B along -y
+force R at C along x
+force T = f*R at C along y
+find k = P/R
+let gamma = asin(sin(phi + beta))
+"""
+
+FOUR_BAR = """
+param a = {a} mm
+param b = {b} mm
+param c = {c} mm
+param d = {d} mm
+param phi = {phi} deg
+pivot O1 at (0 mm, 0 mm)
+pivot O2 at (d, 0 mm)
+link O1A
+link AB
+link O2B
+O1A = a @ phi
+AB = b
+O2B = c
+assembly ABO2 cw
+drive phi from {low} deg to {high} deg
+torque M on O1A
+torque T on O2B
+find k = M/T
+"""
+
+
+def stroke(text, points=5):
+    return mechc.loads(text, "test.mech").stroke(points)
+
+
+def four_bar(a, b, c, d, phi, low=0, high=360):
+    return FOUR_BAR.format(a=a, b=b, c=c, d=d, phi=phi, low=low, high=high)
+
+
+def test_the_least_k_of_the_claw():
+    """The values are those of the paper's figures, computed from its equations (8) and (9)."""
+    (least,) = [e for e in stroke(CLAW).extrema if e.result == "k"]
+    assert least.kind == "minimum"
+    assert least.drive == pytest.approx(1.380557799745, abs=1e-11)
+    assert least.value == pytest.approx(1.372773669854, abs=1e-12)
+
+
+def test_the_rational_zone_of_the_claw():
+    (zone,) = stroke(CLAW + "require gamma >= 1.5 rad\n").stretches
+    assert zone.low == pytest.approx(1.305764, abs=1e-6)
+    assert zone.high == pytest.approx(1.441927, abs=1e-6)
+    assert zone.before == zone.after != ""
+
+
+def test_figures_of_the_claw():
+    rows = stroke(CLAW, 3).rows
+    assert rows[0].values[0] == pytest.approx(1.499384542672654, rel=1e-12)
+    for row in rows:
+        beta = math.asin(0.2 * math.sin(row.drive))
+        expected = 1.4 * math.cos(beta) / math.sin(row.drive + beta)
+        assert row.values[0] == pytest.approx(expected, rel=1e-12)
+        gamma = row.drive + beta
+        assert row.values[1] == pytest.approx(min(gamma, math.pi - gamma), rel=1e-12)
+
+
+def test_dead_centres_of_a_crank_and_rocker():
+    """Crank and coupler lie in one line: cos φ by the cosine rule with sides b ± a, c, d."""
+    found = stroke(four_bar(40, 120, 80, 100, 60)).singular
+    assert [(s.value, s.kind) for s in found] == [("0", "output still")] * 2
+    outer = math.acos((160**2 + 100**2 - 80**2) / (2 * 160 * 100))
+    inner = math.acos((80**2 + 100**2 - 80**2) / (2 * 80 * 100)) + math.pi
+    assert [s.drive for s in found] == pytest.approx([outer, inner], abs=1e-12)
+
+
+def test_limits_of_a_rocker_are_where_the_drive_is_locked():
+    found = stroke(four_bar(80, 40, 90, 110, 78, 0, 180))
+    (stretch,) = found.stretches
+    locked = [s for s in found.singular if s.value == "infinite"]
+    assert [s.kind for s in locked] == ["drive locked"] * 2
+    high = math.acos((80**2 + 110**2 - 130**2) / (2 * 80 * 110))
+    low = math.acos((80**2 + 110**2 - 50**2) / (2 * 80 * 110))
+    assert (stretch.low, stretch.high) == pytest.approx((low, high), abs=1e-12)
+    assert [s.drive for s in locked] == pytest.approx([low, high], abs=1e-12)
+
+
+def test_a_parallelogram_is_nowhere_singular():
+    """k is −1 throughout, the flat poses included."""
+    text = four_bar(40, 100, 40, 100, 60)
+    text = text.replace("param c = 40 mm\n", "").replace("param d = 100 mm\n", "")
+    text = text.replace("O2B = c", "O2B = a").replace("at (d,", "at (b,")
+    found = stroke(text)
+    assert {row.values[0] for row in found.rows} == {-1.0}
+    assert not found.singular
+
+
+def test_a_given_pose_and_an_exact_dead_centre():
+    text = """
+param l = 1 m
+param alpha = 10 deg
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+drive alpha from -40 deg to 40 deg
+force P at B along x
+force F at K along -y
+find k = P/F
+"""
+    (dead,) = stroke(text).singular
+    assert dead.kind == "output still"
+    assert dead.drive == pytest.approx(0, abs=1e-15)
+    assert dead.exact is not None
+
+
+def test_a_load_across_its_velocity_is_no_dead_centre():
+    text = """
+param a = 1 m
+param phi = 30 deg
+pivot O
+link OA
+OA = a @ phi
+drive phi from 20 deg to 160 deg
+torque M on OA
+force F at A along -x
+find k = M/F
+"""
+    found = stroke(text)
+    assert not [s for s in found.singular if s.kind in ("output still", "drive locked")]
+
+
+@pytest.mark.parametrize(
+    ("drive", "code"), [("", "E591"), ("drive phi\n", "E592")], ids=["no drive", "no ends"]
+)
+def test_errors(drive, code):
+    text = CLAW.replace("drive phi from 1 rad to 2 rad\n", drive)
+    with pytest.raises(mechc.MechcError) as caught:
+        stroke(text.replace("param beta: angle", "param beta = 10 deg").replace("through O", ""))
+    assert [d.code for d in caught.value.diagnostics] == [code]
+
+
+def test_the_command(tmp_path, capsys):
+    file = tmp_path / "claw.mech"
+    file.write_text(CLAW, encoding="utf-8")
+    assert main(["stroke", str(file), "-n", "3"]) == 0
+    shown = capsys.readouterr().out
+    assert "k has a minimum 1.37277366985" in shown
+    assert main(["stroke", str(file), "-n", "3", "--csv"]) == 0
+    head, *rows = capsys.readouterr().out.splitlines()
+    assert head == "phi,k,gamma,mu_B,trouble"
+    assert len(rows) == 3
+    assert float(rows[0].split(",")[1]) == pytest.approx(1.499384542672654, rel=1e-12)
