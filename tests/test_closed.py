@@ -27,6 +27,7 @@ CLOSED = (
     "excavator_arm",
     "gripper_closed",
     "steering_trapezium",
+    "triad_closed",
 )
 PARTS = (0.15, 0.4, 0.65, 0.9)
 

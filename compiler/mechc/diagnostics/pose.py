@@ -192,23 +192,6 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch
     )
 
 
-@coded("E310")
-def group_of_higher_class(at: Span, loop: str) -> Words:
-    """Loops close only together, as an Assur group of class III or higher, not dyad by dyad.
-
-    A ternary link on three rods is one. mechc closes groups of two links, in closed form.
-    Of larger ones the pose can be given instead: directions as free angles, lengths open::
-
-        BC = l               # the loops must be closed: not compiled yet
-        BC = @ gamma         # right: the direction is given
-    """
-    return Words(
-        at,
-        f"the loops {loop} close only together, and that is not compiled yet",
-        "give directions instead of lengths (`BC = @ gamma`)",
-    )
-
-
 @coded("W301")
 def assembly_idle(at: Span, points: str) -> Words:
     """An ``assembly`` line decides nothing: all its points are placed without it.

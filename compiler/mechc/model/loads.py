@@ -8,6 +8,7 @@ from ..diagnostics.model import names
 from ..formula.tree import (
     Call,
     Formula,
+    Implicit,
     Number,
     Pi,
     Power,
@@ -143,6 +144,8 @@ def degree(formula: Formula, loads: frozenset[str]) -> int | None:
     match formula:
         case Number() | Pi():
             return 0
+        case Implicit():
+            return None
         case Symbol(name):
             return int(name in loads)
         case Sum(terms):

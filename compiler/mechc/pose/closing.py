@@ -20,7 +20,7 @@ from ..units import ANGLE, LENGTH
 from .choosing import Choice, loop_name
 from .compass import Compass
 from .dyads import Group
-from .groups import remaining_blocks
+from .groups import closures, remaining_blocks
 from .rails import rails
 from .redundant import check_fit
 from .state import State
@@ -104,14 +104,21 @@ class _Closing:
         while self._state.open_angles and self._close_next():
             pass
         if self._state.open_angles:
-            self._refuse_larger()
+            self._close_together()
         self._choice.warn_of_unused()
 
-    def _refuse_larger(self) -> None:
-        """Report the loops that only close together: groups of class III and higher."""
+    def _close_together(self) -> None:
+        """Close the groups of class III and higher, each as a system of its own."""
         for block in remaining_blocks(self._state):
-            span = max((e.span for e in block.cycle), key=lambda s: s.start)
-            self._report.add(words.group_of_higher_class(span, loop_name(block.cycle)))
+            found = closures(block, self._state)
+            if not found:
+                span = max((e.span for e in block.cycle), key=lambda s: s.start)
+                loop = loop_name(block.cycle)
+                raise self._report.fail(words.cannot_assemble(span, loop, "", []))
+            chosen = self._choice.choose(found, block)
+            self._report.stop_on_errors()
+            assert chosen is not None
+            self._state.take(chosen, block.unknown, block.sides)
 
     def _close_body(self, link: Link) -> None:
         """Close the triangles of a body whose sides are given, one direction apart."""

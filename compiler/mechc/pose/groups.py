@@ -5,15 +5,27 @@ What dyads leave over is split into the smallest sets of loops that must be solv
 from many starts; the one that the user named becomes the start of the branch.
 """
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
+from random import Random
 from typing import NamedTuple
 
+from ..algebra.angle import Angle
 from ..algebra.blocks import blocks, match
+from ..algebra.factors import Length
+from ..algebra.product import Product
+from ..formula.tree import Formula, System, implicit
+from .dyads import Closure
+from .nearby import Values
+from .pose import Arm, Definition, Vector, components, gathered
 from .state import State
 from .web import Cycle, mentioned
 
 STARTS = 400
 """Random starts from which closures are looked for."""
+
+VAIN = 40
+"""Closures met again, one after another, after which no new one is expected."""
 
 STEPS = 40
 """Newton steps after which a start is given up."""
@@ -36,6 +48,22 @@ class Block(NamedTuple):
     def cycle(self) -> Cycle:
         """Return all edges of the loops."""
         return tuple(dict.fromkeys(e for loop in self.loops for e in loop))
+
+    @property
+    def sides(self) -> list[Vector]:
+        """Return the vectors of each loop."""
+        return [_side_arms(loop) for loop in self.loops]
+
+    def triples(self) -> list[tuple[str, str, str]]:
+        """Return the pins between two unknown edges, each with the far ends of the two."""
+        loose = [e for e in self.cycle if not self.unknown.isdisjoint(mentioned(e.arms))]
+        found: dict[str, tuple[str, str, str]] = {}
+        for first in (*loose, *(e.turned() for e in loose)):
+            for second in (*loose, *(e.turned() for e in loose)):
+                ends = {first.tail, first.head, second.head}
+                if first.head == second.tail and len(ends) == 3 and "" not in ends:
+                    found.setdefault(first.head, (first.tail, first.head, second.head))
+        return list(found.values())
 
 
 def remaining_blocks(state: State) -> Iterator[Block]:
@@ -75,3 +103,136 @@ def _determined(
                 open_.add(partner[row])
                 free.append(partner[row])
     return frozenset(range(size)) - open_
+
+
+def closures(block: Block, state: State) -> list[Closure]:
+    """Return every closure of a block that was found at the default pose."""
+    names = tuple(sorted(block.unknown))
+    arms = [_side_arms(block.loops[i]) for i, _ in block.equations]
+    rows = [(a, part) for a, (_, part) in zip(arms, block.equations, strict=True)]
+    found = _solutions(rows, names, state)
+    equations = tuple(_equation(a, part) for a, part in rows)
+    outer = sorted({n for a in arms for n in mentioned(a)} - block.unknown)
+    anchor = tuple((n, state.base[n]) for n in outer)
+    return [_closure(names, equations, anchor, start) for start in found]
+
+
+def _closure(
+    names: tuple[str, ...],
+    equations: tuple[Formula, ...],
+    anchor: tuple[tuple[str, float], ...],
+    start: tuple[float, ...],
+) -> Closure:
+    system = System(names, equations, anchor, start)
+    return Closure(tuple(Definition(n, implicit(system, i)) for i, n in enumerate(names)), {})
+
+
+def _side_arms(loop: Cycle) -> Vector:
+    return tuple(arm for edge in loop for arm in edge.arms)
+
+
+def _equation(arms: Vector, part: int) -> Formula:
+    """Return the sum of the arms' components along x (0) or y (1)."""
+    return components(gathered(arms))[part].formula()
+
+
+# ------------------------------------------------------------------- numbers at the default pose
+
+Row = tuple[Vector, int]
+
+
+def _solutions(rows: Sequence[Row], names: Sequence[str], state: State) -> list[tuple[float, ...]]:
+    """Return the solutions that random starts lead to, each once."""
+    dice = Random(state.mechanism.name)
+    size = max(_sizes(rows, names, state.base), default=1.0)
+    found: list[tuple[float, ...]] = []
+    vain = 0
+    for _ in range(STARTS):
+        if vain > VAIN:
+            break
+        start = {n: _draw(n in state.angles, size, dice) for n in names}
+        end = _newton(rows, names, {**state.base, **start}, size)
+        if end is None:
+            continue
+        folded = tuple(
+            math.remainder(end[n], 2 * math.pi) if n in state.angles else end[n] for n in names
+        )
+        vain += 1
+        if all(_apart(folded, known) > SAME for known in found):
+            found.append(folded)
+            vain = 0
+    return sorted(found)
+
+
+def _draw(is_angle: bool, size: float, dice: Random) -> float:
+    return dice.uniform(-math.pi, math.pi) if is_angle else dice.uniform(0, 2 * size)
+
+
+def _apart(one: Sequence[float], other: Sequence[float]) -> float:
+    return max(abs(math.remainder(a - b, 2 * math.pi)) for a, b in zip(one, other, strict=True))
+
+
+def _sizes(rows: Sequence[Row], names: Sequence[str], values: Values) -> Iterator[float]:
+    for arms, _ in rows:
+        for arm in arms:
+            if not any(Length(n) in arm.length.factors for n in names):
+                yield abs(arm.length.evaluate(values))
+
+
+def _newton(
+    rows: Sequence[Row], names: Sequence[str], values: Values, size: float
+) -> Values | None:
+    """Return values at which all rows vanish, None where the start leads nowhere."""
+    for _ in range(STEPS):
+        gaps = [_component(arms, part, values) for arms, part in rows]
+        if max(map(abs, gaps)) < CLOSED * size:
+            return values
+        matrix = [[_slope(arms, part, n, values) for n in names] for arms, part in rows]
+        step = eliminate(matrix, gaps)
+        if step is None or not all(map(math.isfinite, step)):
+            return None
+        values = {**values, **{n: values[n] - s for n, s in zip(names, step, strict=True)}}
+    return None
+
+
+def _component(arms: Vector, part: int, values: Values) -> float:
+    return math.fsum(
+        a.length.evaluate(values) * (math.sin if part else math.cos)(a.angle.evaluate(values))
+        for a in arms
+    )
+
+
+def _slope(arms: Vector, part: int, name: str, values: Values) -> float:
+    """Return the derivative of a component by an unknown angle or length."""
+    turned: list[Arm] = []
+    for length, angle in arms:
+        sense = dict(angle.terms).get(name, 0)
+        if sense:
+            turned.append(Arm(length.scaled(sense), angle + Angle.constant(90)))
+        if Length(name) in length.factors:
+            turned.append(Arm(length / Product.symbol(name), angle))
+    return _component(tuple(turned), part, values)
+
+
+def eliminate(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[float] | None:
+    """Solve a small dense system, the largest pivot first; None where it is singular.
+
+    >>> eliminate([[2.0, 1.0], [0.0, 4.0]], [4.0, 8.0])
+    [1.0, 2.0]
+    """
+    rows = [[*row, r] for row, r in zip(matrix, right, strict=True)]
+    size = len(rows)
+    for i in range(size):
+        pivot = max(range(i, size), key=lambda r: abs(rows[r][i]))
+        if not abs(rows[pivot][i]) > 0:
+            return None
+        rows[i], rows[pivot] = rows[pivot], rows[i]
+        for row in rows[i + 1 :]:
+            factor = row[i] / rows[i][i]
+            for j in range(i, size + 1):
+                row[j] -= factor * rows[i][j]
+    found = [0.0] * size
+    for i in reversed(range(size)):
+        rest = math.fsum(rows[i][j] * found[j] for j in range(i + 1, size))
+        found[i] = (rows[i][size] - rest) / rows[i][i]
+    return found
