@@ -17,6 +17,7 @@ from typing import NamedTuple, TypeVar
 
 from mechc.syntax import ast
 from mechc.units import UNITS
+from reference_wheels import Rolling, rollings
 
 Values = dict[str, float]
 S = TypeVar("S", bound=ast.Statement)
@@ -227,6 +228,7 @@ class Assembly:
     guides: dict[str, complex]
     slides: dict[str, complex]
     touches: list[Touch]
+    rollings: list[Rolling]
     actions: list[Action]
     lengths: dict[tuple[str, str], float]
 
@@ -277,6 +279,7 @@ def _as_described(file: ast.File, values: Values, seed: int) -> Assembly:
         guides,
         slides,
         list(_touches(file, values, arms, links, slides)),
+        list(rollings(file, links, guides | slides, lambda e: evaluate(e, values))),
         _actions(file, values, arms),
         arms.lengths,
     )
@@ -339,6 +342,10 @@ def _unfold(half: Assembly, axis: complex, shared: set[str]) -> None:
         if (twin(touch.pin), body) != (touch.pin, touch.body):
             normal, place = reflect(touch.normal), reflect(touch.place)
             half.touches.append(Touch(twin(touch.pin), body, normal, place))
+    for first, at, second, there, along in list(half.rollings):
+        pair = [b if set(half.links[b]) <= shared else b + "'" for b in (first, second)]
+        twins = Rolling(pair[0], reflect(at), pair[1], reflect(there), reflect(along))
+        half.rollings.extend([twins] if pair != [first, second] else [])
     for name, along in list(half.slides.items()):
         if name + "'" in half.links:
             half.slides[name + "'"] = reflect(along)

@@ -76,6 +76,9 @@ class Motion:
         for pin, body, normal, place in self.assembly.touches:
             own = self.velocity(pin) - self._velocity_at(body, place)
             yield np.array([normal.real, normal.imag]) @ own
+        for first, at, second, there, along in self.assembly.rollings:
+            gap = self._velocity_at(first, at) - self._velocity_at(second, there)
+            yield np.array([along.real, along.imag]) @ gap
 
     def power(self, load: Action) -> Array:
         """Return the power of one unit of a load in each basic motion."""

@@ -32,10 +32,6 @@ every_mechanism = pytest.mark.parametrize("name", NAMES)
 
 BEYOND_PINS = (
     ast.Drive,
-    ast.Gear,
-    ast.Belt,
-    ast.Rack,
-    ast.Screw,
     ast.Actuator,
 )
 """What the reference by singular values does not read; test_closed and test_joints see to it."""

@@ -11,7 +11,7 @@
 from fractions import Fraction
 
 from .angle import rational
-from .factors import Factor, Length, Trig
+from .factors import CIRCLE, Factor, Length, Trig
 from .product import ZERO, Product, Sum
 from .sums import add
 from .trigonometry import cosine, sine
@@ -47,6 +47,8 @@ def _of_factor(factor: Factor, name: str) -> Product:
 def depends_openly(product: Product) -> bool:
     """Tell whether every factor is one that can be differentiated here."""
     return all(
-        isinstance(f, Length | Trig) or (isinstance(f, Sum) and all(map(depends_openly, f.terms)))
+        isinstance(f, Length | Trig)
+        or f == CIRCLE
+        or (isinstance(f, Sum) and all(map(depends_openly, f.terms)))
         for f in product.factors
     )

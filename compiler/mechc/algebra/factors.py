@@ -113,3 +113,7 @@ class Opaque:
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
         return (0, "") if isinstance(self.inside, Pi) else (2, str(self.inside))
+
+
+CIRCLE = Opaque(Pi())
+"""The number π as a factor."""

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
-from ..formula.tree import PI, number, product
+from ..formula.tree import PI
 from ..model.mechanism import Mesh, Rack, Screw
 from ..pose.pose import Pose, Touch
 from .forms import projection, scaled, subtract, turned
@@ -21,7 +21,7 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
         yield _touch(touch, velocities, spins)
     mechanism = pose.mechanism
     for mesh in mechanism.meshes:
-        yield _mesh(mesh, spins)
+        yield _mesh(mesh, pose, spins)
     for rack in mechanism.racks:
         yield _rack(rack, pose, velocities, spins)
     for screw in mechanism.screws:
@@ -47,8 +47,8 @@ def _touch(touch: Touch, velocities: Velocities, spins: Spins) -> Relation:
     return Relation(rule, touch.body, (touch.point,), touch.normal, form, touch.span)
 
 
-def _mesh(mesh: Mesh, spins: Spins) -> Relation:
-    first, second = (to_product(r) for r in (mesh.first_radius, mesh.second_radius))
+def _mesh(mesh: Mesh, pose: Pose, spins: Spins) -> Relation:
+    first, second = pose.radii[mesh.first_radius], pose.radii[mesh.second_radius]
     sign = -1 if mesh.same else 1
     form = {spins[mesh.first_link]: first, spins[mesh.second_link]: second.scaled(sign)}
     rule = Rule.GEAR if mesh.kind == "gear" else Rule.BELT
@@ -56,19 +56,25 @@ def _mesh(mesh: Mesh, spins: Spins) -> Relation:
 
 
 def _rack(rack: Rack, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
-    form = _driven(rack.point, spins[rack.link], to_product(rack.radius), pose, velocities)
-    along = pose.guides[rack.point]
+    form = _driven(rack.point, spins[rack.link], pose.radii[rack.radius], pose, velocities)
+    along = _guide(rack.point, pose)
     return Relation(Rule.RACK, rack.link, (rack.pivot, rack.point), along, form, rack.span)
 
 
 def _screw(screw: Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
-    lead = to_product(product([(screw.pitch, 1), (number(2), -1), (PI, -1)]))
+    lead = pose.radii[screw.pitch] / to_product(PI).scaled(2)
     form = _driven(screw.point, spins[screw.link], lead, pose, velocities)
-    along = pose.guides[screw.point]
+    along = _guide(screw.point, pose)
     return Relation(Rule.SCREW, screw.link, (screw.point,), along, form, screw.span)
 
 
 def _driven(point: str, spin: int, reach: Product, pose: Pose, velocities: Velocities) -> Form:
     """Return V − ω·reach, V the speed of a slider along its guide."""
-    speed = projection(velocities[point], pose.guides[point])
+    speed = projection(velocities[point], _guide(point, pose))
     return subtract(speed, scaled({spin: ONE}, reach))
+
+
+def _guide(point: str, pose: Pose) -> Angle:
+    guide = pose.guide_of(point)
+    assert guide is not None, "the model lets racks and screws move guided points only"
+    return guide

@@ -55,5 +55,13 @@ def described(relation: Relation) -> str:
             return f"the slot of {point} in {body}"
         case Rule.CONTACT:
             return f"the contact of {point} with {body}"
+        case Rule.GEAR:
+            return f"the pair of gears on {' and '.join(relation.points)}"
+        case Rule.BELT:
+            return f"the belt between {' and '.join(relation.points)}"
+        case Rule.RACK:
+            return f"the rack at {relation.points[-1]}"
+        case Rule.SCREW:
+            return f"the screw that moves {point}"
         case _:
             return f"link {body}" if body else f"the guide of {point}"

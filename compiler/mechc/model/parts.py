@@ -142,7 +142,7 @@ class Mesh:
 
 @frozen
 class Rack:
-    """Slider ``point`` carries a rack that a gear of a radius on ``pivot`` drives.
+    """A slider, or a point of a slide, carries a rack that a gear on ``pivot`` drives.
 
     V of the slider along its guide = ω · radius: the rack passes the pivot on the right of
     the guide's direction; a negative radius puts it on the left.

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from typing import Protocol, TypeVar
 
 from ..diagnostics.model import joints as words
+from ..diagnostics.model import names
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..syntax import ast
@@ -53,8 +54,8 @@ def read_joints(file: ast.File, scope: Scope) -> Joints:
         tuple(
             found(_mesh(s, scope) for s in file.statements if isinstance(s, ast.Gear | ast.Belt))
         ),
-        tuple(found(_rack(s, scope) for s in every(file, ast.Rack))),
-        tuple(found(_screw(s, scope) for s in every(file, ast.Screw))),
+        tuple(found(_rack(s, slides, scope) for s in every(file, ast.Rack))),
+        tuple(found(_screw(s, slides, scope) for s in every(file, ast.Screw))),
     )
 
 
@@ -132,14 +133,18 @@ def _mesh(statement: ast.Gear | ast.Belt, scope: Scope) -> Mesh | None:
     radii = [_radius(r, scope) for r in (statement.first_radius, statement.second_radius)]
     if first is None or second is None or radii[0] is None or radii[1] is None:
         return None
+    pivots = statement.first.text, statement.second.text
+    if pivots[0] == pivots[1]:
+        scope.report.add(names.repeated_point(statement.second.span, "".join(pivots), pivots[0]))
+        return None
     is_gear = isinstance(statement, ast.Gear)
     same = statement.inner if isinstance(statement, ast.Gear) else not statement.crossed
     return Mesh(
         "gear" if is_gear else "belt",
-        statement.first.text,
+        pivots[0],
         first.name,
         radii[0],
-        statement.second.text,
+        pivots[1],
         second.name,
         radii[1],
         same,
@@ -172,8 +177,8 @@ def _radius(radius: ast.Expr, scope: Scope, signed: bool = False) -> Formula | N
     return formula
 
 
-def _rack(statement: ast.Rack, scope: Scope) -> Rack | None:
-    point = _slider(statement.point, scope)
+def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: Scope) -> Rack | None:
+    point = _guided(statement.point, slides, scope)
     link = _wheel(statement.pivot, scope)
     radius = _radius(statement.radius, scope, signed=True)
     if not point or not link or not radius:
@@ -181,8 +186,8 @@ def _rack(statement: ast.Rack, scope: Scope) -> Rack | None:
     return Rack(point, statement.pivot.text, link.name, radius, statement.span)
 
 
-def _screw(statement: ast.Screw, scope: Scope) -> Screw | None:
-    point = _slider(statement.point, scope)
+def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw | None:
+    point = _guided(statement.point, slides, scope)
     link = scope.points.link(statement.link)
     pitch = _radius(statement.pitch, scope, signed=True)
     if not point or not link or not pitch:
@@ -194,12 +199,12 @@ def _screw(statement: ast.Screw, scope: Scope) -> Screw | None:
     return Screw(point, pitch, link.name, statement.span)
 
 
-def _slider(name: ast.Name, scope: Scope) -> str | None:
-    """Return a point that a guide of the ground holds."""
+def _guided(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> str | None:
+    """Return a slider, or a point of a body that only translates."""
     points = scope.points.acting(name)
     if not points:
         return None
-    if points[0] not in scope.points.guided:
+    if points[0] not in scope.points.guided.union(*(s.points for s in slides)):
         scope.report.add(words.rack_without_guide(name.span, points[0]))
         return None
     return points[0]

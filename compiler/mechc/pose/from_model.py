@@ -7,7 +7,7 @@ from ..diagnostics import Report
 from ..diagnostics import pose as words
 from ..frozen import replace
 from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Thrust
-from .bodies import aligned, on_the_line, touches
+from .bodies import aligned, on_the_line, radii, touches
 from .closing import close
 from .closure import Closure, Condition, across
 from .compass import Compass
@@ -51,6 +51,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         rates=rates,
         slides=slides,
         touches=held,
+        radii={radius: terms.length(radius) for radius in radii(mechanism)},
     )
     survey.close_loops(pose)
     survey.report_unfound(pose, found)

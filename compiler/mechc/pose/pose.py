@@ -69,7 +69,7 @@ class Pose:
     the names that move with it, the drive's own being 1; empty without a drive.
     ``slides[body]`` is the direction of a body that only translates; ``lines`` has also the
     direction in which a pair of forces pushes its second point, or its first one where the
-    second is the twin of it.
+    second is the twin of it. ``radii`` is what each radius and pitch comes to.
     """
 
     mechanism: Mechanism
@@ -83,6 +83,7 @@ class Pose:
     rates: Mapping[str, Product] = MappingProxyType({})
     slides: Mapping[str, Angle] = MappingProxyType({})
     touches: tuple[Touch, ...] = ()
+    radii: Mapping[Formula, Product] = MappingProxyType({})
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..algebra.angle import RADIAN, Angle
-from ..algebra.factors import Factor, Length, Trig
+from ..algebra.factors import CIRCLE, Factor, Length, Trig
 from ..algebra.product import Product, Sum
 
 SLACK = 4e-16
@@ -62,6 +62,8 @@ def factor_bounds(factor: Factor, box: Box) -> Interval:
         case Sum():
             parts = [bounds(t, box) for t in factor.terms]
             return widened(sum(p.low for p in parts), sum(p.high for p in parts))
+        case _ if factor == CIRCLE:
+            return widened(math.pi, math.pi)
         case _:
             return Interval(-math.inf, math.inf)
 

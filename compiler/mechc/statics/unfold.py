@@ -159,8 +159,10 @@ class Unfolding:
         return self._parts(name) * (1 if self._shared(name) else 2)
 
     def direction_of_guide(self, point: str) -> Plane:
-        """Return the unit direction of a slider's guide."""
-        return direction(self.pose.guides[point].evaluate(self.values))
+        """Return the unit direction of the guide of a slider, or of a point of a slide."""
+        guide = self.pose.guide_of(point)
+        assert guide is not None
+        return direction(guide.evaluate(self.values))
 
     def arm(self, link: str, tail: str, head: str) -> Plane:
         """Return the vector between two points of a link."""

@@ -262,6 +262,8 @@ def radius_not_positive(at: Span, shown: str) -> Words:
 def rack_without_guide(at: Span, point: str) -> Words:
     """A rack or a screw moves a point along its guide, and this point has none.
 
+    The point is a slider, or belongs to a ``slide``.
+
     ::
 
         slider A along x
