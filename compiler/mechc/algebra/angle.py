@@ -71,6 +71,11 @@ class Angle:
             parts.append(f"{self.degrees}°")
         return " + ".join(parts).replace("+ -", "- ")
 
+    @property
+    def names(self) -> frozenset[str]:
+        """Return the symbols, a constant in radians apart."""
+        return frozenset(name for name, _ in self.terms if name != RADIAN)
+
     def put(self, values: Mapping[str, "Angle"]) -> "Angle":
         """Return the angle with symbols replaced by angles.
 

@@ -96,7 +96,7 @@ class Choice:
         if len(assembly.points) == 3:
             return assembly.points[0]
         rail = self._state.rails.get(assembly.points[0])
-        return rail.start if rail and dict(rail.angle.terms).keys() <= values.keys() else None
+        return rail.start if rail and rail.angle.names <= values.keys() else None
 
     def _holds(self, assembly: Assembly, poses: Sequence[Values], i: int) -> bool:
         mine = self._measure(assembly, poses[i]) or 0.0

@@ -34,9 +34,9 @@ def _names(pose: Pose) -> Iterator[str]:
         yield from mentioned(vector)
     angles = [*pose.guides.values(), *pose.lines.values(), *pose.slides.values()]
     for angle in (*angles, *(touch.normal for touch in pose.touches)):
-        yield from dict(angle.terms)
+        yield from angle.names
     if pose.axis is not None:
-        yield from dict(pose.axis.terms)
+        yield from pose.axis.names
     yield from (parameter.name for parameter in pose.mechanism.parameters)
     for load in pose.mechanism.loads:
         yield from symbols(load.tie) if load.tie else ()

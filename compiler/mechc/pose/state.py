@@ -75,7 +75,7 @@ class State:
             if symbols(formula) <= found.keys():
                 found[name] = evaluate(formula, found)
         for name, angle in closure.directions.items():
-            if dict(angle.terms).keys() <= found.keys():
+            if angle.names <= found.keys():
                 found[name] = angle.evaluate(found)
         return found
 
@@ -103,7 +103,7 @@ class State:
         tell, each with other lengths.
         """
         poses = [self.tried(closure, values) for values in self.values]
-        known = [a for a in familiar if self.web.sought.isdisjoint(dict(a.terms))]
+        known = [a for a in familiar if self.web.sought.isdisjoint(a.names)]
         for name in sorted(unknown & self.angles):
             if same := next((s for a in known if (s := _alike(name, a, poses))), None):
                 closure = _rewritten(closure, name, same, name in self.named)
@@ -114,7 +114,7 @@ def _alike(name: str, angle: Angle, poses: Iterable[Values]) -> Angle | None:
     """Return an angle, turned by quarters, if the unknown is the same at all poses."""
     gaps = []
     for values in poses:
-        if name in values and dict(angle.terms).keys() <= values.keys():
+        if name in values and angle.names <= values.keys():
             gaps.append((values[name] - angle.evaluate(values)) % (2 * math.pi))
     if len(gaps) < 3 or not all(map(math.isfinite, gaps)):
         return None

@@ -38,7 +38,7 @@ Cycle = tuple[Edge, ...]
 
 def mentioned(vector: Vector) -> Names:
     """Return the symbols of a vector, in lengths and in angles."""
-    return frozenset(n for arm in vector for n in (*_names(arm.length), *dict(arm.angle.terms)))
+    return frozenset(n for arm in vector for n in (*_names(arm.length), *arm.angle.names))
 
 
 def _names(length: Product) -> Iterator[str]:
