@@ -106,6 +106,7 @@ WORDS = Words(
         "other": "",
     },
     derivatives="Sensitivities (partial derivatives)",
+    slope="Derivative along the stroke",
     requirements="The result holds for",
     numbers="Numerical values",
     at_default="At the values given",

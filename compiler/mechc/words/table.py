@@ -66,6 +66,7 @@ class Words(NamedTuple):
     when: str
     centres: Mapping[str, str]
     derivatives: str
+    slope: str
 
     requirements: str
     numbers: str

@@ -24,6 +24,7 @@ class ResultBlock(NamedTuple):
     displays: tuple[str, ...]
     remarks: tuple[str, ...]
     derivatives: str
+    sensitivities: str
 
 
 def result_block(
@@ -35,6 +36,7 @@ def result_block(
         (*_main(result, words, style), *_where(definitions(result, told), words, style)),
         remarks(result, words, Speller(style)),
         _derivatives(result, words, style),
+        words.slope if result.where else words.derivatives,
     )
 
 
@@ -80,15 +82,17 @@ def _derivatives(result: Result, words: Words, style: Notation) -> str:
         return ""
     symbol = latex(asked(result), style)
     lines = tuple(
-        Line(_partial(symbol, parameter, style), formula)
+        Line(_slope(symbol, parameter, style, total=bool(result.where)), formula)
         for parameter, formula in (result.derivatives or {}).items()
         if formula != ZERO
     )
     return display(lines, style, words.where) if lines else ""
 
 
-def _partial(symbol: str, parameter: str, style: Notation) -> Box:
-    whole = rf"\frac{{\partial {symbol}}}{{\partial {name(parameter, style)}}}"
+def _slope(symbol: str, parameter: str, style: Notation, total: bool) -> Box:
+    """Return the sign of a derivative: a total one where other angles follow the parameter."""
+    d = r"\mathrm{d}" if total else r"\partial"
+    whole = rf"\frac{{{d} {symbol}}}{{{d} {name(parameter, style)}}}"
     return Box(whole, 0.6 + plain(symbol).width, tall=True)
 
 

@@ -16,6 +16,7 @@ from ...derivation.wording import Sides, lines, sentence
 from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
+from ...model.mechanism import Parameter
 from ...units import ANGLE
 from ...words import en, ru, uk
 from ...words.table import Words
@@ -124,6 +125,14 @@ def _names(compiled: Compiled) -> Iterator[str]:
         yield from sorted(symbols(result.formula))
 
 
+def _given(compiled: Compiled) -> Iterator[Parameter]:
+    """Yield the parameters that are given; those that a loop gives stand with the results."""
+    found = {d.name for result in compiled.derivation.results for d in result.where}
+    for parameter in compiled.mechanism.parameters:
+        if parameter.value is not None or parameter.name not in found:
+            yield parameter
+
+
 def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -> Report:
     mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
     return Report(
@@ -134,7 +143,7 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
         section="subsection" if fragment else "section",
         title=escape(mechanism.title or mechanism.name),
         source=escape(mechanism.source),
-        parameters=tuple(parameter_row(p, words, style) for p in mechanism.parameters),
+        parameters=tuple(parameter_row(p, words, style) for p in _given(compiled)),
         scheme=scheme(mechanism, words, style),
         vectors=tuple(vector_row(entry, style) for entry in mechanism.geometry),
         steps=tuple(_step(step, words, style) for step in derivation.steps),
