@@ -5,13 +5,13 @@ from collections.abc import Iterator
 import click
 
 from ..check.expectations import Finding
-from ..derivation.definitions import definitions, is_by_letter
+from ..derivation.definitions import Solved, definitions, grouped, is_by_letter
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
 from ..formula.to_text import text
 from ..model.mechanism import GRAVITY
-from ..model.result import Result
+from ..model.result import Definition, Result
 from ..source import Source
 from ..statics.to_text import to_text
 from ..statics.verdict import Verdict
@@ -70,14 +70,22 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
 
 def _of_result(result: Result, told: set[str]) -> Iterator[str]:
     yield f"  {result.name} = {text(result.formula)}"
-    for name, formula in definitions(result, told):
-        g = f", g = {float(GRAVITY.value)} m/s^2" if is_by_letter(formula) else ""
-        yield f"    where {name} = {text(formula)}{g}"
+    for group in grouped(definitions(result, told)):
+        yield from _of_definition(group)
     if result.default is not None:
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
     if result.independent:
         yield f"    does not depend on {', '.join(result.independent)}"
+
+
+def _of_definition(group: Definition | Solved) -> Iterator[str]:
+    if isinstance(group, Solved):
+        yield f"    where {', '.join(group.names)} solve"
+        yield from (f"      {text(zero)} = 0" for zero in group.zeros)
+        return
+    g = f", g = {float(GRAVITY.value)} m/s^2" if is_by_letter(group.formula) else ""
+    yield f"    where {group.name} = {text(group.formula)}{g}"
 
 
 def _of_finding(finding: Finding, source: Source) -> str:

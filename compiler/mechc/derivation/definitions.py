@@ -40,7 +40,7 @@ def is_by_letter(formula: Formula) -> bool:
 
 
 class Solved(NamedTuple):
-    """Names that one system defines, and what is zero for them."""
+    """The unknowns of one system, those defined by their defined names, and what is zero."""
 
     names: tuple[str, ...]
     zeros: tuple[Formula, ...]
@@ -60,6 +60,7 @@ def _group(members: list[tuple[str, Formula]]) -> Definition | Solved:
     if not isinstance(formula, Implicit):
         return Definition(name, formula)
     unknowns = formula.system.unknowns
-    names = {unknowns[f.index]: Symbol(n) for n, f in members if isinstance(f, Implicit)}
-    zeros = tuple(substitute(zero, names) for zero in equations(formula))
-    return Solved(tuple(n for n, _ in members), zeros)
+    names = {unknowns[f.index]: n for n, f in members if isinstance(f, Implicit)}
+    renamed = {unknown: Symbol(n) for unknown, n in names.items()}
+    zeros = tuple(substitute(zero, renamed) for zero in equations(formula))
+    return Solved(tuple(names.get(unknown, unknown) for unknown in unknowns), zeros)

@@ -6,13 +6,13 @@ from textwrap import wrap
 from typing import NamedTuple
 
 from ..formula.layout import is_angle
-from ..formula.tree import Formula, Symbol
+from ..formula.tree import ZERO, Formula, Symbol
 from ..frozen import replace
 from ..model.mechanism import GRAVITY, Mechanism
 from ..model.result import Definition, Result
 from ..units import ANGLE
 from ..words.en import WORDS
-from .definitions import definitions, is_by_letter
+from .definitions import Solved, definitions, grouped, is_by_letter
 from .remarks import asked, conditions, heading, is_nameless, ratio, remarks
 from .steps import Derivation, Step
 from .text_printer import ASCII, UNICODE, Signs, print_formula, print_point
@@ -112,18 +112,24 @@ def _result(result: Result, where: Sequence[Definition], spell: Speller) -> Iter
     yield from _broken(spell.relation(sides, ("=",) * len(left), angle))
     if where:
         yield f"     {WORDS.where}"
-        for name, formula in where:
-            yield from _definition(name, formula, spell)
+        for group in grouped(where):
+            yield from _group(group, spell)
     if any(is_by_letter(d.formula) for d in where):
         yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
     for remark in remarks(result, WORDS, spell):
         yield from _wrapped(remark, "   - ")
 
 
-def _definition(name: str, formula: Formula, spell: Speller) -> list[str]:
-    left = spell.relation((Symbol(name),), (), False)
-    right = spell.relation((formula,), (), name in spell.angles)
-    return _broken(f"{left} = {right}")
+def _group(group: Definition | Solved, spell: Speller) -> Iterator[str]:
+    if isinstance(group, Definition):
+        left = spell.relation((Symbol(group.name),), (), False)
+        right = spell.relation((group.formula,), (), group.name in spell.angles)
+        yield from _broken(f"{left} = {right}")
+    else:
+        names = ", ".join(spell.relation((Symbol(n),), (), False) for n in group.names)
+        yield from _wrapped(WORDS.solve.format(names=names), _DEEP)
+        for zero in group.zeros:
+            yield from _broken(spell.relation((zero, ZERO), ("=",), False))
 
 
 def _equations(equations: Iterable[Sides], spell: Speller) -> list[str]:

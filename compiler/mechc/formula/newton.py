@@ -1,12 +1,12 @@
 """Newton's method along a path: which of several solutions a system's unknowns are.
 
-The outer symbols go from the anchor to their values on a straight line, in one step
-where Newton's method allows. It does where its corrections shrink at once: then the
-theorem of Newton and Kantorovich says that the solution that it finds is the one that
-the start leads to (P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, ch. 2
-and 5). A step is halved where the first correction is long, where the corrections do not shrink
-to :data:`CONTRACTION`, or where the determinant changes its sign: solutions that meet where
-the branch ends have unlike signs.
+The outer symbols go from the anchor to their values on a straight line, in as few steps
+as Newton's method allows, one for a turn of up to 1.5 radians. A step is allowed where the
+corrections shrink at once: then the theorem of Newton and Kantorovich says that the
+solution found is the one that the start leads to (P. Deuflhard, *Newton Methods for
+Nonlinear Problems*, 2004, ch. 2 and 5). It is halved where the first correction is long,
+where the corrections do not shrink to :data:`CONTRACTION`, or where the determinant
+changes its sign: solutions that meet where a branch ends have unlike signs.
 
 Every target and the interpreter do the same, correction by correction.
 """
@@ -31,6 +31,12 @@ CONTRACTION = 0.4
 LONGEST = 1.0
 """What the first correction of a step may be, as a part of :func:`scale`: one radian."""
 
+WIDEST = 1.5
+"""What the outer symbols may change by in one step, as a part of their :func:`scale`."""
+
+FARTHEST = WIDEST * CORRECTIONS
+"""A change that no number of corrections would reach."""
+
 SHORTEST = 2.0**-10
 """Where corrections run out at steps below this part of the path, the branch ends there."""
 
@@ -45,7 +51,7 @@ ROUNDING = 1e-17
 
 
 def scale(start: float) -> float:
-    """Return the size by which an unknown's corrections are measured.
+    """Return the size by which changes are measured of what has this value at the outset.
 
     A radian for angles; a length of several metres is measured by itself.
     """
@@ -70,7 +76,10 @@ def follow(
     residuals, matrix = equations(start, anchor)
     side = eliminate(matrix, residuals)
     base, found = list(start), list(start)
-    reached, step, last = 0.0, 1.0, 0.0
+    longest = _longest(anchor, outer)
+    reached, step, last = 0.0, longest, 0.0
+    if longest == 0.0:
+        return 2, tuple(base)
     for _ in range(CORRECTIONS):
         aim = reached + step
         here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
@@ -88,8 +97,19 @@ def follow(
         if aim == 1.0:
             return 0, tuple(found)
         base, reached, last = list(found), aim, 0.0
-        step = min(2 * step, 1.0 - reached)
+        step = min(2 * step, longest, 1.0 - reached)
     return 1 if step < SHORTEST else 2, tuple(base)
+
+
+def _longest(anchor: Sequence[float], outer: Sequence[float]) -> float:
+    """Return the longest step, a power of 1/2; 0 where the way is too far or not finite."""
+    parts = [(o - a) / scale(a) for a, o in zip(anchor, outer, strict=True)]
+    far, step = math.sqrt(sum(part * part for part in parts)), 1.0
+    if not far <= FARTHEST:
+        return 0.0
+    while step * far > WIDEST:
+        step /= 2
+    return step
 
 
 def _allowed(last: float) -> float:

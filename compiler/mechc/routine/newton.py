@@ -32,11 +32,12 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
     poses = outer.shape[1]
     start, anchor = (np.array(v)[:, None] for v in (solver.start, solver.anchor))
     scales = np.array([newton.scale(s) for s in solver.start])[:, None]
-    base = np.repeat(start, poses, axis=1)
-    found = base.copy()
-    reached, step, last = np.zeros(poses), np.ones(poses), np.zeros(poses)
-    status, result = np.full(poses, 2.0), np.full_like(base, np.nan)
-    left = np.arange(poses)
+    status, result = np.full(poses, 2.0), np.full((len(start), poses), np.nan)
+    longest = _longest(solver, anchor, outer)
+    left = np.flatnonzero(longest)
+    base, longest = np.repeat(start, len(left), axis=1), longest[left]
+    found, step = base.copy(), longest
+    reached, last = np.zeros(len(left)), np.zeros(len(left))
     for _ in range(newton.CORRECTIONS):
         aim = reached + step
         residuals, matrix = equations(found, (1.0 - aim) * anchor + aim * outer[:, left])
@@ -50,16 +51,28 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
         last = np.where(good & ~there, size, 0.0)
         base = np.where(there, found, base)
         reached = np.where(there, aim, reached)
-        step = np.where(there, np.minimum(2 * step, 1.0 - reached), np.where(good, step, step / 2))
+        ahead = np.minimum(np.minimum(2 * step, longest), 1.0 - reached)
+        step = np.where(there, ahead, np.where(good, step, step / 2))
         solved = there & (aim == 1.0)
         status[left[solved]], result[:, left[solved]] = 0.0, found[:, solved]
         on = ~solved
         left, base, found = left[on], base[:, on], found[:, on]
-        reached, step, last = reached[on], step[on], last[on]
+        reached, step, last, longest = reached[on], step[on], last[on], longest[on]
         if not len(left):
             break
     status[left] = np.where(step < newton.SHORTEST, 1.0, 2.0)
     return status, result
+
+
+def _longest(solver: Solver, anchor: Array, outer: Array) -> Array:
+    """Return the longest step of every pose; 0 where the way is too far or not finite."""
+    scales = np.array([newton.scale(a) for a in solver.anchor])[:, None]
+    parts = (outer - anchor) / scales
+    far = np.sqrt(np.sum(parts * parts, axis=0))
+    steps = np.ones_like(far)
+    while np.any(wide := (steps * far > newton.WIDEST) & (far <= newton.FARTHEST)):
+        steps = np.where(wide, steps / 2, steps)
+    return np.where(far <= newton.FARTHEST, steps, 0.0)
 
 
 def eliminate(matrix: Array, right: Array) -> Array:

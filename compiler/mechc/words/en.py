@@ -86,6 +86,7 @@ WORDS = Words(
     load="Load",
     speed_ratio="Velocity ratio",
     where="where",
+    solve="{names}: the solution, on the branch of the values given, of",
     proportional="Proportionality:",
     independent="{result} does not depend on {names}.",
     swaps="{result} does not change when {first} and {second} change places.",

@@ -87,6 +87,7 @@ WORDS = Words(
     load="Нагрузка",
     speed_ratio="Отношение скоростей",
     where="где",
+    solve="{names}: решение, на ветви приведённых значений, уравнений",
     proportional="Пропорциональность:",
     independent="{result} не зависит от {names}.",
     swaps="{result} не меняется, если {first} и {second} поменять местами.",

@@ -57,6 +57,7 @@ class Words(NamedTuple):
     load: str
     speed_ratio: str
     where: str
+    solve: str
     proportional: str
     independent: str
     swaps: str

@@ -86,6 +86,7 @@ WORDS = Words(
     load="Навантаження",
     speed_ratio="Відношення швидкостей",
     where="де",
+    solve="{names}: розв’язок, на гілці наведених значень, рівнянь",
     proportional="Пропорційність:",
     independent="{result} не залежить від {names}.",
     swaps="{result} не змінюється, якщо {first} та {second} поміняти місцями.",

@@ -11,10 +11,10 @@ from ..names import Names, mangle
 from ..printer import Printer
 from ..render import Line
 from .layout import harmless, wrapped
-from .printer import RESERVED, CPrinter
+from .printer import RESERVED, QuickPrinter
 
 _WORDS = """
-    base reached step last count i found aim rest right matrix sign size mechc_eliminate
+    base reached step last count i found aim rest right matrix sign size far longest mechc_eliminate
 """
 _OWN = frozenset(_WORDS.split())
 """What the template calls its own."""
@@ -35,6 +35,7 @@ class SolverContext(NamedTuple):
     body: list[Line]
     residuals: list[str]
     jacobian: list[list[str]]
+    far: str
     norm: str
     side: int
 
@@ -56,7 +57,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     steps = [step.name for step in solver.steps]
     names = mangle((*solver.unknowns, *solver.outer, *steps), space)
     ends = {n: space.claim(f"{names[n]}_end") for n in solver.outer}
-    printer = CPrinter(names)
+    printer = QuickPrinter(names)
     heads = [*(f"double {ends[n]}" for n in solver.outer), "double *found"]
     unknowns = [Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)]
     lines = [Line(names[s.name], printer.print(s.formula)) for s in solver.steps]
@@ -69,7 +70,9 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         [*(_between(n, names, ends, a) for n, a in _anchored(solver)), *unknowns, *lines],
         [printer.print(f) for f in solver.residuals],
         [[printer.print(f) for f in row] for row in solver.jacobian],
-        " + ".join(_square(i, newton.scale(s)) for i, s in enumerate(solver.start)),
+        " + ".join(_square(_gap(ends[n], a), newton.scale(a)) for n, a in _anchored(solver))
+        or "0.0",
+        " + ".join(_square(f"right[{i}]", newton.scale(s)) for i, s in enumerate(solver.start)),
         solver.side or NEVER,
     )
 
@@ -83,9 +86,12 @@ def _between(name: str, names: Mapping[str, str], ends: Mapping[str, str], ancho
     return Line(names[name], f"rest*{value} + aim*{ends[name]}")
 
 
-def _square(index: int, scale: float) -> str:
-    part = f"right[{index}]" if scale == 1 else f"right[{index}]/{scale!r}"
-    return f"{part}*{part}" if scale == 1 else f"({part})*({part})"
+def _gap(end: str, anchor: float) -> str:
+    return f"({end} + {-anchor!r})" if anchor < 0 else f"({end} - {anchor!r})"
+
+
+def _square(part: str, scale: float) -> str:
+    return f"{part}*{part}" if scale == 1 else f"({part}/{scale!r})*({part}/{scale!r})"
 
 
 # ----------------------------------------------------------------------- statements

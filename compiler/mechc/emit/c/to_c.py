@@ -149,7 +149,7 @@ def _source(compiled: Compiled, parts: Parts, preface: list[str], header: str) -
         solvers=parts.solvers,
         newton=newton,
         pi=Pi() in nodes,
-        circular=any(f.quick for f in parts.functions),
+        circular=any(f.quick for f in parts.functions) or bool(parts.solvers),
         guarded=any(f.quick and f.plain.conditions for f in parts.functions),
         choices=choices,
     )

@@ -125,7 +125,8 @@ def _set(formula: Formula, style: Notation, around: int, angle: bool) -> Box:
 def _solution(unknown: str, zeros: Iterable[Formula], style: Notation) -> Box:
     """Set an unknown and its equations in a row; where they are defined they have lines."""
     lines = [row((_set(zero, style, SUM, False), plain("=0"))) for zero in zeros]
-    return row((plain(name(unknown, style) + ":"), *(row((plain(r"\;"), x)) for x in lines)))
+    rest = (row((plain(r",\;"), line)) for line in lines[1:])
+    return row((plain(name(unknown, style) + r":\;"), lines[0], *rest))
 
 
 def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> Box:

@@ -1,10 +1,11 @@
 """The report's last part: what was found and what follows from it."""
 
 from collections.abc import Container, Iterable, Mapping
+from itertools import groupby
 from math import isfinite
 from typing import NamedTuple
 
-from ...derivation.definitions import definitions
+from ...derivation.definitions import Solved, definitions, grouped
 from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks
 from ...formula.tree import ZERO, Formula, Symbol, product, total
 from ...model.mechanism import SpeedRatio
@@ -69,12 +70,27 @@ def _as_form(
 
 
 def _where(where: Iterable[Definition], words: Words, style: Notation) -> tuple[str, ...]:
-    lines = tuple(
-        Line(plain(name(d.name, style)), d.formula, d.name in style.angles) for d in where
-    )
-    if not lines:
-        return ()
-    return words.where, display(lines, style, words.where)
+    """Return definitions, neighbours in one display; a system's names before its equations."""
+    told: list[str] = []
+    for solved, groups in groupby(grouped(where), lambda group: isinstance(group, Solved)):
+        if solved:
+            told += (part for group in groups for part in _solved(group, words, style))
+        else:
+            told.append(display(tuple(_line(group, style) for group in groups), style, words.where))
+    return (words.where, *told) if told else ()
+
+
+def _line(definition: Definition | Solved, style: Notation) -> Line:
+    assert isinstance(definition, Definition)
+    symbol = plain(name(definition.name, style))
+    return Line(symbol, definition.formula, definition.name in style.angles)
+
+
+def _solved(group: Definition | Solved, words: Words, style: Notation) -> tuple[str, str]:
+    assert isinstance(group, Solved)
+    names = ", ".join(f"${name(n, style)}$" for n in group.names)
+    lines = tuple(Line(plain("0"), zero) for zero in group.zeros)
+    return words.solve.format(names=names), display(lines, style, words.where)
 
 
 def _derivatives(result: Result, words: Words, style: Notation) -> str:
