@@ -8,17 +8,17 @@ from ..diagnostics import pose as words
 from ..frozen import replace
 from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Thrust
 from .bodies import aligned, on_the_line, radii, touches
-from .closing import close
 from .closure import Closure, Condition, across
 from .compass import Compass
+from .loops.closing import close
+from .loops.rails import with_lines
+from .loops.web import mentioned
 from .nearby import poses_nearby
 from .pose import Pose, Vector
 from .pruning import pruned
-from .rails import with_lines
 from .terms import Terms
 from .thrusts import Pairing, thrust_line
 from .vectors import Vectors
-from .web import mentioned
 
 
 def settle(mechanism: Mechanism, report: Report) -> Pose:

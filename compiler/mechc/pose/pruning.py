@@ -4,8 +4,8 @@ from collections.abc import Iterator
 
 from ..formula.walk import symbols
 from ..frozen import replace
+from .loops.web import mentioned
 from .pose import Pose
-from .web import mentioned
 
 
 def pruned(pose: Pose) -> Pose:

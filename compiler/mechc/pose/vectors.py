@@ -11,9 +11,9 @@ from ..formula.walk import symbols
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .compass import Compass
+from .loops.web import Edge
 from .pose import Arm, Vector, components, gathered, reverse, turned_by
 from .terms import Terms
-from .web import Edge
 
 
 class Loop(NamedTuple):

@@ -4,12 +4,12 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import Protocol
 
-from ..diagnostics import Report
-from ..diagnostics import pose as words
-from ..model.mechanism import Assembly
-from ..source import Span
+from ...diagnostics import Report
+from ...diagnostics import pose as words
+from ...model.mechanism import Assembly
+from ...source import Span
+from ..nearby import Values
 from .dyads import Closure
-from .nearby import Values
 from .reach import reach_of
 from .state import State
 from .web import Cycle, Names

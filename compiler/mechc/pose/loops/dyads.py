@@ -14,13 +14,13 @@ Needle-like Triangle, 2014), which has no cancellation near a straight knee.
 from collections.abc import Callable, Iterable, Mapping
 from typing import NamedTuple
 
-from ..algebra.angle import Angle
-from ..algebra.factors import Length
-from ..algebra.product import Product
-from ..algebra.sums import add
-from ..algebra.trigonometry import cosine, sine
-from ..formula.tree import Call, Formula, negative, product, total
-from .pose import Arm, Definition, Vector, components, gathered
+from ...algebra.angle import Angle
+from ...algebra.factors import Length
+from ...algebra.product import Product
+from ...algebra.sums import add
+from ...algebra.trigonometry import cosine, sine
+from ...formula.tree import Call, Formula, negative, product, total
+from ..pose import Arm, Definition, Vector, components, gathered
 from .web import Cycle, Names, mentioned
 
 HALF_TURN, QUARTER = Angle.constant(180), Angle.constant(90)

@@ -3,12 +3,12 @@
 import math
 from collections.abc import Iterator
 
-from ..algebra.angle import Angle
-from ..diagnostics import Diagnostic
-from ..diagnostics import pose as words
-from ..formula.tree import Call
+from ...algebra.angle import Angle
+from ...diagnostics import Diagnostic
+from ...diagnostics import pose as words
+from ...formula.tree import Call
+from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
 from .dyads import Closure, principal
-from .pose import Arm, Definition, Vector, components, evaluate_vector, gathered
 from .state import State
 from .web import Cycle, mentioned
 

@@ -3,13 +3,13 @@
 from collections.abc import Iterator
 from typing import NamedTuple, assert_never
 
-from ..algebra.angle import Angle
-from ..algebra.product import Product
-from ..frozen import replace
-from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
-from ..source import Span
-from .compass import Compass
-from .pose import Arm
+from ...algebra.angle import Angle
+from ...algebra.product import Product
+from ...frozen import replace
+from ...model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
+from ...source import Span
+from ..compass import Compass
+from ..pose import Arm
 from .web import Edge
 
 

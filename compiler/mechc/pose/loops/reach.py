@@ -3,11 +3,11 @@
 import math
 from collections.abc import Callable
 
-from ..diagnostics.pose import Stretch
-from ..formula.walk import evaluate, symbols
-from ..units import ANGLE, Dimension
+from ...diagnostics.pose import Stretch
+from ...formula.walk import evaluate, symbols
+from ...units import ANGLE, Dimension
+from ..nearby import Values
 from .dyads import Closure
-from .nearby import Values
 from .state import State
 
 SAMPLES = 720

@@ -10,14 +10,14 @@ from collections.abc import Iterator, Mapping, Sequence
 from random import Random
 from typing import NamedTuple
 
-from ..algebra.angle import Angle
-from ..algebra.blocks import blocks, match
-from ..algebra.factors import Length
-from ..algebra.product import Product
-from ..formula.tree import Formula, System, implicit
+from ...algebra.angle import Angle
+from ...algebra.blocks import blocks, match
+from ...algebra.factors import Length
+from ...algebra.product import Product
+from ...formula.tree import Formula, System, implicit
+from ..nearby import Values
+from ..pose import Arm, Definition, Vector, components, gathered
 from .dyads import Closure
-from .nearby import Values
-from .pose import Arm, Definition, Vector, components, gathered
 from .state import State
 from .web import Cycle, mentioned
 

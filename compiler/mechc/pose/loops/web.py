@@ -10,11 +10,11 @@ from collections.abc import Collection, Iterable, Iterator, Mapping
 from itertools import combinations
 from typing import NamedTuple
 
-from ..algebra.angle import Angle
-from ..algebra.product import Product, Sum
-from ..formula.walk import symbols
-from ..source import Span
-from .pose import Vector, evaluate_vector, reverse, turned_by
+from ...algebra.angle import Angle
+from ...algebra.product import Product, Sum
+from ...formula.walk import symbols
+from ...source import Span
+from ..pose import Vector, evaluate_vector, reverse, turned_by
 
 Names = frozenset[str]
 

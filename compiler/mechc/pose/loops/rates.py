@@ -7,13 +7,13 @@ velocity ratios of mechanics, ``a·sin(φ − ψ)/(b·sin(ψ − θ))``.
 
 from collections.abc import Iterable, Mapping, Sequence
 
-from ..algebra.angle import Angle, rational
-from ..algebra.derivative import derivative
-from ..algebra.determinant import determinant
-from ..algebra.product import Product
-from ..algebra.sums import add
-from ..algebra.trigonometry import cosine, sine
-from .pose import Arm, Vector, components, gathered
+from ...algebra.angle import Angle, rational
+from ...algebra.derivative import derivative
+from ...algebra.determinant import determinant
+from ...algebra.product import Product
+from ...algebra.sums import add
+from ...algebra.trigonometry import cosine, sine
+from ..pose import Arm, Vector, components, gathered
 from .web import mentioned
 
 Rates = Mapping[str, Product]

@@ -3,16 +3,16 @@
 import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
-from ..algebra.angle import Angle
-from ..algebra.product import Product
-from ..formula.walk import evaluate, symbols
-from ..model.mechanism import Mechanism
+from ...algebra.angle import Angle
+from ...algebra.product import Product
+from ...formula.walk import evaluate, symbols
+from ...model.mechanism import Mechanism
+from ..nearby import Values, poses_nearby
+from ..pose import Definition, Vector, turned_by
+from ..terms import Terms
 from .dyads import Closure
-from .nearby import Values, poses_nearby
-from .pose import Definition, Vector, turned_by
 from .rails import Rail
 from .rates import loop_rates
-from .terms import Terms
 from .web import Names, Web, mentioned
 
 ALIKE = 1e-9

@@ -9,23 +9,23 @@ put in where it is a sum of named angles.
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ..algebra.angle import Angle
-from ..algebra.product import Product
-from ..diagnostics import Report
-from ..diagnostics import pose as words
-from ..formula.tree import Formula
-from ..frozen import replace
-from ..model.mechanism import Link, Mechanism, Parameter
-from ..units import ANGLE, LENGTH
+from ...algebra.angle import Angle
+from ...algebra.product import Product
+from ...diagnostics import Report
+from ...diagnostics import pose as words
+from ...formula.tree import Formula
+from ...frozen import replace
+from ...model.mechanism import Link, Mechanism, Parameter
+from ...units import ANGLE, LENGTH
+from ..compass import Compass
+from ..terms import Terms
+from ..vectors import Vectors
 from .choosing import Choice, loop_name
-from .compass import Compass
 from .dyads import Group
 from .groups import closures, remaining_blocks
 from .rails import rails
 from .redundant import check_fit
 from .state import State
-from .terms import Terms
-from .vectors import Vectors
 from .web import Cycle, Names, Web, mentioned
 
 

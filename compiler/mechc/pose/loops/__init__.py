@@ -1,0 +1,5 @@
+"""Loops closed: sought directions and places found from lengths and the drive.
+
+Promises: what is found is a definition of the pose, or a sum of named angles put in for
+it; each uses only parameters and earlier definitions.
+"""
