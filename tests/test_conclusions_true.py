@@ -42,8 +42,9 @@ def poses(name):
         yield pose
 
 
-@results(lambda r: r.derivatives)
+@results(lambda r: r.derivatives and not r.where)
 def test_derivatives_are_slopes(name, result):
+    """Total ones, through loops that close, stand in test_closed."""
     for pose in list(poses(name))[:3]:
         for symbol, slope in result.derivatives.items():
             h = STEP * (1 if abs(pose[symbol]) < 1e-3 else abs(pose[symbol]))

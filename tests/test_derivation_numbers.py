@@ -91,7 +91,9 @@ def _line_of(unknown, drawing):
 
 
 def has_values(name):
-    return all(p.value is not None for p in compiled(name).mechanism.parameters)
+    """Tell what the reading by coordinates can draw: all values given, no loop left to close."""
+    mechanism = compiled(name).mechanism
+    return not mechanism.drive and all(p.value is not None for p in mechanism.parameters)
 
 
 DRAWN = [name for name in ALL if has_values(name)]

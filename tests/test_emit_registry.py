@@ -7,7 +7,7 @@ from importlib.metadata import EntryPoint
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from jinja2 import meta
+from jinja2 import meta, nodes
 
 from mechc.diagnostics import MechcError, Report
 from mechc.emit import registry
@@ -94,8 +94,20 @@ def test_the_registry_imports_no_target_and_no_target_imports_numpy() -> None:
 def test_a_template_mentions_exactly_its_context(
     template: str, context: type[to_c.SourceContext]
 ) -> None:
-    source = (TEMPLATES / template).read_text(encoding="utf-8")
-    assert meta.find_undeclared_variables(environment().parse(source)) == set(context._fields)
+    assert mentioned(template) == set(context._fields)
+
+
+def mentioned(template: str) -> set[str]:
+    """Return the variables of a template and of those that it includes, its loops' own apart."""
+    tree = environment().parse((TEMPLATES / template).read_text(encoding="utf-8"))
+    included = [str(node.template.as_const()) for node in tree.find_all(nodes.Include)]
+    loops = {name.name for loop in tree.find_all(nodes.For) for name in _targets(loop)}
+    inner = set[str]().union(*map(mentioned, included)) - loops
+    return meta.find_undeclared_variables(tree) | inner
+
+
+def _targets(loop: nodes.For) -> list[nodes.Name]:
+    return [loop.target] if isinstance(loop.target, nodes.Name) else []
 
 
 def test_a_name_that_needs_no_change_keeps_it() -> None:
