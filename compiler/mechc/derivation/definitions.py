@@ -62,5 +62,23 @@ def _group(members: list[tuple[str, Formula]]) -> Definition | Solved:
     unknowns = formula.system.unknowns
     names = {unknowns[f.index]: n for n, f in members if isinstance(f, Implicit)}
     renamed = {unknown: Symbol(n) for unknown, n in names.items()}
-    zeros = tuple(substitute(zero, renamed) for zero in equations(formula))
+    zeros = tuple(whole(substitute(zero, renamed)) for zero in equations(formula))
     return Solved(tuple(names.get(unknown, unknown) for unknown in unknowns), zeros)
+
+
+def whole(zero: Formula) -> Formula:
+    """Return what is zero where this is, without a number that only multiplies it.
+
+    >>> from ..formula.to_text import text
+    >>> from ..formula.tree import number, total
+    >>> a, hundredth = Symbol("a"), Number(number(1).value / 100)
+    >>> text(whole(Product((hundredth, total([a, number(-7)])))))
+    'a - 7'
+    """
+    match zero:
+        case Product((Number(), factor)):
+            return factor
+        case Product((Number(), *factors)):
+            return Product(tuple(factors))
+        case _:
+            return zero
