@@ -73,8 +73,7 @@ def follow(
     1
     """
     scales = [scale(s) for s in start]
-    residuals, matrix = equations(start, anchor)
-    side = eliminate(matrix, residuals)
+    side = side_of(equations, start, anchor)
     base, found = list(start), list(start)
     longest = _longest(anchor, outer)
     reached, step, last = 0.0, longest, 0.0
@@ -99,6 +98,12 @@ def follow(
         base, reached, last = list(found), aim, 0.0
         step = min(2 * step, longest, 1.0 - reached)
     return 1 if step < SHORTEST else 2, tuple(base)
+
+
+def side_of(equations: Equations, unknowns: Sequence[float], outer: Sequence[float]) -> int:
+    """Return the sign of the Jacobian's determinant."""
+    residuals, matrix = equations(unknowns, outer)
+    return eliminate(matrix, residuals)
 
 
 def _longest(anchor: Sequence[float], outer: Sequence[float]) -> float:

@@ -6,7 +6,7 @@ from functools import cache, lru_cache
 from typing import assert_never
 
 from .derivative import jacobian
-from .newton import Equations, Matrix, eliminate, follow
+from .newton import Equations, Matrix, follow, side_of
 from .tree import (
     Call,
     Formula,
@@ -164,9 +164,7 @@ def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
 
 def side(system: System) -> int:
     """Return the sign of the Jacobian's determinant at the default pose."""
-    anchor = [value for _, value in system.anchor]
-    residuals, matrix = _numeric(system)(system.start, anchor)
-    return eliminate(matrix, residuals)
+    return side_of(_numeric(system), system.start, [value for _, value in system.anchor])
 
 
 @cache
