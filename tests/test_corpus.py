@@ -20,6 +20,7 @@ FILES = sorted((TESTS / "corpus" / "bad").iterdir())
 ELSEWHERE = {
     "E591": "test_stroke.py",
     "E592": "test_stroke.py",
+    "W591": "test_stroke.py",
     "E601": "test_statics.py",
     "E602": "test_statics.py",
     "E603": "test_statics_closure.py",

@@ -6,6 +6,9 @@ import pytest
 
 import mechc
 from mechc.cli.main import main
+from mechc.driver import Compilation
+from mechc.driver import stroke as run
+from mechc.source import Source
 
 CLAW = """
 param l_A = 100 mm
@@ -162,6 +165,89 @@ def test_errors(drive, code):
     with pytest.raises(mechc.MechcError) as caught:
         stroke(text.replace("param beta: angle", "param beta = 10 deg").replace("through O", ""))
     assert [d.code for d in caught.value.diagnostics] == [code]
+
+
+GEARED = """
+param r = 20 mm
+param R = 40 mm
+param a = 50 mm
+param b = 70 mm
+param phi = 30 deg
+param psi = {psi}
+pivot O
+pivot Q
+link OA
+link QB
+{wheels}
+OA = a @ phi
+QB = b @ psi
+drive phi from 10 deg to 80 deg
+force P at A along y
+{load}
+find k = P/F
+"""
+
+
+def remarked(text):
+    """Return what is said of the links that do not follow the drive."""
+    compilation = Compilation(Source("a.mech", text))
+    run(compilation, 3)
+    return [d.message.split()[1] for d in compilation.report.diagnostics if d.code == "W591"]
+
+
+@pytest.mark.parametrize(
+    ("wheels", "psi", "stays"),
+    [
+        ("gear O r, Q R", "20 deg", ["QB"]),
+        ("gear O r, Q R", "35 deg - r/R*phi", []),
+        ("gear O r, Q R", "35 deg + r/R*phi", ["QB"]),
+        ("gear O r, Q R", "35 deg - phi", ["QB"]),
+        ("gear O r, Q R inner", "35 deg + r/R*phi", []),
+        ("belt O r, Q R", "35 deg + r/R*phi", []),
+    ],
+)
+def test_a_geared_link_follows_the_drive_or_is_remarked(wheels, psi, stays):
+    force = "force F at B along y"
+    assert remarked(GEARED.format(wheels=wheels, psi=psi, load=force)) == stays
+
+
+def test_where_a_wheel_under_a_couple_stands_does_not_matter():
+    torque = "torque F on QB"
+    assert remarked(GEARED.format(wheels="gear O r, Q R", psi="20 deg", load=torque)) == []
+
+
+def test_gears_along_the_stroke():
+    text = GEARED.format(
+        wheels="gear O r, Q R", psi="35 deg - r/R*phi", load="force F at B along y"
+    )
+    for row in stroke(text).rows:
+        psi = math.radians(35) - row.drive / 2
+        by_hand = 0.7 * math.cos(psi) / math.cos(row.drive)
+        assert row.values[0] == pytest.approx(by_hand, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("slope", "stays"), [("15 deg", ["AB"]), ("asin(a/l*sin(phi))", [])], ids=["stands", "follows"]
+)
+@pytest.mark.parametrize("length", ["l", ""], ids=["length", "open"])
+def test_a_rod_follows_the_drive_or_is_remarked(slope, stays, length):
+    text = f"""
+param a = 50 mm
+param l = 96.592582628906829 mm
+param phi = 30 deg
+param beta = {slope}
+pivot O
+slider B along x
+link OA
+link AB
+OA = a @ phi
+AB = {length} @ -beta
+drive phi from 10 deg to 80 deg
+force P at A along y
+force F at B along x
+find k = P/F
+"""
+    assert remarked(text) == stays
 
 
 def test_the_command(tmp_path, capsys):

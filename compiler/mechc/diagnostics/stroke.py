@@ -37,3 +37,26 @@ def no_stroke(span: Span, name: str) -> Words:
         f"the stroke of {name} has no ends, expected two",
         f"write `drive {name} from … to …`, or give {name} a range",
     )
+
+
+@coded("W591")
+def direction_stays(span: Span, link: str, drive: str) -> Words:
+    """A link does not turn along the stroke as the joints make it turn.
+
+    A direction that is given as an angle of its own stays where it is while the drive
+    moves, and so the rows of the stroke are those of another mechanism::
+
+        drive phi from 10 deg to 80 deg
+        OA = a @ phi
+        gear O r, Q R
+        QB = b @ psi                         # wrong for a psi that stands still
+        param psi = 40 deg - r/R*phi         # right: QB turns as the gears do
+
+    Where rods lead the link, give their lengths and leave its direction out: mechc closes
+    the loop.
+    """
+    return Words(
+        span,
+        f"link {link} does not follow {drive} along the stroke as its joints demand",
+        f"leave its direction to a loop, or write it as a formula of {drive}",
+    )

@@ -9,12 +9,14 @@ from ..diagnostics import Report
 from ..diagnostics import stroke as words
 from ..formula.tree import Formula, degrees, number, product, total
 from ..formula.walk import evaluate, symbols
-from ..model.mechanism import Drive, LoadRatio, Mechanism, Parameter
+from ..kinematics.plan import Plan
+from ..model.mechanism import Drive, Link, LoadRatio, Mechanism, Parameter
 from ..model.result import Result, Vanishing
 from ..pose.pose import Pose
 from ..power.balance import Balance
 from ..units import ANGLE
 from .along import Along
+from .in_step import out_of_step
 from .roots import Root, lowest, roots
 from .stroke import Column, Extremum, Kind, Row, Singular, Stretch, Stroke
 from .transmission import transmissions
@@ -31,7 +33,8 @@ SAME = 1e-9
 def run(balance: Balance, results: Sequence[Result], points: int, report: Report) -> Stroke:
     """Return ``points`` rows along the stroke, and what is singular or extreme on it.
 
-    Reports E591 without a drive, E592 without a stroke's ends.
+    Reports E591 without a drive, E592 without a stroke's ends, W591 where a link does not
+    follow the drive.
     """
     pose = balance.plan.graph.pose
     drive = pose.mechanism.drive
@@ -41,7 +44,10 @@ def run(balance: Balance, results: Sequence[Result], points: int, report: Report
     ends = _ends(drive, parameter)
     if ends is None:
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
-    return _Runner(pose, results, parameter, *ends).stroke(points)
+    runner = _Runner(pose, results, parameter, *ends)
+    for link in runner.out_of_step(balance.plan):
+        report.add(words.direction_stays(link.span, link.name, drive.parameter))
+    return runner.stroke(points)
 
 
 def _ends(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
@@ -71,6 +77,12 @@ class _Runner:
         loads = {load.name for load in self._pose.mechanism.loads}
         defined = {d.name for d in result.where}
         return bool((symbols(result.formula) & loads) - defined)
+
+    def out_of_step(self, plan: Plan) -> Iterator[Link]:
+        """Yield the links that do not follow the drive, as seen at its default."""
+        middle = (self._low + self._high) / 2
+        place = self._along.defaults.get(self._parameter.name, middle)
+        return out_of_step(plan, self._along, place)
 
     def stroke(self, points: int) -> Stroke:
         """Return the whole."""
