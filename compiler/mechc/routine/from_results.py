@@ -34,6 +34,7 @@ from .steps import (
     formulas_of,
     names_of,
 )
+from .turning import in_unit_vectors
 
 
 def program(mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
@@ -56,12 +57,16 @@ def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Func
     sides = [side for r in requires for side in (r.left, r.right)]
     definitions = scope.definitions(result.name, [result.formula, *sides])
     formula = rename(result.formula, definitions.names)
-    steps, (output,) = share(definitions.formulas, [formula], [*inputs, *scope.results])
+    guards = tuple(_guard(r, definitions) for r in requires)
+    asked = {name for g in guards for side in (g.left, g.right) for name in symbols(side)}
+    taken = {*inputs, *scope.results, *(name for name, _ in definitions.formulas)}
+    carried, formulas = in_unit_vectors(definitions.formulas, [formula], asked, taken)
+    steps, (output,) = share(carried, formulas, [*inputs, *scope.results])
     return Function(
         name=result.name,
         title=title(result.target),
         inputs=used,
-        guards=tuple(_guard(r, definitions) for r in requires),
+        guards=guards,
         steps=steps,
         output=output,
         formula=formula,
