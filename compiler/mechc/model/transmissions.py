@@ -46,14 +46,14 @@ class Joints:
 def read_joints(file: ast.File, scope: Scope) -> Joints:
     """Return every joint of the description that is neither pin nor guide nor rigid link."""
     slides = tuple(found(_slide(s, scope) for s in every(file, ast.Slide)))
+    is_mirrored = bool(every(file, ast.Mirror))
+    wheels = [s for s in file.statements if isinstance(s, ast.Gear | ast.Belt)]
     return Joints(
         slides,
         tuple(found(_telescope(s, scope) for s in every(file, ast.Telescope))),
         tuple(found(_slot(s, slides, scope) for s in every(file, ast.Slot))),
         tuple(found(_contact(s, slides, scope) for s in every(file, ast.Contact))),
-        tuple(
-            found(_mesh(s, scope) for s in file.statements if isinstance(s, ast.Gear | ast.Belt))
-        ),
+        tuple(found(_mesh(s, is_mirrored, scope) for s in wheels)),
         tuple(found(_rack(s, slides, scope) for s in every(file, ast.Rack))),
         tuple(found(_screw(s, slides, scope) for s in every(file, ast.Screw))),
     )
@@ -128,7 +128,9 @@ def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> C
 # ------------------------------------------------------------------------------ wheels
 
 
-def _mesh(statement: ast.Gear | ast.Belt, scope: Scope) -> Mesh | None:
+def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> Mesh | None:
+    if is_mirrored and _joins_halves(statement, scope):
+        return None
     first, second = (_wheel(name, scope) for name in (statement.first, statement.second))
     radii = [_radius(r, scope) for r in (statement.first_radius, statement.second_radius)]
     if first is None or second is None or radii[0] is None or radii[1] is None:
@@ -150,6 +152,18 @@ def _mesh(statement: ast.Gear | ast.Belt, scope: Scope) -> Mesh | None:
         same,
         statement.span,
     )
+
+
+def _joins_halves(statement: ast.Gear | ast.Belt, scope: Scope) -> bool:
+    """Tell whether a wheel is on the twin of a described point, which is reported."""
+    first, second = statement.first.text, statement.second.text
+    for name in (statement.first, statement.second):
+        places, described = scope.points.places, name.text.removesuffix("'")
+        if name.text not in places and described in places:
+            are_twins = first.removesuffix("'") == second.removesuffix("'")
+            scope.report.add(words.wheels_across_the_mirror(name.span, first, second, are_twins))
+            return True
+    return False
 
 
 def _wheel(pivot: ast.Name, scope: Scope) -> Link | None:

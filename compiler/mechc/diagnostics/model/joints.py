@@ -295,6 +295,26 @@ def slide_does_not_turn(at: Span, slide: str, first: Span) -> Words:
     )
 
 
+@coded("E298")
+def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool) -> Words:
+    """A pair of wheels joins the two halves of a mirrored mechanism.
+
+    The mirror by itself turns a link and its twin oppositely and equally fast, as equal
+    gears or a crossed belt between them do, so such a pair adds nothing::
+
+        gear O r, O' r                 # wrong: leave it out
+        mirror across y sharing K
+
+    Any other pair across the line needs both halves described.
+    """
+    left_out = "leave the pair out: the mirror turns a link and its twin oppositely already"
+    return Words(
+        at,
+        f"the wheels on {first} and {second} join the halves of the mirror",
+        left_out if are_twins else "describe both halves, without the mirror",
+    )
+
+
 @coded("W241")
 def guided_twice(at: Span, slide: str, point: str) -> Words:
     """A point of a slide is a slider as well.
