@@ -152,6 +152,25 @@ def test_an_idler_only_reverses() -> None:
     assert formulas(extra + idle)["q"] == "r/R"
 
 
+@pytest.mark.parametrize(
+    ("pair", "place", "codes"),
+    [
+        ("gear O r, Q R", "(42 mm, 56 mm)", []),
+        ("gear O r, Q R", "(42 mm, 55 mm)", ["W302"]),
+        ("gear O r, Q R inner", "(18 mm, -24 mm)", []),
+        ("gear O R, Q r inner", "(18 mm, -24 mm)", []),
+        ("gear O r, Q R inner", "(42 mm, 56 mm)", ["W302"]),
+        ("belt O r, Q R", "(300 mm, 0)", []),
+    ],
+)
+def test_gears_that_do_not_reach_one_another(pair: str, place: str, codes: list[str]) -> None:
+    placed = PAIR.replace("pivot O\n", "pivot O at (0, 0)\n")
+    placed = placed.replace("pivot Q\n", f"pivot Q at {place}\n")
+    found = compiled(placed.format(pair=pair)).report.diagnostics
+    # A negative k is remarked on as well, for wheels that turn alike.
+    assert [d.code for d in found if d.code != "W502"] == codes
+
+
 # ------------------------------------------------------------------------- racks, screws
 
 

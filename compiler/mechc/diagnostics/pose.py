@@ -210,6 +210,27 @@ def assembly_idle(at: Span, points: str) -> Words:
     )
 
 
+@coded("W302")
+def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Words:
+    """Two gears stand where their pitch circles do not touch.
+
+    Where the places of both pivots are given, the distance between them is the sum of the
+    radii, or their difference for inner gears. Speeds and forces follow from the ratio of
+    the radii alone, so results stand; the drawing does not::
+
+        pivot O at (0, 0)
+        pivot Q at (60 mm, 0)
+        gear O 20 mm, Q 30 mm     # warned of: 50 mm
+        gear O 20 mm, Q 40 mm     # right
+    """
+    return Words(
+        at,
+        f"the gears on {pivots} are {apart * 1000:.7g} mm apart, "
+        f"their radii make {wanted * 1000:.7g} mm",
+        "mend the radii or the places; with the radii of other wheels leave the places out",
+    )
+
+
 def _stretch(stretch: Stretch) -> str:
     if stretch.dimension == ANGLE:
         return f"{math.degrees(stretch.low):.7g} to {math.degrees(stretch.high):.7g} deg"

@@ -1,10 +1,9 @@
-"""Slides, slots, contacts and wheels at a pose: directions, where pins touch bodies, radii."""
+"""Slides, slots and contacts at a pose: directions, and where pins touch bodies."""
 
 from collections.abc import Callable, Iterator, Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..formula.tree import Formula
 from ..model.mechanism import Along, Arrow, Direction, Geometry, Mechanism, Offset, Slot
 from .closure import Condition, across
 from .compass import Compass
@@ -87,14 +86,6 @@ def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
     if name not in vectors.placeholders:
         vectors.placeholders.append(name)
     return (Arm(Product.symbol(name), line),)
-
-
-def radii(mechanism: Mechanism) -> Iterator[Formula]:
-    """Yield the radius of every wheel and the pitch of every screw."""
-    for mesh in mechanism.meshes:
-        yield from (mesh.first_radius, mesh.second_radius)
-    yield from (rack.radius for rack in mechanism.racks)
-    yield from (screw.pitch for screw in mechanism.screws)
 
 
 def on_the_line(slots: Sequence[Touch], vectors: Vectors) -> list[Condition]:

@@ -7,7 +7,7 @@ from ..diagnostics import Report
 from ..diagnostics import pose as words
 from ..frozen import replace
 from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Thrust
-from .bodies import aligned, on_the_line, radii, touches
+from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .compass import Compass
 from .loops.closing import close
@@ -19,13 +19,15 @@ from .pruning import pruned
 from .terms import Terms
 from .thrusts import Pairing, thrust_line
 from .vectors import Vectors
+from .wheels import misfits, radii
 
 
 def settle(mechanism: Mechanism, report: Report) -> Pose:
     """Return the pose of a mechanism whose directions are given.
 
     Reports E301 and E305 where a direction is missing, E302 where two disagree, E303
-    and E304 where a loop does not close for independent symbols.
+    and E304 where a loop does not close for independent symbols. W302 remarks on gears
+    that do not reach one another.
     """
     mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
     terms = Terms(mechanism)
@@ -56,6 +58,8 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     survey.close_loops(pose)
     survey.report_unfound(pose, found)
     report.stop_on_errors()
+    for misfit in misfits(pose, vectors, poses_nearby(mechanism, pose.definitions)[0]):
+        report.add(words.gears_apart(*misfit))
     return pruned(pose)
 
 

@@ -1,0 +1,49 @@
+"""Wheels at a pose: what their radii come to, and whether gears reach one another."""
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from ..formula.tree import Formula
+from ..formula.walk import symbols
+from ..model.mechanism import Mechanism
+from ..source import Span
+from .loops.web import mentioned
+from .nearby import Values
+from .pose import Pose, evaluate_vector
+from .vectors import Vectors
+
+CLOSE = 1e-6
+"""Centres that are off by less than this part of their distance are where they should be."""
+
+
+class Misfit(NamedTuple):
+    """A pair of gears, how far its centres are apart and how far its radii put them."""
+
+    at: Span
+    pivots: str
+    apart: float
+    wanted: float
+
+
+def radii(mechanism: Mechanism) -> Iterator[Formula]:
+    """Yield the radius of every wheel and the pitch of every screw."""
+    for mesh in mechanism.meshes:
+        yield from (mesh.first_radius, mesh.second_radius)
+    yield from (rack.radius for rack in mechanism.racks)
+    yield from (screw.pitch for screw in mechanism.screws)
+
+
+def misfits(pose: Pose, vectors: Vectors, values: Values) -> Iterator[Misfit]:
+    """Yield the gears whose centres have places that do not fit their radii."""
+    for mesh in pose.mechanism.meshes:
+        line = vectors.path(mesh.first, mesh.second)
+        lengths = [pose.radii[r] for r in (mesh.first_radius, mesh.second_radius)]
+        used = {s for length in lengths for s in symbols(length.formula())}
+        if mesh.kind != "gear" or not line or not used | set(mentioned(line)) <= values.keys():
+            continue
+        first, second = (length.evaluate(values) for length in lengths)
+        apart = math.hypot(*evaluate_vector(line, values))
+        wanted = abs(first - second) if mesh.same else first + second
+        if abs(apart - wanted) > CLOSE * apart:
+            yield Misfit(mesh.span, f"{mesh.first} and {mesh.second}", apart, wanted)
