@@ -269,8 +269,9 @@ class Unfolding:
     def _transfers(self) -> Iterator[Transfer]:
         """Yield the forces that wheels and screws pass on.
 
-        Gears press on each other at the pitch point, so their moments have one sign; a belt
-        pulls both rims the same way round, which turns them oppositely as seen from inside.
+        Gears press on each other at the pitch point. Between the centres that gives moments
+        of one sign; inner gears have both centres on one side of it, and the tight side of an
+        open belt pulls one wheel backwards as it pulls the other one on: opposite signs.
         """
         mechanism, values = self.pose.mechanism, self.values
         for mesh in mechanism.meshes:
