@@ -4,8 +4,11 @@ The reference differences the work of the loads, so that it knows nothing of vel
 either; what it leaves open is the error of a central difference.
 """
 
+import math
+
 import pytest
 
+import mechc
 import reference_closed
 from good_mechanisms import compiled, tree_of
 from mechc.formula.walk import evaluate
@@ -74,3 +77,32 @@ def test_the_derivative_is_total(name):
         assert evaluate(slope, full) == pytest.approx(
             (ahead - behind) / (2 * step), rel=1e-6, abs=1e-6 * scale
         )
+
+
+def test_the_place_of_a_slider_under_a_name_of_ones_own():
+    """s = r cos φ + sqrt(l² − r² sin² φ), and k = r sin(φ + β)/cos β with sin β = r/l sin φ."""
+    text = """
+param r = 50 mm
+param l = 150 mm
+param phi = 40 deg
+param s: length
+pivot O at (0 mm, 0 mm)
+slider B along x through O
+link OA
+link AB
+OA = r @ phi
+AB = l
+OB = s @ 0 deg
+assembly B forward
+drive phi from 0 deg to 360 deg
+torque M on OA
+force F at B along x
+find k = M/F
+let lead = s - l
+"""
+    found = mechc.loads(text, "named.mech").evaluate()
+    phi = math.radians(40)
+    beta = math.asin(math.sin(phi) / 3)
+    lead = 0.05 * math.cos(phi) + 0.15 * math.cos(beta) - 0.15
+    assert float(found["lead"]) == pytest.approx(lead, rel=1e-12)
+    assert float(found["k"]) == pytest.approx(0.05 * math.sin(phi + beta) / math.cos(beta))

@@ -6,7 +6,7 @@ from ..algebra.product import Bound, Product, Sum
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
-from ..model.mechanism import Let, Mechanism
+from ..model.mechanism import Let
 from ..model.result import Definition, Result
 
 Found = Mapping[str, Result]
@@ -51,13 +51,16 @@ def _bound_names(value: Product) -> Iterator[str]:
                 yield from _bound_names(term)
 
 
-def let_results(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[Result]:
-    """Yield the formulas of the user's own, with the results they use as definitions."""
+def let_results(plan: Plan, results: Sequence[Result]) -> Iterator[Result]:
+    """Yield the formulas of the user's own, with what they use as definitions."""
+    mechanism = plan.graph.pose.mechanism
     found, lets = {r.name: r for r in results}, {k.name: k for k in mechanism.lets}
     for let in mechanism.lets:
         where: dict[str, Formula] = {}
         _gather(let.value, found, lets, where)
-        definitions = tuple(Definition(n, f) for n, f in where.items())
+        of_the_pose = intermediates(plan, [let.value, *where.values()])
+        known = [d for d in of_the_pose if d.name not in where]
+        definitions = (*known, *(Definition(n, f) for n, f in where.items()))
         yield Result(let.name, None, let.dimension, let.value, definitions)
 
 

@@ -51,7 +51,7 @@ class _Asked:
                 solved.append(found)
         self._report.stop_on_errors()
         results = [s.result for s in solved]
-        solved.extend(Solved(r) for r in let_results(self._mechanism, results))
+        solved.extend(Solved(r) for r in let_results(self._plan, results))
         done = Balance(self._plan, self._terms, tuple(solved))
         return check_numbers(done, self._report)
 

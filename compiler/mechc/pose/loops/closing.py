@@ -55,8 +55,10 @@ def close(
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
     lengths = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
     lengths -= {d.name for d in terms.definitions}
-    angles = frozenset({*compass.sought, *named})
-    state = State(mechanism, terms, Web(edges, {*angles, *lengths}), lines, angles, named)
+    turning = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    angles = frozenset({*compass.sought, *(named & turning)})
+    sought = {*angles, *named, *lengths}
+    state = State(mechanism, terms, Web(edges, sought), lines, angles, named)
     _Closing(state, report).run()
     report.stop_on_errors()
     compass.put(state.directions)
@@ -101,7 +103,7 @@ class _Closing:
         """Close everything that can be closed."""
         for link in self._state.mechanism.links:
             self._close_body(link)
-        while self._state.open_angles and self._close_next():
+        while self._state.is_open and self._close_next():
             pass
         if self._state.open_angles:
             self._close_together()

@@ -60,6 +60,11 @@ class State:
         """Return the directions still sought."""
         return set(self.angles & self.web.sought)
 
+    @property
+    def is_open(self) -> bool:
+        """Tell whether a direction, or a quantity that the user named, is still sought."""
+        return bool(self.open_angles or self.named & self.web.sought)
+
     def free_name(self, stem: str) -> str:
         """Return a name that nothing has, and keep it."""
         name = stem
