@@ -165,7 +165,7 @@ def _bytes_of_c(source: Source) -> float:
 
 
 def lengths() -> None:
-    """Count the operations of every first result of the library, and of its printed form."""
+    """Count the operations of the library's first results, where a printed form is known."""
     rows = []
     for name, path in library().items():
         compilation = compile_source(read(path))
@@ -175,7 +175,8 @@ def lengths() -> None:
             for e in compilation.mechanism.expects
             if e.subject == result.name and not e.at
         ]
-        rows.append((name, sympy.count_ops(to_sympy(result.formula)), printed[0]))
+        if printed:
+            rows.append((name, sympy.count_ops(to_sympy(result.formula)), printed[0]))
     table("Operations in k", ("mechanism", "own", "printed"), rows)
 
 
