@@ -50,7 +50,7 @@ class Grown:
             second = self.dice.choice([p for p in self.moving if p != first])
         else:
             second = pivot
-            self.places[pivot] = self.near(self.places[pin])
+            self.places[pivot] = tuple(round(c, 4) for c in self.near(self.places[pin]))
             self.fixed.add(pivot)
         self.rods += [(first, pin), (pin, second)]
         turn = cross(self.places[first], self.places[pin], self.places[second])
@@ -64,7 +64,8 @@ class Grown:
         place = self.places[pin] = self.near(self.places[first])
         along = self.dice.uniform(-3, 3)
         back = self.dice.uniform(0.05, 0.2)
-        self.places[pivot] = (place[0] - back * math.cos(along), place[1] - back * math.sin(along))
+        x, y = place[0] - back * math.cos(along), place[1] - back * math.sin(along)
+        self.places[pivot] = (round(x, 4), round(y, 4))
         self.fixed.add(pivot)
         self.rods.append((first, pin))
         self.sliders[pin] = (pivot, along)

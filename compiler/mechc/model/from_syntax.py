@@ -24,7 +24,7 @@ from .points import Points
 from .results import read_expects, read_requires
 from .scope import Scope
 from .statements import every, only
-from .symmetry import read_copies, read_mirror
+from .symmetry import check_shared_vectors, read_copies, read_mirror
 from .thrusts import spring_name
 from .transmissions import read_joints
 
@@ -48,6 +48,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     geometry = read_geometry(file, scope)
     loads = read_loads(file, scope)
     mirror = read_mirror(file, (*sliders, *joints.slides), loads, scope)
+    check_shared_vectors(mirror, geometry, scope)
     copies = read_copies(file, scope)
     drive = read_drive(file, scope)
     assemblies = read_assemblies(file, scope)

@@ -10,7 +10,17 @@ from ..units import NUMBER
 from .constants import rational
 from .directions import parallel, read_direction
 from .expressions import Reader
-from .mechanism import Copies, Direction, Force, Load, Mirror, Slide, Slider
+from .mechanism import (
+    Arrow,
+    Copies,
+    Direction,
+    Force,
+    Geometry,
+    Load,
+    Mirror,
+    Slide,
+    Slider,
+)
 from .parameters import constant
 from .scope import DESCRIPTION, Scope
 from .statements import only
@@ -42,6 +52,17 @@ def read_mirror(
             what = f"the guide of the shared {common}"
             scope.report.add(load_words.off_the_mirror(body.along.span, what, statement.span))
     return Mirror(across, shared, statement.span)
+
+
+def check_shared_vectors(mirror: Mirror | None, geometry: Sequence[Geometry], scope: Scope) -> None:
+    """Report vectors between points that both lie on the mirror line, and that do not."""
+    for entry in geometry if mirror else ():
+        if not mirror or not isinstance(entry, Arrow) or entry.direction is None:
+            continue
+        on_the_line = {entry.tail, entry.head} <= set(mirror.sharing)
+        if on_the_line and not parallel(entry.direction, mirror.across, scope):
+            what = f"the vector {entry.tail}{entry.head} between shared points"
+            scope.report.add(load_words.off_the_mirror(entry.span, what, mirror.span))
 
 
 def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: Scope) -> bool:
