@@ -61,11 +61,13 @@ class Grown:
         """RRP: a rod from a moving pin to a slider."""
         pin, pivot = f"S{number}", f"G{number}"
         first = self.dice.choice(self.moving)
-        place = self.places[pin] = self.near(self.places[first])
+        place = self.near(self.places[first])
         along = self.dice.uniform(-3, 3)
         back = self.dice.uniform(0.05, 0.2)
-        x, y = place[0] - back * math.cos(along), place[1] - back * math.sin(along)
-        self.places[pivot] = (round(x, 4), round(y, 4))
+        ahead = (back * math.cos(along), back * math.sin(along))
+        x, y = (round(place[i] - ahead[i], 4) for i in (0, 1))
+        self.places[pivot] = (x, y)
+        place = self.places[pin] = (x + ahead[0], y + ahead[1])
         self.fixed.add(pivot)
         self.rods.append((first, pin))
         self.sliders[pin] = (pivot, along)
