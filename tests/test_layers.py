@@ -37,6 +37,7 @@ VOCABULARY = {
     "kinematics.forms",
     "model.order",
     "model.to_text",
+    "model.values",
     "pose.to_text",
     "power.numbers",
     "routine.quotient",

@@ -19,8 +19,9 @@ from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Expect, Mechanism
 from ..model.order import ordered
 from ..model.result import Result
+from ..model.values import Values
 from ..units import UNITS
-from .poses import Values, complete, default_pose, random_poses
+from .poses import complete, default_pose, random_poses
 
 POSES = 12
 """Random poses beside the default one."""

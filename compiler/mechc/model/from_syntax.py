@@ -8,10 +8,11 @@ from ..diagnostics import Report
 from ..diagnostics.model import loads as load_words
 from ..diagnostics.model import names
 from ..diagnostics.model import results as words
+from ..frozen import replace
 from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
-from .definitions import read_definitions, settled, spread_feeding
+from .definitions import Definitions, read_definitions, settled, spread_feeding
 from .finds import read_finds
 from .geometry import read_geometry
 from .joints import declare_points, read_pivots, read_sliders, warn_idle
@@ -42,37 +43,41 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     finds = read_finds(file, scope)
     _declare_lets(file, finds, scope)
     found = read_definitions(file, scope)
-    pivots, places = read_pivots(file, scope)
-    sliders, guides, guide_places = read_sliders(file, scope)
-    joints = read_joints(file, scope)
-    geometry = read_geometry(file, scope)
-    loads = read_loads(file, scope)
-    mirror = read_mirror(file, (*sliders, *joints.slides), loads, scope)
-    check_shared_vectors(mirror, geometry, scope)
-    copies = read_copies(file, scope)
-    drive = read_drive(file, scope)
-    assemblies = read_assemblies(file, scope)
+    mechanism = replace(_headed(file, report), finds=tuple(finds), spans=points.places)
+    mechanism = _under_loads(_built(mechanism, file, scope), file, scope)
     check_pending(file, scope)
-    spread_feeding(found, scope)
-    requires = read_requires(file, found, scope)
-    expects = read_expects(file, finds, found, scope)
-    parameters, lets = settled(found, file, scope)
-    _check_asked(file, report)
-    check_drive(drive, parameters, report)
+    mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
-    warn_idle(pivots, sliders, points)
+    warn_idle(mechanism.pivots, mechanism.sliders, points)
     _warn_lonely(points)
+    return mechanism
+
+
+def _headed(file: ast.File, report: Report) -> Mechanism:
+    """Return a mechanism of which only the heading is known."""
     heading, note = only(file, ast.Heading), only(file, ast.SourceNote)
     return Mechanism(
         name=heading.name.text if heading else name_of(report.source.name),
         title=heading.title if heading else "",
         source=note.text if note else "",
         span=heading.span if heading else Span(0, 0),
-        parameters=parameters,
+    )
+
+
+def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
+    """Add bodies, joints, and where they are."""
+    pivots, places = read_pivots(file, scope)
+    sliders, guides, guide_places = read_sliders(file, scope)
+    joints = read_joints(file, scope)
+    geometry = read_geometry(file, scope)
+    drive = read_drive(file, scope)
+    assemblies = read_assemblies(file, scope)
+    return replace(
+        mechanism,
         pivots=(*pivots, *guides),
         sliders=tuple(sliders),
-        links=tuple(points.links.values()),
+        links=tuple(scope.points.links.values()),
         slides=joints.slides,
         telescopes=joints.telescopes,
         slots=joints.slots,
@@ -83,14 +88,32 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
         drive=drive,
         assemblies=tuple(assemblies),
         geometry=(*places, *guide_places, *geometry),
-        loads=tuple(loads),
-        mirror=mirror,
-        copies=copies,
-        finds=tuple(finds),
+    )
+
+
+def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
+    """Add the loads, and the halves or branches that they count on."""
+    loads = read_loads(file, scope)
+    mirror = read_mirror(file, (*mechanism.sliders, *mechanism.slides), loads, scope)
+    check_shared_vectors(mirror, mechanism.geometry, scope)
+    copies = read_copies(file, scope)
+    return replace(mechanism, loads=tuple(loads), mirror=mirror, copies=copies)
+
+
+def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scope) -> Mechanism:
+    """Add parameters and formulas, once all is read that they may feed."""
+    spread_feeding(found, scope)
+    requires = read_requires(file, found, scope)
+    expects = read_expects(file, mechanism.finds, found, scope)
+    parameters, lets = settled(found, file, scope)
+    _check_asked(file, scope.report)
+    check_drive(mechanism.drive, parameters, scope.report)
+    return replace(
+        mechanism,
+        parameters=parameters,
         lets=lets,
         requires=tuple(requires),
         expects=tuple(expects),
-        spans=points.places,
     )
 
 

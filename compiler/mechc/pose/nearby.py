@@ -3,9 +3,9 @@
 import math
 from collections.abc import Iterable
 
-from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import evaluate
 from ..model.mechanism import Mechanism, Parameter
+from ..model.values import Chain, dependent
 from .pose import Definition
 
 NUMBER = 4
@@ -16,22 +16,16 @@ Values = dict[str, float]
 
 def poses_nearby(mechanism: Mechanism, definitions: Iterable[Definition]) -> list[Values]:
     """Return the default pose and some others; what has no value gets one in the others only."""
-    known = tuple(definitions)
-    return [_pose(mechanism, known, number) for number in range(NUMBER)]
+    chain = Chain({**dependent(mechanism), **dict(definitions)})
+    return [chain.complete(_given(mechanism, number)) for number in range(NUMBER)]
 
 
-def _pose(mechanism: Mechanism, definitions: Iterable[Definition], number: int) -> Values:
-    values: Values = {}
-    dependent: list[tuple[str, Formula]] = []
-    for i, parameter in enumerate(mechanism.parameters):
-        if parameter.dependent and parameter.value is not None:
-            dependent.append((parameter.name, parameter.value))
-        elif number or parameter.value is not None:
-            values[parameter.name] = _moved(parameter, math.sin(1 + 7 * number + i), number)
-    for name, formula in (*dependent, *definitions):
-        if symbols(formula) <= values.keys():
-            values[name] = evaluate(formula, values)
-    return values
+def _given(mechanism: Mechanism, number: int) -> Values:
+    return {
+        p.name: _moved(p, math.sin(1 + 7 * number + i), number)
+        for i, p in enumerate(mechanism.parameters)
+        if not p.dependent and (number or p.value is not None)
+    }
 
 
 def _moved(parameter: Parameter, part: float, number: int) -> float:

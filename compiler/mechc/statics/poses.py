@@ -1,29 +1,15 @@
 """Poses to judge at: the default one, then feasible ones drawn from the parameters' ranges."""
 
 import math
-import operator
-from collections.abc import Callable, Iterator, Mapping
-from functools import partial
+from collections.abc import Iterator, Mapping
 from random import Random
 
-from ..formula.walk import evaluate, symbols
-from ..model.mechanism import Mechanism, Parameter, Require
+from ..formula.walk import evaluate
+from ..model.mechanism import Mechanism, Parameter
+from ..model.values import Chain, allowed, bounds, dependent
 from ..pose.pose import Pose
-from ..units import ANGLE
 
 Values = dict[str, float]
-
-CLOSE_TO_DEFAULT = 0.2
-"""A parameter with a value and no range is drawn within this part of its value."""
-
-COMPARE: Mapping[str, Callable[[float, float], bool]] = {
-    "<": operator.lt,
-    "<=": operator.le,
-    ">": operator.gt,
-    ">=": operator.ge,
-    "=": partial(math.isclose, rel_tol=1e-9, abs_tol=1e-12),
-    "!=": operator.ne,
-}
 
 
 class Replay:
@@ -59,14 +45,12 @@ def settle(pose: Pose, parameters: Mapping[str, float], dice: Random) -> Values 
 
     A made-up length that no loop fixes is drawn; no result may depend on it.
     """
-    values = dict(parameters)
-    for definition in pose.definitions:
-        values[definition.name] = evaluate(definition.formula, values)
+    values = Chain(dict(pose.definitions)).complete(parameters)
     for name, length in pose.placeholders.items():
         values[name] = dice.uniform(0.5, 2) if length is None else length.evaluate(values)
-    _add_dependent(pose.mechanism, values)
+    values = _of_parameters(pose.mechanism).complete(values)
     finite = all(map(math.isfinite, values.values()))
-    return values if finite and _allowed(pose.mechanism, values) else None
+    return values if finite and allowed(pose.mechanism, values) else None
 
 
 def _free(pose: Pose) -> list[Parameter]:
@@ -80,35 +64,9 @@ def _at_default(parameter: Parameter, dice: Random) -> float:
 
 
 def _near(parameter: Parameter, dice: Random) -> float:
-    if parameter.range is not None:
-        low, high = (evaluate(end, {}) for end in parameter.range)
-    elif parameter.value is not None:
-        value = evaluate(parameter.value, {})
-        low, high = value * (1 - CLOSE_TO_DEFAULT), value * (1 + CLOSE_TO_DEFAULT)
-    elif parameter.dimension == ANGLE:
-        low, high = math.radians(5), math.radians(85)
-    else:
-        low, high = 0.5, 2.0
-    return dice.uniform(low, high)
+    return dice.uniform(*bounds(parameter))
 
 
-def _add_dependent(mechanism: Mechanism, values: Values) -> None:
-    """Add the dependent parameters and the lets that follow from parameters alone."""
-    formulas = {p.name: p.value for p in mechanism.parameters if p.dependent and p.value}
-    formulas.update({let.name: let.value for let in mechanism.lets})
-    waiting = {name: formula for name, formula in formulas.items() if name not in values}
-    while ready := [name for name, f in waiting.items() if symbols(f) <= values.keys()]:
-        for name in ready:
-            values[name] = evaluate(waiting.pop(name), values)
-
-
-def _allowed(mechanism: Mechanism, values: Values) -> bool:
-    return all(_holds(condition, values) for condition in mechanism.requires)
-
-
-def _holds(condition: Require, values: Values) -> bool:
-    """Return whether a condition holds; one on loads or results cannot be judged here."""
-    if not symbols(condition.left) | symbols(condition.right) <= values.keys():
-        return True
-    left, right = evaluate(condition.left, values), evaluate(condition.right, values)
-    return COMPARE[condition.operator](left, right)
+def _of_parameters(mechanism: Mechanism) -> Chain:
+    """Return the dependent parameters and the lets; those of results stay without a value."""
+    return Chain({**dependent(mechanism), **{let.name: let.value for let in mechanism.lets}})

@@ -4,9 +4,9 @@ import math
 from collections.abc import Callable
 
 from ...diagnostics.pose import Stretch
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import evaluate
+from ...model.values import Chain, dependent
 from ...units import ANGLE, Dimension
-from ..nearby import Values
 from .dyads import Closure
 from .state import State
 
@@ -49,14 +49,12 @@ def _limits(state: State, dimension: Dimension) -> tuple[float, float]:
 
 
 def _tester(state: State, closure: Closure, drive: str) -> Callable[[float], bool]:
-    dependent = [(p.name, p.value) for p in state.mechanism.parameters if p.dependent and p.value]
-    chain = [*dependent, *state.definitions, *closure.definitions]
+    definitions = dict((*state.definitions, *closure.definitions))
+    chain = Chain({**dependent(state.mechanism), **definitions})
+    given = {name: value for name, value in state.base.items() if name not in chain.names}
 
     def closes(place: float) -> bool:
-        values: Values = {**state.base, drive: place}
-        for name, formula in chain:
-            if symbols(formula) <= values.keys():
-                values[name] = evaluate(formula, values)
+        values = chain.complete({**given, drive: place})
         return all(map(math.isfinite, values.values()))
 
     return closes

@@ -1,0 +1,90 @@
+"""A description in numbers: the values given, what follows from them, what conditions allow.
+
+Values are SI and radians.
+"""
+
+import math
+import operator
+from collections.abc import Callable, Mapping
+
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..units import ANGLE
+from .mechanism import Mechanism, Parameter, Require
+from .order import ordered
+
+Values = Mapping[str, float]
+
+_COMPARE: Mapping[str, Callable[[float, float], bool]] = {
+    "<": operator.lt,
+    "<=": operator.le,
+    ">": operator.gt,
+    ">=": operator.ge,
+    "=": lambda left, right: math.isclose(left, right, rel_tol=1e-9, abs_tol=1e-12),
+    "!=": operator.ne,
+}
+
+
+class Chain:
+    """Named formulas that may rest on one another, wherever each was written.
+
+    >>> from mechc.formula.tree import Symbol, number, product
+    >>> twice = Chain({"c": Symbol("b"), "b": product([(number(2), 1), (Symbol("a"), 1)])})
+    >>> twice.complete({"a": 3.0}), twice.complete({"b": 1.0}), twice.complete({})
+    ({'a': 3.0, 'b': 6.0, 'c': 6.0}, {'b': 1.0, 'c': 1.0}, {})
+    """
+
+    def __init__(self, formulas: Mapping[str, Formula]) -> None:
+        needs = {name: symbols(formula) for name, formula in formulas.items()}
+        order, _ = ordered({name: set(n & formulas.keys()) for name, n in needs.items()})
+        self._steps = [(name, formulas[name], needs[name]) for name in order]
+
+    @property
+    def names(self) -> frozenset[str]:
+        """Return the names that the formulas define."""
+        return frozenset(name for name, _, _ in self._steps)
+
+    def complete(self, values: Values) -> dict[str, float]:
+        """Return values with those that follow from them; what has one keeps it."""
+        found = dict(values)
+        for name, formula, needs in self._steps:
+            if name not in found and needs <= found.keys():
+                found[name] = evaluate(formula, found)
+        return found
+
+
+def independent(mechanism: Mechanism) -> list[Parameter]:
+    """Return the parameters that follow from no other."""
+    return [p for p in mechanism.parameters if not p.dependent]
+
+
+def dependent(mechanism: Mechanism) -> dict[str, Formula]:
+    """Return the formulas of the parameters that follow from others."""
+    return {p.name: p.value for p in mechanism.parameters if p.dependent and p.value}
+
+
+def defaults(mechanism: Mechanism) -> dict[str, float]:
+    """Return the values that the user gave; a parameter declared by dimension only is missing."""
+    return {p.name: evaluate(p.value, {}) for p in independent(mechanism) if p.value}
+
+
+def bounds(parameter: Parameter) -> tuple[float, float]:
+    """Return the range to draw from: the user's, or one about the value, or a usual one."""
+    if parameter.range:
+        return evaluate(parameter.range.low, {}), evaluate(parameter.range.high, {})
+    if parameter.value and not parameter.dependent:
+        value = evaluate(parameter.value, {})
+        return value * 0.8, value * 1.25
+    return (0.1, 1.4) if parameter.dimension == ANGLE else (0.5, 2.0)
+
+
+def allowed(mechanism: Mechanism, values: Values) -> bool:
+    """Return whether every ``require`` holds; one on what has no value cannot be judged."""
+    return all(_holds(condition, values) for condition in mechanism.requires)
+
+
+def _holds(condition: Require, values: Values) -> bool:
+    if not symbols(condition.left) | symbols(condition.right) <= values.keys():
+        return True
+    left, right = evaluate(condition.left, values), evaluate(condition.right, values)
+    return _COMPARE[condition.operator](left, right)
