@@ -7,8 +7,8 @@ import pytest
 import mechc
 from mechc.cli.main import main
 from mechc.driver import Compilation
-from mechc.driver import stroke as run
 from mechc.source import Source
+from mechc.stroke.from_balance import run
 
 CLAW = """
 param l_A = 100 mm
@@ -110,14 +110,122 @@ def test_limits_of_a_rocker_are_where_the_drive_is_locked():
     assert [s.drive for s in locked] == pytest.approx([low, high], abs=1e-12)
 
 
-def test_a_parallelogram_is_nowhere_singular():
-    """k is −1 throughout, the flat poses included."""
+def test_a_parallelogram_that_is_one_by_its_letters():
+    """k is −1 throughout, the flat poses included, which are change points."""
     text = four_bar(40, 100, 40, 100, 60)
     text = text.replace("param c = 40 mm\n", "").replace("param d = 100 mm\n", "")
     text = text.replace("O2B = c", "O2B = a").replace("at (d,", "at (b,")
     found = stroke(text)
     assert {row.values[0] for row in found.rows} == {-1.0}
     assert not found.singular
+    assert not found.extrema
+    assert places(found) == pytest.approx([0, math.pi, 2 * math.pi], abs=1e-15)
+
+
+# --------------------------------------------------------------------- branch points
+
+
+def places(found):
+    return [branch.drive for branch in found.branches]
+
+
+CHANGE_POINTS = {
+    "parallelogram": (40, 100, 40, 100),
+    "kite on the frame": (40, 40, 100, 100),
+    "kite on the coupler": (100, 40, 40, 100),
+    "longest and shortest make the others": (40, 100, 60, 80),
+    "a folded rocker": (30, 50, 80, 100),
+}
+"""Crank, coupler, rocker, frame: the sums or differences of two pairs of sides are equal."""
+
+
+@pytest.mark.parametrize("sides", CHANGE_POINTS.values(), ids=CHANGE_POINTS)
+def test_change_points_of_a_four_bar(sides):
+    """The loop lies flat where the frame is the crank and the others lengthwise.
+
+    Crank and frame lie in one line there, so that the diagonal is d − a or d + a, and
+    the other two sides make it, stretched or folded.
+    """
+    a, b, c, d = sides
+    expected = [
+        phi
+        for phi in (0, math.pi, 2 * math.pi)
+        if abs(d - a * math.cos(phi)) in (b + c, abs(b - c))
+    ]
+    assert expected
+    found = stroke(four_bar(a, b, c, d, 30))
+    assert places(found) == pytest.approx(expected, abs=1e-12)
+    assert {branch.loop for branch in found.branches} == {"O2-B-A-O1"}
+    assert all(branch.bracket <= 1e-12 for branch in found.branches)
+    at = [s.drive for s in found.singular]
+    assert not [x for x in at if any(abs(x - y) < 1e-3 for y in expected)]
+
+
+@pytest.mark.parametrize("turn", [20, 137])
+def test_a_change_point_wherever_the_frame_lies(turn):
+    text = four_bar(40, 100, 60, 80, turn + 60).replace(
+        "at (d, 0 mm)", f"at (d*cos({turn} deg), d*sin({turn} deg))"
+    )
+    assert places(stroke(text)) == pytest.approx([math.radians(turn)], abs=1e-12)
+
+
+def test_nothing_branches_near_a_change_point():
+    """A ten-millionth of a millimetre decides; a limit of the drive is no branch point."""
+    for c in (60.0000001, 59.9999999):
+        assert not stroke(four_bar(40, 100, c, 80, 60)).branches
+    limited = stroke(four_bar(80, 40, 90, 110, 78, 0, 180))
+    assert not limited.branches
+    assert {s.kind for s in limited.singular} == {"output still", "drive locked"}
+
+
+CRANK_SLIDER = """
+param a = 100 mm
+param l = {l}
+param phi = 30 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = a @ phi
+AB = l
+assembly B forward
+drive phi from 0 deg to 360 deg
+torque M on OA
+force F at B along -x
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize("length", ["100 mm", "a"])
+def test_a_crank_as_long_as_its_rod(length):
+    """At 90° and 270° the slider is on the pivot and may stay there."""
+    found = stroke(CRANK_SLIDER.format(l=length))
+    assert places(found) == pytest.approx([math.pi / 2, 3 * math.pi / 2], abs=1e-12)
+
+
+def test_a_loop_behind_a_loop_branches_where_its_own_crank_lies_flat():
+    """A parallelogram on the rocker of a crank and rocker: flat as the rocker meets its frame."""
+    a, b, c, d, phi = 40.0, 120.0, 80.0, 100.0, math.radians(200)
+    x, y = a * math.cos(phi) - d, a * math.sin(phi)
+    side = math.hypot(x, y)
+    psi = math.atan2(y, x) - math.acos((side**2 + c**2 - b**2) / (2 * side * c))
+    text = four_bar(a, b, c, d, 60).replace(
+        "torque T on O2B",
+        f"""
+param e = 90 mm
+param psi = {psi!r} rad
+pivot O3 at (d + e*cos(psi), e*sin(psi))
+link BC
+link O3C
+BC = e
+O3C = c
+assembly BCO3 ccw
+torque T on O3C
+""",
+    )
+    found = stroke(text)
+    assert [b.loop for b in found.branches] == ["O3-C-B-O2"] * len(found.branches)
+    assert min(abs(x - phi) for x in places(found)) < 1e-12
 
 
 def test_a_given_pose_and_an_exact_dead_centre():
@@ -167,6 +275,98 @@ def test_errors(drive, code):
     assert [d.code for d in caught.value.diagnostics] == [code]
 
 
+# ------------------------------------------------------------------------ velocities
+
+
+def columns(text, points=7):
+    found = stroke(text, points)
+    names = [c.name for c in found.columns]
+    return [
+        (row.drive, dict(zip(names, row.values, strict=True)))
+        for row in found.rows
+        if not row.trouble
+    ]
+
+
+def test_velocities_of_the_claw():
+    """The arm turns clockwise as φ grows; C moves across OC."""
+    for phi, row in columns(CLAW):
+        beta = math.asin(0.2 * math.sin(phi))
+        rate = 0.1 * math.cos(phi) / (0.5 * math.cos(beta))
+        down = 0.1 * math.sin(phi) + 0.5 * math.sin(beta) * rate
+        assert row["V_B/omega_OAC"] == pytest.approx(-down, rel=1e-12)
+        assert row["V_C(R)/omega_OAC"] == pytest.approx(0.12, rel=1e-12)
+        assert row["V_C(T)/omega_OAC"] == pytest.approx(0.1, rel=1e-12)
+        slope = 1e-6
+        near = [
+            1.4 * math.cos(b) / math.sin(p + b)
+            for p in (phi - slope, phi + slope)
+            for b in (math.asin(0.2 * math.sin(p)),)
+        ]
+        assert row["dk/dphi"] == pytest.approx((near[1] - near[0]) / (2 * slope), rel=1e-7)
+
+
+def test_velocities_of_a_four_bar_are_those_of_its_power():
+    for _, row in columns(four_bar(40, 120, 80, 100, 60)):
+        assert row["omega_O2B/omega_O1A"] == pytest.approx(-row["k"], rel=1e-12, abs=1e-15)
+
+
+PUSHED = """
+param l = 300 mm
+param s = 200 mm
+pivot O
+slider A along x through O
+slider B along y through O
+link AB
+OA = s @ x
+AB = l
+assembly B forward
+drive s from 50 mm to 250 mm
+force P at A along x
+force F at B along -y
+find k = P/F
+"""
+
+
+def test_velocities_by_the_slider_that_is_driven():
+    """The ladder: x² + y² = l²."""
+    for s, row in columns(PUSHED):
+        assert row["V_B/V_A"] == pytest.approx(s / math.sqrt(0.09 - s * s), rel=1e-12)
+
+
+CYLINDER = """
+param a = 200 mm
+param c = 300 mm
+param s = 250 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (c, 0 mm)
+link OA
+telescope QA
+OA = a
+QA = s
+assembly OAQ cw
+drive s from 150 mm to 450 mm
+actuator P between Q and A
+torque M on OA
+find k = P/M
+"""
+
+
+def test_velocities_by_the_cylinder_that_is_driven():
+    """s² = a² + c² − 2ac·cos φ, so ds/dφ = ac·sin φ/s."""
+    for s, row in columns(CYLINDER):
+        phi = math.acos((0.04 + 0.09 - s * s) / 0.12)
+        expected = s / (0.06 * math.sin(phi))
+        assert row["omega_OA/V_QA"] == pytest.approx(expected, rel=1e-12)
+
+
+def test_velocities_by_the_rate_of_a_drive_that_is_no_angle_of_a_link():
+    text = four_bar(40, 120, 80, 100, 30).replace("O1A = a @ phi", "O1A = a @ 2*phi")
+    for phi, row in columns(text):
+        assert row["omega_O1A/phi'"] == pytest.approx(2, rel=1e-12), phi
+        assert row["omega_O2B/phi'"] == pytest.approx(-2 * row["k"], rel=1e-12, abs=1e-15)
+
+
 GEARED = """
 param r = 20 mm
 param R = 40 mm
@@ -191,7 +391,7 @@ find k = P/F
 def remarked(text):
     """Return what is said of the links that do not follow the drive."""
     compilation = Compilation(Source("a.mech", text))
-    run(compilation, 3)
+    run(compilation.balance, compilation.results, 3, compilation.report)
     return [d.message.split()[1] for d in compilation.report.diagnostics if d.code == "W591"]
 
 
@@ -258,6 +458,8 @@ def test_the_command(tmp_path, capsys):
     assert "k has a minimum 1.37277366985" in shown
     assert main(["stroke", str(file), "-n", "3", "--csv"]) == 0
     head, *rows = capsys.readouterr().out.splitlines()
-    assert head == "phi,k,gamma,mu_B,trouble"
+    assert head == (
+        "phi,k,gamma,dk/dphi,V_B/omega_OAC,V_C(R)/omega_OAC,V_C(T)/omega_OAC,mu_B,trouble"
+    )
     assert len(rows) == 3
     assert float(rows[0].split(",")[1]) == pytest.approx(1.499384542672654, rel=1e-12)

@@ -11,13 +11,14 @@ from typing import TYPE_CHECKING, Any
 from .check.poses import default_pose
 from .derivation.steps import Derivation
 from .diagnostics import Diagnostic, near_miss
-from .driver import Compilation, compile_source, emit, stroke, warnings
+from .driver import Compilation, compile_source, emit, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
 from .files import find, read
 from .formula.to_sympy import to_sympy
 from .model.result import Result
 from .source import Source
+from .stroke.from_balance import run
 from .stroke.stroke import Stroke
 
 if TYPE_CHECKING:
@@ -137,7 +138,8 @@ class SolvedMechanism:
         >>> [(e.kind, round(e.drive, 7), round(e.value, 7)) for e in claw.extrema][-1]
         ('minimum', 1.3805578, 1.3727737)
         """
-        return stroke(self._compilation, points)
+        done = self._compilation
+        return run(done.balance, done.results, points, done.report)
 
     def emit(self, target: str, **options: Any) -> str:
         """Return one self-contained file as text: ``python``, ``c``, ``latex`` or ``json``.

@@ -30,8 +30,6 @@ from .routine.steps import Routine
 from .source import Source
 from .statics.referee import judge
 from .statics.verdict import Verdict
-from .stroke.from_balance import run
-from .stroke.stroke import Stroke
 from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, put_in
@@ -144,11 +142,6 @@ def checked(compilation: Compilation) -> Compilation:
 def emit(compilation: Compilation, target: Target, options: Options) -> tuple[Emitted, ...]:
     """Return the files of one target; the first is the main one."""
     return target.emit(checked(compilation), options)
-
-
-def stroke(compilation: Compilation, points: int) -> Stroke:
-    """Return what was asked for along the stroke of the drive."""
-    return run(compilation.balance, compilation.results, points, compilation.report)
 
 
 def warnings(compilation: Compilation) -> list[Diagnostic]:

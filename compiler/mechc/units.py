@@ -40,6 +40,14 @@ class Dimension(NamedTuple):
         """
         return Dimension(self.length + other.length, self.mass + other.mass, self.time + other.time)
 
+    def over(self, other: "Dimension") -> "Dimension":
+        """Return the dimension of a quotient, where angles are pure numbers.
+
+        >>> TORQUE.over(FORCE) == LENGTH
+        True
+        """
+        return self.joined(other.scaled(-1))
+
 
 NUMBER = Dimension()
 ANGLE = Dimension(angle=1)

@@ -2,7 +2,8 @@
 
 import click
 
-from ..driver import checked, stroke, warnings
+from ..driver import checked, warnings
+from ..stroke.from_balance import run
 from ..stroke.to_text import to_csv, to_table
 from ..syntax.settings import Settings
 from .begin import begin
@@ -17,21 +18,26 @@ from .session import Command, session, session_options
     help="How many places along the stroke.",
 )  # fmt: skip
 @click.option("--csv", "as_csv", is_flag=True, help="Numbers only, in SI and radians.")
+@click.option("--velocities", is_flag=True, help="Show dk/dφ and velocity ratios in the table.")
 @settings_option
 @stdin_option
 @session_options
-def command(file: str, points: int, as_csv: bool, settings: Settings, stdin_name: str) -> None:
+def command(
+    file: str, points: int, as_csv: bool, velocities: bool, settings: Settings, stdin_name: str
+) -> None:
     """Print k along the stroke of the drive.
 
     Every result, and the transmission angle at each pin between a rod and what it drives;
-    under the table where there is no pose, the singular poses told apart, and where each
-    result is least and greatest.
+    under the table where there is no pose, branch points, the singular poses told apart,
+    and where each result is least and greatest. CSV, and the table with --velocities, has
+    the slopes of the results and how fast the points of the loads move along them and the
+    links of torques turn, by the speed of what is driven: V_B/omega_OA.
 
     \b
     mechc stroke crank_rocker
     mechc stroke --points 101 --csv clamp.mech > clamp.csv
     """
     compilation = checked(begin(file, stdin_name, settings))
-    found = stroke(compilation, points)
+    found = run(compilation.balance, compilation.results, points, compilation.report)
     session().accept(warnings(compilation), compilation.source)
-    click.echo(to_csv(found) if as_csv else to_table(found), nl=False)
+    click.echo(to_csv(found) if as_csv else to_table(found, velocities), nl=False)

@@ -33,7 +33,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
-    mechanism, found, rates = close(mechanism, terms, compass, vectors, report)
+    mechanism, found, rates, limits = close(mechanism, terms, compass, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
     guides, axis = survey.guides(), survey.axis()
     lines = {**survey.lines(), **survey.thrusts()}
@@ -54,6 +54,8 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         slides=slides,
         touches=held,
         radii={radius: terms.length(radius) for radius in radii(mechanism)},
+        limits=limits,
+        closing=tuple(terms.definitions),
     )
     survey.close_loops(pose)
     survey.report_unfound(pose, found)

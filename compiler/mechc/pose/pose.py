@@ -37,6 +37,13 @@ class Definition(NamedTuple):
     formula: Formula
 
 
+class Limit(NamedTuple):
+    """A margin that a loop has: positive where it closes in two ways, zero where in one."""
+
+    loop: str
+    margin: Product
+
+
 class Touch(NamedTuple):
     """A pin that slides along a body: in a slot of it, or touching a face.
 
@@ -70,6 +77,8 @@ class Pose:
     ``slides[body]`` is the direction of a body that only translates; ``lines`` has also the
     direction in which a pair of forces pushes its second point, or its first one where the
     second is the twin of it. ``radii`` is what each radius and pitch comes to.
+    ``limits`` are where the closures of the loops meet, in names that ``closing`` defines,
+    those among them that nothing else needs.
     """
 
     mechanism: Mechanism
@@ -84,6 +93,8 @@ class Pose:
     slides: Mapping[str, Angle] = MappingProxyType({})
     touches: tuple[Touch, ...] = ()
     radii: Mapping[Formula, Product] = MappingProxyType({})
+    limits: tuple[Limit, ...] = ()
+    closing: tuple[Definition, ...] = ()
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""

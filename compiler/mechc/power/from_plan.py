@@ -112,7 +112,7 @@ class _Asked:
         return self._solved(find, value, above, below)
 
     def _solved(self, find: Find, value: Product, above: str, below: str) -> Solved:
-        dimension = _over(self._dimension(above), self._dimension(below))
+        dimension = self._dimension(above).over(self._dimension(below))
         result = self._result(find, value.formula(), dimension, [value])
         return Solved(result, value, above, below)
 
@@ -168,7 +168,7 @@ class _Asked:
         value = canonical(upper[moving[0]] / lower[moving[0]])
         if not (signed and signed_below):
             value = magnitude(value, self._mechanism)
-        dimension = _over(_rate(above), _rate(below))
+        dimension = _rate(above).over(_rate(below))
         return Solved(self._result(find, value.formula(), dimension, [value]), value)
 
     # ------------------------------------------------------------------------ results
@@ -186,10 +186,6 @@ class _Asked:
         if missing:
             names = [n.removeprefix("len_") for n in missing]
             self._report.add(words.length_not_given(find.span, find.name, names))
-
-
-def _over(above: Dimension, below: Dimension) -> Dimension:
-    return Dimension(above.length - below.length, above.mass - below.mass, above.time - below.time)
 
 
 def _rate(wanted: Speed) -> Dimension:

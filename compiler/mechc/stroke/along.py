@@ -3,11 +3,12 @@
 import math
 from collections.abc import Mapping
 
+from ..algebra.product import Product
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
+from ..kinematics.plan import Plan
 from ..model.result import Result
 from ..model.values import Chain, Values, allowed, defaults, dependent
-from ..pose.pose import Pose
 
 NOT_ASSEMBLED = "cannot be assembled"
 EXCLUDED = "excluded by a condition of use"
@@ -16,15 +17,19 @@ EXCLUDED = "excluded by a condition of use"
 class Along:
     """Evaluates formulas at places of the drive, the other parameters at their defaults."""
 
-    def __init__(self, pose: Pose, lets: Mapping[str, Formula]) -> None:
+    def __init__(self, plan: Plan, lets: Mapping[str, Formula]) -> None:
+        pose = plan.graph.pose
         self._mechanism = pose.mechanism
         assert pose.mechanism.drive is not None
         self._drive = pose.mechanism.drive.parameter
         self.defaults = defaults(pose.mechanism)
         self._definitions = dict(pose.definitions)
         self._chain = Chain({**dependent(pose.mechanism), **self._definitions, **lets})
+        bound = {name: value.formula() for name, value in plan.bindings}
+        self._inner = Chain({**dict(pose.closing), **bound})
         self._open = dict.fromkeys(pose.placeholders, 1.0)
         self._known: dict[float, Values] = {}
+        self._known_inside: dict[float, Values] = {}
 
     def values(self, place: float) -> Values:
         """Return all that has a value at a place of the drive."""
@@ -40,6 +45,15 @@ class Along:
             if name not in values and symbols(inner) <= values.keys():
                 values[name] = evaluate(inner, values)
         return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan
+
+    def inside(self, value: Product, place: float) -> float:
+        """Return the value of something that the compiler found on its way, NaN at a pole."""
+        if place not in self._known_inside:
+            self._known_inside[place] = self._inner.complete(self.values(place))
+        try:
+            return value.evaluate(self._known_inside[place])
+        except (KeyError, ZeroDivisionError, ValueError, OverflowError):
+            return math.nan
 
     def trouble(self, place: float) -> str:
         """Return why there is no pose at a place, '' where there is one."""

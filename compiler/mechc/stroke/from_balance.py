@@ -2,32 +2,32 @@
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
 from itertools import pairwise
-from typing import Literal
+from typing import NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as words
-from ..formula.tree import Formula, degrees, number, product, total
+from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
-from ..kinematics.plan import Plan
 from ..model.mechanism import Drive, Link, LoadRatio, Mechanism, Parameter
-from ..model.result import Result, Vanishing
-from ..pose.pose import Pose
+from ..model.result import Result
 from ..power.balance import Balance
-from ..units import ANGLE
-from .along import Along
+from ..units import ANGLE, LENGTH, Dimension
+from .along import NOT_ASSEMBLED, Along
+from .branches import branch_points
+from .extrema import extrema
 from .in_step import out_of_step
-from .roots import Root, lowest, roots
-from .stroke import Column, Extremum, Kind, Row, Singular, Stretch, Stroke
-from .transmission import transmissions
+from .singular import BESIDE, singular_poses, told_apart
+from .stroke import Column, Extremum, Row, Singular, Stretch, Stroke
+from .transmission import Transmission, transmissions
+from .velocities import velocities
 
 SAMPLES = 720
 """Places at which the stroke is looked at for singular poses and extrema."""
 
-KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
-
-SAME = 1e-9
-"""A zero and a pole closer than this part of the stroke are one place: k is undetermined."""
+FLAT = "branch point"
+"""Stands in a row at which a loop lies flat."""
 
 
 def run(balance: Balance, results: Sequence[Result], points: int, report: Report) -> Stroke:
@@ -44,8 +44,8 @@ def run(balance: Balance, results: Sequence[Result], points: int, report: Report
     ends = _ends(drive, parameter)
     if ends is None:
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
-    runner = _Runner(pose, results, parameter, *ends)
-    for link in runner.out_of_step(balance.plan):
+    runner = _Runner(balance, results, parameter, *ends)
+    for link in runner.out_of_step():
         report.add(words.direction_stays(link.span, link.name, drive.parameter))
     return runner.stroke(points)
 
@@ -60,17 +60,32 @@ def _ends(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
     return min(first, second), max(first, second)
 
 
+class _Filled(NamedTuple):
+    """A column, and its value at a place."""
+
+    column: Column
+    at: Callable[[float], float]
+
+
 class _Runner:
     """Runs along one stroke."""
 
     def __init__(
-        self, pose: Pose, results: Sequence[Result], parameter: Parameter, low: float, high: float
+        self,
+        balance: Balance,
+        results: Sequence[Result],
+        parameter: Parameter,
+        low: float,
+        high: float,
     ) -> None:
-        self._pose, self._parameter, self._low, self._high = pose, parameter, low, high
-        self._along = Along(pose, _plain_lets(pose.mechanism))
+        self._balance, self._pose = balance, balance.plan.graph.pose
+        self._parameter, self._low, self._high = parameter, low, high
+        self._along = Along(balance.plan, _plain_lets(self._pose.mechanism))
         shown = [r for r in results if r.default is not None or r.target is not None]
         self._results = [r for r in shown if not self._is_open(r)]
-        self._angles = list(dict.fromkeys(transmissions(pose)))
+        self._ratios = [r for r in self._results if isinstance(r.target, LoadRatio)]
+        places = _spaced(low, high, SAMPLES)
+        self._branches = branch_points(self._pose, self._along, places)
 
     def _is_open(self, result: Result) -> bool:
         """Tell a result that rests on loads whose size nobody gives."""
@@ -78,166 +93,141 @@ class _Runner:
         defined = {d.name for d in result.where}
         return bool((symbols(result.formula) & loads) - defined)
 
-    def out_of_step(self, plan: Plan) -> Iterator[Link]:
+    def out_of_step(self) -> Iterator[Link]:
         """Yield the links that do not follow the drive, as seen at its default."""
         middle = (self._low + self._high) / 2
         place = self._along.defaults.get(self._parameter.name, middle)
-        return out_of_step(plan, self._along, place)
+        return out_of_step(self._balance.plan, self._along, place)
 
     def stroke(self, points: int) -> Stroke:
         """Return the whole."""
-        places = _spaced(self._low, self._high, max(points - 1, 1))
+        filled = list(self._columns())
         stretches = tuple(self._stretches())
-        columns = [Column(r.name, r.dimension) for r in self._results]
-        columns += [Column(f"mu_{t.pin}", ANGLE) for t in self._angles]
-        singular = sorted(
-            (s for st in stretches for s in self._singular(st)), key=lambda s: s.drive
-        )
-        extrema = sorted((e for st in stretches for e in self._extrema(st)), key=lambda e: e.drive)
         return Stroke(
             self._parameter.name,
             self._parameter.dimension,
             self._parameter.unit,
             self._low,
             self._high,
-            tuple(columns),
-            tuple(self._row(x) for x in places),
+            tuple(f.column for f in filled),
+            tuple(self._row(x, filled) for x in _spaced(self._low, self._high, points - 1)),
             stretches,
-            tuple(_merged(singular, SAME * (self._high - self._low))),
-            tuple(extrema),
+            self._singular(stretches),
+            self._branches,
+            tuple(self._extrema(stretches)),
             self._along.defaults,
         )
 
-    def _row(self, place: float) -> Row:
+    # ------------------------------------------------------------------------------- columns
+
+    def _columns(self) -> Iterator[_Filled]:
+        """Yield results, their slopes along the drive, velocity ratios, transmission angles."""
+        for result in self._results:
+            column = Column(result.name, result.dimension)
+            yield _Filled(column, self._values(result.formula, result))
+        for result in self._ratios:
+            slope = (result.derivatives or {}).get(self._parameter.name)
+            if slope is not None:
+                name = f"d{result.name}/d{self._parameter.name}"
+                dimension = result.dimension.over(self._parameter.dimension)
+                yield _Filled(Column(name, dimension, "slope"), self._values(slope, result))
+        for velocity in velocities(self._balance):
+            unit = self._unit(velocity.dimension)
+            column = Column(velocity.name, velocity.dimension, "velocity", unit)
+            yield _Filled(column, partial(self._along.inside, velocity.value))
+        for angle in dict.fromkeys(transmissions(self._pose)):
+            column = Column(f"mu_{angle.pin}", ANGLE, "angle")
+            yield _Filled(column, partial(self._angle, angle))
+
+    def _values(self, formula: Formula, where: Result) -> Callable[[float], float]:
+        return lambda place: self._along.of(formula, where, place)
+
+    def _angle(self, angle: Transmission, place: float) -> float:
+        return angle.at(self._along.values(place))
+
+    def _unit(self, dimension: Dimension) -> str:
+        """Return the unit in which the user writes lengths, '' for anything else."""
+        if dimension != LENGTH:
+            return ""
+        parameters = self._pose.mechanism.parameters
+        return next((p.unit for p in parameters if p.dimension == LENGTH and p.unit), "")
+
+    def _row(self, place: float, filled: Sequence[_Filled]) -> Row:
+        trouble = self._trouble(place)
+        if self._along.trouble(place):
+            return Row(place, (math.nan,) * len(filled), trouble)
+        return Row(place, tuple(f.at(place) for f in filled), trouble)
+
+    # ----------------------------------------------------------------------------- stretches
+
+    def _trouble(self, place: float) -> str:
+        """Return why there is no pose, or that a loop lies flat.
+
+        Rounding decides whether a loop that is all but flat closes.
+        """
         trouble = self._along.trouble(place)
-        if trouble:
-            return Row(place, (math.nan,) * (len(self._results) + len(self._angles)), trouble)
-        values = [self._along.of(r.formula, r, place) for r in self._results]
-        known = self._along.values(place)
-        return Row(place, (*values, *(t.at(known) for t in self._angles)), "")
+        near = BESIDE * (self._high - self._low)
+        gaps = [abs(place - branch.drive) for branch in self._branches]
+        if trouble == NOT_ASSEMBLED and any(gap <= near for gap in gaps):
+            return FLAT
+        return trouble or (FLAT if any(gap <= near * 1e-3 for gap in gaps) else "")
+
+    def _stands(self, place: float) -> bool:
+        return self._trouble(place) in ("", FLAT)
 
     def _stretches(self) -> Iterator[Stretch]:
         """Yield the parts of the stroke on which there is a pose, their ends to the last bit."""
         places = _spaced(self._low, self._high, SAMPLES)
-        start, before = (places[0], "") if not self._along.trouble(places[0]) else (None, "")
+        start, before = (places[0] if self._stands(places[0]) else None), ""
         for a, b in pairwise(places):
-            one, other = self._along.trouble(a), self._along.trouble(b)
-            if one and not other:
-                start, before = self._edge(a, b), one
-            elif other and not one and start is not None:
-                yield Stretch(start, self._edge(b, a), before, other)
+            if self._stands(b) and not self._stands(a):
+                start, before = self._edge(a, b), self._trouble(a)
+            elif self._stands(a) and not self._stands(b) and start is not None:
+                yield Stretch(start, self._edge(b, a), before, self._trouble(b))
                 start = None
         if start is not None:
             yield Stretch(start, places[-1], before, "")
 
     def _edge(self, bad: float, good: float) -> float:
         while (middle := (bad + good) / 2) not in (bad, good):
-            if self._along.trouble(middle):
-                bad = middle
-            else:
+            if self._stands(middle):
                 good = middle
+            else:
+                bad = middle
         return good
 
-    # ------------------------------------------------------------------------ singular poses
+    # -------------------------------------------------------------------- singular, extreme
 
-    def _singular(self, stretch: Stretch) -> Iterator[Singular]:
-        places = _spaced(stretch.low, stretch.high, SAMPLES)
-        for result in self._results:
-            if not isinstance(result.target, LoadRatio):
-                continue
-            for vanishing in result.zeros:
-                yield from self._places(result, vanishing, "0", places, stretch)
-            for vanishing in result.poles:
-                yield from self._places(result, vanishing, "infinite", places, stretch)
+    def _singular(self, stretches: Sequence[Stretch]) -> tuple[Singular, ...]:
+        name = self._parameter.name
+        found = [
+            pose
+            for stretch in stretches
+            for result in self._ratios
+            for pose in singular_poses(
+                result, name, self._along, stretch, _spaced(stretch.low, stretch.high, SAMPLES)
+            )
+        ]
+        return told_apart(found, self._branches, self._high - self._low)
 
-    def _places(
-        self,
-        result: Result,
-        vanishing: Vanishing,
-        value: Literal["0", "infinite"],
-        places: Sequence[float],
-        stretch: Stretch,
-    ) -> Iterator[Singular]:
-        def factor(place: float) -> float:
-            return self._along.of(vanishing.factor, result, place)
-
-        found = [*roots(factor, places), *self._at_the_ends(factor, places, stretch)]
-        for root in found:
-            exact = self._exact(vanishing, root)
-            yield Singular(result.name, value, vanishing.kind, *root, exact)
-
-    def _at_the_ends(
-        self, factor: Callable[[float], float], places: Sequence[float], stretch: Stretch
-    ) -> Iterator[Root]:
-        """Yield the ends beyond which nothing can be assembled, where the factor goes to zero.
-
-        It does so as a square root, hence half the digits.
-        """
-        size = max(abs(factor(x)) for x in places)
-        for end, why in ((stretch.low, stretch.before), (stretch.high, stretch.after)):
-            if why and abs(factor(end)) < 1e-5 * size:
-                yield Root(end, math.ulp(end))
-
-    def _exact(self, vanishing: Vanishing, root: Root) -> Formula | None:
-        """Return the drive as a constant formula, turned by half turns to the place found."""
-        if vanishing.at is None or vanishing.at[0] != self._parameter.name:
-            return None
-        formula = vanishing.at[1]
-        if symbols(formula) - self._along.defaults.keys():
-            return None
-        value = evaluate(formula, self._along.values(root.place))
-        turns = round((root.place - value) / math.pi)
-        shifted = total([formula, product([(number(turns), 1), (degrees(180), 1)])])
-        return shifted if math.isclose(value + turns * math.pi, root.place, abs_tol=1e-9) else None
-
-    # ------------------------------------------------------------------------------- extrema
-
-    def _extrema(self, stretch: Stretch) -> Iterator[Extremum]:
-        places = _spaced(stretch.low, stretch.high, SAMPLES)
-        for result in self._results:
-            values = [self._along.of(result.formula, result, x) for x in places]
-            for i in range(1, len(places) - 1):
-                before, here, after = values[i - 1 : i + 2]
-                if before > here <= after or before < here >= after:
-                    sense = 1 if here <= after else -1
-                    place = self._turning(result, sense, places[i - 1], places[i + 1])
-                    value = self._along.of(result.formula, result, place)
-                    if math.isfinite(value) and sense * value <= sense * here:
-                        kind = KINDS[sense]
-                        yield Extremum(result.name, kind, place, value)
-
-    def _turning(self, result: Result, sense: int, a: float, b: float) -> float:
-        """Return the place between two others at which a result turns: where its slope is 0."""
-        slope = (result.derivatives or {}).get(self._parameter.name)
-        if slope is not None:
-            found = roots(lambda x: self._along.of(slope, result, x), [a, b])
-            if found:
-                return found[0].place
-        return lowest(lambda x: sense * self._along.of(result.formula, result, x), a, b)
+    def _extrema(self, stretches: Sequence[Stretch]) -> list[Extremum]:
+        name = self._parameter.name
+        found = [
+            extremum
+            for stretch in stretches
+            for result in self._results
+            for extremum in extrema(
+                result, name, self._along, _spaced(stretch.low, stretch.high, SAMPLES)
+            )
+        ]
+        return sorted(found, key=lambda e: e.drive)
 
 
-def _place(found: Singular | Extremum) -> float:
-    return found.drive
-
-
-def _plain_lets(mechanism: Mechanism) -> dict[str, Formula]:
+def _plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:
     """Return the user's formulas; those that rest on loads stay without a value."""
     return {let.name: let.value for let in mechanism.lets}
 
 
 def _spaced(low: float, high: float, parts: int) -> list[float]:
+    parts = max(parts, 1)
     return [low + (high - low) * i / parts for i in range(parts)] + [high]
-
-
-def _merged(found: Sequence[Singular], width: float) -> Iterator[Singular]:
-    """Yield singular poses, a zero and a pole at one place as a branch point."""
-    kept: list[Singular] = []
-    for one in found:
-        last = kept[-1] if kept else None
-        if last and last.result == one.result and one.drive - last.drive <= width:
-            if last.value != one.value:
-                kind: Kind = "branch point"
-                kept[-1] = last._replace(value="undetermined", kind=kind)
-            continue
-        kept.append(one)
-    yield from kept

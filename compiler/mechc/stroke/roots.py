@@ -17,6 +17,9 @@ NIL = 1e-7
 Half the digits: a double zero cannot be told better from one that is just missed.
 """
 
+NOISE = 1e-12
+"""Neighbours that are both below this part of the greatest value tell of no change of sign."""
+
 ROUNDED = 1e-14
 """A value at an end of the stroke below this part of the greatest is a zero that was rounded."""
 
@@ -37,10 +40,10 @@ def roots(function: Function, places: Sequence[float]) -> list[Root]:
     [1.414213562373]
     """
     values = [function(x) for x in places]
-    found = [Root(x, 0.0) for x, y in zip(places, values, strict=True) if y == 0]
     size = max((abs(y) for y in values if math.isfinite(y)), default=0.0)
+    found = [Root(places[i], 0.0) for i in range(len(places)) if _alone(values, i, size)]
     for (a, b), (u, v) in zip(pairwise(places), pairwise(values), strict=True):
-        if u * v < 0:
+        if u * v < 0 and max(abs(u), abs(v)) > NOISE * size:
             root = halved(function, a, b)
             if abs(function(root.place)) <= size:
                 found.append(root)
@@ -48,6 +51,12 @@ def roots(function: Function, places: Sequence[float]) -> list[Root]:
     ends = ((places[0], values[0]), (places[-1], values[-1]))
     found.extend(Root(x, math.ulp(x)) for x, y in ends if abs(y) < ROUNDED * size)
     return _distinct(found, places)
+
+
+def _alone(values: Sequence[float], i: int, size: float) -> bool:
+    """Tell a zero from one of many, where the function is zero but for rounding."""
+    beside = [abs(v) for v in (*values[max(i - 1, 0) : i], *values[i + 1 : i + 2])]
+    return values[i] == 0 and any(v > NOISE * size for v in beside)
 
 
 def halved(function: Function, a: float, b: float) -> Root:
@@ -72,7 +81,7 @@ def _touched(
         alike = values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0
         if alike and here <= before and here <= after:
             place = lowest(lambda x: abs(function(x)), places[i - 1], places[i + 1])
-            if abs(function(place)) < NIL * size:
+            if abs(function(place)) < NIL * size and max(before, after) > NOISE * size:
                 yield Root(place, 1e-8 * max(abs(place), 1e-3))
 
 

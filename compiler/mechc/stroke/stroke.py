@@ -8,6 +8,7 @@ from ..frozen import frozen
 from ..units import Dimension
 
 Kind = Literal["output still", "drive locked", "branch point", "perpendicular load", "other"]
+Content = Literal["result", "slope", "velocity", "angle"]
 
 
 class Row(NamedTuple):
@@ -22,10 +23,12 @@ class Row(NamedTuple):
 
 
 class Column(NamedTuple):
-    """A result, the speed of a load's point per unit of the drive, or a transmission angle."""
+    """A result, its slope along the drive, a velocity ratio, or a transmission angle."""
 
     name: str
     dimension: Dimension
+    content: Content = "result"
+    unit: str = ""
 
 
 class Stretch(NamedTuple):
@@ -52,6 +55,17 @@ class Singular(NamedTuple):
     exact: Formula | None
 
 
+class Branch(NamedTuple):
+    """A place at which a loop lies flat and can be left in two ways: a change point.
+
+    Results may well be finite there. The place lies within ``bracket``.
+    """
+
+    loop: str
+    drive: float
+    bracket: float
+
+
 class Extremum(NamedTuple):
     """A place at which a result is least or greatest nearby."""
 
@@ -74,5 +88,6 @@ class Stroke:
     rows: tuple[Row, ...]
     stretches: tuple[Stretch, ...]
     singular: tuple[Singular, ...]
+    branches: tuple[Branch, ...]
     extrema: tuple[Extremum, ...]
     defaults: Mapping[str, float]

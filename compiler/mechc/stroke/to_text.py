@@ -3,11 +3,11 @@
 import csv
 import io
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 
 from ..formula.to_text import text
 from ..units import ANGLE, UNITS, Dimension
-from .stroke import Column, Extremum, Singular, Stretch, Stroke
+from .stroke import Branch, Column, Content, Extremum, Singular, Stretch, Stroke
 
 
 def to_csv(stroke: Stroke) -> str:
@@ -21,16 +21,22 @@ def to_csv(stroke: Stroke) -> str:
     return out.getvalue()
 
 
-def to_table(stroke: Stroke) -> str:
-    """Return the rows as a table, then stretches, singular poses and extrema, in users' units."""
-    return "\n".join(_lines(stroke)) + "\n"
+def to_table(stroke: Stroke, velocities: bool = False) -> str:
+    """Return the rows as a table, then stretches, singular poses and extrema, in users' units.
+
+    With ``velocities`` the table has slopes and velocity ratios, too.
+    """
+    hidden: set[Content] = set() if velocities else {"slope", "velocity"}
+    return "\n".join(_lines(stroke, hidden)) + "\n"
 
 
-def _lines(stroke: Stroke) -> Iterator[str]:
+def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
+    shown = [i for i, c in enumerate(stroke.columns) if c.content not in hidden]
+    columns = [stroke.columns[i] for i in shown]
     head = [_headed(stroke.drive, _unit(stroke.dimension, stroke.unit))]
-    head += [_headed(c.name, _unit(c.dimension, "")) for c in stroke.columns]
+    head += [_headed(c.name, _unit(c.dimension, c.unit)) for c in columns]
     body = [
-        [_place(row.drive, stroke), *_cells(row.values, stroke.columns), row.trouble]
+        [_place(row.drive, stroke), *_cells([row.values[i] for i in shown], columns), row.trouble]
         for row in stroke.rows
     ]
     yield from _table([[*head, ""], *body])
@@ -38,13 +44,14 @@ def _lines(stroke: Stroke) -> Iterator[str]:
         yield from _stretch(stretch, stroke)
     if not stroke.stretches:
         yield "There is no pose anywhere on the stroke."
+    yield from (_branch(b, stroke) for b in stroke.branches)
     yield from (_singular(s, stroke) for s in stroke.singular)
     yield from (_extremum(e, stroke) for e in stroke.extrema)
 
 
 def _cells(values: Sequence[float], columns: Sequence[Column]) -> list[str]:
     return [
-        "" if math.isnan(v) else f"{v / _factor(_unit(c.dimension, '')):.9g}"
+        "" if math.isnan(v) else f"{v / _factor(_unit(c.dimension, c.unit)):.9g}"
         for v, c in zip(values, columns, strict=True)
     ]
 
@@ -90,11 +97,16 @@ def _stretch(stretch: Stretch, stroke: Stroke) -> Iterator[str]:
         yield f"above {_at(stretch.high, stroke)}: {stretch.after}"
 
 
+def _branch(found: Branch, stroke: Stroke) -> str:
+    at = _at(found.drive, stroke)
+    return f"branch point at {at}: the loop {found.loop} lies flat and can go on in two ways"
+
+
 def _singular(found: Singular, stroke: Stroke) -> str:
     kinds = {
         "output still": "dead centre, the output stands still while the drive moves",
         "drive locked": "dead centre, the drive stands still while the output can move",
-        "branch point": "branch point, the motion is not determined",
+        "branch point": "zero and infinite at once",
         "perpendicular load": "a load perpendicular to the velocity of its point, no dead centre",
         "other": "",
     }

@@ -18,6 +18,7 @@ from ...frozen import replace
 from ...model.mechanism import Link, Mechanism, Parameter
 from ...units import ANGLE, LENGTH
 from ..compass import Compass
+from ..pose import Limit
 from ..terms import Terms
 from ..vectors import Vectors
 from .choosing import Choice, loop_name
@@ -32,12 +33,14 @@ from .web import Cycle, Names, Web, mentioned
 class Closed(NamedTuple):
     """The mechanism with the parameters that were found made dependent, and the names found.
 
-    ``rates`` are the derivatives by the drive of all that moves with it.
+    ``rates`` are the derivatives by the drive of all that moves with it; ``limits`` are where
+    the closures of the loops meet.
     """
 
     mechanism: Mechanism
     found: frozenset[str]
     rates: Mapping[str, Product]
+    limits: tuple[Limit, ...]
 
 
 def close(
@@ -50,7 +53,7 @@ def close(
     """
     named = _sought_parameters(mechanism)
     if not compass.sought and not named:
-        return Closed(mechanism, frozenset(), {})
+        return Closed(mechanism, frozenset(), {}, ())
     lines = list(rails(mechanism, compass))
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
     lengths = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
@@ -64,7 +67,8 @@ def close(
     compass.put(state.directions)
     vectors.put(state.directions)
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
-    return Closed(_with_solved(mechanism, state), frozenset(state.found), state.rates)
+    found, bounds = frozenset(state.found), tuple(state.limits)
+    return Closed(_with_solved(mechanism, state), found, state.rates, bounds)
 
 
 def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:
@@ -167,6 +171,7 @@ class _Closing:
         chosen = self._choice.choose(candidates, group)
         self._report.stop_on_errors()
         assert chosen is not None
+        state.limits += (Limit(loop_name(cycle), margin) for margin in group.margins)
         state.take(chosen, wanted, [tuple(a for e in cycle for a in e.arms)])
         return True
 

@@ -4,13 +4,13 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from ...algebra.angle import Angle
-from ...algebra.product import Product
 from ...formula.walk import evaluate, symbols
 from ...model.mechanism import Mechanism
 from ..nearby import Values, poses_nearby
-from ..pose import Definition, Vector, turned_by
+from ..pose import Definition, Limit, Vector, turned_by
 from ..terms import Terms
 from .dyads import Closure
+from .limits import given_rates
 from .rails import Rail
 from .rates import loop_rates
 from .web import Names, Web, mentioned
@@ -39,9 +39,9 @@ class State:
         self.definitions = terms.definitions
         self.directions: dict[str, Angle] = {}
         self.found: set[str] = set()
-        self.rates: dict[str, Product] = (
-            {mechanism.drive.parameter: Product(1)} if mechanism.drive else {}
-        )
+        drive = mechanism.drive.parameter if mechanism.drive else ""
+        self.rates = given_rates(terms.definitions, drive) if drive else {}
+        self.limits: list[Limit] = []
         self.values = poses_nearby(mechanism, terms.definitions)
         self._taken = {p.name for p in mechanism.parameters} | {n.name for n in mechanism.loads}
         for values in self.values:
