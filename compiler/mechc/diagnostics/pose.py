@@ -10,11 +10,13 @@ from .diagnostic import Related, Words, coded
 
 
 class Stretch(NamedTuple):
-    """A part of the drive's stroke, in SI, and its dimension."""
+    """A part of the drive's stroke, in SI, its dimension, and its ends as formulas if known."""
 
     low: float
     high: float
     dimension: Dimension
+    low_exact: str = ""
+    high_exact: str = ""
 
 
 @coded("E301")
@@ -180,15 +182,18 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch
         AB = 30 mm
         CB = 40 mm           # wrong: 30 mm + 40 mm do not reach over 100 mm
 
-    With a ``drive`` the message says over which part of its stroke the loop closes.
+    With a ``drive`` the message says over which part of its stroke the loop closes; where
+    one side of a triangle turns with it, the ends are arc cosines of lengths, which the
+    hint gives.
     """
-    parts = [_stretch(s) for s in stretches]
-    where = f"; it closes for {drive} from " + " and from ".join(parts) if parts else ""
-    never = ", nor anywhere on the stroke" if drive and not parts else ""
+    known = list(stretches)
+    where = f"; it closes for {drive} from " + " and from ".join(map(_stretch, known))
+    never = f", nor anywhere along {drive}" if drive else ""
+    move = f"move the default of {drive} there{_limits(drive, known)}"
     return Words(
         at,
-        f"the loop {loop} cannot be assembled at the default pose{never}{where}",
-        f"move the default of {drive} there" if parts else "change the lengths so that they reach",
+        f"the loop {loop} cannot be assembled at the default pose{where if known else never}",
+        move if known else "change the lengths so that they reach",
     )
 
 
@@ -232,6 +237,12 @@ def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Words:
 
 
 def _stretch(stretch: Stretch) -> str:
-    if stretch.dimension == ANGLE:
-        return f"{math.degrees(stretch.low):.7g} to {math.degrees(stretch.high):.7g} deg"
-    return f"{stretch.low * 1000:.7g} to {stretch.high * 1000:.7g} mm"
+    unit, size = ("deg", math.pi / 180) if stretch.dimension == ANGLE else ("mm", 1e-3)
+    return f"{stretch.low / size:.10g} to {stretch.high / size:.10g} {unit}"
+
+
+def _limits(drive: str, stretches: Iterable[Stretch]) -> str:
+    """Return the shortest formulas of ends, two at most, behind a semicolon."""
+    found = {f for s in stretches for f in (s.low_exact, s.high_exact) if f}
+    shown = sorted(sorted(found, key=lambda f: (len(f), f))[:2])
+    return f"; {drive} ends at " + " and ".join(shown) if shown else ""

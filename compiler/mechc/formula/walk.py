@@ -158,17 +158,18 @@ def equations(formula: Implicit) -> tuple[Formula, ...]:
 def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
     """Return the unknowns at values of the outer symbols; NaN where the branch ends."""
     anchor = tuple(value for _, value in system.anchor)
-    status, found = follow(_numeric(system), anchor, system.start, outer)
+    status, found = follow(numeric(system), anchor, system.start, outer)
     return found if status == 0 else (math.nan,) * len(found)
 
 
 def side(system: System) -> int:
     """Return the sign of the Jacobian's determinant at the default pose."""
-    return side_of(_numeric(system), system.start, [value for _, value in system.anchor])
+    return side_of(numeric(system), system.start, [value for _, value in system.anchor])
 
 
 @cache
-def _numeric(system: System) -> Equations:
+def numeric(system: System) -> Equations:
+    """Return residuals and Jacobian as a function of floats."""
     rows = jacobian(system.equations, system.unknowns)
     names = (*system.unknowns, *(name for name, _ in system.anchor))
 

@@ -10,10 +10,10 @@ from collections.abc import Iterator, Mapping, Sequence
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.product import Product
 from ..algebra.sums import add
+from ..formula.roots import Function, Root, lowest, roots
 from ..formula.walk import symbols
 from ..pose.pose import Limit, Pose
 from .along import Along
-from .roots import Function, Root, lowest, roots
 from .stroke import Branch
 
 NIL = 1e-12

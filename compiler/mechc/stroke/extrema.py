@@ -4,9 +4,9 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal
 
+from ..formula.roots import lowest, roots
 from ..model.result import Result
 from .along import Along
-from .roots import lowest, roots
 from .stroke import Extremum
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}

@@ -4,11 +4,11 @@ import math
 from collections.abc import Iterable, Iterator, Sequence
 from typing import Literal
 
+from ..formula.roots import Function, Root, roots
 from ..formula.tree import Formula, degrees, number, product, total
 from ..formula.walk import evaluate, symbols
 from ..model.result import Result, Vanishing
 from .along import Along
-from .roots import Function, Root, roots
 from .stroke import Branch, Kind, Singular, Stretch
 
 Value = Literal["0", "infinite"]

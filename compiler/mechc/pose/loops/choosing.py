@@ -10,6 +10,7 @@ from ...model.mechanism import Assembly
 from ...source import Span
 from ..nearby import Values
 from .dyads import Closure
+from .limits import Margins
 from .reach import reach_of
 from .state import State
 from .web import Cycle, Names
@@ -26,6 +27,11 @@ class Loops(Protocol):
     @property
     def unknown(self) -> Names:
         """Return the unknowns."""
+        ...
+
+    @property
+    def margins(self) -> Margins:
+        """Return what vanishes where closures meet."""
         ...
 
     def triples(self) -> Sequence[tuple[str, str, str]]:
@@ -110,7 +116,7 @@ class Choice:
     # --------------------------------------------------------------------------- reports
 
     def _report_none(self, closures: Sequence[Closure], group: Loops) -> None:
-        stretches = reach_of(self._state, closures[0])
+        stretches = reach_of(self._state, closures[0], group.margins)
         drive = self._state.mechanism.drive
         name = drive.parameter if drive else ""
         self._report.add(

@@ -21,6 +21,7 @@ from ..compass import Compass
 from ..pose import Limit
 from ..terms import Terms
 from ..vectors import Vectors
+from .branches import branches
 from .choosing import Choice, loop_name
 from .dyads import Group
 from .groups import closures, remaining_blocks
@@ -119,8 +120,10 @@ class _Closing:
             found = closures(block, self._state)
             if not found:
                 span = max((e.span for e in block.cycle), key=lambda s: s.start)
-                loop = loop_name(block.cycle)
-                raise self._report.fail(words.cannot_assemble(span, loop, "", []))
+                loop, drive = loop_name(block.cycle), self._state.mechanism.drive
+                reach = branches(block, self._state)
+                name = drive.parameter if drive else ""
+                raise self._report.fail(words.cannot_assemble(span, loop, name, reach))
             chosen = self._choice.choose(found, block)
             self._report.stop_on_errors()
             assert chosen is not None

@@ -15,9 +15,11 @@ from ...algebra.blocks import blocks, match
 from ...algebra.factors import Length
 from ...algebra.product import Product
 from ...formula.tree import Formula, System, implicit
+from ...frozen import replace
 from ..nearby import Values
 from ..pose import Arm, Definition, Vector, components, gathered
 from .dyads import Closure
+from .limits import Margins
 from .state import State
 from .web import Cycle, mentioned
 
@@ -53,6 +55,11 @@ class Block(NamedTuple):
     def sides(self) -> list[Vector]:
         """Return the vectors of each loop."""
         return [_side_arms(loop) for loop in self.loops]
+
+    @property
+    def margins(self) -> Margins:
+        """Return nothing: where closures meet is no function of what is known."""
+        return ()
 
     def triples(self) -> list[tuple[str, str, str]]:
         """Return the pins between two unknown edges, each with the far ends of the two."""
@@ -108,23 +115,28 @@ def _determined(
 def closures(block: Block, state: State) -> list[Closure]:
     """Return every closure of a block that was found at the default pose."""
     names = tuple(sorted(block.unknown))
-    arms = [_side_arms(block.loops[i]) for i, _ in block.equations]
-    rows = [(a, part) for a, (_, part) in zip(arms, block.equations, strict=True)]
-    found = _solutions(rows, names, state)
-    equations = tuple(_equation(a, part) for a, part in rows)
-    outer = sorted({n for a in arms for n in mentioned(a)} - block.unknown)
+    system = system_of(block, state)
+    found = _solutions(rows_of(block), names, state)
+    return [_closure(replace(system, start=start)) for start in found]
+
+
+def system_of(block: Block, state: State) -> System:
+    """Return the equations of a block, without a start."""
+    rows = rows_of(block)
+    equations = tuple(_equation(arms, part) for arms, part in rows)
+    outer = sorted({n for arms, _ in rows for n in mentioned(arms)} - block.unknown)
     anchor = tuple((n, state.base[n]) for n in outer)
-    return [_closure(names, equations, anchor, start) for start in found]
+    return System(tuple(sorted(block.unknown)), equations, anchor, ())
 
 
-def _closure(
-    names: tuple[str, ...],
-    equations: tuple[Formula, ...],
-    anchor: tuple[tuple[str, float], ...],
-    start: tuple[float, ...],
-) -> Closure:
-    system = System(names, equations, anchor, start)
-    return Closure(tuple(Definition(n, implicit(system, i)) for i, n in enumerate(names)), {})
+def rows_of(block: Block) -> list["Row"]:
+    """Return the loop and the axis of each equation."""
+    return [(_side_arms(block.loops[i]), part) for i, part in block.equations]
+
+
+def _closure(system: System) -> Closure:
+    names = enumerate(system.unknowns)
+    return Closure(tuple(Definition(n, implicit(system, i)) for i, n in names), {})
 
 
 def _side_arms(loop: Cycle) -> Vector:
@@ -144,13 +156,13 @@ Row = tuple[Vector, int]
 def _solutions(rows: Sequence[Row], names: Sequence[str], state: State) -> list[tuple[float, ...]]:
     """Return the solutions that random starts lead to, each once."""
     dice = Random(state.mechanism.name)
-    size = max(_sizes(rows, names, state.base), default=1.0)
+    size = size_of(rows, names, state.base)
     found: list[tuple[float, ...]] = []
     vain = 0
     for _ in range(STARTS):
         if vain > VAIN:
             break
-        start = {n: _draw(n in state.angles, size, dice) for n in names}
+        start = {n: draw(n in state.angles, size, dice) for n in names}
         end = _newton(rows, names, {**state.base, **start}, size)
         if end is None:
             continue
@@ -164,12 +176,18 @@ def _solutions(rows: Sequence[Row], names: Sequence[str], state: State) -> list[
     return sorted(found)
 
 
-def _draw(is_angle: bool, size: float, dice: Random) -> float:
+def draw(is_angle: bool, size: float, dice: Random) -> float:
+    """Return an angle, or a length of up to twice the size of the mechanism."""
     return dice.uniform(-math.pi, math.pi) if is_angle else dice.uniform(0, 2 * size)
 
 
 def _apart(one: Sequence[float], other: Sequence[float]) -> float:
     return max(abs(math.remainder(a - b, 2 * math.pi)) for a, b in zip(one, other, strict=True))
+
+
+def size_of(rows: Sequence[Row], names: Sequence[str], values: Values) -> float:
+    """Return the largest known arm."""
+    return max(_sizes(rows, names, values), default=1.0)
 
 
 def _sizes(rows: Sequence[Row], names: Sequence[str], values: Values) -> Iterator[float]:

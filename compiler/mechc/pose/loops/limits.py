@@ -49,3 +49,12 @@ def given_rates(definitions: Iterable[Definition], drive: str) -> dict[str, Prod
         if parts:
             rates[name] = add(to_product(slope(formula, n)) * rates[n] for n in parts)
     return rates
+
+
+def moved_by(drive: str, definitions: Iterable[Definition]) -> frozenset[str]:
+    """Return the names that move with the drive, itself included."""
+    moving = {drive}
+    for name, formula in definitions:
+        if not moving.isdisjoint(symbols(formula)):
+            moving.add(name)
+    return frozenset(moving)

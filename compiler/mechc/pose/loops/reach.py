@@ -1,43 +1,67 @@
-"""Where in the stroke a mechanism can be assembled: stretches of the driving coordinate."""
+"""Where in the stroke a mechanism can be assembled: stretches of the driving coordinate.
+
+A stretch ends where the margin of a loop vanishes. Where the drive turns one side of a
+triangle, or the arm of a rod on a guide, that is ``acos`` or ``asin`` of lengths; elsewhere it
+is the zero of the margin, halved to the last bits.
+"""
 
 import math
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from itertools import pairwise
+from typing import NamedTuple
 
+from ...algebra.angle import Angle
+from ...algebra.factors import Trig
+from ...algebra.product import Product, Sum
+from ...algebra.sums import add
 from ...diagnostics.pose import Stretch
-from ...formula.walk import evaluate
+from ...formula.roots import roots
+from ...formula.to_text import text
+from ...formula.tree import Call, Formula, Number, negative, total
+from ...formula.walk import evaluate, symbols, walk
 from ...model.values import Chain, dependent
 from ...units import ANGLE, Dimension
 from .dyads import Closure
+from .limits import Margins, moved_by
 from .state import State
 
 SAMPLES = 720
 """Places along the stroke that are tried: every half degree of a full turn."""
 
+LONGEST = 80
+"""A limit of more characters than this is told as a number only."""
 
-def reach_of(state: State, closure: Closure) -> list[Stretch]:
+
+class End(NamedTuple):
+    """A place at which a stretch may end, and what it is by a formula, '' where there is none."""
+
+    place: float
+    exact: str = ""
+
+
+def reach_of(state: State, closure: Closure, margins: Margins) -> list[Stretch]:
     """Return the stretches of the drive in which a group closes, empty without a drive."""
     drive = state.mechanism.drive
     if drive is None:
         return []
     parameter = next(p for p in state.mechanism.parameters if p.name == drive.parameter)
-    low, high = _limits(state, parameter.dimension)
-    closes = _tester(state, closure, drive.parameter)
-    places = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
+    low, high = limits_of_drive(state, parameter.dimension)
+    reach = _Reach(state, closure, drive.parameter)
+    ends = reach.ends((*(limit.margin for limit in state.limits), *margins), low, high)
     found: list[Stretch] = []
-    start: float | None = None
-    for i, place in enumerate(places):
-        good = closes(place)
-        if good and start is None:
-            start = place if i == 0 else _edge(places[i - 1], place, closes)
-        elif not good and start is not None:
-            found.append(Stretch(start, _edge(place, places[i - 1], closes), parameter.dimension))
-            start = None
-    if start is not None:
-        found.append(Stretch(start, high, parameter.dimension))
+    for start, end in pairwise(ends):
+        if not reach.closes((start.place + end.place) / 2):
+            continue
+        if found and found[-1].high == start.place:
+            start = End(found[-1].low, found[-1].low_exact)
+            found.pop()
+        place = (start.place, end.place)
+        found.append(Stretch(*place, parameter.dimension, start.exact, end.exact))
     return found
 
 
-def _limits(state: State, dimension: Dimension) -> tuple[float, float]:
+def limits_of_drive(state: State, dimension: Dimension) -> tuple[float, float]:
+    """Return the ends of the stroke, or of what the drive may be where none is given."""
     drive = state.mechanism.drive
     assert drive is not None
     if drive.low is not None and drive.high is not None:
@@ -48,23 +72,86 @@ def _limits(state: State, dimension: Dimension) -> tuple[float, float]:
     return 0.0, 2 * state.base[drive.parameter]
 
 
-def _tester(state: State, closure: Closure, drive: str) -> Callable[[float], bool]:
-    definitions = dict((*state.definitions, *closure.definitions))
-    chain = Chain({**dependent(state.mechanism), **definitions})
-    given = {name: value for name, value in state.base.items() if name not in chain.names}
+class _Reach:
+    """The loops closed so far and one more, along the drive."""
 
-    def closes(place: float) -> bool:
-        values = chain.complete({**given, drive: place})
-        return all(map(math.isfinite, values.values()))
+    def __init__(self, state: State, closure: Closure, drive: str) -> None:
+        definitions = dict((*state.definitions, *closure.definitions))
+        self._chain = Chain({**dependent(state.mechanism), **definitions})
+        self._given = {n: v for n, v in state.base.items() if n not in self._chain.names}
+        self._drive = drive
+        self._moving = moved_by(drive, (*state.definitions, *closure.definitions))
 
-    return closes
+    def _values(self, place: float) -> dict[str, float]:
+        return self._chain.complete({**self._given, self._drive: place})
+
+    def closes(self, place: float) -> bool:
+        """Tell whether everything has a value."""
+        return all(map(math.isfinite, self._values(place).values()))
+
+    def ends(self, margins: Margins, low: float, high: float) -> list[End]:
+        """Return where a margin vanishes, and the ends of the drive, in order."""
+        inner = [e for m in margins for e in self._zeros(m, low, high) if low < e.place < high]
+        return [End(low), *sorted(inner), End(high)]
+
+    def _zeros(self, margin: Product, low: float, high: float) -> Iterator[End]:
+        exact = list(_closed_forms(margin, self._drive, self._moving))
+        for inverse, constant in exact:
+            place = evaluate(total([inverse, constant.formula()]), self._given)
+            for turn in _turns(place, low, high):
+                whole = total([inverse, (constant + Angle.constant(360 * turn)).formula()])
+                yield End(place + turn * 2 * math.pi, _shown(whole))
+        if not exact:
+            places = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
+            yield from (End(root.place) for root in roots(self._function(margin), places))
+
+    def _function(self, margin: Product) -> Callable[[float], float]:
+        def at(place: float) -> float:
+            try:
+                return margin.evaluate(self._values(place))
+            except (KeyError, ZeroDivisionError):
+                return math.nan
+
+        return at
 
 
-def _edge(bad: float, good: float, closes: Callable[[float], bool]) -> float:
-    """Halve the gap between a place that closes and one that does not, to the last bit."""
-    while (middle := (bad + good) / 2) not in (bad, good):
-        if closes(middle):
-            good = middle
-        else:
-            bad = middle
-    return good
+def _turns(place: float, low: float, high: float) -> range:
+    """Return the full turns by which a place comes between two others."""
+    if not math.isfinite(place):
+        return range(0)
+    first = math.ceil((low - place) / (2 * math.pi))
+    return range(first, math.floor((high - place) / (2 * math.pi)) + 1)
+
+
+def _closed_forms(
+    margin: Product, drive: str, moving: frozenset[str]
+) -> Iterator[tuple[Formula, Angle]]:
+    """Yield the drive where a margin ``A + B·cos(φ + γ)`` vanishes: an arc cosine and the rest."""
+    varying = [f for f in margin.factors if not moving.isdisjoint(symbols(f.formula()))]
+    if len(varying) != 1 or not isinstance(varying[0], Sum):
+        return
+    terms = varying[0].terms
+    telling = [t for t in terms if not moving.isdisjoint(symbols(t.formula()))]
+    trigs = [f for t in telling for f in t.factors if not moving.isdisjoint(symbols(f.formula()))]
+    if len(telling) != 1 or len(trigs) != 1 or not isinstance(trigs[0], Trig):
+        return
+    trig, sense = trigs[0], dict(trigs[0].angle.terms).get(drive, 0)
+    rest = trig.angle - Angle(((drive, sense),))
+    if abs(sense) != 1 or telling[0].factors[trig] != 1 or not moving.isdisjoint(rest.names):
+        return
+    others = add(t for t in terms if t is not telling[0])
+    ratio = -(others * Product.of(trig) / telling[0])
+    inverse = Call("acos" if trig.function == "cos" else "asin", (ratio.formula(),))
+    half = Angle.constant(0 if trig.function == "cos" else 180)
+    for sign, start in ((1, Angle()), (-1, half)):
+        turned = inverse if sign * sense > 0 else negative(inverse)
+        yield turned, (start - rest) * sense
+
+
+def _shown(formula: Formula) -> str:
+    """Return a limit as a formula in the user's lengths, '' where it has figures in it."""
+    numbers = [n.value for n in walk(formula) if isinstance(n, Number)]
+    if not symbols(formula) or any(max(abs(n.numerator), n.denominator) > 9 for n in numbers):
+        return ""
+    shown = text(formula)
+    return shown if len(shown) <= LONGEST else ""

@@ -1,0 +1,166 @@
+"""Where a branch of solutions of a system turns back: the ends of what its drive may be.
+
+The solutions of n equations in n unknowns and one drive are a curve. It is followed by its
+arc length, along which nothing is singular where the drive turns back: the tangent has no
+part along the drive there (H. B. Keller, *Numerical solution of bifurcation and nonlinear
+eigenvalue problems*, 1977). As the drive is stationary at the place, its value comes out to
+the last bits.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
+
+from .newton import Equations, eliminate
+
+STEP, SHORTEST = 0.06, 1e-7
+"""Steps along the curve, in radians; lengths are measured in sizes of the mechanism."""
+
+STEPS = 600
+"""Steps after which a curve is given up."""
+
+CORRECTIONS = 12
+
+CLOSED = 1e-12
+"""A correction behind which a point lies on the curve."""
+
+DIFFERENCE = 1e-6
+"""By how much the drive is moved to see how equations change with it."""
+
+Point = list[float]
+"""The unknowns, then the drive, each in its scale."""
+
+
+class End(NamedTuple):
+    """A place that a branch reaches; ``turns`` where it turns back, unless something else ends."""
+
+    place: float
+    turns: bool
+
+
+class Curve:
+    """The solutions of equations that hang on a drive."""
+
+    def __init__(
+        self,
+        equations: Equations,
+        outer: Callable[[float], Sequence[float]],
+        scales: Sequence[float],
+    ) -> None:
+        """``outer`` gives the outer symbols at a place of the drive; ``scales`` has its, last."""
+        self._equations, self._outer, self._scales = equations, outer, scales
+
+    def near(self, unknowns: Sequence[float], place: float) -> tuple[list[float], float] | None:
+        """Return a point of the curve that Newton's method leads to, by the shortest steps."""
+        point = self._scaled([*unknowns, place])
+        for _ in range(40):
+            gaps, matrix = self._at(point)
+            step = _shortest(matrix, gaps)
+            if step is None:
+                return None
+            point = [p - s for p, s in zip(point, step, strict=True)]
+            if _norm(step) < CLOSED:
+                *found, there = self._plain(point)
+                return found, there
+        return None
+
+    def end(self, unknowns: Sequence[float], place: float, goal: float) -> End:
+        """Return where the branch through a point ends on the way to a goal."""
+        point = self._scaled([*unknowns, place])
+        sense = 1.0 if goal > place else -1.0
+        tangent = self._tangent(point, [*([0.0] * len(unknowns)), sense])
+        step = STEP
+        for _ in range(STEPS):
+            ahead = self._corrected(point, tangent, step) if tangent else None
+            turned = self._tangent(ahead, tangent) if ahead and tangent else None
+            if not ahead or not tangent or not turned or _dot(turned, tangent) < 0.9:
+                step /= 2
+                if step < SHORTEST:
+                    break
+                continue
+            if turned[-1] * sense <= 0:
+                return End(self._turning(point, tangent, step), True)
+            if (ahead[-1] * self._scales[-1] - goal) * sense >= 0:
+                return End(goal, False)
+            point, tangent, step = ahead, turned, min(STEP, 1.5 * step)
+        return End(point[-1] * self._scales[-1], False)
+
+    def _turning(self, point: Point, tangent: Point, step: float) -> float:
+        """Return the drive between two points where the tangent has no part along it."""
+        sense, low, high = math.copysign(1.0, tangent[-1]), 0.0, step
+        found = point
+        while high - low > 1e-12:
+            middle = (low + high) / 2
+            ahead = self._corrected(point, tangent, middle)
+            turned = self._tangent(ahead, tangent) if ahead else None
+            if not ahead or not turned:
+                break
+            found = ahead
+            if turned[-1] * sense > 0:
+                low = middle
+            else:
+                high = middle
+        return found[-1] * self._scales[-1]
+
+    def _corrected(self, point: Point, tangent: Point, step: float) -> Point | None:
+        """Return the point of the curve at a step along a tangent, across which it is sought."""
+        start = [p + step * t for p, t in zip(point, tangent, strict=True)]
+        found = start
+        for _ in range(CORRECTIONS):
+            gaps, matrix = self._at(found)
+            across = _dot([f - s for f, s in zip(found, start, strict=True)], tangent)
+            right = [*gaps, across]
+            if not eliminate([*(list(row) for row in matrix), list(tangent)], right):
+                return None
+            found = [f - r for f, r in zip(found, right, strict=True)]
+            if _norm(right) < CLOSED:
+                return found
+        return None
+
+    def _tangent(self, point: Point, before: Point) -> Point | None:
+        """Return the direction of the curve that goes on from one before it."""
+        _, matrix = self._at(point)
+        right = [*([0.0] * (len(point) - 1)), 1.0]
+        if not eliminate([*matrix, list(before)], right):
+            return None
+        size = _norm(right)
+        return [r / size for r in right]
+
+    def _at(self, point: Point) -> tuple[list[float], list[list[float]]]:
+        """Return what does not close, and its derivatives by the unknowns and the drive."""
+        *unknowns, place = self._plain(point)
+        gaps, matrix = self._equations(unknowns, self._outer(place))
+        step = DIFFERENCE * self._scales[-1]
+        after, before = (
+            self._equations(unknowns, self._outer(place + s))[0] for s in (step, -step)
+        )
+        rows = [
+            [*(m * s for m, s in zip(row, self._scales, strict=False)), (a - b) / (2 * DIFFERENCE)]
+            for row, a, b in zip(matrix, after, before, strict=True)
+        ]
+        return gaps, rows
+
+    def _scaled(self, plain: Sequence[float]) -> Point:
+        return [p / s for p, s in zip(plain, self._scales, strict=True)]
+
+    def _plain(self, point: Point) -> list[float]:
+        return [p * s for p, s in zip(point, self._scales, strict=True)]
+
+
+def _shortest(matrix: Sequence[Sequence[float]], gaps: Sequence[float]) -> list[float] | None:
+    """Return the shortest step that closes gaps of fewer equations than unknowns."""
+    right = list(gaps)
+    if not all(map(math.isfinite, right)):
+        return None
+    if not eliminate([[_dot(one, other) for other in matrix] for one in matrix], right):
+        return None
+    step = [_dot(right, column) for column in zip(*matrix, strict=True)]
+    return step if all(map(math.isfinite, step)) else None
+
+
+def _dot(one: Sequence[float], other: Sequence[float]) -> float:
+    return math.fsum(a * b for a, b in zip(one, other, strict=True))
+
+
+def _norm(vector: Sequence[float]) -> float:
+    return math.sqrt(_dot(vector, vector))

@@ -1,0 +1,76 @@
+"""Where in the stroke a group of higher class closes that does not at the default pose.
+
+Newton's method by shortest steps, the drive being an unknown as well, leads to poses
+nearby that close; from there each branch is followed to where it turns back.
+"""
+
+import math
+from collections.abc import Iterator
+from random import Random
+
+from ...diagnostics.pose import Stretch
+from ...formula.folds import Curve
+from ...formula.walk import numeric
+from ...model.values import Chain, dependent
+from ...units import ANGLE
+from .groups import Block, draw, rows_of, size_of, system_of
+from .reach import limits_of_drive
+from .state import State
+
+STARTS = 60
+"""Random starts from which poses that close are looked for."""
+
+
+def branches(block: Block, state: State) -> list[Stretch]:
+    """Return the stretches of the drive on which a block closes, empty without a drive."""
+    drive = state.mechanism.drive
+    if drive is None:
+        return []
+    parameter = next(p for p in state.mechanism.parameters if p.name == drive.parameter)
+    low, high = limits_of_drive(state, parameter.dimension)
+    found: list[Stretch] = []
+    curve = _curve(block, state, drive.parameter, parameter.dimension == ANGLE)
+    for unknowns, place in _closed(block, state, curve):
+        if low <= place <= high and not any(s.low <= place <= s.high for s in found):
+            least, greatest = (curve.end(unknowns, place, goal).place for goal in (low, high))
+            found.append(Stretch(least, greatest, parameter.dimension))
+    return _joined(found)
+
+
+def _curve(block: Block, state: State, drive: str, is_angle: bool) -> Curve:
+    system = system_of(block, state)
+    chain = Chain({**dependent(state.mechanism), **dict(state.definitions)})
+    given = {n: v for n, v in state.base.items() if n not in chain.names}
+    names = [name for name, _ in system.anchor]
+
+    def outer(place: float) -> list[float]:
+        values = chain.complete({**given, drive: place})
+        return [values[name] for name in names]
+
+    size = size_of(rows_of(block), system.unknowns, state.base)
+    scales = [1.0 if n in state.angles else size for n in system.unknowns]
+    return Curve(numeric(system), outer, [*scales, 1.0 if is_angle else size])
+
+
+def _closed(block: Block, state: State, curve: Curve) -> Iterator[tuple[list[float], float]]:
+    """Yield poses that close, as unknowns and the drive."""
+    assert state.mechanism.drive is not None
+    dice, place = Random(state.mechanism.name), state.base[state.mechanism.drive.parameter]
+    size = size_of(rows_of(block), sorted(block.unknown), state.base)
+    for _ in range(STARTS):
+        start = [draw(name in state.angles, size, dice) for name in sorted(block.unknown)]
+        found = curve.near(start, place)
+        if found is not None and all(map(math.isfinite, found[0])):
+            yield found
+
+
+def _joined(stretches: list[Stretch]) -> list[Stretch]:
+    """Return stretches in order, those that overlap as one."""
+    joined: list[Stretch] = []
+    for stretch in sorted(stretches, key=lambda s: s.low):
+        if joined and stretch.low <= joined[-1].high:
+            high = max(stretch.high, joined[-1].high)
+            joined[-1] = joined[-1]._replace(high=high)
+        else:
+            joined.append(stretch)
+    return joined
