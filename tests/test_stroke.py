@@ -1,6 +1,7 @@
 """The stroke: rows, stretches, singular poses told apart, extrema."""
 
 import math
+from pathlib import Path
 
 import pytest
 
@@ -9,6 +10,8 @@ from mechc.cli.main import main
 from mechc.driver import Compilation
 from mechc.source import Source
 from mechc.stroke.from_balance import run
+
+LIBRARY = Path(__file__).parents[1] / "library"
 
 CLAW = """
 param l_A = 100 mm
@@ -226,6 +229,17 @@ torque T on O3C
     found = stroke(text)
     assert [b.loop for b in found.branches] == ["O3-C-B-O2"] * len(found.branches)
     assert min(abs(x - phi) for x in places(found)) < 1e-12
+
+
+def test_a_group_of_class_three_turns_back():
+    """The place is that at which loops and determinant vanish, see the tests of E309."""
+    text = (LIBRARY / "triad_closed.mech").read_text(encoding="utf-8").split("expect")[0]
+    text = text.replace("in 30 deg .. 85 deg", "").replace("30 deg to 85 deg", "80 deg to 102 deg")
+    found = stroke(text)
+    (stretch,) = found.stretches
+    assert stretch.high == pytest.approx(math.radians(99.01917149833), abs=1e-12)
+    (locked,) = found.singular
+    assert (locked.kind, locked.drive) == ("drive locked", stretch.high)
 
 
 def test_a_given_pose_and_an_exact_dead_centre():

@@ -31,11 +31,14 @@ class Along:
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}
 
+    def given(self, place: float) -> Values:
+        """Return what is given at a place of the drive."""
+        return {**self._open, **self.defaults, self._drive: place}
+
     def values(self, place: float) -> Values:
         """Return all that has a value at a place of the drive."""
         if place not in self._known:
-            given = {**self._open, **self.defaults, self._drive: place}
-            self._known[place] = self._chain.complete(given)
+            self._known[place] = self._chain.complete(self.given(place))
         return self._known[place]
 
     def of(self, formula: Formula, where: Result | None, place: float) -> float:

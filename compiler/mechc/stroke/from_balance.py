@@ -16,6 +16,7 @@ from ..power.balance import Balance
 from ..units import ANGLE, LENGTH, Dimension
 from .along import NOT_ASSEMBLED, Along
 from .branches import branch_points
+from .ends import turning_back
 from .extrema import extrema
 from .in_step import out_of_step
 from .singular import BESIDE, singular_poses, told_apart
@@ -25,6 +26,9 @@ from .velocities import velocities
 
 SAMPLES = 720
 """Places at which the stroke is looked at for singular poses and extrema."""
+
+ENOUGH = 180
+"""Places that are enough for a stretch."""
 
 FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
@@ -84,8 +88,8 @@ class _Runner:
         shown = [r for r in results if r.default is not None or r.target is not None]
         self._results = [r for r in shown if not self._is_open(r)]
         self._ratios = [r for r in self._results if isinstance(r.target, LoadRatio)]
-        places = _spaced(low, high, SAMPLES)
-        self._branches = branch_points(self._pose, self._along, places)
+        self._places = _spaced(low, high, SAMPLES)
+        self._branches = branch_points(self._pose, self._along, self._places)
 
     def _is_open(self, result: Result) -> bool:
         """Tell a result that rests on loads whose size nobody gives."""
@@ -177,7 +181,7 @@ class _Runner:
 
     def _stretches(self) -> Iterator[Stretch]:
         """Yield the parts of the stroke on which there is a pose, their ends to the last bit."""
-        places = _spaced(self._low, self._high, SAMPLES)
+        places = self._places
         start, before = (places[0] if self._stands(places[0]) else None), ""
         for a, b in pairwise(places):
             if self._stands(b) and not self._stands(a):
@@ -189,6 +193,12 @@ class _Runner:
             yield Stretch(start, places[-1], before, "")
 
     def _edge(self, bad: float, good: float) -> float:
+        edge, range_ = self._halved(bad, good), self._high - self._low
+        if self._along.trouble(bad) != NOT_ASSEMBLED:
+            return edge
+        return turning_back(self._pose, self._along, edge, math.copysign(range_, bad - good))
+
+    def _halved(self, bad: float, good: float) -> float:
         while (middle := (bad + good) / 2) not in (bad, good):
             if self._stands(middle):
                 good = middle
@@ -198,15 +208,20 @@ class _Runner:
 
     # -------------------------------------------------------------------- singular, extreme
 
+    def _within(self, stretch: Stretch) -> list[float]:
+        """Return places of a stretch, those that were looked at already where they are enough."""
+        inner = [x for x in self._places if stretch.low < x < stretch.high]
+        if len(inner) < ENOUGH:
+            return _spaced(stretch.low, stretch.high, SAMPLES)
+        return [stretch.low, *inner, stretch.high]
+
     def _singular(self, stretches: Sequence[Stretch]) -> tuple[Singular, ...]:
         name = self._parameter.name
         found = [
             pose
             for stretch in stretches
             for result in self._ratios
-            for pose in singular_poses(
-                result, name, self._along, stretch, _spaced(stretch.low, stretch.high, SAMPLES)
-            )
+            for pose in singular_poses(result, name, self._along, stretch, self._within(stretch))
         ]
         return told_apart(found, self._branches, self._high - self._low)
 
@@ -216,9 +231,7 @@ class _Runner:
             extremum
             for stretch in stretches
             for result in self._results
-            for extremum in extrema(
-                result, name, self._along, _spaced(stretch.low, stretch.high, SAMPLES)
-            )
+            for extremum in extrema(result, name, self._along, self._within(stretch))
         ]
         return sorted(found, key=lambda e: e.drive)
 

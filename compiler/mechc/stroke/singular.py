@@ -22,6 +22,9 @@ BESIDE = 1e-6
 Angles of a triangle that is nearly flat have half the digits.
 """
 
+STEP = 1e-6
+"""The part of a stretch from its end at which is seen what a factor does there."""
+
 
 def singular_poses(
     result: Result, drive: str, along: Along, stretch: Stretch, places: Sequence[float]
@@ -42,17 +45,18 @@ def _places(
         return along.of(vanishing.factor, result, place)
 
     yield from roots(factor, places)
-    yield from _at_the_ends(factor, places, stretch)
+    yield from _at_the_ends(factor, stretch)
 
 
-def _at_the_ends(factor: Function, places: Sequence[float], stretch: Stretch) -> Iterator[Root]:
+def _at_the_ends(factor: Function, stretch: Stretch) -> Iterator[Root]:
     """Yield the ends beyond which nothing can be assembled, where the factor goes to zero.
 
-    It does so as a square root, hence half the digits.
+    It does so as a square root: it halves where the distance from the end is quartered.
     """
-    size = max(abs(factor(x)) for x in places)
-    for end, why in ((stretch.low, stretch.before), (stretch.high, stretch.after)):
-        if why and abs(factor(end)) < 1e-5 * size:
+    step = STEP * (stretch.high - stretch.low)
+    ends = ((stretch.low, stretch.before, step), (stretch.high, stretch.after, -step))
+    for end, why, inwards in ends:
+        if why and abs(factor(end + inwards)) < 0.7 * abs(factor(end + 4 * inwards)):
             yield Root(end, math.ulp(end))
 
 

@@ -1,0 +1,69 @@
+"""The ends of what can be assembled, where a loop that is closed by iteration turns back.
+
+Newton's method gives up a hair before the place at which two solutions meet; the curve of
+solutions is followed to the place itself.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+
+from ..formula.folds import Curve
+from ..formula.tree import Formula, Implicit, System
+from ..formula.walk import evaluate, numeric, solution
+from ..model.values import Chain, dependent
+from ..pose.pose import Pose
+from ..units import LENGTH
+from .along import Along
+
+Outer = Callable[[float], Sequence[float]]
+"""The outer symbols of a system at a place of the drive."""
+
+BACK = 1e-3
+"""The part of the stroke by which one goes back before the curve is followed."""
+
+
+def turning_back(pose: Pose, along: Along, edge: float, range_: float) -> float:
+    """Return the place beyond an edge at which a loop turns back, the edge where none does.
+
+    ``range_`` is the length of the stroke, negative where there are poses after the edge.
+    """
+    inside, goal = edge - BACK * range_, edge + BACK * range_
+    for system, outer in _systems(pose, along):
+        start = solution(system, tuple(outer(inside)))
+        scales = [*_scales(system, start, pose), 1.0 if _turns(pose) else abs(range_)]
+        end = Curve(numeric(system), outer, scales).end(start, inside, goal)
+        if end.turns:
+            return end.place
+    return edge
+
+
+def _systems(pose: Pose, along: Along) -> Iterator[tuple[System, Outer]]:
+    """Yield each system with its outer symbols along the drive."""
+    before: dict[str, Formula] = {}
+    for name, formula in pose.definitions:
+        if isinstance(formula, Implicit) and not any(_solves(f, formula) for f in before.values()):
+            chain = Chain({**dependent(pose.mechanism), **before})
+            yield formula.system, partial(_outer, formula, chain, along)
+        before[name] = formula
+
+
+def _solves(known: Formula, formula: Implicit) -> bool:
+    return isinstance(known, Implicit) and known.system == formula.system
+
+
+def _outer(formula: Implicit, chain: Chain, along: Along, place: float) -> list[float]:
+    values = chain.complete(along.given(place))
+    return [evaluate(argument, values) for argument in formula.arguments]
+
+
+def _scales(system: System, start: Sequence[float], pose: Pose) -> list[float]:
+    """Return a radian for each unknown angle, and for each unknown length what it is."""
+    named = {p.name for p in pose.mechanism.parameters if p.dimension == LENGTH}
+    lengths = [name in named or name.startswith("len_") for name in system.unknowns]
+    return [max(abs(s), 1e-3) if length else 1.0 for s, length in zip(start, lengths, strict=True)]
+
+
+def _turns(pose: Pose) -> bool:
+    assert pose.mechanism.drive is not None
+    drive = pose.mechanism.drive.parameter
+    return all(p.dimension != LENGTH for p in pose.mechanism.parameters if p.name == drive)
