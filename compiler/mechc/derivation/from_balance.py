@@ -143,6 +143,8 @@ class _Writer:
                 return Rule(relation.rule.value), relation.points
             case Law.SCREW:
                 return Rule.SCREW, (relation.link, *relation.points)
+            case Law.HELD:
+                raise ValueError("only a released bond is held, and no step of a motion")
             case _:
                 assert_never(relation.rule)
 

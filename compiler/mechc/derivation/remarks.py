@@ -5,7 +5,16 @@ from typing import Protocol, assert_never
 
 from ..formula.layout import is_angle
 from ..formula.tree import ZERO, Formula, Sum, Symbol, product, quotient, total
-from ..model.mechanism import LoadForm, LoadRatio, Require, Speed, SpeedRatio
+from ..model.mechanism import (
+    Axial,
+    LoadForm,
+    LoadRatio,
+    Normal,
+    Reaction,
+    Require,
+    Speed,
+    SpeedRatio,
+)
 from ..model.result import Result, Trend, Vanishing
 from ..words.table import Words
 from .wording import enumeration, positive_first
@@ -40,6 +49,8 @@ def heading(result: Result, words: Words) -> str:
             return words.load
         case SpeedRatio():
             return words.speed_ratio
+        case Reaction() | Axial() | Normal():
+            return words.joint_force
         case None:
             return ""
         case _:

@@ -132,6 +132,18 @@ def branch_point(at: Span, links: Sequence[str]) -> Words:
     )
 
 
+@coded("E509")
+def reaction_undetermined(at: Span, result: str) -> Words:
+    """A force at a joint is not determined by equilibrium.
+
+    Where a mechanism is held more often than it needs (a redundant bar, two guides on one
+    line) the sums of forces and moments leave open how the joints share the load; that
+    depends on clearances and on how the parts bend.
+    """
+    message = f"equilibrium leaves {result} open: the mechanism is held more than once there"
+    return Words(at, message, "leave the redundant bar or guide out, or ask for another force")
+
+
 @coded("W501")
 def load_does_no_work(at: Span, load: str) -> Words:
     """A load does no work in any motion: it stands on a fixed point or across the motion.

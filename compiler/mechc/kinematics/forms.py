@@ -7,7 +7,7 @@ from ..algebra.product import ONE, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..model.mechanism import Thrust
-from ..pose.pose import Pose, Vector
+from ..pose.pose import Pose, Touch, Vector
 from .graph import Flow, Form, Graph, Velocity
 
 QUARTER = Angle.constant(90)
@@ -43,6 +43,16 @@ def parting(graph: Graph, pair: Thrust, line: Angle) -> Form:
         return projection(graph.velocities[pair.first], line)
     ahead, behind = (projection(graph.velocities[p], line) for p in (pair.second, pair.first))
     return subtract(ahead, behind)
+
+
+def leaving(graph: Graph, touch: Touch, along: Angle) -> Form:
+    """Return the component of a pin's velocity relative to the body that it touches."""
+    own, under = (projection(graph.velocities[p], along) for p in (touch.point, touch.tail))
+    form = subtract(own, under)
+    if not touch.reach:
+        return form
+    lever = add(arm.length * cosine(arm.angle + QUARTER - along) for arm in touch.reach)
+    return subtract(form, scaled(spin(graph, touch.body), lever))
 
 
 def scaled(form: Form, factor: Product) -> Form:

@@ -77,6 +77,8 @@ class Rule(StrEnum):
     """A rack moves with the rim of its gear: V = ωr."""
     SCREW = "screw"
     """A screw moves its nut by the pitch for each turn: V = ωp/2π."""
+    HELD = "held"
+    """Nothing moves that way while a bond is let go."""
 
 
 class Relation(NamedTuple):

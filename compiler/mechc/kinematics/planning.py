@@ -18,8 +18,11 @@ MOTIONS = 64
 """Independent motions of a description: each speed has a term for every one of them."""
 
 
-def plan_of(graph: Graph, report: Report) -> Plan:
-    """Return the solved graph; report what cannot move or is held twice."""
+def plan_of(graph: Graph, report: Report, taken: frozenset[str] = frozenset()) -> Plan:
+    """Return the solved graph; report what cannot move or is held twice.
+
+    Long sums get names that are neither parameters nor ``taken``.
+    """
     point = Point()
     rows = [residues(r.form, point) for r in graph.relations]
     kept = independent(rows)
@@ -34,7 +37,7 @@ def plan_of(graph: Graph, report: Report) -> Plan:
         span = graph.pose.mechanism.span
         raise report.fail(words.too_many_motions(span, mobility, MOTIONS))
     drives = _drives(graph, [residues(r.form, point) for r in relations])
-    return _solved(graph, relations, drives, redundant)
+    return _solved(graph, relations, drives, redundant, taken)
 
 
 def _drives(graph: Graph, rows: Sequence[Residues]) -> tuple[int, ...]:
@@ -74,11 +77,12 @@ def _solved(
     relations: Sequence[Relation],
     drives: tuple[int, ...],
     redundant: tuple[Relation, ...],
+    taken: frozenset[str],
 ) -> Plan:
     columns = [frozenset(r.form) - set(drives) for r in relations]
     matched = match(columns)
     speeds: dict[int, Speeds] = {d: tuple(ONE if d == e else ZERO for e in drives) for d in drives}
-    binder = Binder(frozenset(p.name for p in graph.pose.mechanism.parameters))
+    binder = Binder(taken.union(p.name for p in graph.pose.mechanism.parameters))
     memory = Memory()
     for drive in drives:
         memory.note(drive, speeds[drive])

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple, assert_never
 
 from ..diagnostics import Report
-from ..diagnostics.model import joints, names, quantities
+from ..diagnostics.model import joints, names, quantities, reactions
 from ..formula.to_text import text
 from ..formula.tree import (
     PI,
@@ -146,6 +146,8 @@ class Reader:
         if form.prefix in ("V", "omega"):
             what = FORMS[form.prefix]
             self.report.add(names.name_out_of_place(node.span, node.name, what, VELOCITIES))
+        elif form.prefix in ("R", "N"):
+            self.report.add(reactions.ask_first(node.span, node.name))
         else:
             what = f"{FORMS[form.prefix]} in a formula ({node.name})"
             self.report.add(joints.not_compiled_yet(node.span, what))

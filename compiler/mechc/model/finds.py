@@ -1,13 +1,15 @@
 """Results asked for with ``find``: ratios of loads or velocities, and single loads."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
-from ..diagnostics.model import joints as joint_words
+from ..diagnostics.model import reactions as reaction_words
 from ..diagnostics.model import results as words
 from ..syntax import ast
 from ..units import FREQUENCY, VELOCITY, Dimension
 from .mechanism import Find, LoadForm, LoadRatio, Speed, SpeedRatio, Target
-from .scope import FORMS, Entry, Form, Scope, form_of
+from .reactions import read_reaction
+from .scope import Entry, Form, Scope, form_of
 from .statements import every
 
 
@@ -29,15 +31,35 @@ class Asked(NamedTuple):
 
 def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     """Return every find and enter its name; points and loads are known by now."""
-    finds: list[Find] = []
-    for statement in every(file, ast.Find):
-        asked = read_target(statement.target, scope, statement.on)
-        if asked is None:
-            if statement.name:
-                scope.declare(statement.name, "result")
-        elif name := _entered(statement, asked, scope):
-            finds.append(Find(name, asked.target, statement.target.span))
-    return finds
+    return [find for statement in every(file, ast.Find) for find in _read(statement, scope)]
+
+
+def _read(statement: ast.Find, scope: Scope) -> Iterator[Find]:
+    target = statement.target
+    if isinstance(target, ast.Symbol) and (form := _joint_force(target)):
+        yield from _reactions(statement, target, form, scope)
+        return
+    asked = read_target(target, scope, statement.on)
+    if asked is None:
+        if statement.name:
+            scope.declare(statement.name, "result")
+    elif name := _entered(statement, asked, scope):
+        yield Find(name, asked.target, target.span)
+
+
+def _joint_force(symbol: ast.Symbol) -> Form | None:
+    form = form_of(symbol.name)
+    return form if form and form.prefix in "RN" else None
+
+
+def _reactions(statement: ast.Find, symbol: ast.Symbol, form: Form, scope: Scope) -> Iterator[Find]:
+    """Enter a force at a joint: ``R_B``, or ``R_B_on_AB`` where the link is named."""
+    on = f"_on_{statement.on.text}" if statement.on else ""
+    name = statement.name.text if statement.name else symbol.name.replace("'", "p") + on
+    for suffix, target, dimension in read_reaction(symbol, form, statement.on, scope):
+        entry = Entry("result", symbol.span, dimension)
+        if scope.enter(name + suffix, entry):
+            yield Find(name + suffix, target, symbol.span)
 
 
 def _entered(statement: ast.Find, asked: Asked, scope: Scope) -> str | None:
@@ -54,9 +76,6 @@ def _entered(statement: ast.Find, asked: Asked, scope: Scope) -> str | None:
 def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> Asked | None:
     """Read what is asked for; None where an error in it was reported."""
     match target:
-        case ast.Symbol() as symbol if (form := form_of(symbol.name)) and form.prefix in "RN":
-            _refuse_reaction(symbol, form, on, scope)
-            return None
         case ast.Symbol() as symbol:
             asked = _single(symbol, scope)
         case ast.Product(factors=((1, ast.Symbol() as above), (-1, ast.Symbol() as below))):
@@ -65,17 +84,8 @@ def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> A
             scope.report.add(words.not_findable(target.span))
             return None
     if on:
-        scope.report.add(words.link_named_for_nothing(on.span))
+        scope.report.add(reaction_words.link_named_for_nothing(on.span))
     return asked
-
-
-def _refuse_reaction(symbol: ast.Symbol, form: Form, on: ast.Name | None, scope: Scope) -> None:
-    """Check the names of a reaction that is asked for, and say that it is not compiled yet."""
-    scope.points.acting(ast.Name("".join(form.points), symbol.span))
-    if on:
-        scope.points.link(on)
-    what = f"{FORMS[form.prefix]} ({symbol.name})"
-    scope.report.add(joint_words.not_compiled_yet(symbol.span, what))
 
 
 def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:

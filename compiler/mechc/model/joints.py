@@ -26,6 +26,8 @@ def declare_points(file: ast.File, points: Points) -> None:
                 _add_slide(name, points)
             case ast.Telescope(points=name):
                 points.used.update(points.declare(name) or ())
+            case ast.Slot(point=name) | ast.Contact(point=name):
+                points.touching.add(name.text)
             case ast.Link(points=name, label=label):
                 _add_link(name, label, points)
     _check_joints(file, points)

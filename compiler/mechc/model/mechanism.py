@@ -29,6 +29,15 @@ from .parts import Slide as Slide
 from .parts import Slider as Slider
 from .parts import Slot as Slot
 from .parts import Telescope as Telescope
+from .targets import Axial as Axial
+from .targets import LoadForm as LoadForm
+from .targets import LoadRatio as LoadRatio
+from .targets import Normal as Normal
+from .targets import Part as Part
+from .targets import Reaction as Reaction
+from .targets import Speed as Speed
+from .targets import SpeedRatio as SpeedRatio
+from .targets import Target as Target
 
 GRAVITY = Number(Fraction("9.80665"))
 """The standard acceleration of free fall in m/s²."""
@@ -173,39 +182,6 @@ class Copies:
 
 
 # --------------------------------------------------------------- what is asked for
-
-
-class Speed(NamedTuple):
-    """``V_D`` (kind ``point``) or ``omega_OB`` (kind ``link``; ``of`` is the link's name)."""
-
-    kind: Literal["point", "link"]
-    of: str
-
-
-@frozen
-class LoadRatio:
-    """``P / F``."""
-
-    above: str
-    below: str
-
-
-@frozen
-class LoadForm:
-    """``P`` as a linear form of all other loads."""
-
-    load: str
-
-
-@frozen
-class SpeedRatio:
-    """``V_D / V_A``."""
-
-    above: Speed
-    below: Speed
-
-
-Target = LoadRatio | LoadForm | SpeedRatio
 
 
 @frozen

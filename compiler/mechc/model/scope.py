@@ -20,14 +20,15 @@ FORMS = {
     "V": "the velocity of a point",
     "omega": "the angular velocity of a link",
     "R": "the force on a pin",
-    "N": "the force along a rod",
+    "N": "the force along a rod, or of a guide",
     "phi": "the direction of a vector",
     "len": "the length of a vector",
 }
 """Quantities of the mechanism itself, as ``V_D``: their prefixes and meanings."""
 
 _FORM = re.compile(rf"({'|'.join(FORMS)})_(.+)")
-_SEVERAL_POINTS = frozenset({"omega", "N", "phi", "len"})
+_SEVERAL_POINTS = frozenset({"omega", "phi", "len"})
+_ONE_POINT = frozenset({"V", "R"})
 
 
 class Form(NamedTuple):
@@ -45,9 +46,10 @@ def form_of(name: str) -> Form | None:
     """
     match = _FORM.fullmatch(name)
     points = points_of(match[2]) if match else ()
-    if not match or not points or (len(points) > 1) != (match[1] in _SEVERAL_POINTS):
+    if not match or not points:
         return None
-    return Form(match[1], points)
+    misfits = _ONE_POINT if len(points) > 1 else _SEVERAL_POINTS
+    return None if match[1] in misfits else Form(match[1], points)
 
 
 class Entry(NamedTuple):

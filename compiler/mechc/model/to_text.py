@@ -10,6 +10,7 @@ from ..units import described
 from .mechanism import (
     Absolute,
     Arrow,
+    Axial,
     Direction,
     Find,
     Force,
@@ -18,8 +19,10 @@ from .mechanism import (
     LoadForm,
     LoadRatio,
     Mechanism,
+    Normal,
     Offset,
     Parameter,
+    Reaction,
     Slider,
     Speed,
     SpeedRatio,
@@ -174,6 +177,12 @@ def target_text(target: Target) -> str:
             return load
         case SpeedRatio(above, below):
             return f"{_speed(above)} / {_speed(below)}"
+        case Reaction(point, link, part):
+            return f"R_{point}{f' on {link}' if link else ''}, {part}"
+        case Axial(_, tail, head):
+            return f"N_{tail}{head}"
+        case Normal(point):
+            return f"N_{point}"
         case _:
             assert_never(target)
 

@@ -1,6 +1,7 @@
 """Virtual power: from the plan to what was asked for."""
 
 from collections.abc import Sequence
+from functools import cached_property
 from typing import assert_never
 
 from ..algebra.product import Product
@@ -12,14 +13,26 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
-from ..model.mechanism import Find, LoadForm, LoadRatio, Speed, SpeedRatio, Torque
+from ..model.mechanism import (
+    Axial,
+    Find,
+    LoadForm,
+    LoadRatio,
+    Normal,
+    Reaction,
+    Speed,
+    SpeedRatio,
+    Torque,
+)
 from ..model.result import Definition, Result
-from ..units import FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
+from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
 from .definitions import intermediates, let_results, resting_on
 from .equations import Equations
+from .joint_forces import find_force
 from .loads import terms
 from .numbers import check_numbers
+from .reactions import Reactions
 from .speeds import magnitude, speed
 
 
@@ -80,6 +93,8 @@ class _Asked:
                 return self._form(find, load)
             case SpeedRatio(above, below):
                 return self._speeds(find, above, below)
+            case Reaction() | Axial() | Normal() as target:
+                return self._force(find, target)
             case _:
                 assert_never(find.target)
 
@@ -152,6 +167,48 @@ class _Asked:
 
     def _dimension(self, load: str) -> Dimension:
         return TORQUE if isinstance(self._loads[load], Torque) else FORCE
+
+    # ------------------------------------------------------------------------- forces
+
+    def _force(self, find: Find, target: Reaction | Axial | Normal) -> Solved | None:
+        found = find_force(target, self._plan.graph.pose, self._reactions)
+        if found is None:
+            self._report.add(words.reaction_undetermined(find.span, find.name))
+            return None
+        where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
+        given = [Definition(n, f) for n in self._equations.columns if (f := self._given(n))]
+        used = symbols(found.formula)
+        given = [g for g in given if g.name in used]
+        before = intermediates(self._plan, [*(g.formula for g in given), found.formula])
+        self._check_lengths(find, [found.formula, *(d.formula for d in where)])
+        coefficients = found.coefficients
+        dimension = ANGLE if getattr(target, "part", "") == "direction" else FORCE
+        result = Result(
+            find.name,
+            target,
+            dimension,
+            found.formula,
+            tuple(dict.fromkeys((*before, *where, *given))),
+            None if coefficients is None else {n: c.formula() for n, c in coefficients.items()},
+        )
+        return Solved(result, None)
+
+    @cached_property
+    def _reactions(self) -> Reactions:
+        return Reactions(self._plan.graph.pose, self._driving())
+
+    def _driving(self) -> tuple[str, ...]:
+        """Return the loads that follow from the others: those asked for, else the first ones."""
+        targets = [f.target for f in self._mechanism.finds]
+        asked = [t.above for t in targets if isinstance(t, LoadRatio)]
+        asked += [t.load for t in targets if isinstance(t, LoadForm)]
+        owners = [self._equations.owner(n)[0] for n in asked]
+        others = [n for n in self._equations.columns if not self._given(n)]
+        chosen: list[str] = []
+        for name in dict.fromkeys((*owners, *others)):
+            if len(chosen) < self._equations.number and name in self._equations.columns:
+                chosen.append(name)
+        return tuple(chosen)
 
     # ------------------------------------------------------------------------- speeds
 

@@ -1,5 +1,6 @@
 """Loads as terms of the power equations."""
 
+from collections.abc import Iterable
 from fractions import Fraction
 
 from ..algebra.angle import rational
@@ -41,12 +42,17 @@ def _tie(formula: Formula, names: set[str]) -> tuple[str, Product] | None:
 
 def occurrences(mechanism: Mechanism, load: Load) -> Fraction:
     """Return how often a load acts: once on what is shared, else on each half or branch."""
-    count = Fraction(1)
+    return repeated(mechanism, _points(mechanism, load))
+
+
+def repeated(mechanism: Mechanism, points: Iterable[str]) -> Fraction:
+    """Return how often the mechanism has what goes through these points."""
+    count, there = Fraction(1), set(points)
     for group, times in (
         (mechanism.mirror, Fraction(2)),
         (mechanism.copies, mechanism.copies.number if mechanism.copies else Fraction(1)),
     ):
-        if group is not None and not set(_points(mechanism, load)) <= set(group.sharing):
+        if group is not None and not there <= set(group.sharing):
             count *= times
     return count
 

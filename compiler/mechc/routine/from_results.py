@@ -7,11 +7,14 @@ from ..formula.operations import count_operations
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import (
+    Axial,
     Load,
     LoadForm,
     LoadRatio,
     Mechanism,
+    Normal,
     Parameter,
+    Reaction,
     Require,
     Speed,
     SpeedRatio,
@@ -113,8 +116,21 @@ def title(target: Target | None) -> str:
             return f"load {load} that balances the others"
         case SpeedRatio(above, below):
             return f"speed ratio {_speed(above)}/{_speed(below)}"
+        case Reaction(point, link, part):
+            on = f"link {link} by its neighbours" if link else "the mechanism by the ground"
+            return f"{PARTS[part]} force at {point} on {on}"
+        case Axial(_, tail, head):
+            return f"force along {tail}{head}, tension positive"
+        case Normal(point):
+            return f"normal force on {point}"
         case _:
             assert_never(target)
+
+
+PARTS = {"x": "x component of the", "y": "y component of the", "size": "size of the"} | {
+    "direction": "direction of the"
+}
+"""The parts of a reaction in words."""
 
 
 def _speed(speed: Speed) -> str:

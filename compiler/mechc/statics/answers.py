@@ -79,7 +79,7 @@ def _respond(unfolding: Unfolding, wanted: str, given: str, known: Set[str]) -> 
     if target.base == source.base:
         return Answer(target.factor / source.factor, 1.0)
     system = equilibrium(unfolding.assembly())
-    columns = _gather(system, tied)
+    columns = gather(system, tied)
     given_row = columns.pop(source.base)
     unknown = {b: row for b, row in columns.items() if b == target.base or b not in known}
     right = {i: -amount / source.factor for i, amount in given_row.items()}
@@ -87,7 +87,7 @@ def _respond(unfolding: Unfolding, wanted: str, given: str, known: Set[str]) -> 
     return Answer(value * target.factor, influence * abs(target.factor), trouble)
 
 
-def _gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, float]]:
+def gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, float]]:
     """Return what one unit of each untied load puts on, with all that is tied to it."""
     columns: dict[str, dict[int, float]] = {tie.base: {} for tie in tied.values()}
     for name, (base, multiple) in tied.items():
@@ -107,7 +107,7 @@ def pushes(
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     source, target = tied[given], tied[wanted]
     system = equilibrium(unfolding.assembly())
-    columns = _gather(system, tied)
+    columns = gather(system, tied)
     given_row = columns.pop(source.base)
     unknown = {b: row for b, row in columns.items() if b == target.base or b not in known}
     right = {i: -amount / source.factor for i, amount in given_row.items()}
@@ -137,13 +137,30 @@ def _with_loads(
 
 def balance(system: System, loads: Mapping[str, Row], right: Row, wanted: str) -> Answer:
     """Solve for the reactions and the unknown ``loads``, and return the wanted load."""
-    rows, columns = _with_loads(system, loads)
-    column = columns[wanted]
-    factors = factor(rows, len(system.unknowns) + len(loads), column)
+    column = len(system.unknowns) + list(loads).index(wanted)
+    return combination(system, loads, right, {column: 1.0}, wanted)
+
+
+def combination(
+    system: System,
+    loads: Mapping[str, Row],
+    right: Row,
+    weights: Mapping[int, float],
+    wanted: str = "the force",
+) -> Answer:
+    """Solve for the reactions and the unknown ``loads``, and return a combination of them."""
+    rows, _ = _with_loads(system, loads)
+    last = next(iter(weights)) if len(weights) == 1 else None
+    factors = factor(rows, len(system.unknowns) + len(loads), last)
     found = factors.solve(right)
     if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
         return Answer(math.nan, math.inf, "no forces at the joints balance the loads")
-    if not factors.determined(column):
+    if not all(map(factors.determined, weights)):
         return Answer(math.nan, math.inf, f"equilibrium leaves {wanted} open")
-    terms = zip(factors.adjoint(column), factors.weights(found, right), strict=True)
-    return Answer(found[column], sum(abs(weight) * size for weight, size in terms))
+    value = sum(weight * found[column] for column, weight in weights.items())
+    sizes = factors.weights(found, right)
+    influence = 0.0
+    for column, weight in weights.items():
+        terms = zip(factors.adjoint(column), sizes, strict=True)
+        influence += abs(weight) * sum(abs(share) * size for share, size in terms)
+    return Answer(value, influence)

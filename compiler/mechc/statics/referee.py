@@ -5,7 +5,7 @@ in mechc, whatever was written: nothing may be emitted then.
 """
 
 import math
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from functools import partial
 from itertools import islice
 from typing import NamedTuple, assert_never
@@ -18,15 +18,24 @@ from ..diagnostics.statics import (
     not_judged,
     pose_does_not_close,
 )
-from ..formula.tree import Formula
-from ..formula.walk import evaluate
-from ..model.mechanism import LoadForm, LoadRatio, Mechanism, SpeedRatio
+from ..formula.tree import ONE, Formula
+from ..formula.walk import evaluate, substitute, symbols
+from ..model.mechanism import (
+    Axial,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Normal,
+    Reaction,
+    SpeedRatio,
+)
 from ..model.result import Definition, Result
 from ..pose.pose import Pose
 from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio
 from .closure import worst_gap
 from .contacts import pulling
+from .joint_forces import joint_force
 from .poses import Replay, Values, candidates
 from .speeds import speed_ratio
 from .unfold import Unfolding
@@ -119,6 +128,10 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
                 yield Question(name, formula, where, partial(load_ratio, above=above, below=below))
             case LoadForm(load):
                 yield from _coefficients(result, load, given)
+            case Reaction(part="direction"):
+                pass  # it follows from the components, which are judged
+            case Reaction() | Axial() | Normal():
+                yield from _forces(result, target, mechanism)
             case SpeedRatio():
                 yield Question(name, formula, where, partial(speed_ratio, target=target))
             case None:
@@ -133,6 +146,26 @@ def _coefficients(result: Result, load: str, given: set[str]) -> Iterator[Questi
     for other, formula in coefficients.items():
         ask = partial(load_coefficient, load=load, other=other, known=known)
         yield Question(f"{result.name}/{other}", formula, result.where, ask)
+
+
+def _forces(
+    result: Result, target: Reaction | Axial | Normal, mechanism: Mechanism
+) -> Iterator[Question]:
+    """Ask for a force at a joint under one given load after another.
+
+    The size of a force is judged where one load makes it; under several it follows from
+    the components.
+    """
+    coefficients = result.coefficients or _single(result, mechanism)
+    for load, formula in coefficients.items():
+        ask = partial(joint_force, target=target, given=load, known=coefficients.keys())
+        yield Question(f"{result.name}/{load}", formula, result.where, ask)
+
+
+def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
+    """Return the size of a force per unit of its load; nothing where several make it."""
+    loads = symbols(result.formula) & {load.name for load in mechanism.loads}
+    return {n: substitute(result.formula, {n: ONE}) for n in loads} if len(loads) == 1 else {}
 
 
 def _judge(question: Question, poses: Iterator[Unfolding]) -> Judged:

@@ -85,6 +85,7 @@ WORDS = Words(
     force_ratio="Force transmission coefficient",
     load="Load",
     speed_ratio="Velocity ratio",
+    joint_force="Force at a joint",
     where="where",
     solve="{names}: the solution, on the branch of the values given, of",
     proportional="Proportionality:",

@@ -56,6 +56,7 @@ class Words(NamedTuple):
     force_ratio: str
     load: str
     speed_ratio: str
+    joint_force: str
     where: str
     solve: str
     proportional: str

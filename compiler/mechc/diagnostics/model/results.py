@@ -77,16 +77,6 @@ def not_a_setting(span: Span, name: str, kind: str) -> Words:
     return Words(span, f"'{name}' is {kind}; 'at' sets free parameters and loads")
 
 
-@coded("E286")
-def link_named_for_nothing(span: Span) -> Words:
-    """``on`` says which link's pin force is meant, so it stands only with ``R_B``.
-
-    find P on AB       # wrong
-    find R_B on AB     # right
-    """
-    return Words(span, "'on' stands only with a pin force such as R_B", "remove it")
-
-
 @coded("E287")
 def let_too_long(span: Span, name: str) -> Words:
     """A condition or expectation uses a ``let`` that would be very long in parameters.

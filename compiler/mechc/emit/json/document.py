@@ -9,7 +9,16 @@ from ...derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import evaluate
-from ...model.mechanism import LoadForm, LoadRatio, Parameter, SpeedRatio, Target
+from ...model.mechanism import (
+    Axial,
+    LoadForm,
+    LoadRatio,
+    Normal,
+    Parameter,
+    Reaction,
+    SpeedRatio,
+    Target,
+)
 from ...model.result import Definition, Result, Vanishing
 from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
@@ -27,6 +36,9 @@ KINDS: Mapping[type[Target] | type[None], str] = {
     LoadRatio: "load ratio",
     LoadForm: "load",
     SpeedRatio: "speed ratio",
+    Reaction: "reaction",
+    Axial: "axial force",
+    Normal: "normal force",
     type(None): "formula",
 }
 

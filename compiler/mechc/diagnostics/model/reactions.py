@@ -1,0 +1,92 @@
+"""Words for forces at joints that are asked for (E25x)."""
+
+from collections.abc import Sequence
+
+from ...source import Span
+from ..diagnostic import Words, coded
+
+
+@coded("E250")
+def on_which_link(span: Span, point: str, links: Sequence[str]) -> Words:
+    """A pin between links transmits another force to each of them.
+
+    By itself ``R_O`` is the force of the ground, at a pivot or a slider. Anywhere else the
+    link is named.
+
+        find R_B           # wrong where B joins AB and BC
+        find R_B on AB     # right: the force on AB, by all that meets it at B
+    """
+    hint = " or ".join(f"'find R_{point} on {link}'" for link in links[:3])
+    message = f"point {point} is not held by the ground, so R_{point} needs a link"
+    return Words(span, message, f"write {hint}" if hint else "")
+
+
+@coded("E251")
+def point_of_another(span: Span, point: str, link: str) -> Words:
+    """The force on a link is asked for at a point that is not one of its own.
+
+    link AB
+    link BC
+    find R_C on AB     # wrong
+    find R_C on BC     # right
+    """
+    return Words(span, f"point {point} is not a point of link {link}")
+
+
+@coded("E252")
+def no_joint(span: Span, point: str, link: str) -> Words:
+    """The force of a joint is asked for where nothing is joined to the link.
+
+    A load that acts there is not a force of a joint.
+
+        link OA
+        force F at A along y
+        find R_A on OA     # wrong: nothing but F is at A
+        find R_O           # right
+    """
+    message = f"nothing is joined to link {link} at {point}, so no joint exerts a force there"
+    return Words(span, message, "a load that acts there is known by its own name")
+
+
+@coded("E253")
+def not_a_rod(span: Span, link: str, number: int) -> Words:
+    """``N_AB`` is the force along a rod, a link of two points.
+
+    link BOD
+    find N_BO            # wrong: the link is bent and sheared as well
+    find R_B on BOD      # right
+    """
+    message = f"link {link} has {number} points, so no single force acts along it"
+    return Words(span, message, "ask for the force at a pin, as in 'find R_B on BOD'")
+
+
+@coded("E254")
+def nothing_normal(span: Span, point: str) -> Words:
+    """``N_A`` is the force of a guide, a slot or a contact on point A.
+
+    pivot O
+    find N_O     # wrong: a pivot has no normal
+    find R_O     # right
+    """
+    message = f"point {point} is neither guided nor in contact, so it has no normal force"
+    return Words(span, message, f"the force on a pin is R_{point}")
+
+
+@coded("E255")
+def ask_first(span: Span, name: str) -> Words:
+    """A force at a joint may stand in a formula once it is asked for.
+
+    find R_O
+    let stress = R_O/A     # right
+    """
+    return Words(span, f"{name} is a force at a joint that nothing asks for", f"add 'find {name}'")
+
+
+@coded("E286")
+def link_named_for_nothing(span: Span) -> Words:
+    """``on`` says which link's pin force is meant, so it stands only with ``R_B``.
+
+    find P on AB       # wrong
+    find R_B on AB     # right
+    """
+    return Words(span, "'on' stands only with a pin force such as R_B", "remove it")

@@ -1,0 +1,83 @@
+"""Forces at joints that are asked for: ``R_O``, ``R_B on AB``, ``N_AB``, ``N_A``."""
+
+from collections.abc import Iterator
+
+from ..diagnostics.model import reactions as words
+from ..syntax import ast
+from ..units import ANGLE, FORCE, Dimension
+from .mechanism import Axial, Link, Normal, Part, Reaction, Target
+from .scope import Form, Scope
+
+Asked = tuple[str, Target, Dimension]
+"""The end of a result's name, what it is and what it measures."""
+
+PARTS: tuple[tuple[str, Part, Dimension], ...] = (
+    ("_x", "x", FORCE),
+    ("_y", "y", FORCE),
+    ("", "size", FORCE),
+    ("_direction", "direction", ANGLE),
+)
+
+
+def read_reaction(
+    symbol: ast.Symbol, form: Form, on: ast.Name | None, scope: Scope
+) -> tuple[Asked, ...]:
+    """Return the results that one such ``find`` asks for; none where an error was reported.
+
+    A force on a pin is four: its components, its size, and its direction.
+    """
+    name = ast.Name("".join(form.points), symbol.span)
+    if not scope.points.acting(name):
+        return ()
+    if form.prefix == "R":
+        return tuple(_force(symbol, form.points[0], on, scope))
+    if on:
+        scope.report.add(words.link_named_for_nothing(on.span))
+        return ()
+    normal = len(form.points) == 1
+    target = _normal(symbol, form.points[0], scope) if normal else _axial(symbol, name, scope)
+    return (("", target, FORCE),) if target else ()
+
+
+def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) -> Iterator[Asked]:
+    held = scope.points
+    if on is None and point not in held.fixed | held.guided:
+        links = [link.name for link in held.carried.get(point, [])]
+        scope.report.add(words.on_which_link(symbol.span, point, links))
+        return
+    link = held.link(on) if on else None
+    if on and (link is None or not _meets_something(symbol, point, link, scope)):
+        return
+    for suffix, part, dimension in PARTS:
+        yield suffix, Reaction(point, link.name if link else "", part), dimension
+
+
+def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -> bool:
+    """Tell whether a link has the point, and anything else there to press on it."""
+    points = scope.points
+    if point not in link.points:
+        scope.report.add(words.point_of_another(symbol.span, point, link.name))
+        return False
+    joined = len(points.carried[point]) > 1 or any(point in s for s in points.slides)
+    if not joined and point not in points.fixed | points.guided | points.touching:
+        scope.report.add(words.no_joint(symbol.span, point, link.name))
+        return False
+    return True
+
+
+def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
+    link = scope.points.link(name)
+    if link is None:
+        return None
+    tail, head, *more = scope.points.split(name) or ()
+    if more or len(link.points) > 2:
+        scope.report.add(words.not_a_rod(symbol.span, link.name, len(link.points)))
+        return None
+    return Axial(link.name, tail, head)
+
+
+def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
+    if point not in scope.points.guided | scope.points.touching:
+        scope.report.add(words.nothing_normal(symbol.span, point))
+        return None
+    return Normal(point)

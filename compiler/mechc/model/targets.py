@@ -1,0 +1,74 @@
+"""What may be asked for with ``find``."""
+
+from typing import Literal, NamedTuple
+
+from ..frozen import frozen
+
+
+class Speed(NamedTuple):
+    """``V_D`` (kind ``point``) or ``omega_OB`` (kind ``link``; ``of`` is the link's name)."""
+
+    kind: Literal["point", "link"]
+    of: str
+
+
+@frozen
+class LoadRatio:
+    """``P / F``."""
+
+    above: str
+    below: str
+
+
+@frozen
+class LoadForm:
+    """``P`` as a linear form of all other loads."""
+
+    load: str
+
+
+@frozen
+class SpeedRatio:
+    """``V_D / V_A``."""
+
+    above: Speed
+    below: Speed
+
+
+Part = Literal["x", "y", "size", "direction"]
+
+
+@frozen
+class Reaction:
+    """``R_O``, or ``R_B on AB``: the force on the mechanism, or on one link, at a point.
+
+    It is exerted by the ground where ``link`` is empty, else by all that meets the link at
+    that pin. ``part`` is a component in N, the size in N, or the direction in radians.
+    """
+
+    point: str
+    link: str
+    part: Part
+
+
+@frozen
+class Axial:
+    """``N_AB``: the force along a rod from its first point to its second, tension positive."""
+
+    link: str
+    tail: str
+    head: str
+
+
+@frozen
+class Normal:
+    """``N_A``: what a guide of the ground, a slot or a body in contact exerts on point A.
+
+    Of a guide it counts along the guide's direction turned by +90°; of a slot or contact
+    along the normal, so that a push is positive.
+    """
+
+    point: str
+
+
+Target = LoadRatio | LoadForm | SpeedRatio | Reaction | Axial | Normal

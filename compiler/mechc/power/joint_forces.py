@@ -1,0 +1,115 @@
+"""What was asked of the forces at joints: components, sizes, directions."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.product import ZERO as NONE
+from ..algebra.product import Product
+from ..algebra.sums import add
+from ..formula.operations import count_operations
+from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
+from ..kinematics.forms import QUARTER
+from ..kinematics.plan import Plan
+from ..kinematics.release import Bond
+from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
+from ..pose.pose import Pose
+from .reactions import Reactions, Transmitted
+from .speeds import magnitude, root
+
+Amounts = Mapping[str, Product]
+
+
+class Found(NamedTuple):
+    """A force at a joint: its formula, and, where it is a linear form, its coefficients.
+
+    ``values`` is the algebra behind it, ``plans`` are those that its named sums come from.
+    """
+
+    formula: Formula
+    coefficients: Amounts | None
+    values: tuple[Product, ...]
+    plans: tuple[Plan, ...]
+
+
+def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactions) -> Found | None:
+    """Return a force at a joint; None where equilibrium leaves it open."""
+    transmitted = reactions.of(bond_of(target, pose))
+    if transmitted is None:
+        return None
+    match target:
+        case Reaction(part="size" | "direction" as part):
+            return _whole(part, transmitted, pose.mechanism)
+        case _:
+            return _linear(transmitted, transmitted.along(_line(target, pose)))
+
+
+def bond_of(target: Reaction | Axial | Normal, pose: Pose) -> Bond:
+    """Return the bond whose force is asked for."""
+    match target:
+        case Reaction(point, link):
+            return Bond("pin", point, link) if link else Bond("ground", point)
+        case Axial(link, _, head):
+            return Bond("pin", head, link)
+        case Normal(point):
+            touches = any(t.point == point for t in pose.touches)
+            return Bond("touch" if touches else "ground", point)
+
+
+def _line(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
+    match target:
+        case Reaction(part=part):
+            return QUARTER if part == "y" else Angle()
+        case Axial(link, tail, head):
+            return pose.vector(link, tail, head)[0].angle
+        case Normal(point):
+            touch = next((t for t in pose.touches if t.point == point), None)
+            return touch.normal if touch else pose.guides[point] + QUARTER
+
+
+def _linear(transmitted: Transmitted, amounts: Amounts) -> Found:
+    return Found(_form(_kept(amounts)), amounts, tuple(amounts.values()), transmitted.plans)
+
+
+def _form(amounts: Amounts) -> Formula:
+    return total(product([(a.formula(), 1), (Symbol(n), 1)]) for n, a in amounts.items())
+
+
+def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
+    """Return the size of a force, or its direction."""
+    x, y = (_kept(transmitted.along(axis)) for axis in (Angle(), QUARTER))
+    plans, loads = transmitted.plans, dict.fromkeys((*x, *y))
+    if part == "direction":
+        formula: Formula = Call("atan2", (_form(y), _form(x))) if loads else ZERO
+    elif len(loads) > 1:
+        formula = Call("hypot", (_form(x), _form(y)))
+    else:
+        sizes = {n: _size(x.get(n, NONE), y.get(n, NONE), mechanism) for n in loads}
+        formula = total(product([(s, 1), (Call("abs", (Symbol(n),)), 1)]) for n, s in sizes.items())
+    return Found(formula, None, (*x.values(), *y.values()), plans)
+
+
+def _kept(amounts: Amounts) -> Amounts:
+    return {load: amount for load, amount in amounts.items() if amount}
+
+
+def _size(x: Product, y: Product, mechanism: Mechanism) -> Formula:
+    """Return the size of a vector in the shorter form: squares merged, or what is common outside.
+
+    Squares merge where the force has one line: (N cos)² + (N sin)² = N².
+    """
+    merged = magnitude(root(add((x * x, y * y))), mechanism).formula()
+    if not x or not y:
+        return merged
+    shared = _common(x, y)
+    outside = magnitude(shared, mechanism).formula()
+    apart = product(
+        [(outside, 1), (Call("hypot", ((x / shared).formula(), (y / shared).formula())), 1)]
+    )
+    return min(merged, apart, key=count_operations)
+
+
+def _common(x: Product, y: Product) -> Product:
+    """Return the factors that two products have in common."""
+    both = {f: min(e, y.factors[f], key=abs) for f, e in x.factors.items() if f in y.factors}
+    return Product(1, {f: e for f, e in both.items() if e * y.factors[f] > 0 < e * x.factors[f]})

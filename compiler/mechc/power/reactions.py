@@ -1,0 +1,154 @@
+"""Forces at joints, by virtual power: the bond let go, the driving loads held still.
+
+A reaction is a linear form in the loads that are given; those that drive follow from them,
+and do no work while they are held.
+"""
+
+from collections.abc import Callable, Iterable, Mapping
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.product import Product
+from ..algebra.sums import add
+from ..algebra.trigonometry import cosine
+from ..diagnostics import MechcError, Report
+from ..formula.tree import ZERO
+from ..frozen import frozen
+from ..kinematics.forms import QUARTER, parting, projection, spin
+from ..kinematics.graph import Form, Graph
+from ..kinematics.plan import Plan
+from ..kinematics.planning import plan_of
+from ..kinematics.release import Bond, Released, graph_of, released, touch_at
+from ..model.mechanism import Absolute, Force, Load, Thrust
+from ..pose.pose import Pose
+from ..source import Source
+from .balance import Term
+from .equations import Equations
+from .loads import repeated, terms
+
+HERE = "reaction"
+"""What the force of a bond is called while it is a load; no name of a description."""
+
+
+class Push(NamedTuple):
+    """A force along a direction, per unit of each given load."""
+
+    direction: Angle
+    amounts: Mapping[str, Product]
+
+    def along(self, direction: Angle) -> Mapping[str, Product]:
+        """Return the component in another direction."""
+        turn = cosine(self.direction - direction)
+        return {load: amount * turn for load, amount in self.amounts.items()}
+
+
+@frozen
+class Transmitted:
+    """The force of a bond as the sum of pushes, and the plans by which they were found."""
+
+    pushes: tuple[Push, ...]
+    plans: tuple[Plan, ...]
+
+    def along(self, direction: Angle) -> dict[str, Product]:
+        """Return the component in a direction as a linear form in the given loads."""
+        parts: dict[str, list[Product]] = {}
+        for push in self.pushes:
+            for load, amount in push.along(direction).items():
+                parts.setdefault(load, []).append(amount)
+        return {load: add(amounts) for load, amounts in parts.items()}
+
+
+class Reactions:
+    """Finds the force of one bond after another, each once."""
+
+    def __init__(self, pose: Pose, driving: Iterable[str]) -> None:
+        self._pose = pose
+        self._driving = tuple(driving)
+        self._known: dict[Bond, Transmitted | None] = {}
+        self._taken: frozenset[str] = frozenset()
+
+    def of(self, bond: Bond) -> Transmitted | None:
+        """Return what a bond transmits to the link or point that it holds.
+
+        None where the other bonds leave that undetermined.
+        """
+        if bond not in self._known:
+            self._known[bond] = self._find(bond)
+        return self._known[bond]
+
+    def _find(self, bond: Bond) -> Transmitted | None:
+        pushes: list[Push] = []
+        plans: list[Plan] = []
+        for direction in directions(self._pose, bond):
+            let_go = released(self._pose, bond, direction)
+            plan = self._plan(let_go)
+            amounts = self._amounts(plan, let_go, bond) if plan else None
+            if plan is None or amounts is None:
+                return None
+            pushes.append(Push(direction, amounts))
+            plans.append(plan)
+        return Transmitted(tuple(pushes), tuple(plans))
+
+    def _plan(self, let_go: Released) -> Plan | None:
+        held = [_measure(k, self._pose) for k in self._loads if k.name in self._driving]
+        graph = graph_of(let_go, held, self._pose.mechanism.span)
+        try:
+            plan = plan_of(graph, Report(Source("", "")), self._taken)
+        except MechcError:
+            return None
+        self._taken |= {binding.name for binding in plan.bindings}
+        return plan
+
+    def _amounts(self, plan: Plan, let_go: Released, bond: Bond) -> Mapping[str, Product] | None:
+        speeds = plan.value(let_go.parting(plan.graph))
+        span = self._pose.mechanism.span
+        load = Force(HERE, bond.loose, Absolute(ZERO, span), span)
+        count = Product(repeated(plan.graph.pose.mechanism, (bond.loose,)))
+        equations = Equations((*terms(plan), Term(load, count, speeds, None)))
+        if equations.number != 1 or HERE not in equations.columns:
+            return None
+        others = [n for n in equations.columns if n not in (HERE, *self._driving)]
+        return {n: equations.solve(HERE, [HERE], n) for n in others}
+
+    @property
+    def _loads(self) -> tuple[Load, ...]:
+        return self._pose.mechanism.loads
+
+
+def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
+    """Return the directions in which a bond is asked for its force, which add up to all of it.
+
+    What both mirrored halves share is pushed along the line only, as the pushes across it
+    cancel.
+    """
+    shared = pose.mechanism.mirror is not None and _is_shared(pose, bond)
+    match bond.kind:
+        case "touch":
+            return (touch_at(pose, bond.point).normal,)
+        case "ground" if bond.point in pose.guides:
+            return () if shared else (pose.guides[bond.point] + QUARTER,)
+        case _ if shared and pose.axis is not None:
+            return (pose.axis,)
+        case "pin" if len(pose.frames[bond.of]) == 2:
+            tail, head = pose.frames[bond.of]
+            along = pose.vector(bond.of, tail, head)[0].angle
+            return (along, along + QUARTER)
+        case _:
+            return (Angle(), QUARTER)
+
+
+def _is_shared(pose: Pose, bond: Bond) -> bool:
+    points = pose.frames[bond.of] if bond.kind == "pin" else (bond.point,)
+    mirror = pose.mechanism.mirror
+    return mirror is not None and set(points) <= set(mirror.sharing)
+
+
+def _measure(load: Load, pose: Pose) -> Callable[[Graph], Form]:
+    """Return the speed with which a load does its work."""
+    match load:
+        case Force(point=point):
+            return lambda graph: projection(graph.velocities[point], pose.lines[load.name])
+        case Thrust():
+            return lambda graph: parting(graph, load, pose.lines[load.name])
+        case _:
+            return lambda graph: spin(graph, load.link)

@@ -1,0 +1,73 @@
+"""Forces at joints out of the equations of equilibrium."""
+
+import math
+from collections.abc import Mapping, Set
+
+from ..model.mechanism import Axial, Normal, Reaction
+from .answers import Answer, combination, gather, ties
+from .free_bodies import System, Unknown, equilibrium
+from .unfold import Plane, Unfolding
+
+Weights = Mapping[int, float]
+"""A force as a combination of the unknowns of a system, by their columns."""
+
+Target = Reaction | Axial | Normal
+
+
+def joint_force(unfolding: Unfolding, target: Target, given: str, known: Set[str]) -> Answer:
+    """Return a force at a joint where ``given`` is 1 and the rest of ``known`` loads are 0."""
+    system = equilibrium(unfolding.assembly())
+    tied = ties(unfolding.pose.mechanism, unfolding.values)
+    columns = gather(system, tied)
+    right = {i: -v / tied[given].factor for i, v in columns.pop(tied[given].base).items()}
+    unknown = {base: row for base, row in columns.items() if base not in known}
+    parts = [combination(system, unknown, right, w) for w in _wanted(target, unfolding, system)]
+    if len(parts) == 1:
+        return parts[0]
+    trouble = next((p.trouble for p in parts if p.trouble), "")
+    size = math.hypot(*(p.value for p in parts))
+    return Answer(size, sum(p.influence for p in parts), trouble)
+
+
+def _wanted(target: Target, unfolding: Unfolding, system: System) -> tuple[Weights, ...]:
+    axes = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
+    match target:
+        case Reaction(point, link, part):
+            asked = [axes[part]] if part in axes else list(axes.values())
+            return tuple(_on_link_or_point(system, unfolding, point, link, a) for a in asked)
+        case Axial(link, tail, head):
+            arm = unfolding.arm(link, tail, head)
+            along = arm.times(1 / math.hypot(*arm))
+            return (_on_link_or_point(system, unfolding, head, link, along),)
+        case Normal(point):
+            return (_normal(system, point),)
+
+
+def _on_link_or_point(
+    system: System, unfolding: Unfolding, point: str, link: str, along: Plane
+) -> Weights:
+    """Return a component of the force on a link at a point, or of the ground on the point."""
+    weights: dict[int, float] = {}
+    for column, (by, on, component) in enumerate(system.unknowns):
+        match component:
+            case "x" | "y" if on == point and by == (link or "ground"):
+                part = along.x if component == "x" else along.y
+                weights[column] = -part if link else part
+            case "normal" if on == point and by == "guide" and not link:
+                normal = unfolding.direction_of_guide(point).turned()
+                weights[column] = normal.dot(along)
+            case "tension" if by == link:
+                tail, head = unfolding.pose.frames[link]
+                arm = unfolding.arm(link, tail, head)
+                pull = arm.dot(along) / math.hypot(*arm)
+                weights[column] = pull if point == head else -pull
+    return weights
+
+
+def _normal(system: System, point: str) -> Weights:
+    def fits(unknown: Unknown) -> bool:
+        return unknown.on == point and unknown.component in ("slot", "contact", "normal")
+
+    touching = [i for i, u in enumerate(system.unknowns) if fits(u)]
+    kinds = {system.unknowns[i].component: i for i in touching}
+    return {kinds.get("contact", kinds.get("slot", kinds.get("normal", 0))): 1.0}
