@@ -7,6 +7,7 @@ from ..formula.layout import is_angle
 from ..formula.tree import ZERO, Formula, Sum, Symbol, product, quotient, total
 from ..model.mechanism import (
     Axial,
+    Efficiency,
     LoadForm,
     LoadRatio,
     Normal,
@@ -14,6 +15,7 @@ from ..model.mechanism import (
     Require,
     Speed,
     SpeedRatio,
+    WithFriction,
 )
 from ..model.result import Result, Trend, Vanishing
 from ..words.table import Words
@@ -51,6 +53,10 @@ def heading(result: Result, words: Words) -> str:
             return words.speed_ratio
         case Reaction() | Axial() | Normal():
             return words.joint_force
+        case WithFriction():
+            return words.with_friction
+        case Efficiency():
+            return words.efficiency
         case None:
             return ""
         case _:

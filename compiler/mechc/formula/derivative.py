@@ -124,7 +124,8 @@ _OF_ONE: Mapping[str, Callable[[Formula], Formula]] = {
     "acos": lambda x: _root(-1, x),
     "atan": lambda x: power(total([ONE, _square(x)]), number(-1)),
     "sqrt": lambda x: product([(number(Fraction(1, 2)), 1), (_call("sqrt", x), -1)]),
-    "abs": lambda x: quotient(x, _call("abs", x)),
+    "abs": lambda x: _call("sign", x),
+    "sign": lambda x: ZERO,
     "exp": lambda x: _call("exp", x),
     "log": lambda x: power(x, number(-1)),
 }

@@ -42,12 +42,13 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "sqrt": math.sqrt,
     "hypot": math.hypot,
     "abs": abs,
+    "sign": lambda x: math.copysign(1.0, x) if x else x,
     "min": min,
     "max": max,
     "exp": math.exp,
     "log": math.log,
 }
-"""Every function of the language and its meaning on floats."""
+"""Every function of the language, and ``sign``, with its meaning on floats."""
 
 
 def children(formula: Formula) -> tuple[Formula, ...]:

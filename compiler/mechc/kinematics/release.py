@@ -10,20 +10,26 @@ a pin does not part across it, a pivot moves along it only.
 """
 
 from collections.abc import Callable, Iterable
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
+from ..diagnostics import MechcError, Report
 from ..frozen import frozen, replace
-from ..model.mechanism import Link, Mechanism
+from ..model.mechanism import Force, Link, Load, Mechanism, Thrust, Torque
 from ..pose.pose import Pose, Touch
-from ..source import Span
+from ..source import Source, Span
 from .builder import Builder
-from .forms import QUARTER, leaving, projection, subtract
+from .forms import QUARTER, leaving, parting, projection, spin, subtract
 from .graph import Form, Graph, Relation, Rule
+from .plan import Plan, Speeds
+from .planning import plan_of
 
 
 class Bond(NamedTuple):
-    """What is let go at a point: of a link (``of`` its name), the ground, or a touch."""
+    """What is let go at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
+
+    ``of`` is the name of the link or slide.
+    """
 
     kind: str
     point: str
@@ -48,23 +54,61 @@ class Released:
     holding: tuple[Measure, ...] = ()
 
 
-def released(pose: Pose, bond: Bond, along: Angle) -> Released:
-    """Return the pose with a bond let go along a direction."""
+@frozen
+class Loosened:
+    """The plan of a mechanism with a bond let go, and the speed at which the bond parts."""
+
+    plan: Plan
+    parting: Speeds
+
+
+def loosened(
+    pose: Pose, bond: Bond, along: Angle, held: Iterable[Load], taken: frozenset[str]
+) -> Loosened | None:
+    """Return the motions that are left with a bond let go along a direction.
+
+    The loads in ``held`` do no work in them. None where nothing moves: then other bonds do
+    the same as this one. Long sums get names that are not ``taken``.
+    """
+    let_go = _released(pose, bond, along)
+    measures = [*let_go.holding, *(work_of(load) for load in held)]
+    graph = _held_still(Builder(let_go.pose).graph(), measures, pose.mechanism.span)
+    try:
+        plan = plan_of(graph, Report(Source("", "")), taken)
+    except MechcError:
+        return None
+    return Loosened(plan, plan.value(let_go.parting(graph)))
+
+
+def work_of(load: Load) -> Measure:
+    """Return the speed with which a load does its work."""
+    match load:
+        case Force(name, point):
+            return lambda graph: projection(graph.velocities[point], graph.pose.lines[name])
+        case Thrust(name):
+            return lambda graph: parting(graph, load, graph.pose.lines[name])
+        case Torque(_, link):
+            return lambda graph: spin(graph, link)
+        case _:
+            assert_never(load)
+
+
+def _held_still(graph: Graph, measures: Iterable[Measure], span: Span) -> Graph:
+    forms = (measure(graph) for measure in measures)
+    more = (Relation(Rule.HELD, "", (), Angle(), form, span) for form in forms if form)
+    return replace(graph, relations=(*graph.relations, *more))
+
+
+def _released(pose: Pose, bond: Bond, along: Angle) -> Released:
     match bond.kind:
         case "pin":
             return _without_pin(pose, bond, along)
         case "ground":
             return _without_ground(pose, bond.point, along)
+        case "slide":
+            return _without_slide(pose, bond, along)
         case _:
             return _without_touch(pose, bond.point)
-
-
-def graph_of(let_go: Released, held: Iterable[Measure], span: Span) -> Graph:
-    """Return the graph of what is left, with the speeds in ``held`` kept at zero."""
-    graph = Builder(let_go.pose).graph()
-    forms = [measure(graph) for measure in (*let_go.holding, *held)]
-    more = (Relation(Rule.HELD, "", (), Angle(), form, span) for form in forms if form)
-    return replace(graph, relations=(*graph.relations, *more))
 
 
 def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
@@ -82,11 +126,11 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
         touches=touches,
     )
 
-    def parting(graph: Graph, direction: Angle = along) -> Form:
+    def gap(graph: Graph, direction: Angle = along) -> Form:
         ahead, behind = (projection(graph.velocities[p], direction) for p in (own, point))
         return subtract(ahead, behind)
 
-    return Released(apart, parting, (lambda graph: parting(graph, along + QUARTER),))
+    return Released(apart, gap, (lambda graph: gap(graph, along + QUARTER),))
 
 
 def _renamed(link: Link, point: str, own: str) -> Link:
@@ -114,6 +158,20 @@ def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
     return Released(
         replace(pose, mechanism=free, guides=guides),
         lambda graph: projection(graph.velocities[point], along),
+    )
+
+
+def _without_slide(pose: Pose, bond: Bond, along: Angle) -> Released:
+    """Let a translating body leave its guide; it still does not turn."""
+    mechanism = pose.mechanism
+    slide = next(s for s in mechanism.slides if s.name == bond.of)
+    slides = tuple(s for s in mechanism.slides if s is not slide)
+    link = Link(slide.name, slide.points, slide.span)
+    free = replace(mechanism, slides=slides, links=(*mechanism.links, link))
+    return Released(
+        replace(pose, mechanism=free),
+        lambda graph: projection(graph.velocities[bond.point], along),
+        (lambda graph: spin(graph, slide.name),),
     )
 
 

@@ -6,11 +6,21 @@ from typing import NamedTuple
 from ..diagnostics.model import reactions as reaction_words
 from ..diagnostics.model import results as words
 from ..syntax import ast
-from ..units import FREQUENCY, VELOCITY, Dimension
-from .mechanism import Find, LoadForm, LoadRatio, Speed, SpeedRatio, Target
+from ..units import FREQUENCY, NUMBER, VELOCITY, Dimension
+from .mechanism import (
+    Efficiency,
+    Find,
+    LoadForm,
+    LoadRatio,
+    Sense,
+    Speed,
+    SpeedRatio,
+    Target,
+    WithFriction,
+)
 from .reactions import read_reaction
 from .scope import Entry, Form, Scope, form_of
-from .statements import every
+from .statements import every, only
 
 
 class Part(NamedTuple):
@@ -29,9 +39,46 @@ class Asked(NamedTuple):
     name: str
 
 
+RUBBING = (
+    ast.PinFriction,
+    ast.GuideFriction,
+    ast.RollerFriction,
+    ast.ContactFriction,
+)
+
+
 def read_finds(file: ast.File, scope: Scope) -> list[Find]:
-    """Return every find and enter its name; points and loads are known by now."""
-    return [find for statement in every(file, ast.Find) for find in _read(statement, scope)]
+    """Return every find and enter its name; points and loads are known by now.
+
+    Behind them stand those that friction adds.
+    """
+    finds = [find for statement in every(file, ast.Find) for find in _read(statement, scope)]
+    motion = only(file, ast.Motion)
+    sense: Sense = motion.sense if motion else "tightening"
+    overridden = bool(every(file, ast.Efficiency))
+    rubs = any(isinstance(s, RUBBING) for s in file.statements) and not overridden
+    if rubs or overridden:
+        finds += [more for find in finds for more in _with_friction(find, sense, rubs, scope)]
+    return finds
+
+
+def _with_friction(find: Find, sense: Sense, rubs: bool, scope: Scope) -> Iterator[Find]:
+    """Yield the load or ratio with friction, to first order, when holding, its efficiency."""
+    of = find.target
+    if not isinstance(of, LoadRatio | LoadForm):
+        return
+    dimension = scope.entries[find.name].dimension
+    more: list[tuple[str, Target, Dimension | None]] = [
+        (f"{find.name}_f", WithFriction(of, sense), dimension)
+    ]
+    if rubs:
+        more.append((f"{find.name}_f1", WithFriction(of, sense, "first"), dimension))
+        if sense == "tightening":
+            more.append((f"{find.name}_hold", WithFriction(of, "releasing"), dimension))
+        more.append((f"eta_{find.name}", Efficiency(of, sense), NUMBER))
+    for name, target, measure in more:
+        if scope.enter(name, Entry("result", find.span, measure)):
+            yield Find(name, target, find.span)
 
 
 def _read(statement: ast.Find, scope: Scope) -> Iterator[Find]:

@@ -14,13 +14,13 @@ from ..syntax import ast
 from ..units import FORCE, TORQUE
 from .definitions import Definitions, read_definitions, settled, spread_feeding
 from .finds import read_finds
+from .friction import read_friction
 from .geometry import read_geometry
 from .joints import declare_points, read_pivots, read_sliders, warn_idle
 from .loads import read_loads
 from .mechanism import Find, LoadForm, Mechanism
 from .motion import check_drive, read_assemblies, read_drive
 from .parameters import warn_unused
-from .pending import check_pending
 from .points import Points
 from .results import read_expects, read_requires
 from .scope import Scope
@@ -45,7 +45,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     found = read_definitions(file, scope)
     mechanism = replace(_headed(file, report), finds=tuple(finds), spans=points.places)
     mechanism = _under_loads(_built(mechanism, file, scope), file, scope)
-    check_pending(file, scope)
+    mechanism = replace(mechanism, friction=read_friction(file, scope))
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)

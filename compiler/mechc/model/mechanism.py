@@ -29,15 +29,23 @@ from .parts import Slide as Slide
 from .parts import Slider as Slider
 from .parts import Slot as Slot
 from .parts import Telescope as Telescope
+from .rubbing import Friction as Friction
+from .rubbing import Rubbing as Rubbing
+from .rubbing import RubbingFace as RubbingFace
+from .rubbing import RubbingGuide as RubbingGuide
+from .rubbing import RubbingPin as RubbingPin
 from .targets import Axial as Axial
+from .targets import Efficiency as Efficiency
 from .targets import LoadForm as LoadForm
 from .targets import LoadRatio as LoadRatio
 from .targets import Normal as Normal
 from .targets import Part as Part
 from .targets import Reaction as Reaction
+from .targets import Sense as Sense
 from .targets import Speed as Speed
 from .targets import SpeedRatio as SpeedRatio
 from .targets import Target as Target
+from .targets import WithFriction as WithFriction
 
 GRAVITY = Number(Fraction("9.80665"))
 """The standard acceleration of free fall in m/s²."""
@@ -252,6 +260,7 @@ class Mechanism:
     loads: tuple[Load, ...] = ()
     mirror: Mirror | None = None
     copies: Copies | None = None
+    friction: Friction = Friction()
     finds: tuple[Find, ...] = ()
     lets: tuple[Let, ...] = ()
     requires: tuple[Require, ...] = ()

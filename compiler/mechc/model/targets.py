@@ -71,4 +71,27 @@ class Normal:
     point: str
 
 
-Target = LoadRatio | LoadForm | SpeedRatio | Reaction | Axial | Normal
+Sense = Literal["tightening", "releasing"]
+
+
+@frozen
+class WithFriction:
+    """A ratio or a load with friction in it, the driving load moving along its arrow or back.
+
+    ``order`` tells the exact one from that of first order in friction.
+    """
+
+    of: LoadRatio | LoadForm
+    sense: Sense
+    order: Literal["exact", "first"] = "exact"
+
+
+@frozen
+class Efficiency:
+    """What of the driving load's power arrives: k over k with friction, or the inverse."""
+
+    of: LoadRatio | LoadForm
+    sense: Sense
+
+
+Target = LoadRatio | LoadForm | SpeedRatio | Reaction | Axial | Normal | WithFriction | Efficiency

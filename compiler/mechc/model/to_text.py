@@ -12,6 +12,7 @@ from .mechanism import (
     Arrow,
     Axial,
     Direction,
+    Efficiency,
     Find,
     Force,
     Geometry,
@@ -30,6 +31,7 @@ from .mechanism import (
     Thrust,
     Torque,
     Turn,
+    WithFriction,
 )
 
 
@@ -183,6 +185,10 @@ def target_text(target: Target) -> str:
             return f"N_{tail}{head}"
         case Normal(point):
             return f"N_{point}"
+        case WithFriction(of, sense, order):
+            return f"{target_text(of)} with friction, {sense}, {order}"
+        case Efficiency(of, sense):
+            return f"efficiency of {target_text(of)}, {sense}"
         case _:
             assert_never(target)
 

@@ -1,6 +1,6 @@
 """The names that a result mentions, and what they stand for, each after those it needs."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.product import Bound, Product, Sum
 from ..formula.tree import Formula
@@ -18,14 +18,19 @@ def resting_on(plan: Plan, formula: Formula, values: Sequence[Product]) -> tuple
 
     ``values`` is the same as algebra, in which the bound sums are found.
     """
+    chosen = bound_sums(plan, values)
+    return (*intermediates(plan, [formula, *(d.formula for d in chosen)]), *chosen)
+
+
+def bound_sums(plan: Plan, values: Iterable[Product]) -> list[Definition]:
+    """Return the named sums of a plan that products rest on, in order."""
     bound = {name for value in values for name in _bound_names(value)}
     chosen: list[Definition] = []
     for binding in reversed(plan.bindings):
         if binding.name in bound:
             chosen.append(Definition(binding.name, binding.value.formula()))
             bound |= set(_bound_names(binding.value))
-    chosen.reverse()
-    return (*intermediates(plan, [formula, *(d.formula for d in chosen)]), *chosen)
+    return chosen[::-1]
 
 
 def intermediates(plan: Plan, formulas: Sequence[Formula]) -> list[Definition]:

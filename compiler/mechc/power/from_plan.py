@@ -15,6 +15,7 @@ from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
 from ..model.mechanism import (
     Axial,
+    Efficiency,
     Find,
     LoadForm,
     LoadRatio,
@@ -23,12 +24,14 @@ from ..model.mechanism import (
     Speed,
     SpeedRatio,
     Torque,
+    WithFriction,
 )
 from ..model.result import Definition, Result
 from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
 from .definitions import intermediates, let_results, resting_on
 from .equations import Equations
+from .friction.results import FrictionResults
 from .joint_forces import find_force
 from .loads import terms
 from .numbers import check_numbers
@@ -54,11 +57,12 @@ class _Asked:
         self._terms = terms(plan)
         self._equations = Equations(self._terms)
         self._loads = {load.name: load for load in self._mechanism.loads}
+        self._solved_so_far: list[Solved] = []
 
     def balance(self) -> Balance:
         """Return the whole."""
         self._remark()
-        solved: list[Solved] = []
+        solved = self._solved_so_far
         for find in self._mechanism.finds:
             if (found := self._find(find)) is not None:
                 solved.append(found)
@@ -95,6 +99,8 @@ class _Asked:
                 return self._speeds(find, above, below)
             case Reaction() | Axial() | Normal() as target:
                 return self._force(find, target)
+            case WithFriction(of) | Efficiency(of):
+                return self._rubbing(find, of)
             case _:
                 assert_never(find.target)
 
@@ -167,6 +173,15 @@ class _Asked:
 
     def _dimension(self, load: str) -> Dimension:
         return TORQUE if isinstance(self._loads[load], Torque) else FORCE
+
+    def _rubbing(self, find: Find, of: LoadRatio | LoadForm) -> Solved | None:
+        ideal = next((s.result for s in self._solved_so_far if s.result.target == of), None)
+        result = self._friction.find(find, ideal) if ideal else None
+        return Solved(result) if result else None
+
+    @cached_property
+    def _friction(self) -> FrictionResults:
+        return FrictionResults(self._plan, self._equations, self._report)
 
     # ------------------------------------------------------------------------- forces
 

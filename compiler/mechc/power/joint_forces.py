@@ -52,8 +52,16 @@ def bond_of(target: Reaction | Axial | Normal, pose: Pose) -> Bond:
         case Axial(link, _, head):
             return Bond("pin", head, link)
         case Normal(point):
-            touches = any(t.point == point for t in pose.touches)
-            return Bond("touch" if touches else "ground", point)
+            return holding(point, pose)
+
+
+def holding(point: str, pose: Pose) -> Bond:
+    """Return what presses on a point across a line: a slot, a contact, a guide."""
+    if any(touch.point == point for touch in pose.touches):
+        return Bond("touch", point)
+    slides = (slide.name for slide in pose.mechanism.slides if point in slide.points)
+    name = next(slides, "")
+    return Bond("slide", point, name) if name else Bond("ground", point)
 
 
 def _line(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
@@ -64,7 +72,8 @@ def _line(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
             return pose.vector(link, tail, head)[0].angle
         case Normal(point):
             touch = next((t for t in pose.touches if t.point == point), None)
-            return touch.normal if touch else pose.guides[point] + QUARTER
+            guide = pose.guide_of(point) or Angle()
+            return touch.normal if touch else guide + QUARTER
 
 
 def _linear(transmitted: Transmitted, amounts: Amounts) -> Found:

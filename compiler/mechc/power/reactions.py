@@ -11,23 +11,23 @@ from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
-from ..diagnostics import MechcError, Report
 from ..formula.tree import ZERO
 from ..frozen import frozen
-from ..kinematics.forms import QUARTER, parting, projection, spin
-from ..kinematics.graph import Form, Graph
+from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
-from ..kinematics.planning import plan_of
-from ..kinematics.release import Bond, Released, graph_of, released, touch_at
-from ..model.mechanism import Absolute, Force, Load, Thrust
+from ..kinematics.release import Bond, Loosened, loosened, touch_at
+from ..model.mechanism import Absolute, Force
 from ..pose.pose import Pose
-from ..source import Source
 from .balance import Term
 from .equations import Equations
 from .loads import repeated, terms
 
 HERE = "reaction"
 """What the force of a bond is called while it is a load; no name of a description."""
+
+
+More = Callable[[Plan], Iterable[Term]]
+"""The terms of further loads in a plan."""
 
 
 class Push(NamedTuple):
@@ -59,11 +59,15 @@ class Transmitted:
 
 
 class Reactions:
-    """Finds the force of one bond after another, each once."""
+    """Finds the force of one bond after another, each once.
 
-    def __init__(self, pose: Pose, driving: Iterable[str]) -> None:
-        self._pose = pose
+    ``driving`` loads are held; ``more`` gives terms of further loads, such as friction.
+    """
+
+    def __init__(self, pose: Pose, driving: Iterable[str], more: More = lambda plan: ()) -> None:
+        self._pose, self._more = pose, more
         self._driving = tuple(driving)
+        self._held = [k for k in pose.mechanism.loads if k.name in self._driving]
         self._known: dict[Bond, Transmitted | None] = {}
         self._taken: frozenset[str] = frozenset()
 
@@ -80,39 +84,26 @@ class Reactions:
         pushes: list[Push] = []
         plans: list[Plan] = []
         for direction in directions(self._pose, bond):
-            let_go = released(self._pose, bond, direction)
-            plan = self._plan(let_go)
-            amounts = self._amounts(plan, let_go, bond) if plan else None
-            if plan is None or amounts is None:
+            loose = loosened(self._pose, bond, direction, self._held, self._taken)
+            amounts = self._amounts(loose, bond) if loose else None
+            if loose is None or amounts is None:
                 return None
+            self._taken |= {binding.name for binding in loose.plan.bindings}
             pushes.append(Push(direction, amounts))
-            plans.append(plan)
+            plans.append(loose.plan)
         return Transmitted(tuple(pushes), tuple(plans))
 
-    def _plan(self, let_go: Released) -> Plan | None:
-        held = [_measure(k, self._pose) for k in self._loads if k.name in self._driving]
-        graph = graph_of(let_go, held, self._pose.mechanism.span)
-        try:
-            plan = plan_of(graph, Report(Source("", "")), self._taken)
-        except MechcError:
-            return None
-        self._taken |= {binding.name for binding in plan.bindings}
-        return plan
-
-    def _amounts(self, plan: Plan, let_go: Released, bond: Bond) -> Mapping[str, Product] | None:
-        speeds = plan.value(let_go.parting(plan.graph))
-        span = self._pose.mechanism.span
+    def _amounts(self, loose: Loosened, bond: Bond) -> Mapping[str, Product] | None:
+        plan, span = loose.plan, self._pose.mechanism.span
         load = Force(HERE, bond.loose, Absolute(ZERO, span), span)
-        count = Product(repeated(plan.graph.pose.mechanism, (bond.loose,)))
-        equations = Equations((*terms(plan), Term(load, count, speeds, None)))
+        points = next((s.points for s in self._pose.mechanism.slides if s.name == bond.of), ())
+        count = Product(repeated(plan.graph.pose.mechanism, points or (bond.loose,)))
+        here = Term(load, count, loose.parting, None)
+        equations = Equations((*terms(plan), *self._more(plan), here))
         if equations.number != 1 or HERE not in equations.columns:
             return None
         others = [n for n in equations.columns if n not in (HERE, *self._driving)]
         return {n: equations.solve(HERE, [HERE], n) for n in others}
-
-    @property
-    def _loads(self) -> tuple[Load, ...]:
-        return self._pose.mechanism.loads
 
 
 def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
@@ -129,6 +120,8 @@ def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
             return () if shared else (pose.guides[bond.point] + QUARTER,)
         case _ if shared and pose.axis is not None:
             return (pose.axis,)
+        case "slide":
+            return () if shared else (pose.slides[bond.of] + QUARTER,)
         case "pin" if len(pose.frames[bond.of]) == 2:
             tail, head = pose.frames[bond.of]
             along = pose.vector(bond.of, tail, head)[0].angle
@@ -138,17 +131,6 @@ def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
 
 
 def _is_shared(pose: Pose, bond: Bond) -> bool:
-    points = pose.frames[bond.of] if bond.kind == "pin" else (bond.point,)
+    points = pose.frames[bond.of] if bond.of else (bond.point,)
     mirror = pose.mechanism.mirror
     return mirror is not None and set(points) <= set(mirror.sharing)
-
-
-def _measure(load: Load, pose: Pose) -> Callable[[Graph], Form]:
-    """Return the speed with which a load does its work."""
-    match load:
-        case Force(point=point):
-            return lambda graph: projection(graph.velocities[point], pose.lines[load.name])
-        case Thrust():
-            return lambda graph: parting(graph, load, pose.lines[load.name])
-        case _:
-            return lambda graph: spin(graph, load.link)

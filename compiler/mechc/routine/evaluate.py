@@ -32,6 +32,7 @@ FUNCTIONS: Mapping[str, Callable[..., Array]] = {
     "sqrt": np.sqrt,
     "hypot": lambda *xs: reduce(np.hypot, xs),
     "abs": np.abs,
+    "sign": np.sign,
     "min": lambda *xs: reduce(np.minimum, xs),
     "max": lambda *xs: reduce(np.maximum, xs),
     "exp": np.exp,

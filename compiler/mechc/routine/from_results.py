@@ -8,6 +8,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import (
     Axial,
+    Efficiency,
     Load,
     LoadForm,
     LoadRatio,
@@ -20,6 +21,7 @@ from ..model.mechanism import (
     SpeedRatio,
     Target,
     Torque,
+    WithFriction,
 )
 from ..model.result import Result
 from ..units import FORCE, TORQUE
@@ -123,6 +125,11 @@ def title(target: Target | None) -> str:
             return f"force along {tail}{head}, tension positive"
         case Normal(point):
             return f"normal force on {point}"
+        case WithFriction(of, sense, order):
+            about = " to first order" if order == "first" else ""
+            return f"{title(of)} with friction{about}, {sense}"
+        case Efficiency(of, sense):
+            return f"efficiency of {title(of)}, {sense}"
         case _:
             assert_never(target)
 

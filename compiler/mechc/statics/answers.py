@@ -111,7 +111,7 @@ def pushes(
     given_row = columns.pop(source.base)
     unknown = {b: row for b, row in columns.items() if b == target.base or b not in known}
     right = {i: -amount / source.factor for i, amount in given_row.items()}
-    rows, _ = _with_loads(system, unknown)
+    rows, _ = with_loads(system, unknown)
     factors = factor(rows, len(system.unknowns) + len(unknown))
     found = factors.solve(right)
     if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
@@ -123,7 +123,7 @@ def pushes(
     }
 
 
-def _with_loads(
+def with_loads(
     system: System, loads: Mapping[str, Row]
 ) -> tuple[list[dict[int, float]], dict[str, int]]:
     """Return the rows with columns for unknown loads behind those of the reactions."""
@@ -149,7 +149,7 @@ def combination(
     wanted: str = "the force",
 ) -> Answer:
     """Solve for the reactions and the unknown ``loads``, and return a combination of them."""
-    rows, _ = _with_loads(system, loads)
+    rows, _ = with_loads(system, loads)
     last = next(iter(weights)) if len(weights) == 1 else None
     factors = factor(rows, len(system.unknowns) + len(loads), last)
     found = factors.solve(right)

@@ -22,12 +22,14 @@ from ..formula.tree import ONE, Formula
 from ..formula.walk import evaluate, substitute, symbols
 from ..model.mechanism import (
     Axial,
+    Efficiency,
     LoadForm,
     LoadRatio,
     Mechanism,
     Normal,
     Reaction,
     SpeedRatio,
+    WithFriction,
 )
 from ..model.result import Definition, Result
 from ..pose.pose import Pose
@@ -35,6 +37,7 @@ from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio
 from .closure import worst_gap
 from .contacts import pulling
+from .friction import driven
 from .joint_forces import joint_force
 from .poses import Replay, Values, candidates
 from .speeds import speed_ratio
@@ -132,6 +135,10 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
                 pass  # it follows from the components, which are judged
             case Reaction() | Axial() | Normal():
                 yield from _forces(result, target, mechanism)
+            case WithFriction(order="exact"):
+                yield _rubbing(result, target)
+            case WithFriction() | Efficiency():
+                pass  # an approximation, and a quotient of what is judged
             case SpeedRatio():
                 yield Question(name, formula, where, partial(speed_ratio, target=target))
             case None:
@@ -160,6 +167,22 @@ def _forces(
     for load, formula in coefficients.items():
         ask = partial(joint_force, target=target, given=load, known=coefficients.keys())
         yield Question(f"{result.name}/{load}", formula, result.where, ask)
+
+
+def _rubbing(result: Result, target: WithFriction) -> Question:
+    """Ask for a driving load with friction where every other load is 1 or what is known."""
+    if isinstance(target.of, LoadRatio):
+        others: tuple[str, ...] = (target.of.below,)
+    else:
+        others = tuple(result.coefficients or ())
+    known = {d.name: d.formula for d in result.where}
+    where = (*(Definition(n, ONE) for n in others if n not in known), *result.where)
+
+    def ask(unfolding: Unfolding) -> Answer:
+        given = {n: evaluate(known.get(n, ONE), unfolding.values) for n in others}
+        return driven(unfolding, target, given)
+
+    return Question(result.name, result.formula, where, ask)
 
 
 def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:

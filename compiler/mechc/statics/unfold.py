@@ -18,7 +18,7 @@ from typing import NamedTuple, assert_never
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import Force, Load, Thrust, Torque
-from ..pose.pose import Pose, evaluate_vector
+from ..pose.pose import Pose, Touch, evaluate_vector
 
 
 class Plane(NamedTuple):
@@ -205,6 +205,17 @@ class Unfolding:
         if not shared or self._axis is None:
             return (*self._half(load.second, push), *self._half(load.first, push.times(-1)))
         return (*self.push(load.second, push), *self.push(load.first, push.times(-1)))
+
+    def apart(self, touch: Touch, along: Plane) -> tuple[Action, ...]:
+        """Return a unit force on a pin and its reaction on the body under it, in both halves."""
+        reach = Plane(*evaluate_vector(touch.reach, self.values))
+        moment = -(reach.x * along.y - reach.y * along.x)
+        turning = self.couple(touch.body, moment) if touch.reach else ()
+        if self._shared(touch.point) and self._shared(touch.body):
+            back = self.push(touch.tail, along.times(-1))
+            return (*self.push(touch.point, along), *back, *turning)
+        back = self._half(touch.tail, along.times(-1))
+        return (*self._half(touch.point, along), *back, *turning)
 
     def _half(self, point: str, force: Plane) -> tuple[Action, ...]:
         """Return a force that both halves have, on a point that they may share."""

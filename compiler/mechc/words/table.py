@@ -57,6 +57,8 @@ class Words(NamedTuple):
     load: str
     speed_ratio: str
     joint_force: str
+    with_friction: str
+    efficiency: str
     where: str
     solve: str
     proportional: str

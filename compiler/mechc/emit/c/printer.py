@@ -22,7 +22,7 @@ _WORDS = """
 RESERVED = frozenset(_WORDS.split())
 """Keywords of C and C++, the functions called, and what common headers define as macros."""
 
-_FUNCTIONS = {"abs": "fabs", "min": "mechc_min", "max": "mechc_max"}
+_FUNCTIONS = {"abs": "fabs", "sign": "mechc_sign", "min": "mechc_min", "max": "mechc_max"}
 CIRCULAR = ("sin", "cos", "tan")
 """Functions that the loops compute by a polynomial of their own."""
 

@@ -90,6 +90,7 @@ class SourceContext(NamedTuple):
     circular: bool
     guarded: bool
     choices: list[Line]
+    signs: bool
 
 
 class Symbols(NamedTuple):
@@ -152,6 +153,7 @@ def _source(compiled: Compiled, parts: Parts, preface: list[str], header: str) -
         circular=any(f.quick for f in parts.functions) or bool(parts.solvers),
         guarded=any(f.quick and f.plain.conditions for f in parts.functions),
         choices=choices,
+        signs="sign" in called,
     )
     return render("c/source.jinja", context)
 

@@ -11,6 +11,7 @@ from ...formula.tree import Formula
 from ...formula.walk import evaluate
 from ...model.mechanism import (
     Axial,
+    Efficiency,
     LoadForm,
     LoadRatio,
     Normal,
@@ -18,6 +19,7 @@ from ...model.mechanism import (
     Reaction,
     SpeedRatio,
     Target,
+    WithFriction,
 )
 from ...model.result import Definition, Result, Vanishing
 from ...routine.steps import Function
@@ -39,6 +41,8 @@ KINDS: Mapping[type[Target] | type[None], str] = {
     Reaction: "reaction",
     Axial: "axial force",
     Normal: "normal force",
+    WithFriction: "with friction",
+    Efficiency: "efficiency",
     type(None): "formula",
 }
 

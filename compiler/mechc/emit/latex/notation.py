@@ -24,6 +24,7 @@ _COMMON = {
     "min": r"\min",
     "max": r"\max",
     "exp": r"\exp",
+    "sign": r"\operatorname{sgn}",
     "log": r"\ln",
 }
 _WESTERN = _COMMON | {"tan": r"\tan", "cot": r"\cot", "atan": r"\arctan"}

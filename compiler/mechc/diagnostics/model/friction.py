@@ -1,0 +1,99 @@
+"""Words for friction (E27x)."""
+
+from ...source import Span
+from ..diagnostic import Related, Words, coded
+
+
+@coded("E270")
+def nothing_turns(span: Span, point: str) -> Words:
+    """Pin friction is given at a point where no two bodies turn on one another.
+
+    A pin joins links with each other, with the ground or with a slider. The point of one
+    link at which a load acts is no pin.
+
+        link OA
+        friction pin A 0.1 diameter 10 mm     # wrong: A is the free end of OA
+        friction pin O 0.1 diameter 10 mm     # right
+    """
+    message = f"nothing turns on a pin at {point}: only one link is there"
+    return Words(span, message, "name a pivot, a slider or a pin between links")
+
+
+@coded("E271")
+def pin_of_another(span: Span, point: str, link: str) -> Words:
+    """The link that carries a pin has no such point.
+
+    link AB
+    link BC
+    friction pin C 0.1 diameter 10 mm on AB     # wrong
+    """
+    return Words(span, f"link {link} has no point {point}, so the pin cannot be fast in it")
+
+
+@coded("E272")
+def not_guided(span: Span, point: str) -> Words:
+    """Friction of a guide or a roller is given at a point that no guide holds.
+
+    link AB
+    friction slider A 0.1     # wrong without a line such as 'slider A along x'
+    """
+    return Words(span, f"point {point} is not guided", f"add 'slider {point} along …'")
+
+
+@coded("E273")
+def nothing_touches(span: Span, point: str) -> Words:
+    """Friction of a contact is given at a point that is in no contact and no slot.
+
+    friction contact A 0.1              # wrong without
+    contact A on BC normal 60 deg       # such a line
+    """
+    message = f"point {point} is neither in contact nor in a slot"
+    return Words(span, message, f"add 'contact {point} on … normal …'")
+
+
+@coded("E274")
+def senseless(span: Span, what: str, value: float) -> Words:
+    """A coefficient of friction is negative, a diameter is not positive, or the like.
+
+    An efficiency is above 0 and at most 1.
+
+        friction pins -0.1 diameter 10 mm     # wrong
+    """
+    return Words(span, f"{what} of {value:g} makes no sense")
+
+
+@coded("E275")
+def friction_again(span: Span, point: str, first: Span) -> Words:
+    """Friction of one kind is given twice at one point.
+
+    friction pin O 0.1 diameter 10 mm
+    friction pin O 0.2 diameter 10 mm     # wrong
+
+    ``friction pins`` gives it for every pin that no other line names.
+    """
+    message = f"friction at {point} is given twice"
+    related = (Related(first, "it stands here first"),)
+    return Words(span, message, "remove one of the two lines", related)
+
+
+@coded("W270")
+def less_than_plain(span: Span, share: float) -> Words:
+    """The couple part of a plunger's pressure is below plain friction.
+
+    The default law, 3l/s, counts the couple that tilts the plunger and leaves the side force
+    itself out. For l < s/3 that is less than a guide without any overhang would give.
+
+        friction slider K 0.1 guide 40 mm overhang 10 mm            # 0.75 times plain friction
+        friction slider K 0.1 guide 40 mm overhang 10 mm linear     # right: 1.08 times
+    """
+    message = f"with an overhang of {share:.3g} of the guide's length, 3l/s is below plain friction"
+    return Words(span, message, "name the law 'linear' or 'edges'")
+
+
+@coded("W271")
+def motion_for_nothing(span: Span) -> Words:
+    """``motion`` says which way friction acts, and there is no friction.
+
+    motion releasing     # warned of where no line begins with 'friction' or 'efficiency'
+    """
+    return Words(span, "without friction it makes no difference which way the mechanism moves")

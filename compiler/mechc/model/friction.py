@@ -1,0 +1,221 @@
+"""Friction: ``friction …``, ``motion …``, ``efficiency …``."""
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+
+from ..diagnostics.model import friction as words
+from ..formula.tree import Call, Formula, number, product, total
+from ..formula.walk import evaluate, symbols
+from ..source import Span
+from ..syntax import ast
+from ..units import LENGTH, NUMBER
+from .expressions import Reader
+from .rubbing import Friction, Rubbing, RubbingFace, RubbingGuide, RubbingPin
+from .scope import DESCRIPTION, Scope
+from .statements import every, only
+
+HALF = number(Fraction(1, 2))
+
+
+def read_friction(file: ast.File, scope: Scope) -> Friction:
+    """Return all that rubs; report what names no such joint or is said twice."""
+    points = [s.point for s in every(file, ast.PinFriction) if s.point]
+    named = {point.text for point in points if scope.points.acting(point)}
+    rubbing: dict[tuple[type, str], Rubbing] = {}
+    for statement in file.statements:
+        for rub in _read(statement, named, scope):
+            key = type(rub), rub.point
+            if key in rubbing:
+                first = rubbing[key].span
+                scope.report.add(words.friction_again(rub.span, rub.point, first))
+            rubbing.setdefault(key, rub)
+    motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
+    friction = Friction(
+        tuple(rubbing.values()), motion.sense if motion else "tightening", efficiency
+    )
+    if motion and friction.is_ideal:
+        scope.report.add(words.motion_for_nothing(motion.span))
+    return friction
+
+
+def _read(statement: ast.Statement, named: set[str], scope: Scope) -> Iterator[Rubbing]:
+    match statement:
+        case ast.PinFriction():
+            yield from _pins(statement, named, scope)
+        case ast.GuideFriction():
+            yield from _guide(statement, scope)
+        case ast.RollerFriction():
+            yield from _roller(statement, scope)
+        case ast.ContactFriction():
+            yield from _face(statement, scope)
+        case _:
+            return
+
+
+# ------------------------------------------------------------------------------ pins
+
+
+def _pins(statement: ast.PinFriction, named: set[str], scope: Scope) -> Iterator[Rubbing]:
+    radius = _radius(statement, scope)
+    if radius is None:
+        return
+    if statement.point is None:
+        for point in scope.points.carried:
+            if point not in named and _is_pin(point, scope):
+                yield RubbingPin(point, _carrier(point, scope), radius, statement.span)
+        return
+    point = statement.point.text
+    if point not in scope.points.places:
+        return
+    if not _is_pin(point, scope):
+        scope.report.add(words.nothing_turns(statement.point.span, point))
+        return
+    carrier = _carrier(point, scope)
+    if statement.link:
+        link = scope.points.link(statement.link)
+        if link is None:
+            return
+        if point not in link.points:
+            scope.report.add(words.pin_of_another(statement.link.span, point, link.name))
+            return
+        carrier = link.name
+    yield RubbingPin(point, carrier, radius, statement.span)
+
+
+def _is_pin(point: str, scope: Scope) -> bool:
+    """Tell whether bodies turn on one another at a point."""
+    points = scope.points
+    carried = len(points.carried.get(point, ()))
+    fast = point in points.fixed | points.guided or any(point in s for s in points.slides)
+    return carried > 1 or (carried == 1 and fast)
+
+
+def _carrier(point: str, scope: Scope) -> str:
+    """Return the link that a pin is fast in: none at a pivot or slider, else the first one."""
+    points = scope.points
+    if point in points.fixed | points.guided or any(point in s for s in points.slides):
+        return ""
+    return points.carried[point][0].name
+
+
+def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
+    f = _coefficient(statement.coefficient, scope)
+    diameter = _length(statement.diameter, "the diameter of a pin", scope)
+    if f is None or diameter is None:
+        return None
+    if statement.law == "coulomb":
+        f = Call("sin", (Call("atan", (f,)),))
+    return product([(HALF, 1), (f, 1), (diameter, 1)])
+
+
+# ------------------------------------------------------------ guides, rollers, faces
+
+
+def _guide(statement: ast.GuideFriction, scope: Scope) -> Iterator[Rubbing]:
+    f = _coefficient(statement.coefficient, scope)
+    if not _is_guided(statement.point, scope) or f is None:
+        return
+    tilt: Formula | None = number(1)
+    if statement.length and statement.overhang:
+        tilt = _tilt(statement, (statement.overhang, statement.length), scope)
+    if tilt is not None:
+        factor = product([(f, 1), (tilt, 1)])
+        yield RubbingGuide(statement.point.text, factor, statement.span)
+
+
+def _tilt(
+    statement: ast.GuideFriction, lengths: tuple[ast.Expr, ast.Expr], scope: Scope
+) -> Formula | None:
+    """Return by what a plunger that tilts in its guide presses harder than its side force.
+
+    With x the overhang over the length of the guide, taken from its middle: ``couple`` is
+    the couple part of a linear pressure, 3x; ``linear`` all of it, 3x + 1/(12x) once the
+    pressure reaches both sides (x > 1/6); ``edges`` contact at both ends, 2x once x > 1/2.
+    """
+    overhang = _length(lengths[0], "the overhang of a plunger", scope)
+    length = _length(lengths[1], "the length of a guide", scope)
+    if length is None or overhang is None:
+        return None
+    x = product([(overhang, 1), (length, -1)])
+    share = _value(x, scope)
+    match statement.law:
+        case "linear":
+            wide = x if share and share > 1 / 6 else Call("max", (x, number(Fraction(1, 6))))
+            couple = product([(number(3), 1), (wide, 1)])
+            return total([couple, product([(number(12), -1), (wide, -1)])])
+        case "edges":
+            twice = product([(number(2), 1), (x, 1)])
+            return twice if share and share > 1 / 2 else Call("max", (twice, number(1)))
+        case _:
+            if share is not None and share < 1 / 3:
+                scope.report.add(words.less_than_plain(statement.span, share))
+            return product([(number(3), 1), (x, 1)])
+
+
+def _roller(statement: ast.RollerFriction, scope: Scope) -> Iterator[Rubbing]:
+    f = _coefficient(statement.coefficient, scope)
+    axle = _length(statement.axle, "the diameter of an axle", scope)
+    wheel = _length(statement.wheel, "the diameter of a roller", scope)
+    if not _is_guided(statement.point, scope) or f is None or axle is None or wheel is None:
+        return
+    factor = product([(f, 1), (axle, 1), (wheel, -1)])
+    yield RubbingGuide(statement.point.text, factor, statement.span)
+
+
+def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[Rubbing]:
+    f = _coefficient(statement.coefficient, scope)
+    if not scope.points.acting(statement.point) or f is None:
+        return
+    point = statement.point
+    if point.text in scope.points.touching:
+        yield RubbingFace(point.text, f, statement.span)
+    else:
+        scope.report.add(words.nothing_touches(point.span, point.text))
+
+
+def _is_guided(point: ast.Name, scope: Scope) -> bool:
+    if not scope.points.acting(point):
+        return False
+    if point.text in scope.points.guided or any(point.text in s for s in scope.points.slides):
+        return True
+    scope.report.add(words.not_guided(point.span, point.text))
+    return False
+
+
+# -------------------------------------------------------------------------- numbers
+
+
+def _coefficient(expression: ast.Expr, scope: Scope) -> Formula | None:
+    formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, "a coefficient of friction")
+    return _checked(formula, expression.span, "a coefficient of friction", lambda v: v >= 0, scope)
+
+
+def _length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:
+    formula = Reader(scope, DESCRIPTION).wanted(expression, LENGTH, what)
+    return _checked(formula, expression.span, what, lambda v: v > 0, scope)
+
+
+def _efficiency(file: ast.File, scope: Scope) -> Formula | None:
+    statement = only(file, ast.Efficiency)
+    if statement is None:
+        return None
+    what, value = "an efficiency", statement.value
+    formula = Reader(scope, DESCRIPTION).wanted(value, NUMBER, what)
+    return _checked(formula, value.span, what, lambda v: 0 < v <= 1, scope)
+
+
+def _checked(
+    formula: Formula | None, span: Span, what: str, fits: Callable[[float], bool], scope: Scope
+) -> Formula | None:
+    """Return a quantity whose default value makes sense; report one that makes none."""
+    value = None if formula is None else _value(formula, scope)
+    if value is not None and not fits(value):
+        scope.report.add(words.senseless(span, what, value))
+        return None
+    return formula
+
+
+def _value(formula: Formula, scope: Scope) -> float | None:
+    if not symbols(formula) <= scope.values.keys():
+        return None
+    return evaluate(formula, scope.values)

@@ -1,0 +1,59 @@
+"""What rubs: friction at pins, guides and contacts, as coefficients and lengths in SI."""
+
+from ..formula.tree import Formula
+from ..frozen import frozen
+from ..source import Span
+from .targets import Sense
+
+
+@frozen
+class RubbingPin:
+    """A pin whose friction gives the couple ``radius · |R|`` against the relative rotation.
+
+    ``radius`` is that of the friction circle: f·d/2 where f is the journal coefficient,
+    (d/2)·sin(atan f) by Coulomb's law. ``carrier`` is the link that the pin is fast in:
+    empty for the ground (a pivot) and for the slider of a guided point.
+    """
+
+    point: str
+    carrier: str
+    radius: Formula
+    span: Span
+
+
+@frozen
+class RubbingGuide:
+    """A guide, or a roller on it, that resists with ``factor · |N|`` along itself."""
+
+    point: str
+    factor: Formula
+    span: Span
+
+
+@frozen
+class RubbingFace:
+    """A slot or a contact that resists with ``factor · |N|`` along the face."""
+
+    point: str
+    factor: Formula
+    span: Span
+
+
+Rubbing = RubbingPin | RubbingGuide | RubbingFace
+
+
+@frozen
+class Friction:
+    """All that rubs in a mechanism, and which way it moves.
+
+    ``tightening``: the driving load moves along its arrow. ``efficiency`` overrides the rest.
+    """
+
+    rubbing: tuple[Rubbing, ...] = ()
+    sense: Sense = "tightening"
+    efficiency: Formula | None = None
+
+    @property
+    def is_ideal(self) -> bool:
+        """Return whether there is no friction at all."""
+        return not self.rubbing and self.efficiency is None

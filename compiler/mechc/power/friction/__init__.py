@@ -1,0 +1,1 @@
+"""Friction inside the balance of power: what rubs, what presses, and k with it."""

@@ -1,0 +1,92 @@
+"""How hard each pair of surfaces is pressed: by the loads, and by friction elsewhere.
+
+Friction is a load like others, a couple between two links or a force along a guide, so
+every pressing force is a linear form in the given loads and in all frictions. Only that a
+friction is its factor times the size of a pressing force is not linear.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from ...algebra.product import Product
+from ...algebra.sums import add, canonical
+from ...frozen import frozen
+from ...kinematics.plan import Plan
+from ...model.mechanism import Torque
+from ..balance import Term
+from ..equations import Equations
+from ..reactions import Push, Reactions
+from .rubs import Rub, number_of
+
+Given = Mapping[str, Product]
+"""The size of each given load."""
+
+
+@frozen
+class Pressed:
+    """A pair of surfaces in a mechanism under given loads, friction not yet known.
+
+    Its pressing force has perpendicular ``components``, each ``ideal + Σ by[other] · f``
+    with f the frictions as they act on the slips. ``slip`` is per unit speed of the
+    driving load, times how often the mechanism has the pair and over how often it has
+    the load, so that ``friction · |slip|`` is what it adds to the driving load. ``plans``
+    are those by which the components were found.
+    """
+
+    rub: Rub
+    slip: Product
+    components: tuple["Component", ...]
+    plans: tuple[Plan, ...]
+
+
+@frozen
+class Component:
+    """One component of a pressing force."""
+
+    ideal: Product
+    by: Mapping[str, Product]
+
+
+class Undetermined(Exception):
+    """Equilibrium leaves open how hard a pair of surfaces is pressed."""
+
+    def __init__(self, rub: Rub) -> None:
+        self.rub = rub
+
+
+def press(
+    plan: Plan, equations: Equations, driving: str, rubs: Sequence[Rub], given: Given
+) -> tuple[Pressed, ...]:
+    """Return how every pair is pressed and slips where one load drives.
+
+    Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open.
+    """
+    pose = plan.graph.pose
+    names = {_load(rub): rub.name for rub in rubs}
+    reactions = Reactions(pose, (driving,), lambda loose: [_term(rub, loose) for rub in rubs])
+    (power,) = equations.columns[driving]
+    pressed = []
+    for rub in rubs:
+        transmitted = reactions.of(rub.bond)
+        if transmitted is None:
+            raise Undetermined(rub)
+        (speed,) = (canonical(part / power) for part in _term(rub, plan).power)
+        components = (_component(push, names, given) for push in transmitted.pushes)
+        pressed.append(Pressed(rub, speed, tuple(components), transmitted.plans))
+    return tuple(pressed)
+
+
+def _load(rub: Rub) -> str:
+    """Return the name of a friction as a load; no description can have it."""
+    return f"friction of {rub.name} {rub.bond.kind}"
+
+
+def _term(rub: Rub, plan: Plan) -> Term:
+    mechanism = plan.graph.pose.mechanism
+    load = Torque(_load(rub), "", mechanism.span)
+    return Term(load, Product(number_of(rub, mechanism)), rub.speeds(plan), None)
+
+
+def _component(push: Push, names: Mapping[str, str], given: Given) -> Component:
+    ideal = add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
+    by = {name: push.amounts[load] for load, name in names.items() if push.amounts.get(load)}
+    return Component(ideal, by)

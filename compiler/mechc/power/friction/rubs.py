@@ -1,0 +1,104 @@
+"""What rubs: for each pair of surfaces what presses them, and how fast they slip.
+
+A pin of several links rubs in each of them but the one that carries it.
+"""
+
+from collections.abc import Callable, Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from ...algebra.from_formula import to_product
+from ...algebra.product import Product
+from ...kinematics.forms import QUARTER, leaving, projection, spin, subtract
+from ...kinematics.graph import Form, Graph
+from ...kinematics.plan import Plan, Speeds
+from ...kinematics.release import Bond
+from ...model.mechanism import Mechanism, RubbingFace, RubbingGuide, RubbingPin
+from ...pose.pose import Pose, Touch
+from ..joint_forces import holding
+from ..loads import repeated
+
+
+class Rub(NamedTuple):
+    """A pair of surfaces: ``factor · |force of the bond|`` resists its ``slip``.
+
+    The factor is the radius of a friction circle in metres, against a relative rotation,
+    or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``.
+    """
+
+    name: str
+    bond: Bond
+    factor: Product
+    slip: Callable[[Graph], Form]
+
+    def speeds(self, plan: Plan) -> Speeds:
+        """Return the slip per unit of each drive."""
+        return plan.value(self.slip(plan.graph))
+
+
+def rubs(pose: Pose) -> tuple[Rub, ...]:
+    """Return all pairs of surfaces that rub, in the order of the text.
+
+    Side forces on a guide that halves or branches share cancel: nothing rubs there.
+    """
+    return tuple(rub for rubbing in pose.mechanism.friction.rubbing for rub in _of(rubbing, pose))
+
+
+def _of(rubbing: RubbingPin | RubbingGuide | RubbingFace, pose: Pose) -> Iterator[Rub]:
+    match rubbing:
+        case RubbingPin():
+            yield from _pin(rubbing, pose)
+        case RubbingGuide(point, factor):
+            bond = holding(point, pose)
+            guide = pose.guide_of(point)
+            if guide is not None and not _is_shared(bond, pose):
+                along = guide
+                yield Rub(
+                    point,
+                    bond,
+                    to_product(factor),
+                    lambda graph: projection(graph.velocities[point], along),
+                )
+        case RubbingFace(point, factor):
+            touch = next(t for t in pose.touches if t.point == point)
+            yield Rub(point, Bond("touch", point), to_product(factor), _sliding(touch))
+
+
+def _pin(pin: RubbingPin, pose: Pose) -> Iterator[Rub]:
+    links = [k for k in pose.mechanism.links if pin.point in k.points and k.name != pin.carrier]
+    for link in links:
+        name = pin.point if len(links) == 1 else f"{pin.point}{link.name}"
+        slip = _turning(link.name, pin.carrier)
+        bond = Bond("pin", pin.point, link.name)
+        yield Rub(name, bond, to_product(pin.radius), slip)
+
+
+def _turning(link: str, carrier: str) -> Callable[[Graph], Form]:
+    """Return the rotation of a link relative to what carries its pin."""
+
+    def slip(graph: Graph) -> Form:
+        own = spin(graph, link)
+        return subtract(own, spin(graph, carrier)) if carrier else own
+
+    return slip
+
+
+def _sliding(touch: Touch) -> Callable[[Graph], Form]:
+    def slip(graph: Graph) -> Form:
+        there = next((t for t in graph.pose.touches if t.point == touch.point), touch)
+        return leaving(graph, there, touch.normal + QUARTER)
+
+    return slip
+
+
+def _is_shared(bond: Bond, pose: Pose) -> bool:
+    points = set(pose.frames[bond.of] if bond.of else (bond.point,))
+    groups = (pose.mechanism.mirror, pose.mechanism.copies)
+    return any(group is not None and points <= set(group.sharing) for group in groups)
+
+
+def number_of(rub: Rub, mechanism: Mechanism) -> Fraction:
+    """Return how often the mechanism has a pair: once in each half or branch."""
+    slide = next((s.points for s in mechanism.slides if s.name == rub.bond.of), ())
+    link = next((k.points for k in mechanism.links if k.name == rub.bond.of), ())
+    return repeated(mechanism, slide or link or (rub.bond.point,))

@@ -1,0 +1,217 @@
+"""Friction in equilibrium: free bodies with friction as a load, sizes found by repetition.
+
+On each pair of surfaces friction is its factor times the force that equilibrium gives
+there, against the slip. What the pressing forces are depends on friction again, so the two
+are repeated until neither changes. Slips have their signs from statics too (see
+:mod:`.speeds`): by the motion in which the driving load does work.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple, assert_never
+
+from ..formula.walk import evaluate
+from ..frozen import frozen
+from ..model.mechanism import (
+    LoadRatio,
+    Rubbing,
+    RubbingFace,
+    RubbingGuide,
+    RubbingPin,
+    WithFriction,
+)
+from .answers import INCONSISTENT, Answer, Row, gather, ties, with_loads
+from .free_bodies import System, equilibrium
+from .solve import Factors, factor
+from .speeds import felt
+from .unfold import Action, Unfolding, direction
+
+ROUNDS = 10_000
+"""Repetitions at most: each gains a constant factor, however slowly."""
+
+STILL = 1e-16
+"""A relative change below this is rounding."""
+
+LOCKED = "friction leaves no balance at that pose"
+
+
+@frozen
+class Pair:
+    """Two surfaces: a unit of friction between them as a load, by what they are pressed.
+
+    They are pressed by the forces of body ``by`` on pin ``on``, or on its own body.
+    """
+
+    name: str
+    actions: tuple[Action, ...]
+    by: str
+    on: str
+    factor: float
+
+
+class Response(NamedTuple):
+    """The unknowns under a load, the driving load last, and how far to trust that one."""
+
+    found: list[float]
+    influence: float
+
+
+class Question(NamedTuple):
+    """Equations with the driving load as their last unknown."""
+
+    system: System
+    columns: Mapping[str, Mapping[int, float]]
+    factors: Factors
+    drive: int
+
+
+def driven(unfolding: Unfolding, target: WithFriction, given: Mapping[str, float]) -> Answer:
+    """Return the driving load with friction where the other loads have given sizes."""
+    tied = ties(unfolding.pose.mechanism, unfolding.values)
+    name = target.of.above if isinstance(target.of, LoadRatio) else target.of.load
+    pairs = tuple(_pairs(unfolding))
+    question = _question(unfolding, pairs, tied[name].base)
+    if not question.factors.determined(question.drive):
+        return Answer(math.nan, math.inf, f"equilibrium leaves {name} open")
+    right: dict[int, float] = {}
+    for load, size in given.items():
+        for i, amount in question.columns[tied[load].base].items():
+            right[i] = right.get(i, 0.0) - amount * size / tied[load].factor
+    ideal = _response(question, right)
+    if question.factors.gap(ideal.found, right) > INCONSISTENT:
+        return Answer(math.nan, math.inf, "no forces at the joints balance the loads")
+    sense = 1.0 if target.sense == "tightening" else -1.0
+    reference = unfolding.assembly().loads[name]
+    responses = [_resisting(question, unfolding, p, reference, sense) for p in pairs]
+    answer = _repeated(question, pairs, ideal, responses)
+    factor_ = tied[name].factor
+    return answer._replace(value=answer.value * factor_, influence=answer.influence * abs(factor_))
+
+
+def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Question:
+    system = equilibrium(unfolding.assembly(*((p.name, p.actions) for p in pairs)))
+    tied = ties(unfolding.pose.mechanism, unfolding.values)
+    columns = {**gather(system, tied), **{p.name: dict(system.loads[p.name]) for p in pairs}}
+    rows, _ = with_loads(system, {drive: columns[drive]})
+    last = len(system.unknowns)
+    return Question(system, columns, factor(rows, last + 1, last), last)
+
+
+def _response(question: Question, right: Row) -> Response:
+    found = question.factors.solve(right)
+    sizes = question.factors.weights(found, right)
+    shares = zip(question.factors.adjoint(question.drive), sizes, strict=True)
+    return Response(found, sum(abs(share) * size for share, size in shares))
+
+
+def _resisting(
+    question: Question,
+    unfolding: Unfolding,
+    pair: Pair,
+    reference: tuple[Action, ...],
+    sense: float,
+) -> Response:
+    """Return the response to a friction of 1 against the slip of a pair."""
+    slip = felt(unfolding, pair.actions, reference).value
+    against = -sense * (math.copysign(1.0, slip) if abs(slip) > 1e-13 else 0.0)
+    return _response(question, {i: -v * against for i, v in question.columns[pair.name].items()})
+
+
+def _repeated(
+    question: Question, pairs: Sequence[Pair], ideal: Response, responses: Sequence[Response]
+) -> Answer:
+    """Let frictions follow from pressing forces and these from frictions until both stay."""
+    places = [_pressing(question.system, pair) for pair in pairs]
+    frictions = [0.0] * len(pairs)
+    for _ in range(ROUNDS):
+        before = frictions
+        frictions = [
+            pair.factor * _size(columns, ideal, responses, before)
+            for pair, columns in zip(pairs, places, strict=True)
+        ]
+        if not all(map(math.isfinite, frictions)):
+            break
+        change = max((abs(a - b) for a, b in zip(frictions, before, strict=True)), default=0.0)
+        if change <= STILL * max(frictions, default=0.0):
+            break
+    else:
+        return Answer(math.nan, math.inf, LOCKED)
+    if not all(map(math.isfinite, frictions)):
+        return Answer(math.nan, math.inf, LOCKED)
+    each = list(zip(frictions, responses, strict=True))
+    value = ideal.found[question.drive] + sum(f * r.found[question.drive] for f, r in each)
+    return Answer(value, ideal.influence + sum(f * r.influence for f, r in each))
+
+
+def _size(
+    columns: Sequence[int],
+    ideal: Response,
+    responses: Sequence[Response],
+    frictions: Sequence[float],
+) -> float:
+    """Return the size of a force of perpendicular components."""
+    return math.hypot(
+        *(
+            ideal.found[c] + sum(f * r.found[c] for f, r in zip(frictions, responses, strict=True))
+            for c in columns
+        )
+    )
+
+
+def _pressing(system: System, pair: Pair) -> tuple[int, ...]:
+    return tuple(
+        i
+        for i, u in enumerate(system.unknowns)
+        if (u.by, u.on) == (pair.by, pair.on) and u.component != "couple"
+    )
+
+
+# ------------------------------------------------------------------------------ pairs
+
+
+def _pairs(unfolding: Unfolding) -> Iterator[Pair]:
+    for rubbing in unfolding.pose.mechanism.friction.rubbing:
+        yield from _of(rubbing, unfolding)
+
+
+def _of(rubbing: Rubbing, unfolding: Unfolding) -> Iterator[Pair]:
+    match rubbing:
+        case RubbingPin(point, carrier, radius):
+            size = evaluate(radius, unfolding.values)
+            for link in unfolding.pose.mechanism.links:
+                if point in link.points and link.name != carrier:
+                    couples = unfolding.couple(link.name, 1.0)
+                    back = unfolding.couple(carrier, -1.0) if carrier else ()
+                    yield Pair(
+                        f"pin {point} {link.name}", (*couples, *back), link.name, point, size
+                    )
+        case RubbingGuide(point, factor_):
+            yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
+        case RubbingFace(point, factor_):
+            yield _face(point, evaluate(factor_, unfolding.values), unfolding)
+        case _:
+            assert_never(rubbing)
+
+
+def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
+    """Yield a guide, but not one that copies share: their side forces cancel around the axis.
+
+    On one that mirrored halves share they cancel by themselves, as both are there.
+    """
+    copies = unfolding.pose.mechanism.copies
+    if copies and point in copies.sharing:
+        return
+    slides = unfolding.pose.mechanism.slides
+    slide = next((s.name for s in slides if point in s.points), "")
+    push = unfolding.push(point, unfolding.direction_of_guide(point))
+    if slide:
+        yield Pair(f"guide {point}", push, "guide", slide, size)
+    else:
+        yield Pair(f"guide {point}", push, "guide", point, size)
+
+
+def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
+    """Push the pin along the face, and the body under it back at the same place."""
+    touch = next(t for t in unfolding.pose.touches if t.point == point)
+    along = direction(touch.normal.evaluate(unfolding.values)).turned()
+    return Pair(f"face {point}", unfolding.apart(touch, along), touch.body, point, size)
