@@ -18,8 +18,12 @@ LIMIT = 4000
 """A remainder with more terms than this is not worth what could cancel."""
 
 
+HIGHEST = 4096
+"""The degree beyond which no divisor is sought: of angles such as 1 and 1.0000001 rad."""
+
+
 class TooLongError(Exception):
-    """Raised where a remainder grows beyond :data:`LIMIT`."""
+    """Raised for a degree beyond :data:`HIGHEST`, and where a remainder outgrows a limit."""
 
 
 def common(f: Poly, g: Poly) -> Poly:
@@ -30,6 +34,8 @@ def common(f: Poly, g: Poly) -> Poly:
     True
     """
     f, g = stripped(f), stripped(g)
+    if any(degree > HIGHEST for degree in (*degrees(f), *degrees(g))):
+        raise TooLongError
     reach = _reach(f, g)
     if not any(reach):
         return {(0,) * len(reach): 1}

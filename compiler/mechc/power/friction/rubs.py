@@ -23,7 +23,8 @@ class Rub(NamedTuple):
     """A pair of surfaces: ``factor · |force of the bond|`` resists its ``slip``.
 
     The factor is the radius of a friction circle in metres, against a relative rotation,
-    or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``.
+    or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``,
+    ``A_guide``.
     """
 
     name: str
@@ -54,14 +55,14 @@ def _of(rubbing: RubbingPin | RubbingGuide | RubbingFace, pose: Pose) -> Iterato
             if guide is not None and not _is_shared(bond, pose):
                 along = guide
                 yield Rub(
-                    point,
+                    f"{point}_guide",
                     bond,
                     to_product(factor),
                     lambda graph: projection(graph.velocities[point], along),
                 )
         case RubbingFace(point, factor):
             touch = next(t for t in pose.touches if t.point == point)
-            yield Rub(point, Bond("touch", point), to_product(factor), _sliding(touch))
+            yield Rub(f"{point}_face", Bond("touch", point), to_product(factor), _sliding(touch))
 
 
 def _pin(pin: RubbingPin, pose: Pose) -> Iterator[Rub]:
