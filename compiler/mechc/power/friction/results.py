@@ -4,6 +4,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ...algebra.product import ONE, Product
+from ...algebra.sums import canonical
 from ...diagnostics import Report
 from ...diagnostics import friction as words
 from ...formula.tree import Symbol, product, quotient
@@ -14,9 +15,12 @@ from ...model.result import Definition, Result
 from ...units import NUMBER
 from ..definitions import bound_sums, intermediates
 from ..equations import Equations
+from .bodies import Entangled, Task
+from .chain import Chain
 from .exact import Named, exact, first_order
 from .pressing import Pressed, Undetermined, press
 from .rubs import Rub, rubs
+from .signs import AtAnyPose
 
 SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
 """The sign with which friction adds to the driving load."""
@@ -72,7 +76,24 @@ class FrictionResults:
             return None
         if order == "first":
             return first_order(case.ideal.formula, pressed, sign)
-        return exact(case.ideal.formula, pressed, sign, self._taken())
+        return self._closed(case, pressed, sign) or exact(
+            case.ideal.formula, pressed, sign, self._taken()
+        )
+
+    def _closed(self, case: Case, pressed: Sequence[Pressed], sense: int) -> Named | None:
+        """Return the closed form; None where the bodies do not follow one from another."""
+        loads = self._mechanism.loads
+        owners = {load.name: self._equations.owner(load.name) for load in loads}
+        task = Task(self._plan.graph.pose, case.driving, case.given, owners, pressed)
+        for cranks in (False, True):
+            signs = AtAnyPose()
+            try:
+                load = Chain(task, cranks, signs, sense).solve()
+            except Entangled:
+                continue
+            formula = canonical(load * case.factor).formula()
+            return Named(formula, tuple(signs.definitions))
+        return None
 
     def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
         if case.ideal.name not in self._pressed:

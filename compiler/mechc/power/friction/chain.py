@@ -1,0 +1,157 @@
+"""Friction in closed form, along a chain from the loads to the drive.
+
+Free bodies are solved one after another, each with one force left unknown:
+
+- a *rod* pushes along a line turned by arcsin((±ρ₁ ± ρ₂)/L), the common tangent of the
+  friction circles at its ends;
+- a *lever* balances moments about its pivot, whose friction makes that a quadratic;
+- a *slider* balances along its guide, with the guide's factor times the force across;
+- a *pin* between two rods balances both ways. Its friction is exact there only if both
+  rods carry the same force, as in a symmetric knee.
+
+Where a body has more unknowns the chain ends (:class:`Entangled`): its equations hang
+together, and :mod:`.exact` solves them.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import NamedTuple, assert_never
+
+from ...algebra.angle import Angle
+from ...algebra.product import ONE, ZERO, Product
+from ...algebra.sums import add, canonical
+from ...model.mechanism import Link
+from .bodies import HALF_TURN, Bodies, Entangled, Pull, Surface, Task
+from .lever import on_lever
+from .signs import Signs
+
+
+class Condition(NamedTuple):
+    """A force that keeps its ideal sign in the formula: ``sign · force > 0``."""
+
+    sign: Product
+    force: Product
+
+
+class Chain:
+    """Solves body after body; ``sizes`` are the forces known so far, in units of the load."""
+
+    def __init__(self, task: Task, cranks: bool, signs: Signs, sense: int) -> None:
+        self._bodies = Bodies(task, cranks)
+        self._driving, self._signs, self._sense = task.driving, signs, sense
+        self.sizes: dict[str, Product] = dict(task.given)
+        self.conditions: list[Condition] = []
+        self._lines: dict[str, Angle] = {}
+
+    def solve(self) -> Product:
+        """Return the driving load. Raises :class:`Entangled` where the chain ends."""
+        left = list(self._bodies.solvable())
+        while self._driving not in self.sizes:
+            body = next(filter(self._solves, left), None)
+            if body is None:
+                raise Entangled
+            left.remove(body)
+        return canonical(self.sizes[self._driving])
+
+    def _solves(self, body: str) -> bool:
+        """Solve a body if it has no more unknowns than equations."""
+        kind = self._bodies.kind(body)
+        pulls = list(self._pulls(body))
+        unknown = [p for p in pulls if p.name not in self.sizes]
+        if len(unknown) != (2 if kind == "pin" else 1):
+            return False
+        known = [p.scaled(self.sizes[p.name]) for p in pulls if p.name in self.sizes]
+        match kind:
+            case "lever":
+                self._lever(body, unknown[0], known)
+            case "slider":
+                self._slider(body, unknown[0], known)
+            case "pin":
+                self._pin(body, unknown, known)
+            case _:
+                assert_never(kind)
+        return True
+
+    # ---------------------------------------------------------------------------- rods
+
+    def _pulls(self, body: str) -> Iterator[Pull]:
+        """Yield the forces on a body, those of rods under a compression of 1."""
+        yield from self._bodies.loads_on(body)
+        for rod, point in self._bodies.rods_at(body):
+            yield self._push(rod, point)
+
+    def _push(self, rod: Link, point: str) -> Pull:
+        """Return what a rod under a compression of 1 does to what it meets at a point."""
+        line, surface = self._line(rod), self._bodies.surface(point, rod)
+        couple = self._pressed(rod) * self._resistance(surface) if surface else ZERO
+        ahead = line if point == rod.points[1] else line + HALF_TURN
+        return Pull(f"S_{rod.name}", point, ahead, ONE, couple)
+
+    def _line(self, rod: Link) -> Angle:
+        """Return the line of a rod's force: the tangent of the friction circles at its ends."""
+        if rod.name not in self._lines:
+            direction, length = self._bodies.vector(rod)
+            surfaces = self._surfaces(rod)
+            offset = add(map(self._resistance, surfaces))
+            turn = -(self._pressed(rod) * offset) / length if offset else ZERO
+            self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, turn)
+        return self._lines[rod.name]
+
+    def _surfaces(self, rod: Link) -> list[Surface]:
+        return [s for p in rod.points if (s := self._bodies.surface(p, rod))]
+
+    def _pressed(self, rod: Link) -> Product:
+        """Return the sign of a rod's force in the ideal mechanism, 1 for compression."""
+        return self._signs.of(f"s_{rod.name}", self._bodies.compression(rod))
+
+    def _resistance(self, surface: Surface) -> Product:
+        """Return the factor of friction with the sign of the slip in the motion meant."""
+        sign = self._signs.of(f"sigma_{surface.name}", surface.slip)
+        return surface.factor * sign.scaled(self._sense * surface.turn)
+
+    # -------------------------------------------------------------------------- bodies
+
+    def _lever(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
+        surface = self._bodies.bearing(body)
+        radius = self._resistance(surface) if surface else ZERO
+        size = on_lever(unknown, known, self._bodies.arms(body), radius, self._signs)
+        self._settle(unknown, size)
+
+    def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
+        """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed."""
+        guide, surface = self._bodies.guide(body), self._bodies.sliding(body)
+        against, side = ZERO, ZERO
+        if surface:
+            side = self._signs.of(f"s_{body}", surface.pressed)
+            against = self._resistance(surface) * side
+
+        def along(pull: Pull) -> Product:
+            return add((pull.along(guide), -(against * pull.across(guide))))
+
+        size = -(add(map(along, known)) / along(unknown))
+        self._settle(unknown, size)
+        if surface:
+            pressing = add(p.across(guide) for p in (*known, unknown.scaled(size)))
+            self.conditions.append(Condition(side, pressing))
+
+    def _pin(self, body: str, unknown: Sequence[Pull], known: Sequence[Pull]) -> None:
+        for one, other in (unknown, unknown[::-1]):
+            if one.line is None or other.line is None or not one.across(other.line):
+                raise Entangled
+            parts = add(p.across(other.line) for p in known)
+            self._settle(one, -(parts / one.across(other.line)))
+        if self._bodies.is_rubbing(body) and not self._are_alike(body):
+            raise Entangled
+
+    def _are_alike(self, body: str) -> bool:
+        """Tell whether both rods at a pin carry the same force, whatever the pose."""
+        rods = [rod for rod, _ in self._bodies.rods_at(body)]
+        if len(rods) != 2:
+            return False
+        first, second = (self.sizes[f"S_{rod.name}"] for rod in rods)
+        return not add((first * first, -(second * second)))
+
+    def _settle(self, pull: Pull, size: Product) -> None:
+        self.sizes[pull.name] = canonical(size)
+        rod = self._bodies.rod(pull.name)
+        if rod and self._surfaces(rod):
+            self.conditions.append(Condition(self._pressed(rod), self.sizes[pull.name]))
