@@ -13,7 +13,7 @@ from typing import Literal, NamedTuple
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..units import Dimension
-from .mechanism import Target
+from .mechanism import Require, Target
 
 
 class Definition(NamedTuple):
@@ -35,6 +35,18 @@ class Vanishing(NamedTuple):
     kind: Literal["output still", "drive locked", "perpendicular load", "other"]
 
 
+@frozen
+class Case:
+    """A result as it is printed: for one case of the signs of slips and forces.
+
+    ``holds`` are the conditions, each ``formula > 0`` or ``formula < 0``.
+    """
+
+    formula: Formula
+    where: tuple[Definition, ...]
+    holds: tuple[Require, ...]
+
+
 Trend = Literal["rises", "falls", "constant", "turns", "unknown"]
 
 
@@ -48,7 +60,9 @@ class Result:
     which the result is proportional to it; ``swaps`` are pairs that may be exchanged;
     ``trends`` say how it moves over each parameter's range (by a proof of the sign of
     the derivative, never by sampling); ``derivatives`` are the partial ones.
-    ``loads`` are the loads (known forces) that the formula mentions.
+    ``guards`` are conditions without which the formula has no meaning. ``case`` is what is
+    printed instead of a formula that takes its signs from the pose; ``holds`` are the
+    conditions of a result that is such a case.
     """
 
     name: str
@@ -65,3 +79,6 @@ class Result:
     trends: Mapping[str, Trend] | None = None
     derivatives: Mapping[str, Formula] | None = None
     default: float | None = None
+    guards: tuple[Require, ...] = ()
+    case: Case | None = None
+    holds: tuple[Require, ...] = ()

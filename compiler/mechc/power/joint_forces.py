@@ -93,7 +93,7 @@ def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
     elif len(loads) > 1:
         formula = Call("hypot", (_form(x), _form(y)))
     else:
-        sizes = {n: _size(x.get(n, NONE), y.get(n, NONE), mechanism) for n in loads}
+        sizes = {n: size_of(x.get(n, NONE), y.get(n, NONE), mechanism) for n in loads}
         formula = total(product([(s, 1), (Call("abs", (Symbol(n),)), 1)]) for n, s in sizes.items())
     return Found(formula, None, (*x.values(), *y.values()), plans)
 
@@ -102,7 +102,7 @@ def _kept(amounts: Amounts) -> Amounts:
     return {load: amount for load, amount in amounts.items() if amount}
 
 
-def _size(x: Product, y: Product, mechanism: Mechanism) -> Formula:
+def size_of(x: Product, y: Product, mechanism: Mechanism) -> Formula:
     """Return the size of a vector in the shorter form: squares merged, or what is common outside.
 
     Squares merge where the force has one line: (N cos)² + (N sin)² = N².
@@ -112,9 +112,7 @@ def _size(x: Product, y: Product, mechanism: Mechanism) -> Formula:
         return merged
     shared = _common(x, y)
     outside = magnitude(shared, mechanism).formula()
-    apart = product(
-        [(outside, 1), (Call("hypot", ((x / shared).formula(), (y / shared).formula())), 1)]
-    )
+    apart = product([(outside, 1), (Call("hypot", tuple(_bare(p / shared) for p in (x, y))), 1)])
     return min(merged, apart, key=count_operations)
 
 
@@ -122,3 +120,8 @@ def _common(x: Product, y: Product) -> Product:
     """Return the factors that two products have in common."""
     both = {f: min(e, y.factors[f], key=abs) for f, e in x.factors.items() if f in y.factors}
     return Product(1, {f: e for f, e in both.items() if e * y.factors[f] > 0 < e * x.factors[f]})
+
+
+def _bare(side: Product) -> Formula:
+    """Return a side of a triangle without a minus, which its square does not show."""
+    return (-side if side.coefficient < 0 else side).formula()

@@ -59,6 +59,7 @@ def program(mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
 def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Function:
     used = _known(result, _free(result.name, [result.formula], scope), inputs)
     requires = [r for r in scope.mechanism.requires if _decided(r, result.name, scope, used)]
+    requires += result.guards
     sides = [side for r in requires for side in (r.left, r.right)]
     definitions = scope.definitions(result.name, [result.formula, *sides])
     formula = rename(result.formula, definitions.names)

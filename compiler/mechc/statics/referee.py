@@ -28,6 +28,7 @@ from ..model.mechanism import (
     Mechanism,
     Normal,
     Reaction,
+    Require,
     SpeedRatio,
     WithFriction,
 )
@@ -77,6 +78,7 @@ class Question(NamedTuple):
     formula: Formula
     where: tuple[Definition, ...]
     ask: Callable[[Unfolding], Answer]
+    guards: tuple[Require, ...] = ()
 
 
 class Judged(NamedTuple):
@@ -182,7 +184,7 @@ def _rubbing(result: Result, target: WithFriction) -> Question:
         given = {n: evaluate(known.get(n, ONE), unfolding.values) for n in others}
         return driven(unfolding, target, given)
 
-    return Question(result.name, result.formula, where, ask)
+    return Question(result.name, result.formula, where, ask, result.guards)
 
 
 def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
@@ -225,6 +227,8 @@ def _evaluate(question: Question, unfolding: Unfolding) -> float:
     values = dict(unfolding.values)
     for name, formula in question.where:
         values[name] = evaluate(formula, values)
+    if not all(evaluate(g.left, values) > evaluate(g.right, values) for g in question.guards):
+        return math.nan
     return evaluate(question.formula, values)
 
 

@@ -227,14 +227,17 @@ class Bodies:
 
     def arms(self, lever: str) -> dict[str, Vector]:
         """Return where the points of a lever are, seen from its pivot."""
-        points = self._levers[lever].points
-        pivot = next(p for p in points if p in self._fixed)
-        return {p: self._pose.vector(lever, pivot, p) for p in points if p != pivot}
+        pivot = self.pivot(lever)
+        points = (p for p in self._levers[lever].points if p != pivot)
+        return {p: self._pose.vector(lever, pivot, p) for p in points}
+
+    def pivot(self, lever: str) -> str:
+        """Return the point on which a lever turns."""
+        return next(p for p in self._levers[lever].points if p in self._fixed)
 
     def bearing(self, lever: str) -> Surface | None:
         """Return the friction of a lever on its pivot."""
-        pivot = next(p for p in self._levers[lever].points if p in self._fixed)
-        pressed = self._pressed.get(Bond("pin", pivot, lever))
+        pressed = self._pressed.get(Bond("pin", self.pivot(lever), lever))
         return _surface(pressed) if pressed else None
 
     def guide(self, point: str) -> Angle:

@@ -17,11 +17,12 @@ from collections.abc import Iterator, Sequence
 from typing import NamedTuple, assert_never
 
 from ...algebra.angle import Angle
+from ...algebra.factors import Opaque
 from ...algebra.product import ONE, ZERO, Product
 from ...algebra.sums import add, canonical
 from ...model.mechanism import Link
 from .bodies import HALF_TURN, Bodies, Entangled, Pull, Surface, Task
-from .lever import on_lever
+from .lever import Bearing, on_lever
 from .signs import Signs
 
 
@@ -104,16 +105,20 @@ class Chain:
         return self._signs.of(f"s_{rod.name}", self._bodies.compression(rod))
 
     def _resistance(self, surface: Surface) -> Product:
-        """Return the factor of friction with the sign of the slip in the motion meant."""
+        """Return the factor of friction with the sign of the slip."""
+        return surface.factor * self._turn(surface)
+
+    def _turn(self, surface: Surface) -> Product:
+        """Return the sign of the slip in the motion that is meant."""
         sign = self._signs.of(f"sigma_{surface.name}", surface.slip)
-        return surface.factor * sign.scaled(self._sense * surface.turn)
+        return sign.scaled(self._sense * surface.turn)
 
     # -------------------------------------------------------------------------- bodies
 
     def _lever(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
-        surface = self._bodies.bearing(body)
-        radius = self._resistance(surface) if surface else ZERO
-        size = on_lever(unknown, known, self._bodies.arms(body), radius, self._signs)
+        surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
+        bearing = Bearing(pivot, surface.factor, self._turn(surface)) if surface else None
+        size = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
         self._settle(unknown, size)
 
     def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
@@ -151,7 +156,8 @@ class Chain:
         return not add((first * first, -(second * second)))
 
     def _settle(self, pull: Pull, size: Product) -> None:
-        self.sizes[pull.name] = canonical(size)
-        rod = self._bodies.rod(pull.name)
+        rod, size = self._bodies.rod(pull.name), canonical(size)
+        has_root = any(isinstance(factor, Opaque) for factor in size.factors)
+        self.sizes[pull.name] = self._signs.named(pull.name, size) if rod and has_root else size
         if rod and self._surfaces(rod):
             self.conditions.append(Condition(self._pressed(rod), self.sizes[pull.name]))

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
 
+from ...algebra.sums import add
 from ...formula.tree import (
     Call,
     Formula,
@@ -21,25 +22,31 @@ from ...formula.tree import (
     quotient,
     total,
 )
+from ...model.mechanism import Mechanism
 from ...model.result import Definition
+from ..joint_forces import size_of
+from ..speeds import magnitude
+from .closed import Named
 from .pressing import Component, Pressed
 
 
-class Named(NamedTuple):
-    """A formula and what it rests on, each definition after those it needs."""
-
-    formula: Formula
-    where: tuple[Definition, ...]
-
-
-def first_order(ideal: Formula, pressed: Sequence[Pressed], sense: int) -> Named:
+def first_order(
+    ideal: Formula, pressed: Sequence[Pressed], sense: int, mechanism: Mechanism
+) -> Named:
     """Return the driving load with the frictions that ideal pressing forces give.
 
     The power of friction with ideal instead of true forces: the error is of second order.
     """
-    sizes = [_size([c.ideal.formula() for c in p.components]) for p in pressed]
-    parts = [_added(p, size, sense) for p, size in zip(pressed, sizes, strict=True)]
-    return Named(total([ideal, *parts]), ())
+    alone, paired = [], []
+    for p in pressed:
+        parts = [c.ideal for c in p.components if c.ideal]
+        if len(parts) == 1:
+            alone.append(p.rub.factor * magnitude(parts[0] * p.slip, mechanism))
+        elif parts:
+            size, slip = size_of(*parts, mechanism), magnitude(p.slip, mechanism).formula()
+            paired.append(product([(p.rub.factor.formula(), 1), (size, 1), (slip, 1)]))
+    added = total([add(alone).formula(), *paired])
+    return Named(total([ideal, added if sense > 0 else negative(added)]))
 
 
 def exact(ideal: Formula, pressed: Sequence[Pressed], sense: int, taken: set[str]) -> Named:

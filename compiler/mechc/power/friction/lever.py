@@ -10,43 +10,80 @@ The root taken is the one that has the sign of σ for small ρ.
 """
 
 from collections.abc import Mapping, Sequence
+from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.factors import Opaque
 from ...algebra.product import Product
 from ...algebra.sums import add
-from ...formula.tree import Call
+from ...formula.tree import (
+    Call,
+    Formula,
+    Symbol,
+    negative,
+    number,
+    power,
+    product,
+    quotient,
+    total,
+)
 from ...pose.pose import Vector
 from .bodies import Pull
 from .signs import Signs
+
+TWO = number(2)
 
 Arms = Mapping[str, Vector]
 """Where the points of a lever are, seen from its pivot."""
 
 
+class Bearing(NamedTuple):
+    """A lever's pivot: the radius of its friction circle, and the sign of friction there."""
+
+    pivot: str
+    radius: Product
+    turn: Product
+
+
 def on_lever(
-    unknown: Pull, known: Sequence[Pull], arms: Arms, radius: Product, signs: Signs
+    unknown: Pull, known: Sequence[Pull], arms: Arms, bearing: Bearing | None, signs: Signs
 ) -> Product:
-    """Return the size of the unknown pull; ``radius`` is ρ with the sign σ of the turn."""
+    """Return the size of the unknown pull on a lever that is in balance."""
     arm = moment(unknown, arms)
     rest = add(moment(p, arms) for p in known)
-    if not radius:
+    if bearing is None:
         return -(rest / arm)
     line = unknown.line or Angle()
     along = add(p.along(line) for p in known)
     across = add(p.across(line) for p in known)
     if unknown.line is None:
         load = Product.of(Opaque(Call("hypot", (along.formula(), across.formula()))))
-        return add((radius * load, -rest)) / arm
-    sense = signs.of(f"s_{unknown.name}_arm", arm)
+        return add((bearing.turn * bearing.radius * load, -rest)) / arm
+    label = unknown.name.removeprefix("S_")
+    way = -1 if arm.coefficient < 0 else 1
+    arm, rest = arm.scaled(way), rest.scaled(way)
+    turn = (signs.of(f"s_{label}_arm", arm) * bearing.turn).scaled(way)
+    return Product.of(Opaque(_root(label, (arm, rest, along, across), bearing, turn, signs)))
+
+
+def _root(
+    label: str, parts: Sequence[Product], bearing: Bearing, turn: Product, signs: Signs
+) -> Formula:
+    """Return the root of the quadratic, with what it is made of by names."""
     a, b, c, q = (
-        signs.named(f"{letter}_{unknown.name}", value)
-        for letter, value in (("a", arm), ("b", rest), ("c", along), ("q", across))
+        signs.named(f"{letter}_{label}", part).formula()
+        for letter, part in zip("abcq", parts, strict=True)
     )
-    square, gap = add((a * a, -(radius * radius))), add((a * c, -b))
-    root = Opaque(Call("sqrt", (add((gap * gap, square * q * q)).formula(),)))
-    above = add((radius * radius * c, -(a * b), sense * radius * Product.of(root)))
-    return signs.named(unknown.name, above / square)
+    radius = Symbol(signs.define(f"rho_{bearing.pivot}", bearing.radius.formula()))
+    gap = total([product([(a, 1), (c, 1)]), negative(b)])
+    square = total([power(a, TWO), negative(power(radius, TWO))])
+    inside = total([power(gap, TWO), product([(square, 1), (q, 2)])])
+    above = [
+        negative(product([(a, 1), (b, 1)])),
+        product([(radius, 2), (c, 1)]),
+        product([(turn.formula(), 1), (radius, 1), (Call("sqrt", (inside,)), 1)]),
+    ]
+    return quotient(total(above), square)
 
 
 def moment(pull: Pull, arms: Arms) -> Product:

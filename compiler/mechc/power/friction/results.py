@@ -4,23 +4,31 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ...algebra.product import ONE, Product
-from ...algebra.sums import canonical
 from ...diagnostics import Report
 from ...diagnostics import friction as words
-from ...formula.tree import Symbol, product, quotient
+from ...formula.tree import ZERO, Symbol, product, quotient
 from ...frozen import replace
 from ...kinematics.plan import Plan
-from ...model.mechanism import Efficiency, Find, LoadForm, LoadRatio, Sense, WithFriction
+from ...model.mechanism import (
+    Efficiency,
+    Find,
+    LoadForm,
+    LoadRatio,
+    Require,
+    Sense,
+    WithFriction,
+)
+from ...model.result import Case as PrintedCase
 from ...model.result import Definition, Result
 from ...units import NUMBER
 from ..definitions import bound_sums, intermediates
 from ..equations import Equations
+from ..numbers import default_values
 from .bodies import Entangled, Task
-from .chain import Chain
-from .exact import Named, exact, first_order
+from .closed import Named, Printed, closed_form, printed_form
+from .exact import exact, first_order
 from .pressing import Pressed, Undetermined, press
 from .rubs import Rub, rubs
-from .signs import AtAnyPose
 
 SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
 """The sign with which friction adds to the driving load."""
@@ -49,7 +57,7 @@ class FrictionResults:
         match find.target:
             case WithFriction(of, sense, order):
                 named = self._solve(find, self._case(of, ideal), sense, order)
-                return named and self._result(find, ideal, named)
+                return self._result(find, ideal, named) if named else None
             case Efficiency(of, sense):
                 return self._efficiency(find, ideal, of, sense)
             case _:
@@ -70,12 +78,12 @@ class FrictionResults:
     def _solve(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
         sign, efficiency = SIGNS[sense], self._mechanism.friction.efficiency
         if efficiency is not None:
-            return Named(product([(case.ideal.formula, 1), (efficiency, -sign)]), ())
+            return Named(product([(case.ideal.formula, 1), (efficiency, -sign)]))
         pressed = self._press(find, case)
         if pressed is None:
             return None
         if order == "first":
-            return first_order(case.ideal.formula, pressed, sign)
+            return first_order(case.ideal.formula, pressed, sign, self._mechanism)
         return self._closed(case, pressed, sign) or exact(
             case.ideal.formula, pressed, sign, self._taken()
         )
@@ -86,14 +94,19 @@ class FrictionResults:
         owners = {load.name: self._equations.owner(load.name) for load in loads}
         task = Task(self._plan.graph.pose, case.driving, case.given, owners, pressed)
         for cranks in (False, True):
-            signs = AtAnyPose()
             try:
-                load = Chain(task, cranks, signs, sense).solve()
+                found = closed_form(task, cranks, sense, case.factor, self._taken())
             except Entangled:
                 continue
-            formula = canonical(load * case.factor).formula()
-            return Named(formula, tuple(signs.definitions))
+            return replace(found, case=self._printed(task, cranks, sense, case.factor))
         return None
+
+    def _printed(self, task: Task, cranks: bool, sense: int, factor: Product) -> Printed | None:
+        """Return the closed form for the default pose; None where something has no value."""
+        try:
+            return printed_form(task, cranks, sense, factor, default_values(self._plan))
+        except KeyError:
+            return None
 
     def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
         if case.ideal.name not in self._pressed:
@@ -126,8 +139,22 @@ class FrictionResults:
         known = [*intermediates(self._plan, formulas), *self._sums(pressed), *ideal.where]
         where = tuple(dict.fromkeys((*known, *named.where)))
         return Result(
-            find.name, find.target, ideal.dimension, named.formula, where, ideal.coefficients
+            find.name,
+            find.target,
+            ideal.dimension,
+            named.formula,
+            where,
+            ideal.coefficients,
+            guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
+            case=self._case_of(find, ideal, named.case) if named.case else None,
         )
+
+    def _case_of(self, find: Find, ideal: Result, printed: Printed) -> PrintedCase:
+        formulas = [printed.formula, *(d.formula for d in printed.where)]
+        known = [*intermediates(self._plan, formulas), *ideal.where]
+        where = tuple(dict.fromkeys((*known, *printed.where)))
+        holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
+        return PrintedCase(printed.formula, where, tuple(holds))
 
     def _sums(self, pressed: Sequence[Pressed]) -> Iterable[Definition]:
         """Return the named sums that slips and pressing forces rest on."""
@@ -147,4 +174,8 @@ class FrictionResults:
         real = Symbol(name)
         sides = (ideal.formula, real) if sense == "tightening" else (real, ideal.formula)
         where = (*whole.where, Definition(name, named.formula))
-        return replace(whole, formula=quotient(*sides), where=where, dimension=NUMBER)
+        case = whole.case
+        if case:
+            there = (*case.where, Definition(name, case.formula))
+            case = replace(case, formula=quotient(*sides), where=there)
+        return replace(whole, formula=quotient(*sides), where=where, dimension=NUMBER, case=case)

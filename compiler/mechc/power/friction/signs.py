@@ -5,7 +5,7 @@ pulled. Code takes these signs from the ideal solution at the pose; a printed fo
 states one case, that of the default pose.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Set
 from typing import Protocol
 
 from ...algebra.angle import Angle, Rational
@@ -33,68 +33,96 @@ class Signs(Protocol):
         """Return a value, by a name where it is more than a product of few factors."""
         ...
 
+    def define(self, name: str, formula: Formula) -> str:
+        """Return what a formula is called from now on: ``name``, if that is free."""
+        ...
+
 
 class _Names:
-    """The names in order of definition."""
+    """The names in order of definition; what is the same has one name."""
 
-    def __init__(self) -> None:
+    def __init__(self, taken: Set[str]) -> None:
         self.definitions: list[Definition] = []
+        self._taken = set(taken)
+        self._known: dict[Formula, str] = {}
 
     def named(self, name: str, value: Product) -> Product:
         """Return a value, by a name where it is a sum or holds a root."""
         if all(isinstance(factor, Length | Trig) for factor in value.factors):
             return value
-        self.define(name, value.formula())
-        return Product.symbol(name)
+        return Product.symbol(self.define(name, value.formula()))
 
-    def define(self, name: str, formula: Formula) -> None:
-        """Note a definition, once."""
-        definition = Definition(name, formula)
-        if definition not in self.definitions:
-            self.definitions.append(definition)
+    def define(self, name: str, formula: Formula) -> str:
+        """Return what a formula is called from now on."""
+        if formula not in self._known:
+            while name in self._taken:
+                name += "_"
+            self._taken.add(name)
+            self._known[formula] = name
+            self.definitions.append(Definition(name, formula))
+        return self._known[formula]
+
+    def turn(self, name: str, line: Angle, sine: Product) -> Angle:
+        """Return a line turned by the arcsine of a product, or back by that of its opposite."""
+        there, back = (Call("asin", (s.formula(),)) for s in (sine, -sine))
+        if back in self._known:
+            return line - Angle.of(self._known[back])
+        return line + Angle.of(self.define(name, there))
 
 
 class AtAnyPose(_Names):
     """Signs and turns as names with formulas of their own."""
 
     def of(self, name: str, value: Product) -> Product:
-        """Return the name of the sign."""
-        if not value.factors:
-            return Product(_sign(value.coefficient))
-        self.define(name, Call("sign", (value.formula(),)))
-        return Product.symbol(name)
+        """Return the name of the sign, with a minus for that of the opposite."""
+        telling = bare(value)
+        if not telling.factors:
+            return telling
+        positive = Product(1, telling.factors)
+        known = self.define(name, Call("sign", (positive.formula(),)))
+        return Product.symbol(known).scaled(telling.coefficient)
 
     def turned(self, name: str, line: Angle, sine: Product) -> Angle:
         """Return the line turned by a named angle, which carries its sign."""
-        if not sine:
-            return line
-        self.define(name, Call("asin", (sine.formula(),)))
-        return line + Angle.of(name)
+        return self.turn(name, line, sine) if sine else line
 
 
 class AtOnePose(_Names):
     """Signs as numbers, and turns as positive angles, as they are at one pose."""
 
-    def __init__(self, values: Mapping[str, float]) -> None:
-        super().__init__()
+    def __init__(self, taken: Set[str], values: Mapping[str, float]) -> None:
+        super().__init__(taken)
         self._values = dict(values)
+        self.conditions: dict[Formula, int] = {}
 
     def of(self, name: str, value: Product) -> Product:
-        """Return 1, 0 or -1."""
-        return Product(_sign(value.evaluate(self._values)))
+        """Return 1, 0 or -1, and note what the sign was taken of."""
+        telling = bare(value)
+        if not telling.factors:
+            return telling
+        positive = Product(1, telling.factors)
+        sign = _sign(positive.evaluate(self._values))
+        self.conditions[positive.formula()] = sign
+        return Product(sign).scaled(telling.coefficient)
 
     def turned(self, name: str, line: Angle, sine: Product) -> Angle:
         """Return the line turned by a positive angle, one way or the other."""
         sign = _sign(sine.evaluate(self._values)) if sine else 0
         if not sign:
             return line
-        self.define(name, Call("asin", (sine.scaled(sign).formula(),)))
-        return line + Angle.of(name) * sign
+        return line + (self.turn(name, line, sine.scaled(sign)) - line) * sign
 
-    def define(self, name: str, formula: Formula) -> None:
-        """Note a definition, and its value."""
-        super().define(name, formula)
-        self._values[name] = evaluate(formula, self._values)
+    def define(self, name: str, formula: Formula) -> str:
+        """Return what a formula is called from now on, and note its value."""
+        known = super().define(name, formula)
+        self._values[known] = evaluate(formula, self._values)
+        return known
+
+
+def bare(value: Product) -> Product:
+    """Return a product of the same sign, with no more in it than that needs."""
+    odd = {factor: 1 for factor, exponent in value.factors.items() if exponent % 2}
+    return Product(_sign(value.coefficient), odd)
 
 
 def _sign(value: float | Rational) -> int:

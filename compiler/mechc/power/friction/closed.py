@@ -1,0 +1,83 @@
+"""The closed form of a chain: as code takes it, and as it is printed."""
+
+from collections.abc import Iterator, Mapping, Set
+from typing import Literal
+
+from ...algebra.factors import Factor, Trig
+from ...algebra.product import Product, Sum
+from ...algebra.sums import canonical
+from ...formula.operations import count_operations
+from ...formula.tree import Formula, product, total
+from ...frozen import frozen
+from ...model.result import Definition
+from .bodies import Task
+from .chain import Chain
+from .signs import AtAnyPose, AtOnePose
+
+
+@frozen
+class Printed:
+    """A formula for the signs of one pose, and the conditions under which they stay."""
+
+    formula: Formula
+    where: tuple[Definition, ...]
+    holds: tuple[tuple[Formula, Literal["<", ">", "="]], ...]
+
+
+@frozen
+class Named:
+    """A formula and what it rests on, each definition after those it needs.
+
+    What is ``positive`` must stay so, or the formula has no meaning. ``case`` is the same
+    as it is printed.
+    """
+
+    formula: Formula
+    where: tuple[Definition, ...] = ()
+    positive: tuple[Formula, ...] = ()
+    case: Printed | None = None
+
+
+def closed_form(task: Task, cranks: bool, sense: int, factor: Product, taken: Set[str]) -> Named:
+    """Return the driving load times a factor, with signs that follow from the pose.
+
+    Raises :class:`~.bodies.Entangled` where the chain ends.
+    """
+    signs = AtAnyPose(taken)
+    chain = Chain(task, cranks, signs, sense)
+    formula = readable(canonical(chain.solve() * factor))
+    positive = ((c.sign * c.force).formula() for c in chain.conditions)
+    return Named(formula, tuple(signs.definitions), tuple(positive))
+
+
+def printed_form(
+    task: Task, cranks: bool, sense: int, factor: Product, values: Mapping[str, float]
+) -> Printed:
+    """Return the driving load times a factor, for the signs at given values."""
+    signs = AtOnePose(values.keys(), values)
+    chain = Chain(task, cranks, signs, sense)
+    formula = readable(canonical(chain.solve() * factor))
+    operators: Mapping[int, Literal["<", ">", "="]] = {-1: "<", 0: "=", 1: ">"}
+    holds = tuple((value, operators[sign]) for value, sign in signs.conditions.items())
+    return Printed(formula, tuple(signs.definitions), holds)
+
+
+def readable(value: Product) -> Formula:
+    """Return a product in its shortest form: a sum may be divided by a sine or cosine first.
+
+    (sin u + c·cos u)/cos u reads better as tan u + c.
+    """
+    return min((value.formula(), *_divided(value)), key=count_operations)
+
+
+def _divided(value: Product) -> Iterator[Formula]:
+    """Yield the product with a sum divided by what stands across the line, term by term."""
+    for sum_, exponent in value.factors.items():
+        if not isinstance(sum_, Sum) or abs(exponent) != 1:
+            continue
+        others = {f: -e * exponent for f, e in value.factors.items() if e * exponent < 0}
+        trigs: dict[Factor, int] = {f: e for f, e in others.items() if isinstance(f, Trig)}
+        for below in (Product(1, trigs), Product(1, others)):
+            rest = value * Product(1, {sum_: -exponent}) * below**exponent
+            terms = total((term / below).formula() for term in sum_.terms)
+            yield product([(rest.formula(), 1), (terms, exponent)])
