@@ -87,23 +87,6 @@ def test_commands_of_the_table_work(
     assert main(shlex.split(row.replace("STAGE", "power"))) == 0
 
 
-LATER = {
-    "Friction": "friction slider K mu",
-    "`find R_O`": "find R_O",
-}
-"""What the README calls not done yet, and a line that asks for it."""
-
-
-@pytest.mark.parametrize("word", LATER)
-def test_what_is_not_done_yet_is_refused(word: str) -> None:
-    section = TEXT.split("## What it does not do yet")[1]
-    assert word in section
-    declared = "param r = 1 m\nparam mu = 0.1\nparam c = 1 N/m\npivot O2\n"
-    with pytest.raises(mechc.MechcError) as caught:
-        mechc.loads(f"{blocks('mech')[0]}{declared}{LATER[word]}\n", "later.mech")
-    assert "E249" in {d.code for d in caught.value.diagnostics}
-
-
 def rows() -> list[tuple[str, str]]:
     """Return the first example in lines and in YAML of each row of the table of the language."""
     section = TEXT.split("| lines | YAML | meaning |")[1].split("\n\n")[0]

@@ -44,7 +44,8 @@ def _parts(graph: Graph, unknowns: Sequence[int], held: Sequence[Relation]) -> I
         elif kind is Kind.SLIDE:
             yield f"slider {of}"
     for relation in held:
-        yield described(relation)
+        if relation.rule is not Rule.HELD:
+            yield described(relation)
 
 
 def described(relation: Relation) -> str:

@@ -41,6 +41,19 @@ class Bond(NamedTuple):
         return f"{self.point} of {self.of}" if self.kind == "pin" else self.point
 
 
+def held_end(mechanism: Mechanism, link: Link) -> str:
+    """Return an end of a rod that something else holds: its last one, if that is."""
+
+    def is_held(point: str) -> bool:
+        others = sum(point in k.points for k in mechanism.links) > 1
+        joints = {p.point for p in mechanism.pivots} | {s.point for s in mechanism.sliders}
+        touching = {s.point for s in mechanism.slots} | {c.point for c in mechanism.contacts}
+        slides = any(point in s.points for s in mechanism.slides)
+        return others or slides or point in joints | touching
+
+    return next((p for p in reversed(link.points) if is_held(p)), link.points[-1])
+
+
 Measure = Callable[[Graph], Form]
 """A speed that is read off a graph, as a linear form in its unknowns."""
 

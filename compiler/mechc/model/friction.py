@@ -176,8 +176,12 @@ def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[Rubbing]:
 def _is_guided(point: ast.Name, scope: Scope) -> bool:
     if not scope.points.acting(point):
         return False
-    if point.text in scope.points.guided or any(point.text in s for s in scope.points.slides):
+    if any(point.text in slide for slide in scope.points.slides):
         return True
+    if point.text in scope.points.guided:
+        if point.text not in scope.points.carried:
+            scope.report.add(words.nothing_presses(point.span, point.text))
+        return point.text in scope.points.carried
     scope.report.add(words.not_guided(point.span, point.text))
     return False
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from functools import cached_property
-from typing import assert_never
+from typing import TYPE_CHECKING, assert_never
 
 from ..algebra.product import Product
 from ..algebra.sums import canonical
@@ -31,12 +31,13 @@ from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
 from .definitions import intermediates, let_results, resting_on
 from .equations import Equations
-from .friction.results import FrictionResults
-from .joint_forces import find_force
 from .loads import terms
 from .numbers import check_numbers
-from .reactions import Reactions
 from .speeds import magnitude, speed
+
+if TYPE_CHECKING:
+    from .friction.results import FrictionResults
+    from .reactions import Reactions
 
 
 def balance(plan: Plan, report: Report) -> Balance:
@@ -180,12 +181,16 @@ class _Asked:
         return Solved(result) if result else None
 
     @cached_property
-    def _friction(self) -> FrictionResults:
+    def _friction(self) -> "FrictionResults":
+        from .friction.results import FrictionResults
+
         return FrictionResults(self._plan, self._equations, self._report)
 
     # ------------------------------------------------------------------------- forces
 
     def _force(self, find: Find, target: Reaction | Axial | Normal) -> Solved | None:
+        from .joint_forces import find_force
+
         found = find_force(target, self._plan.graph.pose, self._reactions)
         if found is None:
             self._report.add(words.reaction_undetermined(find.span, find.name))
@@ -209,7 +214,9 @@ class _Asked:
         return Solved(result, None)
 
     @cached_property
-    def _reactions(self) -> Reactions:
+    def _reactions(self) -> "Reactions":
+        from .reactions import Reactions
+
         return Reactions(self._plan.graph.pose, self._driving())
 
     def _driving(self) -> tuple[str, ...]:

@@ -11,7 +11,7 @@ from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
-from ..kinematics.release import Bond
+from ..kinematics.release import Bond, held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
 from ..pose.pose import Pose
 from .reactions import Reactions, Transmitted
@@ -49,8 +49,9 @@ def bond_of(target: Reaction | Axial | Normal, pose: Pose) -> Bond:
     match target:
         case Reaction(point, link):
             return Bond("pin", point, link) if link else Bond("ground", point)
-        case Axial(link, _, head):
-            return Bond("pin", head, link)
+        case Axial(link):
+            rod = next(k for k in pose.mechanism.links if k.name == link)
+            return Bond("pin", held_end(pose.mechanism, rod), link)
         case Normal(point):
             return holding(point, pose)
 
@@ -69,7 +70,8 @@ def _line(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
         case Reaction(part=part):
             return QUARTER if part == "y" else Angle()
         case Axial(link, tail, head):
-            return pose.vector(link, tail, head)[0].angle
+            end = bond_of(target, pose).point
+            return pose.vector(link, *((tail, head) if end == head else (head, tail)))[0].angle
         case Normal(point):
             touch = next((t for t in pose.touches if t.point == point), None)
             guide = pose.guide_of(point) or Angle()

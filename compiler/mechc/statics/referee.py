@@ -38,8 +38,6 @@ from ..source import Span
 from .answers import Answer, load_coefficient, load_ratio
 from .closure import worst_gap
 from .contacts import pulling
-from .friction import driven
-from .joint_forces import joint_force
 from .poses import Replay, Values, candidates
 from .speeds import speed_ratio
 from .unfold import Unfolding
@@ -137,10 +135,10 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
                 pass  # it follows from the components, which are judged
             case Reaction() | Axial() | Normal():
                 yield from _forces(result, target, mechanism)
-            case WithFriction(order="exact"):
+            case WithFriction(order="exact") if mechanism.friction.efficiency is None:
                 yield _rubbing(result, target)
             case WithFriction() | Efficiency():
-                pass  # an approximation, and a quotient of what is judged
+                pass  # an approximation, and quotients of what is judged
             case SpeedRatio():
                 yield Question(name, formula, where, partial(speed_ratio, target=target))
             case None:
@@ -165,6 +163,8 @@ def _forces(
     The size of a force is judged where one load makes it; under several it follows from
     the components.
     """
+    from .joint_forces import joint_force
+
     coefficients = result.coefficients or _single(result, mechanism)
     for load, formula in coefficients.items():
         ask = partial(joint_force, target=target, given=load, known=coefficients.keys())
@@ -173,6 +173,8 @@ def _forces(
 
 def _rubbing(result: Result, target: WithFriction) -> Question:
     """Ask for a driving load with friction where every other load is 1 or what is known."""
+    from .friction import driven
+
     if isinstance(target.of, LoadRatio):
         others: tuple[str, ...] = (target.of.below,)
     else:

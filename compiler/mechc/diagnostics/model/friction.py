@@ -76,6 +76,16 @@ def friction_again(span: Span, point: str, first: Span) -> Words:
     return Words(span, message, "remove one of the two lines", related)
 
 
+@coded("E276")
+def nothing_presses(span: Span, point: str) -> Words:
+    """Friction is given at a slider that holds no link: nothing presses it on its guide.
+
+    slider B along x
+    friction slider B 0.1     # wrong unless a link goes through B
+    """
+    return Words(span, f"no link goes through {point}, so nothing presses it on its guide")
+
+
 @coded("W270")
 def less_than_plain(span: Span, share: float) -> Words:
     """The couple part of a plunger's pressure is below plain friction.

@@ -12,7 +12,7 @@ from ...algebra.product import ONE, ZERO, Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
 from ...frozen import frozen
-from ...kinematics.release import Bond
+from ...kinematics.release import Bond, held_end
 from ...model.mechanism import Force, Link, Load, RubbingPin, Thrust, Torque
 from ...pose.pose import Pose, Vector
 from ..loads import repeated
@@ -201,10 +201,12 @@ class Bodies:
 
     def compression(self, rod: Link) -> Product:
         """Return the ideal force by which a rod is pressed."""
-        found = self._reactions.of(Bond("pin", rod.points[1], rod.name))
+        end = held_end(self._mechanism, rod)
+        found = self._reactions.of(Bond("pin", end, rod.name))
         if found is None:
             raise Entangled
-        along = found.along(self.vector(rod)[0])
+        outwards = self.vector(rod)[0]
+        along = found.along(outwards if end == rod.points[1] else outwards + HALF_TURN)
         return -add(along[n] * size for n, size in self._task.given.items() if n in along)
 
     def surface(self, point: str, rod: Link) -> Surface | None:

@@ -43,7 +43,8 @@ def first_order(
         if len(parts) == 1:
             alone.append(p.rub.factor * magnitude(parts[0] * p.slip, mechanism))
         elif parts:
-            size, slip = size_of(*parts, mechanism), magnitude(p.slip, mechanism).formula()
+            x, y = parts
+            size, slip = size_of(x, y, mechanism), magnitude(p.slip, mechanism).formula()
             paired.append(product([(p.rub.factor.formula(), 1), (size, 1), (slip, 1)]))
     added = total([add(alone).formula(), *paired])
     return Named(total([ideal, added if sense > 0 else negative(added)]))
