@@ -37,6 +37,7 @@ VOCABULARY = {
     "derivation.remarks",
     "derivation.wording",
     "kinematics.forms",
+    "model.forms",
     "model.order",
     "model.to_text",
     "model.values",

@@ -19,7 +19,7 @@ from .kinematics.from_pose import arrange
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve
 from .model.mechanism import Mechanism
-from .model.result import Result
+from .model.result import Definition, Result
 from .pose.from_model import settle
 from .pose.pose import Pose
 from .power.balance import Balance
@@ -100,7 +100,9 @@ class Compilation:
     @cached_property
     def findings(self) -> tuple[Finding, ...]:
         """What each ``expect`` came to."""
-        return self._sound(compare(self.pose.mechanism, self.balance.results, self.report))
+        pose, results = self.pose, self.balance.results
+        definitions = [Definition(*d) for d in pose.definitions]
+        return self._sound(compare(pose.mechanism, results, self.report, definitions))
 
     @cached_property
     def derivation(self) -> Derivation:
@@ -110,7 +112,9 @@ class Compilation:
     @cached_property
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(program(self.pose.mechanism, self.balance.results))
+        return self._sound(
+            program(self.pose.mechanism, self.balance.results, dict(self.pose.definitions))
+        )
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -8,6 +8,7 @@ that they agree.
 
 import math
 import random
+from collections.abc import Sequence
 from types import MappingProxyType
 from typing import Literal, NamedTuple
 
@@ -16,9 +17,10 @@ from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as words
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
+from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism
 from ..model.order import ordered
-from ..model.result import Result
+from ..model.result import Definition, Result
 from ..model.values import Values
 from ..units import UNITS
 from .poses import complete, default_pose, random_poses
@@ -46,19 +48,36 @@ class Finding(NamedTuple):
 
 
 def compare(
-    mechanism: Mechanism, results: tuple[Result, ...], report: Report
+    mechanism: Mechanism,
+    results: tuple[Result, ...],
+    report: Report,
+    definitions: Sequence[Definition] = (),
 ) -> tuple[Finding, ...]:
     """Return a finding for every ``expect``, and report those that are not proved.
 
     E581 where one is refuted, E582 where a number has no pose to be compared at, W581
-    where formulas agree without a proof.
+    where formulas agree without a proof. ``definitions`` are those of the pose.
     """
     named = {r.name: r for r in results}
-    findings = tuple(_judge(e, named[e.subject], mechanism) for e in mechanism.expects)
+    findings = tuple(
+        _judge(e, _with_names_of(e, named[e.subject], definitions), mechanism)
+        for e in mechanism.expects
+    )
     for finding in findings:
         if remark := _remark(finding, mechanism):
             report.add(remark)
     return findings
+
+
+def _with_names_of(expect: Expect, result: Result, definitions: Sequence[Definition]) -> Result:
+    """Return a result that defines what an expectation mentions of the pose, too."""
+    used, chosen = set(symbols(expect.value)), list[Definition]()
+    for name, formula in reversed(definitions):
+        if name in used:
+            chosen.append(Definition(name, formula))
+            used |= symbols(formula)
+    where = dict.fromkeys((*chosen[::-1], *result.where))
+    return replace(result, where=tuple(where)) if chosen else result
 
 
 def _judge(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:

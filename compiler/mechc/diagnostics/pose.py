@@ -197,6 +197,23 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch
     )
 
 
+@coded("E310")
+def length_open(at: Span, points: str) -> Words:
+    """A formula asks for the length of a vector, and nothing gives it.
+
+    ``len_AB`` is what the description says of AB, or what a loop makes it::
+
+        BK = @ beta          # the length is open
+        let s = len_BK/2     # wrong
+        BK = l @ beta        # right
+    """
+    return Words(
+        at,
+        f"the formula needs the length of {points}, and nothing gives it",
+        f"give it: `{points} = l @ …`",
+    )
+
+
 @coded("W301")
 def assembly_idle(at: Span, points: str) -> Words:
     """An ``assembly`` line decides nothing: all its points are placed without it.

@@ -85,13 +85,20 @@ def _read_let(statement: ast.Let, scope: Scope) -> Let | None:
         if not Reader(scope, FORMULA).fits(found, entry.dimension, f"load '{name}'"):
             return None
         return Let(name, found.formula, entry.dimension, statement.span)
-    scope.define(name, found.dimension, plain=_plain(found.formula, scope))
+    plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
+    scope.define(name, found.dimension, plain, posed)
     return Let(name, found.formula, found.dimension, statement.span)
 
 
 def _plain(formula: Formula, scope: Scope) -> bool:
-    entries = [scope.entries[name] for name in symbols(formula)]
+    entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
     return all(e.kind == "parameter" or (e.kind == "let" and e.plain) for e in entries)
+
+
+def _posed(formula: Formula, scope: Scope) -> bool:
+    """Tell whether a formula mentions ``phi_AB`` or ``len_AB``, itself or through lets."""
+    names = symbols(formula)
+    return any(n not in scope.entries or scope.entries[n].posed for n in names)
 
 
 # --------------------------------------------------------------- lets as parameters

@@ -8,7 +8,7 @@ from fractions import Fraction
 from typing import NamedTuple, assert_never
 
 from ..diagnostics import Report
-from ..diagnostics.model import joints, names, quantities, reactions
+from ..diagnostics.model import names, quantities, reactions
 from ..formula.to_text import text
 from ..formula.tree import (
     PI,
@@ -28,9 +28,10 @@ from ..formula.tree import (
 from ..frozen import frozen
 from ..source import Span
 from ..syntax import ast
-from ..units import ANGLE, NUMBER, UNITS, Dimension
+from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension
 from .constants import LARGEST_EXPONENT, rational, too_large
-from .scope import FORMS, Form, Scope, Usage, form_of
+from .forms import FORMS, Form, form_of
+from .scope import Scope, Usage
 from .sorts import Nature, Sort, agreed, multiplied, raised
 
 VELOCITIES = "the name of a result: a ratio of velocities is asked for with 'find'"
@@ -131,12 +132,29 @@ class Reader:
         if node.name == "pi":
             return Quantity(PI, Sort(NUMBER, Nature.LOOSE), node.span)
         if (form := form_of(node.name)) and node.name not in self.scope.entries:
-            self._refuse(node, form)
-            return None
+            return self._of_the_pose(node, form)
         entry = self.scope.look_up(node, self.usage)
         if entry is None or entry.dimension is None:
             return None
         return Quantity(Symbol(node.name), Sort.of(entry.dimension), node.span)
+
+    def _of_the_pose(self, node: ast.Symbol, form: Form) -> Quantity | None:
+        """Return a direction or a length that the pose has; refuse other such quantities."""
+        if form.prefix not in ("phi", "len"):
+            self._refuse(node, form)
+            return None
+        if len(form.points) > 2:
+            self.scope.look_up(node, self.usage)
+            return None
+        if not self.scope.points.acting(ast.Name("".join(form.points), node.span)):
+            return None
+        if not self.usage.posed:
+            what = f"{FORMS[form.prefix]}, which follows from the description"
+            wanted = self.usage.wanted
+            self.report.add(names.name_out_of_place(node.span, node.name, what, wanted))
+            return None
+        sort = Sort.of(ANGLE if form.prefix == "phi" else LENGTH)
+        return Quantity(Symbol(node.name), sort, node.span)
 
     def _refuse(self, node: ast.Symbol, form: Form) -> None:
         """Say why a quantity of the mechanism cannot stand in a formula."""
@@ -146,11 +164,8 @@ class Reader:
         if form.prefix in ("V", "omega"):
             what = FORMS[form.prefix]
             self.report.add(names.name_out_of_place(node.span, node.name, what, VELOCITIES))
-        elif form.prefix in ("R", "N"):
-            self.report.add(reactions.ask_first(node.span, node.name))
         else:
-            what = f"{FORMS[form.prefix]} in a formula ({node.name})"
-            self.report.add(joints.not_compiled_yet(node.span, what))
+            self.report.add(reactions.ask_first(node.span, node.name))
 
     def _sum(self, node: ast.Sum) -> Quantity | None:
         terms = [self.read(term) for _, term in node.terms]

@@ -7,6 +7,7 @@ from ..diagnostics.model import reactions as reaction_words
 from ..diagnostics.model import results as words
 from ..syntax import ast
 from ..units import FREQUENCY, NUMBER, VELOCITY, Dimension
+from .forms import Form, form_of
 from .mechanism import (
     Efficiency,
     Find,
@@ -19,7 +20,7 @@ from .mechanism import (
     WithFriction,
 )
 from .reactions import read_reaction
-from .scope import Entry, Form, Scope, form_of
+from .scope import Entry, Scope
 from .statements import every, only
 
 

@@ -5,8 +5,9 @@ from collections.abc import Iterator
 from ..diagnostics.model import reactions as words
 from ..syntax import ast
 from ..units import ANGLE, FORCE, Dimension
+from .forms import Form
 from .mechanism import Axial, Link, Normal, Part, Reaction, Target
-from .scope import Form, Scope
+from .scope import Scope
 
 Asked = tuple[str, Target, Dimension]
 """The end of a result's name, what it is and what it measures."""

@@ -30,7 +30,7 @@ HOLDS = {
 
 def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -> Formula:
     """Return the formula with every let that is no parameter written out."""
-    for name in sorted(symbols(found.formula) - lets.keys()):
+    for name in sorted((symbols(found.formula) & scope.entries.keys()) - lets.keys()):
         if scope.entries[name].kind == "let" and name not in scope.feeding:
             scope.report.add(words.let_too_long(found.span, name))
     return substitute(found.formula, lets)

@@ -1,7 +1,7 @@
 """The world of names: parameters, loads, results and lets, and what formulas may use."""
 
-import re
 from collections.abc import Iterable
+from itertools import permutations
 from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
@@ -10,76 +10,47 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
-from ..syntax.words import points_of
 from ..units import Dimension
+from .forms import FORMS, form_of
 from .points import Points
 
 Kind = Literal["parameter", "let", "load", "result"]
-
-FORMS = {
-    "V": "the velocity of a point",
-    "omega": "the angular velocity of a link",
-    "R": "the force on a pin",
-    "N": "the force along a rod, or of a guide",
-    "phi": "the direction of a vector",
-    "len": "the length of a vector",
-}
-"""Quantities of the mechanism itself, as ``V_D``: their prefixes and meanings."""
-
-_FORM = re.compile(rf"({'|'.join(FORMS)})_(.+)")
-_SEVERAL_POINTS = frozenset({"omega", "phi", "len"})
-_ONE_POINT = frozenset({"V", "R"})
-
-
-class Form(NamedTuple):
-    """A reserved name taken apart: ``omega_OB`` is ``omega`` of O and B."""
-
-    prefix: str
-    points: tuple[str, ...]
-
-
-def form_of(name: str) -> Form | None:
-    """Take a reserved name apart; None for any other name.
-
-    >>> form_of("omega_OB"), form_of("R_o"), form_of("phi_A")
-    (Form(prefix='omega', points=('O', 'B')), None, None)
-    """
-    match = _FORM.fullmatch(name)
-    points = points_of(match[2]) if match else ()
-    if not match or not points:
-        return None
-    misfits = _ONE_POINT if len(points) > 1 else _SEVERAL_POINTS
-    return None if match[1] in misfits else Form(match[1], points)
 
 
 class Entry(NamedTuple):
     """What a name stands for. ``dimension`` is None where an error hid it.
 
-    ``plain`` tells of a ``let`` that it depends on parameters only.
+    ``plain`` tells of a ``let`` that it depends on no loads and results, ``posed`` that it
+    depends on directions and lengths that the pose has, so that the pose cannot rest on it.
     """
 
     kind: Kind
     span: Span
     dimension: Dimension | None = None
     plain: bool = True
+    posed: bool = False
 
 
 class Usage(NamedTuple):
     """Which kinds of names a formula may mention, and how to say so.
 
-    With ``plain`` a let must depend on parameters only; with ``feeds`` it thereby becomes
-    a dependent parameter, since the description itself is made of it.
+    With ``plain`` a let must depend on no loads and results; with ``feeds`` it thereby becomes
+    a dependent parameter, since the description itself is made of it. With ``posed`` it may
+    mention ``phi_AB`` and ``len_AB``.
     """
 
     kinds: frozenset[Kind]
     wanted: str
     plain: bool = True
     feeds: bool = True
+    posed: bool = True
 
 
-DESCRIPTION = Usage(frozenset({"parameter", "let"}), "parameters and what follows from them")
+DESCRIPTION = Usage(
+    frozenset({"parameter", "let"}), "parameters and what follows from them", posed=False
+)
 TIE = Usage(frozenset({"parameter", "let", "load"}), "parameters and one load")
-CONDITION = DESCRIPTION._replace(feeds=False)
+CONDITION = DESCRIPTION._replace(feeds=False, posed=True)
 EXPECTED = TIE._replace(wanted="parameters and loads", feeds=False)
 FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity", False, False)
 
@@ -117,26 +88,40 @@ class Scope:
         self.entries[name] = entry
         return True
 
-    def define(self, name: str, dimension: Dimension, plain: bool = True) -> None:
+    def define(
+        self, name: str, dimension: Dimension, plain: bool = True, posed: bool = False
+    ) -> None:
         """State what a declared name measures, once its formula is read."""
         entry = self.entries[name]
-        self.entries[name] = entry._replace(dimension=dimension, plain=plain)
+        self.entries[name] = entry._replace(dimension=dimension, plain=plain, posed=posed)
 
     def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
         """Return what a name in a formula stands for; None where that is an error."""
         entry = self.entries.get(symbol.name)
         if entry is None:
-            known = self.names(usage.kinds) if len(self.entries) <= words.MANY else ()
-            self.report.add(words.unknown_name(symbol.span, symbol.name, known))
+            self.report.add(words.unknown_name(symbol.span, symbol.name, self._offered(usage)))
             return None
         self.used.add(symbol.name)
         if entry.kind not in usage.kinds or (usage.plain and not entry.plain):
             kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
             self.report.add(words.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted))
             return None
+        if entry.posed and usage.feeds:
+            kind = "a formula of directions and lengths that follow from the description"
+            self.report.add(words.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted))
+            return None
         if entry.kind == "let" and usage.feeds:
             self.feeding.add(symbol.name)
         return entry if entry.dimension is not None else None
+
+    def _offered(self, usage: Usage) -> list[str]:
+        """Return the names that may stand in a formula, as far as they are few enough to tell."""
+        if len(self.entries) > words.MANY:
+            return []
+        pairs = [permutations(k.points, 2) for k in self.points.links.values()]
+        vectors = [f"{form}_{a}{b}" for pair in pairs for a, b in pair for form in ("phi", "len")]
+        posed = vectors if usage.posed and len(vectors) <= words.MANY else []
+        return [*self.names(usage.kinds), *posed]
 
     def size(self, formula: Formula) -> float:
         """Return the value of a formula of the description, what is open being 1."""

@@ -80,10 +80,11 @@ def bounds(parameter: Parameter) -> tuple[float, float]:
 
 def allowed(mechanism: Mechanism, values: Values) -> bool:
     """Return whether every ``require`` holds; one on what has no value cannot be judged."""
-    return all(_holds(condition, values) for condition in mechanism.requires)
+    return all(holds(condition, values) for condition in mechanism.requires)
 
 
-def _holds(condition: Require, values: Values) -> bool:
+def holds(condition: Require, values: Values) -> bool:
+    """Return whether a condition holds; True where it cannot be judged."""
     if not symbols(condition.left) | symbols(condition.right) <= values.keys():
         return True
     left, right = evaluate(condition.left, values), evaluate(condition.right, values)

@@ -5,8 +5,12 @@ from collections.abc import Mapping
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as words
+from ..diagnostics.model.quantities import condition_broken
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Thrust
+from ..model.values import holds
+from .asked import with_directions
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .compass import Compass
@@ -34,6 +38,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
     mechanism, found, rates, limits = close(mechanism, terms, compass, vectors, report)
+    mechanism = with_directions(mechanism, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
     guides, axis = survey.guides(), survey.axis()
     lines = {**survey.lines(), **survey.thrusts()}
@@ -60,9 +65,20 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     survey.close_loops(pose)
     survey.report_unfound(pose, found)
     report.stop_on_errors()
-    for misfit in misfits(pose, vectors, poses_nearby(mechanism, pose.definitions)[0]):
-        report.add(words.gears_apart(*misfit))
+    _remark(pose, vectors, found, report)
     return pruned(pose)
+
+
+def _remark(pose: Pose, vectors: Vectors, found: frozenset[str], report: Report) -> None:
+    """Remark on what the default pose breaks: conditions on what was found, centre distances."""
+    default = poses_nearby(pose.mechanism, pose.definitions)[0]
+    given = {p.name for p in pose.mechanism.parameters} - found
+    for condition in pose.mechanism.requires:
+        judged = symbols(condition.left) | symbols(condition.right) <= given
+        if not judged and not holds(condition, default):
+            report.add(condition_broken(condition.span))
+    for misfit in misfits(pose, vectors, default):
+        report.add(words.gears_apart(*misfit))
 
 
 class _Survey:

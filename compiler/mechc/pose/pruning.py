@@ -2,8 +2,10 @@
 
 from collections.abc import Iterator
 
+from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
+from ..model.mechanism import Mechanism
 from .loops.web import mentioned
 from .pose import Pose
 
@@ -38,5 +40,13 @@ def _names(pose: Pose) -> Iterator[str]:
     if pose.axis is not None:
         yield from pose.axis.names
     yield from (parameter.name for parameter in pose.mechanism.parameters)
-    for load in pose.mechanism.loads:
-        yield from symbols(load.tie) if load.tie else ()
+    for formula in _formulas(pose.mechanism):
+        yield from symbols(formula)
+
+
+def _formulas(mechanism: Mechanism) -> Iterator[Formula]:
+    yield from (load.tie for load in mechanism.loads if load.tie)
+    yield from (let.value for let in mechanism.lets)
+    yield from (expect.value for expect in mechanism.expects)
+    for require in mechanism.requires:
+        yield from (require.left, require.right)

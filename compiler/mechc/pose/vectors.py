@@ -67,7 +67,12 @@ class Vectors:
         """
         vector = self.path(tail, head)
         assert vector
-        arm = Arm(*self._terms.polar(*components(vector), f"{tail}{head}"))
+        names = f"len_{tail}{head}", f"phi_{tail}{head}"
+        if {d.name for d in self._terms.definitions}.issuperset(names):
+            # The side of a triangle that a loop was closed by.
+            arm = Arm(Product.symbol(names[0]), Angle.of(names[1]))
+        else:
+            arm = Arm(*self._terms.polar(*components(vector), f"{tail}{head}"))
         self._join(tail, head, (arm,))
         return arm.angle
 

@@ -42,15 +42,20 @@ from .steps import (
 from .turning import in_unit_vectors
 
 
-def program(mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
+def program(
+    mechanism: Mechanism,
+    results: tuple[Result, ...],
+    definitions: Mapping[str, Formula] | None = None,
+) -> Routine:
     """Return the routine that computes every result.
 
     Each function takes the parameters it depends on in declared order, then the loads
     it depends on, all in SI. A ``require`` guards those functions whose inputs decide
-    it; one that needs more than a function is given is left to its caller.
+    it; one that needs more than a function is given is left to its caller. ``definitions``
+    are those of the pose, on which conditions may rest that no result does.
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
-    scope, inputs = Scope(mechanism, results), _inputs(mechanism)
+    scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
     functions = tuple(_function(result, scope, inputs) for result in results)
     pose = _pose(scope, inputs)
     return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose)

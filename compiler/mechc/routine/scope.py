@@ -34,7 +34,9 @@ class Definitions(NamedTuple):
 class Scope:
     """The names of one mechanism and its results."""
 
-    def __init__(self, mechanism: Mechanism, results: Iterable[Result]) -> None:
+    def __init__(
+        self, mechanism: Mechanism, results: Iterable[Result], definitions: Mapping[str, Formula]
+    ) -> None:
         """Index every definition by the name it explains."""
         self.mechanism = mechanism
         self.results = {r.name: r for r in results}
@@ -42,7 +44,7 @@ class Scope:
         self._place = {o: {n: i for i, n in enumerate(names)} for o, names in self._where.items()}
         self._anywhere = {n: owner for owner, names in self._where.items() for n in names}
         self._used: dict[Key, tuple[tuple[str, Key], ...]] = {}
-        self._ties = dict(_ties(mechanism))
+        self._ties = {**definitions, **dict(_ties(mechanism))}
         self._free = {p.name for p in mechanism.parameters}
         self._loads = {load.name for load in mechanism.loads}
 

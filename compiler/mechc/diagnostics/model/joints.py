@@ -127,16 +127,6 @@ def copies_not_whole(span: Span, found: str) -> Words:
     return Words(span, f"the number of copies is a whole number from 2 on, found {found}")
 
 
-@coded("E249")
-def not_compiled_yet(span: Span, what: str) -> Words:
-    """A statement is part of the language and was checked, but is not compiled yet.
-
-    mechc refuses it rather than ignoring it: a result without the statement would be
-    wrong.
-    """
-    return Words(span, f"{what} is read and checked, but not compiled yet")
-
-
 @coded("W240")
 def idle_joint(span: Span, what: str, point: str) -> Words:
     """A pivot or slider holds no link and nothing uses it.

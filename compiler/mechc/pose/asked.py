@@ -1,0 +1,97 @@
+"""Directions and lengths that formulas ask for by the points: ``phi_AB``, ``len_AB``.
+
+What a loop gives keeps its name, being a definition of the pose; what the description
+gives is put in.
+"""
+
+from collections.abc import Iterator, Mapping
+
+from ..algebra.angle import Angle
+from ..algebra.from_formula import to_angle
+from ..diagnostics import Report
+from ..diagnostics import pose as words
+from ..formula.tree import Formula
+from ..formula.walk import substitute, symbols
+from ..frozen import replace
+from ..model.forms import Form, form_of
+from ..model.mechanism import Mechanism, Thrust
+from ..source import Span
+from .loops.dyads import principal
+from .vectors import Vectors
+
+
+def with_directions(mechanism: Mechanism, vectors: Vectors, report: Report) -> Mechanism:
+    """Return the mechanism with what its formulas ask for of vectors.
+
+    Reports E301, E305, E306 and E310 where a vector has none of that.
+    """
+    found: dict[str, Formula] = {}
+    for formula, span in _formulas(mechanism):
+        for name in sorted(symbols(formula) - found.keys()):
+            form = form_of(name)
+            if form and form.prefix in ("phi", "len"):
+                answer = _answer(form, vectors, span, report)
+                if answer is not None:
+                    found[name] = answer
+    return _with(mechanism, found) if found else mechanism
+
+
+def _formulas(mechanism: Mechanism) -> Iterator[tuple[Formula, Span]]:
+    """Yield the formulas that may ask, with their places."""
+    for let in mechanism.lets:
+        yield let.value, let.span
+    for require in mechanism.requires:
+        yield from ((require.left, require.span), (require.right, require.span))
+    for expect in mechanism.expects:
+        yield expect.value, expect.span
+    for load in mechanism.loads:
+        if load.tie is not None and not isinstance(load, Thrust):
+            yield load.tie, load.span
+
+
+def _answer(form: Form, vectors: Vectors, span: Span, report: Report) -> Formula | None:
+    tail, head = form.points
+    vector = vectors.path(tail, head)
+    if vector is None:
+        report.add(words.missing_direction(span, f"{tail}{head}", "the formula"))
+    elif not vector:
+        report.add(words.points_coincide(span, f"{tail}{head}"))
+    elif vectors.is_open(vector) and form.prefix == "len":
+        report.add(words.length_open(span, f"{tail}{head}"))
+    elif len(vector) > 1 and vectors.is_open(vector):
+        report.add(words.no_direction_of_its_own(span, f"{tail}{head}"))
+    else:
+        if len(vector) > 1:
+            vectors.straighten(tail, head)
+            ((length, angle),) = vectors.path(tail, head) or ()
+        else:
+            ((length, angle),) = vector
+        direction = angle if length.coefficient > 0 else angle + Angle.constant(180)
+        size = length if length.coefficient > 0 else -length
+        return principal(direction).formula() if form.prefix == "phi" else size.formula()
+    return None
+
+
+def _with(mechanism: Mechanism, found: Mapping[str, Formula]) -> Mechanism:
+    lets = tuple(replace(x, value=_put(x.value, found)) for x in mechanism.lets)
+    expects = tuple(replace(x, value=_put(x.value, found)) for x in mechanism.expects)
+    requires = tuple(
+        replace(x, left=_put(x.left, found), right=_put(x.right, found)) for x in mechanism.requires
+    )
+    loads = tuple(
+        load
+        if load.tie is None or isinstance(load, Thrust)
+        else replace(load, tie=_put(load.tie, found))
+        for load in mechanism.loads
+    )
+    return replace(mechanism, lets=lets, expects=expects, requires=requires, loads=loads)
+
+
+def _put(formula: Formula, found: Mapping[str, Formula]) -> Formula:
+    """Return a formula with names put in; differences of directions are added up."""
+    names = symbols(formula) & found.keys()
+    if not names:
+        return formula
+    whole = substitute(formula, found)
+    angle = to_angle(whole) if any(name.startswith("phi_") for name in names) else None
+    return whole if angle is None else angle.formula()
