@@ -1,9 +1,11 @@
 """Gears, belts, racks and screws: formulas by hand, conventions of sign, and laws."""
 
 import math
+from typing import Any
 
 import pytest
 
+import mechc
 from mechc.derivation.steps import Rule
 from mechc.driver import Compilation, compile_source
 from mechc.formula.to_text import text
@@ -144,6 +146,21 @@ def test_train(stages: int, word: str, sense: int) -> None:
 
 def test_train_is_a_power() -> None:
     assert formulas(train(8, "belt"))["k"] == "-r^8/R^8"
+
+
+def test_a_train_of_two_hundred_gears_does_not_underflow() -> None:
+    """r^200 alone, of 20 mm, is less than the least double."""
+    made = mechc.loads(train(200, "gear"), "train.mech")
+    assert made.evaluate()["k"] == pytest.approx(-(0.4**200), rel=1e-12)
+    assert made.evaluate(r=0.0475)["k"] == pytest.approx(-(0.95**200), rel=1e-12)
+    assert not [d for d in made.warnings if d.code == "W503"]
+    assert formulas(train(200, "gear"))["k"] == "-(r/R)^200"
+
+
+def test_a_long_train_in_code() -> None:
+    code: dict[str, Any] = {}
+    exec(mechc.loads(train(200, "belt"), "train.mech").emit("python"), code)
+    assert code["k"](0.0475, 0.05) == pytest.approx(-(0.95**200), rel=1e-12)
 
 
 def test_an_idler_only_reverses() -> None:

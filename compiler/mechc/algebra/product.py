@@ -89,9 +89,10 @@ class Product:
     def evaluate(self, values: Mapping[str, float]) -> float:
         """Return the value on floats (may raise ZeroDivisionError at a pole)."""
         result = float(self.coefficient)
-        for factor, exponent in self.factors.items():
+        ratio, power, rest = _high_power(self.factors)
+        for factor, exponent in rest.items():
             result *= factor.evaluate(values) ** exponent
-        return result
+        return result * Product(1, ratio).evaluate(values) ** power if ratio else result
 
     def residue(self, point: Point) -> int:
         """Return the value at a random point of a finite field."""
@@ -197,14 +198,32 @@ class Bound:
         return (2, self.name)
 
 
+_HIGH = 16
+"""Powers beyond this are taken of a ratio: r^200/R^200 is 0/0 in doubles, (r/R)^200 is not."""
+
 _FEW = 3
 """Sums of so many terms are short enough to be divided through."""
 
 
 def _written(value: Product) -> Formula:
     coefficient, factors = _without_minus(value)
+    ratio, power, factors = _high_power(factors)
     ordered = sorted(_with_tangents(factors), key=lambda fe: fe[0])
-    return product([(number(coefficient), 1), *((f, e) for _, f, e in ordered)])
+    high = [(_written(Product(1, ratio)), power)] if ratio else []
+    return product([(number(coefficient), 1), *((f, e) for _, f, e in ordered), *high])
+
+
+def _high_power(
+    factors: Mapping[Factor, int],
+) -> tuple[Mapping[Factor, int], int, Mapping[Factor, int]]:
+    """Return a ratio, the high power in which it is a part of a product, and what is left."""
+    high = {f: e for f, e in factors.items() if abs(e) > _HIGH}
+    if not high or min(high.values()) > 0 or max(high.values()) < 0:
+        return {}, 0, factors
+    power = min(map(abs, high.values()))
+    ratio = {f: (abs(e) // power) * (1 if e > 0 else -1) for f, e in high.items()}
+    left = {f: e - power * ratio.get(f, 0) for f, e in factors.items()}
+    return ratio, power, {f: e for f, e in left.items() if e}
 
 
 def _divided_through(value: Product) -> Iterator[Product]:

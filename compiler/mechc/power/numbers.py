@@ -93,11 +93,11 @@ def _remark(
     balance: Balance,
     report: Report,
 ) -> None:
-    factor = _vanishing(item.value, values) if item.value else None
+    factor = _vanishing(item.value, values, -1) if item.value else None
     if factor is not None or not math.isfinite(number):
         report.add(words.pole_at_default(find.span, find.name, text(factor) if factor else ""))
     elif isinstance(find.target, LoadRatio):
-        if abs(number) < NIL:
+        if number == 0 or (item.value and _vanishing(item.value, values, 1) is not None):
             report.add(words.result_zero(find.span, find.name))
         elif number < 0:
             turn = _arrow(find.target, balance.terms)
@@ -110,11 +110,11 @@ def _arrow(target: LoadRatio, terms: Iterable[Term]) -> str:
     return next((n for n in (target.below, target.above) if n in forces), "")
 
 
-def _vanishing(value: Product, values: Mapping[str, float]) -> Formula | None:
-    """Return the factor below the line that vanishes, against the size of its terms."""
+def _vanishing(value: Product, values: Mapping[str, float], side: int) -> Formula | None:
+    """Return the factor above (1) or below (-1) the line that is nil against its terms."""
     try:
         for factor, exponent in value.factors.items():
-            if exponent < 0 and abs(factor.evaluate(values)) < NIL * _size(factor, values):
+            if exponent * side > 0 and abs(factor.evaluate(values)) < NIL * _size(factor, values):
                 return factor.formula()
     except (KeyError, ZeroDivisionError):
         return None
