@@ -197,6 +197,13 @@ def _without_touch(pose: Pose, point: str) -> Released:
     )
 
 
+def members(pose: Pose, bond: Bond) -> tuple[str, ...]:
+    """Return the points of all that a bond joins; it is shared by halves where they all are."""
+    if bond.kind == "touch":
+        return (bond.point, *pose.frames[touch_at(pose, bond.point).body])
+    return tuple(pose.frames[bond.of]) if bond.of else (bond.point,)
+
+
 def touch_at(pose: Pose, point: str) -> Touch:
     """Return the slot or contact of a point."""
     return next(t for t in pose.touches if t.point == point)

@@ -15,7 +15,7 @@ from ..formula.tree import ZERO
 from ..frozen import frozen
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
-from ..kinematics.release import Bond, Loosened, loosened, touch_at
+from ..kinematics.release import Bond, Loosened, loosened, members, touch_at
 from ..model.mechanism import Absolute, Force
 from ..pose.pose import Pose
 from .balance import Term
@@ -96,8 +96,7 @@ class Reactions:
     def _amounts(self, loose: Loosened, bond: Bond) -> Mapping[str, Product] | None:
         plan, span = loose.plan, self._pose.mechanism.span
         load = Force(HERE, bond.loose, Absolute(ZERO, span), span)
-        points = next((s.points for s in self._pose.mechanism.slides if s.name == bond.of), ())
-        count = Product(repeated(plan.graph.pose.mechanism, points or (bond.loose,)))
+        count = Product(repeated(self._pose.mechanism, members(self._pose, bond)))
         here = Term(load, count, loose.parting, None)
         equations = Equations((*terms(plan), *self._more(plan), here))
         if equations.number != 1 or HERE not in equations.columns:
@@ -112,7 +111,8 @@ def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
     What both mirrored halves share is pushed along the line only, as the pushes across it
     cancel.
     """
-    shared = pose.mechanism.mirror is not None and _is_shared(pose, bond)
+    mirror = pose.mechanism.mirror
+    shared = mirror is not None and set(members(pose, bond)) <= set(mirror.sharing)
     match bond.kind:
         case "touch":
             return (touch_at(pose, bond.point).normal,)
@@ -128,9 +128,3 @@ def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
             return (along, along + QUARTER)
         case _:
             return (Angle(), QUARTER)
-
-
-def _is_shared(pose: Pose, bond: Bond) -> bool:
-    points = pose.frames[bond.of] if bond.of else (bond.point,)
-    mirror = pose.mechanism.mirror
-    return mirror is not None and set(points) <= set(mirror.sharing)

@@ -24,6 +24,7 @@ from .unfold import (
     Rubbing,
     Transfer,
     Translation,
+    Wrench,
 )
 
 ROUNDED = 1e-13
@@ -108,7 +109,7 @@ def equilibrium(assembly: Assembly) -> System:
     sums = _Sums()
     actions = [a for several in assembly.loads.values() for a in several]
     actions += [a for transfer in assembly.transfers for a in transfer.actions]
-    twisted = {a.body for a in actions if isinstance(a, Couple)}
+    twisted = {a.body for a in actions if isinstance(a, Couple | Wrench)}
     twisted |= {rubbing.body for rubbing in assembly.rubbings}
     for body in assembly.bodies:
         if len(body.points) == 2 and body.name not in twisted:
@@ -189,3 +190,5 @@ def _places(sums: _Sums, actions: tuple[Action, ...]) -> Iterator[tuple[int, flo
                 yield from enumerate(_components(force), sums.pin(point))
             case Couple(name, moment):
                 yield sums.body(name) + 2, moment
+            case Wrench(name, force, moment):
+                yield from enumerate((*_components(force), moment), sums.body(name))

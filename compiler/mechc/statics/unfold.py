@@ -98,7 +98,15 @@ class Couple(NamedTuple):
     moment: float
 
 
-Action = Push | Couple
+class Wrench(NamedTuple):
+    """A force on a body itself, not on a pin of it, and its moment about the first point."""
+
+    body: str
+    force: Plane
+    moment: float
+
+
+Action = Push | Couple | Wrench
 
 
 @frozen
@@ -208,14 +216,17 @@ class Unfolding:
 
     def apart(self, touch: Touch, along: Plane) -> tuple[Action, ...]:
         """Return a unit force on a pin and its reaction on the body under it, in both halves."""
-        reach = Plane(*evaluate_vector(touch.reach, self.values))
-        moment = -(reach.x * along.y - reach.y * along.x)
-        turning = self.couple(touch.body, moment) if touch.reach else ()
-        if self._shared(touch.point) and self._shared(touch.body):
-            back = self.push(touch.tail, along.times(-1))
-            return (*self.push(touch.point, along), *back, *turning)
-        back = self._half(touch.tail, along.times(-1))
-        return (*self._half(touch.point, along), *back, *turning)
+        first = next(iter(self.pose.frames[touch.body]))
+        base, reach = (
+            self.arm(touch.body, first, touch.tail),
+            evaluate_vector(touch.reach, self.values),
+        )
+        x, y = base.x + reach[0], base.y + reach[1]
+        back = Wrench(touch.body, along.times(-1), y * along.x - x * along.y)
+        push: tuple[Action, ...] = (Push(touch.point, along), back)
+        if self._axis is None or (self._shared(touch.point) and self._shared(touch.body)):
+            return push
+        return (*push, *map(self._mirrored, push))
 
     def _half(self, point: str, force: Plane) -> tuple[Action, ...]:
         """Return a force that both halves have, on a point that they may share."""
@@ -321,6 +332,9 @@ class Unfolding:
                 return Push(self._twin(point), self._reflected(force))
             case Couple(body, moment):
                 return Couple(body if self._shared(body) else f"{body}'", -moment)
+            case Wrench(body, force, moment):
+                twin = body if self._shared(body) else f"{body}'"
+                return Wrench(twin, self._reflected(force), -moment)
             case _:
                 assert_never(action)
 

@@ -14,7 +14,7 @@ from ...algebra.trigonometry import cosine, sine
 from ...frozen import frozen
 from ...kinematics.release import Bond, held_end
 from ...model.mechanism import Force, Link, Load, RubbingPin, Thrust, Torque
-from ...pose.pose import Pose, Vector
+from ...pose.pose import Pose, Touch, Vector, gathered
 from ..loads import repeated
 from ..reactions import Reactions
 from .pressing import Given, Pressed
@@ -106,16 +106,21 @@ class Bodies:
         """Raise :class:`Entangled` for bodies and joints that are none of the four kinds."""
         m = self._mechanism
         bodies = any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
-        if bodies or self._pose.touches or m.slides or m.meshes or m.racks or m.screws:
+        held = {*self._levers, *(s.name for s in m.slides)}
+        afloat = any(t.body not in held for t in self._pose.touches)
+        if bodies or afloat or m.meshes or m.racks or m.screws:
             raise Entangled
-        carried = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
-        if len(set(carried)) < len(carried) or any(p in self._guides for p in carried):
+        turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
+        carried = [*turning, *(p for s in m.slides for p in s.points)]
+        if len(set(carried)) < len(carried) or any(p in self._guides for p in turning):
             raise Entangled
 
     def solvable(self) -> Iterator[str]:
-        """Yield the levers, and the points that no lever carries."""
+        """Yield the levers, the slides, and the points that neither carries."""
         yield from self._levers
+        yield from (s.name for s in self._mechanism.slides)
         carried = {p for k in self._levers.values() for p in k.points} | self._fixed
+        carried |= {p for s in self._mechanism.slides for p in s.points}
         yield from dict.fromkeys(
             p for k in self._rods.values() for p in k.points if p not in carried
         )
@@ -124,9 +129,11 @@ class Bodies:
         """Return what a body is."""
         if body in self._levers:
             return "lever"
-        return "slider" if body in self._guides else "pin"
+        return "slider" if body in self._guides or body in self._pose.slides else "pin"
 
     def _points(self, body: str) -> tuple[str, ...]:
+        if body in self._pose.slides:
+            return next(s.points for s in self._mechanism.slides if s.name == body)
         if body not in self._levers:
             return (body,)
         return tuple(p for p in self._levers[body].points if p not in self._fixed)
@@ -221,6 +228,26 @@ class Bodies:
             raise Entangled
         return _surface(others[0])._replace(turn=-1)
 
+    def touches_at(self, body: str) -> Iterator[tuple[Touch, bool]]:
+        """Yield the slots and contacts of a body, and whether it is the one under the pin."""
+        for touch in self._pose.touches:
+            if touch.point in self._points(body):
+                yield touch, False
+            if touch.body == body:
+                yield touch, True
+
+    def touch(self, name: str) -> Touch | None:
+        """Return the slot or contact whose force is called so."""
+        return next((t for t in self._pose.touches if f"N_{t.point}" == name), None)
+
+    def face(self, touch: Touch) -> Surface | None:
+        """Return how a pin rubs on the body under it, with the ideal force on the pin."""
+        pressed = self._pressed.get(Bond("touch", touch.point))
+        if pressed is None:
+            return None
+        (component,) = pressed.components
+        return _surface(pressed)._replace(pressed=component.ideal)
+
     def is_rubbing(self, point: str) -> bool:
         """Tell whether there is friction at a pin."""
         return any(b.kind == "pin" and b.point == point for b in self._pressed)
@@ -231,7 +258,12 @@ class Bodies:
         """Return where the points of a lever are, seen from its pivot."""
         pivot = self.pivot(lever)
         points = (p for p in self._levers[lever].points if p != pivot)
-        return {p: self._pose.vector(lever, pivot, p) for p in points}
+        arms = {p: self._pose.vector(lever, pivot, p) for p in points}
+        for touch in self._pose.touches:
+            if touch.body == lever:
+                tail = () if touch.tail == pivot else arms[touch.tail]
+                arms[under(touch)] = gathered((*tail, *touch.reach))
+        return arms
 
     def pivot(self, lever: str) -> str:
         """Return the point on which a lever turns."""
@@ -242,17 +274,23 @@ class Bodies:
         pressed = self._pressed.get(Bond("pin", self.pivot(lever), lever))
         return _surface(pressed) if pressed else None
 
-    def guide(self, point: str) -> Angle:
-        """Return the direction of a slider's guide."""
-        return self._guides[point]
+    def guide(self, body: str) -> Angle:
+        """Return the direction of the guide of a slider or slide."""
+        return self._pose.slides[body] if body in self._pose.slides else self._guides[body]
 
-    def sliding(self, point: str) -> Surface | None:
-        """Return the friction of a slider on its guide, with the ideal force across it."""
-        pressed = self._pressed.get(Bond("ground", point))
+    def sliding(self, body: str) -> Surface | None:
+        """Return the friction on the guide of a slider or slide, and the ideal force across it."""
+        bonds = [Bond("ground", body), *(Bond("slide", p, body) for p in self._points(body))]
+        pressed = next((self._pressed[b] for b in bonds if b in self._pressed), None)
         if pressed is None:
             return None
         (component,) = pressed.components
         return _surface(pressed)._replace(pressed=-component.ideal)
+
+
+def under(touch: Touch) -> str:
+    """Return the name of the place on a body that a pin touches."""
+    return f"under {touch.point}"
 
 
 def _surface(pressed: Pressed) -> Surface:

@@ -5,6 +5,7 @@ Free bodies are solved one after another, each with one force left unknown:
 - a *rod* pushes along a line turned by arcsin((±ρ₁ ± ρ₂)/L), the common tangent of the
   friction circles at its ends;
 - a *lever* balances moments about its pivot, whose friction makes that a quadratic;
+- a *face*, of a slot or contact, pushes along its normal turned by the angle of friction;
 - a *slider* balances along its guide, with the guide's factor times the force across;
 - a *pin* between two rods balances both ways. Its friction is exact there only if both
   rods carry the same force, as in a symmetric knee.
@@ -21,7 +22,8 @@ from ...algebra.factors import Opaque
 from ...algebra.product import ONE, ZERO, Product
 from ...algebra.sums import add, canonical
 from ...model.mechanism import Link
-from .bodies import HALF_TURN, Bodies, Entangled, Pull, Surface, Task
+from ...pose.pose import Touch
+from .bodies import HALF_TURN, Bodies, Entangled, Pull, Surface, Task, under
 from .lever import Bearing, on_lever
 from .signs import Signs
 
@@ -79,6 +81,10 @@ class Chain:
         yield from self._bodies.loads_on(body)
         for rod, point in self._bodies.rods_at(body):
             yield self._push(rod, point)
+        for touch, is_under in self._bodies.touches_at(body):
+            line = self._face(touch)
+            place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
+            yield Pull(f"N_{touch.point}", place, ahead)
 
     def _push(self, rod: Link, point: str) -> Pull:
         """Return what a rod under a compression of 1 does to what it meets at a point."""
@@ -94,8 +100,18 @@ class Chain:
             surfaces = self._surfaces(rod)
             offset = add(map(self._resistance, surfaces))
             turn = -(self._pressed(rod) * offset) / length if offset else ZERO
-            self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, turn)
+            self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, "asin", turn)
         return self._lines[rod.name]
+
+    def _face(self, touch: Touch) -> Angle:
+        """Return the line of the force on a pin: the normal turned by the angle of friction."""
+        name, surface = f"N_{touch.point}", self._bodies.face(touch)
+        if surface and name not in self._lines:
+            side = self._signs.of(f"s_{touch.point}", surface.pressed)
+            turn = -(self._resistance(surface) * side)
+            label = f"phi_{touch.point}"
+            self._lines[name] = self._signs.turned(label, touch.normal, "atan", turn)
+        return self._lines.get(name, touch.normal)
 
     def _surfaces(self, rod: Link) -> list[Surface]:
         return [s for p in rod.points if (s := self._bodies.surface(p, rod))]
@@ -157,7 +173,12 @@ class Chain:
 
     def _settle(self, pull: Pull, size: Product) -> None:
         rod, size = self._bodies.rod(pull.name), canonical(size)
-        has_root = any(isinstance(factor, Opaque) for factor in size.factors)
-        self.sizes[pull.name] = self._signs.named(pull.name, size) if rod and has_root else size
+        if pull.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
+            size = self._signs.named(pull.name, size)
+        self.sizes[pull.name] = size
         if rod and self._surfaces(rod):
             self.conditions.append(Condition(self._pressed(rod), self.sizes[pull.name]))
+        touch = self._bodies.touch(pull.name)
+        if touch and (surface := self._bodies.face(touch)):
+            side = self._signs.of(f"s_{touch.point}", surface.pressed)
+            self.conditions.append(Condition(side, self.sizes[pull.name]))

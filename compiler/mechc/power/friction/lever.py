@@ -62,6 +62,7 @@ def on_lever(
     label = unknown.name.removeprefix("S_")
     way = -1 if arm.coefficient < 0 else 1
     arm, rest = arm.scaled(way), rest.scaled(way)
+    across = -across if across.coefficient < 0 else across
     turn = (signs.of(f"s_{label}_arm", arm) * bearing.turn).scaled(way)
     return Product.of(Opaque(_root(label, (arm, rest, along, across), bearing, turn, signs)))
 

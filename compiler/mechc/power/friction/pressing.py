@@ -15,7 +15,7 @@ from ...model.mechanism import Torque
 from ..balance import Term
 from ..equations import Equations
 from ..reactions import Push, Reactions
-from .rubs import Rub, number_of
+from .rubs import Rub
 
 Given = Mapping[str, Product]
 """The size of each given load."""
@@ -81,9 +81,8 @@ def _load(rub: Rub) -> str:
 
 
 def _term(rub: Rub, plan: Plan) -> Term:
-    mechanism = plan.graph.pose.mechanism
-    load = Torque(_load(rub), "", mechanism.span)
-    return Term(load, Product(number_of(rub, mechanism)), rub.speeds(plan), None)
+    load = Torque(_load(rub), "", plan.graph.pose.mechanism.span)
+    return Term(load, Product(rub.number), rub.speeds(plan), None)
 
 
 def _component(push: Push, names: Mapping[str, str], given: Given) -> Component:

@@ -12,8 +12,8 @@ from ...algebra.product import Product
 from ...kinematics.forms import QUARTER, leaving, projection, spin, subtract
 from ...kinematics.graph import Form, Graph
 from ...kinematics.plan import Plan, Speeds
-from ...kinematics.release import Bond
-from ...model.mechanism import Mechanism, RubbingFace, RubbingGuide, RubbingPin
+from ...kinematics.release import Bond, members
+from ...model.mechanism import RubbingFace, RubbingGuide, RubbingPin
 from ...pose.pose import Pose, Touch
 from ..joint_forces import holding
 from ..loads import repeated
@@ -24,13 +24,14 @@ class Rub(NamedTuple):
 
     The factor is the radius of a friction circle in metres, against a relative rotation,
     or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``,
-    ``A_guide``.
+    ``A_guide``. The mechanism has ``number`` of them: one in each half or branch.
     """
 
     name: str
     bond: Bond
     factor: Product
     slip: Callable[[Graph], Form]
+    number: Fraction = Fraction(1)
 
     def speeds(self, plan: Plan) -> Speeds:
         """Return the slip per unit of each drive."""
@@ -42,7 +43,8 @@ def rubs(pose: Pose) -> tuple[Rub, ...]:
 
     Side forces on a guide that halves or branches share cancel: nothing rubs there.
     """
-    return tuple(rub for rubbing in pose.mechanism.friction.rubbing for rub in _of(rubbing, pose))
+    found = (rub for rubbing in pose.mechanism.friction.rubbing for rub in _of(rubbing, pose))
+    return tuple(rub._replace(number=_number(rub.bond, pose)) for rub in found)
 
 
 def _of(rubbing: RubbingPin | RubbingGuide | RubbingFace, pose: Pose) -> Iterator[Rub]:
@@ -93,13 +95,10 @@ def _sliding(touch: Touch) -> Callable[[Graph], Form]:
 
 
 def _is_shared(bond: Bond, pose: Pose) -> bool:
-    points = set(pose.frames[bond.of] if bond.of else (bond.point,))
+    points = set(members(pose, bond))
     groups = (pose.mechanism.mirror, pose.mechanism.copies)
     return any(group is not None and points <= set(group.sharing) for group in groups)
 
 
-def number_of(rub: Rub, mechanism: Mechanism) -> Fraction:
-    """Return how often the mechanism has a pair: once in each half or branch."""
-    slide = next((s.points for s in mechanism.slides if s.name == rub.bond.of), ())
-    link = next((k.points for k in mechanism.links if k.name == rub.bond.of), ())
-    return repeated(mechanism, slide or link or (rub.bond.point,))
+def _number(bond: Bond, pose: Pose) -> Fraction:
+    return repeated(pose.mechanism, members(pose, bond))

@@ -6,7 +6,7 @@ states one case, that of the default pose.
 """
 
 from collections.abc import Mapping, Set
-from typing import Protocol
+from typing import Literal, Protocol
 
 from ...algebra.angle import Angle, Rational
 from ...algebra.factors import Length, Trig
@@ -14,6 +14,9 @@ from ...algebra.product import Product
 from ...formula.tree import Call, Formula
 from ...formula.walk import evaluate
 from ...model.result import Definition
+
+Inverse = Literal["asin", "atan"]
+"""The function that gives a turn."""
 
 
 class Signs(Protocol):
@@ -25,8 +28,8 @@ class Signs(Protocol):
         """Return the sign of a value, which may be called ``name``."""
         ...
 
-    def turned(self, name: str, line: Angle, sine: Product) -> Angle:
-        """Return a line turned by the arcsine of a product, which may be called ``name``."""
+    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+        """Return a line turned by the arc of a sine or tangent, which may be called ``name``."""
         ...
 
     def named(self, name: str, value: Product) -> Product:
@@ -47,8 +50,8 @@ class _Names:
         self._known: dict[Formula, str] = {}
 
     def named(self, name: str, value: Product) -> Product:
-        """Return a value, by a name where it is a sum or holds a root."""
-        if all(isinstance(factor, Length | Trig) for factor in value.factors):
+        """Return a value, by a name unless it is a number, or one length, sine or cosine."""
+        if not value.factors or _is_single(value):
             return value
         return Product.symbol(self.define(name, value.formula()))
 
@@ -62,9 +65,9 @@ class _Names:
             self.definitions.append(Definition(name, formula))
         return self._known[formula]
 
-    def turn(self, name: str, line: Angle, sine: Product) -> Angle:
-        """Return a line turned by the arcsine of a product, or back by that of its opposite."""
-        there, back = (Call("asin", (s.formula(),)) for s in (sine, -sine))
+    def turn(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+        """Return a line turned by an arc, or back by that of the opposite value."""
+        there, back = (Call(by, (v.formula(),)) for v in (value, -value))
         if back in self._known:
             return line - Angle.of(self._known[back])
         return line + Angle.of(self.define(name, there))
@@ -82,9 +85,9 @@ class AtAnyPose(_Names):
         known = self.define(name, Call("sign", (positive.formula(),)))
         return Product.symbol(known).scaled(telling.coefficient)
 
-    def turned(self, name: str, line: Angle, sine: Product) -> Angle:
+    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a named angle, which carries its sign."""
-        return self.turn(name, line, sine) if sine else line
+        return self.turn(name, line, by, value) if value else line
 
 
 class AtOnePose(_Names):
@@ -105,18 +108,23 @@ class AtOnePose(_Names):
         self.conditions[positive.formula()] = sign
         return Product(sign).scaled(telling.coefficient)
 
-    def turned(self, name: str, line: Angle, sine: Product) -> Angle:
+    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a positive angle, one way or the other."""
-        sign = _sign(sine.evaluate(self._values)) if sine else 0
+        sign = _sign(value.evaluate(self._values)) if value else 0
         if not sign:
             return line
-        return line + (self.turn(name, line, sine.scaled(sign)) - line) * sign
+        return line + (self.turn(name, line, by, value.scaled(sign)) - line) * sign
 
     def define(self, name: str, formula: Formula) -> str:
         """Return what a formula is called from now on, and note its value."""
         known = super().define(name, formula)
         self._values[known] = evaluate(formula, self._values)
         return known
+
+
+def _is_single(value: Product) -> bool:
+    (factor, exponent), *more = value.factors.items()
+    return not more and exponent == 1 and isinstance(factor, Length | Trig)
 
 
 def bare(value: Product) -> Product:
