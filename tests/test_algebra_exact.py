@@ -81,6 +81,25 @@ def test_both_sides_of_an_identity_have_a_difference_of_zero(left, right):
     assert not add([to_product(left), -to_product(right)])
 
 
+ARC = Call("asin", (times(two, x),))
+SAME_ARC = Call("asin", (total([x, x]),))
+
+
+def test_a_function_of_equal_arguments_is_one_quantity():
+    assert equal(call("tan", y, ARC), call("tan", SAME_ARC, y))
+    assert equal(call("sqrt", times(two, x)), call("sqrt", x, x))
+    assert equal(call("sin", y, ARC), Call("sin", (total([y, Symbol("z")]),)), [("z", SAME_ARC)])
+    assert not equal(call("tan", y, ARC), call("tan", y, Call("asin", (x,))))
+    assert not equal(ARC, Call("acos", (times(two, x),)))
+
+
+def test_an_arc_turned_round_is_the_opposite():
+    back = Call("asin", (times(number(-2), x),))
+    assert equal(call("cos", y, back), call("cos", y, negative(SAME_ARC)))
+    turned = Call("acos", (times(number(-2), x),))
+    assert not equal(turned, negative(Call("acos", (times(two, x),))))
+
+
 def test_a_pole_everywhere_equals_nothing():
     nothing = quotient(one, total([x, negative(x), times(two, y), times(number(-2), y)]))
     assert not equal(nothing, nothing)

@@ -7,6 +7,7 @@ import pytest
 from mechc.check.expectations import Finding, compare
 from mechc.check.poses import complete, default_pose, random_poses
 from mechc.diagnostics import Report
+from mechc.driver import compile_source
 from mechc.formula.tree import Call, Formula, Symbol, degrees, number, power, product, total
 from mechc.model.mechanism import Expect, Interval, Mechanism, Parameter, Require
 from mechc.model.result import Definition, Result
@@ -99,6 +100,30 @@ def test_root_agrees_without_proof() -> None:
     finding, said = judged(root, sine)
     assert finding.outcome == "agrees"
     assert said == ["W581: the formula for k agrees at all 13 poses tried, but is not proved equal"]
+
+
+STRUT = """mechanism strut
+param alpha = 60 deg
+param theta = 20 deg
+param mu = 0.1
+slider A along 0 deg
+slider C along 90 deg
+link AC
+AC = @ 90 deg - alpha
+force Q at A along theta
+force W at C along -90 deg
+friction slider A mu
+find k = Q/W
+expect k_f = (tan(alpha) + mu)/(cos(theta) + mu*sin(theta))
+expect k_f = 2.325634962 at theta = 40 deg
+"""
+
+
+def test_a_formula_is_that_of_the_printed_case_and_a_number_that_of_code() -> None:
+    """At 40 degrees Q lifts A off: its guide holds it down, and the signs of mu turn."""
+    formula, figure = compile_source(Source("strut.mech", STRUT)).findings
+    assert formula.outcome == "proved"
+    assert figure.outcome == "agrees"
 
 
 @pytest.mark.parametrize(("digits", "outcome"), [("0.577", "agrees"), ("0.578", "refuted")])

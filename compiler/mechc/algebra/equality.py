@@ -11,12 +11,28 @@ False
 from collections.abc import Sequence
 from typing import assert_never
 
-from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    negative,
+)
+from ..formula.walk import children, rebuild
 from .angle import Angle
 from .from_formula import to_angle
 from .modular import Point
 
 _TRIES = 3
+
+_TRIGONOMETRIC = {"sin", "cos", "tan", "cot", "sec", "csc"}
+_ARCS = {"asin", "acos", "atan", "atan2"}
+_ODD = {"asin", "atan"}
 
 Definitions = Sequence[tuple[str, Formula]]
 """Names and what they stand for, each after those it needs."""
@@ -28,9 +44,10 @@ def equal(left: Formula, right: Formula, definitions: Definitions = ()) -> bool:
     Names that ``definitions`` explain are looked into, without writing them out.
 
     True is a proof up to a chance of some 1e-50. False is certain for what angle
-    algebra sees; functions it does not look into (roots, arc functions) count as
-    unknown quantities of their own, so two forms of one such function may be called
-    different: compare numerically then.
+    algebra sees; a root or an arc function counts as an unknown quantity of its own,
+    the same for equal arguments however they are written. What follows from the function
+    itself (a root squared, the sine of an arcsine) may be called different: compare
+    numerically then.
     """
     return all(_agree(left, right, definitions, seed) for seed in range(_TRIES))
 
@@ -56,15 +73,38 @@ class _Place:
     def define(self, name: str, formula: Formula) -> None:
         """Give a name the value of a formula, and its angle if it is one."""
         self._values[name] = self.residue(formula)
-        if (angle := to_angle(formula)) is not None:
-            self._angles[name] = self._inside(angle)
+        if (angle := self._angle(formula)) is not None:
+            self._angles[name] = angle
 
-    def _inside(self, angle: Angle) -> Angle:
-        """Return an angle with defined angles put in."""
+    def _angle(self, formula: Formula) -> Angle | None:
+        """Return a formula as an angle if it is linear in angles, with defined ones put in."""
+        angle = to_angle(self._with_arcs_named(formula))
+        if angle is None:
+            return None
         result = Angle.constant(angle.degrees)
         for name, c in angle.terms:
             result = result + self._angles.get(name, Angle.of(name)) * c
         return result
+
+    def _with_arcs_named(self, formula: Formula) -> Formula:
+        """Return a formula with a symbol for each arc function in it."""
+        match formula:
+            case Call(function, arguments) if function in _ARCS:
+                return self._named(function, arguments)
+            case Sum() | Product():
+                parts = (self._with_arcs_named(part) for part in children(formula))
+                return rebuild(formula, tuple(parts))
+            case _:
+                return formula
+
+    def _named(self, function: str, arguments: Sequence[Formula]) -> Formula:
+        """Return the symbol of a function's value, one for equal arguments."""
+        values = [self.residue(argument) for argument in arguments]
+        is_turned = function in _ODD and 2 * values[0] > self._point.prime
+        if is_turned:
+            values[0] = self._point.prime - values[0]
+        symbol = Symbol(f"{function} {values}")
+        return negative(symbol) if is_turned else symbol
 
     def residue(self, formula: Formula) -> int:
         """Return the value of a formula."""
@@ -84,14 +124,20 @@ class _Place:
                 return result
             case Power(base, Number(value)) if value.denominator == 1:
                 return point.power(self.residue(base), value.numerator)
-            case Call(function, (argument,)) if (angle := to_angle(argument)) is not None:
-                return self._trigonometric(formula, function, self._inside(angle))
-            case Pi() | Power() | Call() | Implicit():
+            case Call(function, (argument,)) if (
+                function in _TRIGONOMETRIC and (angle := self._angle(argument)) is not None
+            ):
+                return self._trigonometric(function, angle)
+            case Power(base, exponent):
+                return self.residue(self._named("power", (base, exponent)))
+            case Call(function, arguments):
+                return self.residue(self._named(function, arguments))
+            case Pi() | Implicit():
                 return point.length(str(formula))
             case _:
                 assert_never(formula)
 
-    def _trigonometric(self, formula: Formula, function: str, angle: Angle) -> int:
+    def _trigonometric(self, function: str, angle: Angle) -> int:
         point = self._point
         sin, cos = point.trig("sin", angle), point.trig("cos", angle)
         match function:
@@ -105,6 +151,5 @@ class _Place:
                 return cos * point.power(sin, -1) % point.prime
             case "sec":
                 return point.power(cos, -1)
-            case "csc":
+            case _:
                 return point.power(sin, -1)
-        return point.length(str(formula))

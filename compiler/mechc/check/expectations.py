@@ -3,7 +3,8 @@
 Two formulas that are equal as rational functions of lengths and exp(iα) are proved so
 exactly. Otherwise they are evaluated at the default pose and at random ones: the first
 that tells them apart refutes the expectation, and where none does the finding says only
-that they agree.
+that they agree. A formula is compared with what is printed: a result with friction in the
+case of the default pose. A number is compared with what code gives at its pose.
 """
 
 import math
@@ -83,9 +84,10 @@ def _with_names_of(expect: Expect, result: Result, definitions: Sequence[Definit
 def _judge(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
     if expect.tolerance or (expect.at and not symbols(expect.value)):
         return _compare_number(expect, result, mechanism)
-    if not expect.at and _proved(expect.value, result, mechanism):
+    printed = result.printed()
+    if not expect.at and _proved(expect.value, printed, mechanism):
         return Finding(expect, "proved")
-    return _compare_formula(expect, result, mechanism)
+    return _compare_formula(expect, printed, mechanism)
 
 
 # ------------------------------------------------------------------------- numbers
@@ -121,7 +123,7 @@ def _proved(value: Formula, result: Result, mechanism: Mechanism) -> bool:
     dependent = {p.name: p.value for p in mechanism.parameters if p.dependent and p.value}
     order, _ = ordered({n: set(symbols(f)) & dependent.keys() for n, f in dependent.items()})
     definitions = [(name, dependent[name]) for name in order]
-    definitions += [(d.name, d.formula) for d in result.where if d.name not in dependent]
+    definitions += [d for d in result.where if d.name not in dependent]
     return equal(value, result.formula, definitions)
 
 

@@ -11,7 +11,7 @@ from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
 from ..formula.tree import Formula
-from ..frozen import frozen
+from ..frozen import frozen, replace
 from ..units import Dimension
 from .mechanism import Require, Target
 
@@ -82,3 +82,10 @@ class Result:
     guards: tuple[Require, ...] = ()
     case: Case | None = None
     holds: tuple[Require, ...] = ()
+
+    def printed(self) -> "Result":
+        """Return the case that is printed, where the formula takes its signs from the pose."""
+        if self.case is None:
+            return self
+        formula, where, holds = self.case.formula, self.case.where, self.case.holds
+        return replace(self, formula=formula, where=where, holds=holds, case=None)

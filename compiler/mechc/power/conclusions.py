@@ -34,7 +34,7 @@ def conclude(balance: Balance) -> tuple[Result, ...]:
 
 def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> Result:
     if item.value is None:
-        return _as_printed(item.result)
+        return item.result.printed()
     mechanism = balance.plan.graph.pose.mechanism
     result = replace(
         item.result,
@@ -58,14 +58,6 @@ def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> R
         trends=trends,
         derivatives={name: slope.formula() for name, slope in slopes.items()},
     )
-
-
-def _as_printed(result: Result) -> Result:
-    """Return the case that is printed, where the formula takes its signs from the pose."""
-    if result.case is None:
-        return result
-    formula, where, holds = result.case.formula, result.case.where, result.case.holds
-    return replace(result, formula=formula, where=where, holds=holds, case=None)
 
 
 def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | None:
