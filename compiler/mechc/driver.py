@@ -18,7 +18,7 @@ from .emit.target import Emitted, Options, Target
 from .kinematics.from_pose import arrange
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve
-from .model.mechanism import Mechanism
+from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .pose.from_model import settle
 from .pose.pose import Pose
@@ -30,6 +30,7 @@ from .routine.steps import Routine
 from .source import Source
 from .statics.referee import judge
 from .statics.verdict import Verdict
+from .stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, put_in
@@ -48,8 +49,8 @@ STAGES: Mapping[str, str] = {
 }
 """The stages in order, and the attribute of :class:`Compilation` that holds each one's value."""
 
-SECOND_OPINIONS = ("verdict", "findings")
-"""The attributes that hold what statics and the user's ``expect`` lines say of the results."""
+SECOND_OPINIONS = ("verdict", "findings", "out_of_step")
+"""The attributes that hold what statics, the user's ``expect`` lines and the drive say of it."""
 
 
 class Compilation:
@@ -103,6 +104,11 @@ class Compilation:
         pose, results = self.pose, self.balance.results
         definitions = [Definition(*d) for d in pose.definitions]
         return self._sound(compare(pose.mechanism, results, self.report, definitions))
+
+    @cached_property
+    def out_of_step(self) -> tuple[Link, ...]:
+        """The links that do not follow the drive."""
+        return self._sound(remark(self.plan, self.report))
 
     @cached_property
     def derivation(self) -> Derivation:

@@ -10,7 +10,7 @@ from ..diagnostics import Report
 from ..diagnostics import stroke as words
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
-from ..model.mechanism import Drive, Link, LoadRatio, Mechanism, Parameter
+from ..model.mechanism import Drive, LoadRatio, Mechanism, Parameter
 from ..model.result import Result
 from ..power.balance import Balance
 from ..units import ANGLE, LENGTH, Dimension
@@ -18,7 +18,6 @@ from .along import NOT_ASSEMBLED, Along
 from .branches import branch_points
 from .ends import turning_back
 from .extrema import extrema
-from .in_step import out_of_step
 from .singular import BESIDE, singular_poses, told_apart
 from .stroke import Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, transmissions
@@ -37,8 +36,7 @@ FLAT = "branch point"
 def run(balance: Balance, results: Sequence[Result], points: int, report: Report) -> Stroke:
     """Return ``points`` rows along the stroke, and what is singular or extreme on it.
 
-    Reports E591 without a drive, E592 without a stroke's ends, W591 where a link does not
-    follow the drive.
+    Reports E591 without a drive, E592 without a stroke's ends.
     """
     pose = balance.plan.graph.pose
     drive = pose.mechanism.drive
@@ -49,8 +47,6 @@ def run(balance: Balance, results: Sequence[Result], points: int, report: Report
     if ends is None:
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
     runner = _Runner(balance, results, parameter, *ends)
-    for link in runner.out_of_step():
-        report.add(words.direction_stays(link.span, link.name, drive.parameter))
     return runner.stroke(points)
 
 
@@ -96,12 +92,6 @@ class _Runner:
         loads = {load.name for load in self._pose.mechanism.loads}
         defined = {d.name for d in result.where}
         return bool((symbols(result.formula) & loads) - defined)
-
-    def out_of_step(self) -> Iterator[Link]:
-        """Yield the links that do not follow the drive, as seen at its default."""
-        middle = (self._low + self._high) / 2
-        place = self._along.defaults.get(self._parameter.name, middle)
-        return out_of_step(self._balance.plan, self._along, place)
 
     def stroke(self, points: int) -> Stroke:
         """Return the whole."""

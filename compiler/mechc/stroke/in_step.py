@@ -7,6 +7,8 @@ formula has the drive in it. All links must turn along the stroke as the velocit
 import math
 from collections.abc import Iterator, Mapping
 
+from ..diagnostics import Report
+from ..diagnostics import stroke as words
 from ..kinematics.plan import Plan
 from ..model.mechanism import Contact, Force, Link, Mechanism, Slide, Slot, Telescope, Thrust
 from ..pose.pose import Pose, Vector, evaluate_vector
@@ -22,7 +24,20 @@ Rates = Mapping[str, float]
 """How fast each link turns."""
 
 
-def out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
+def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
+    """Return the links that do not follow the drive at its default, with W591 for each."""
+    drive = plan.graph.pose.mechanism.drive
+    if drive is None:
+        return ()
+    along = Along(plan, {})
+    place = along.defaults.get(drive.parameter)
+    found = tuple(_out_of_step(plan, along, place)) if place is not None else ()
+    for link in found:
+        report.add(words.direction_stays(link.span, link.name, drive.parameter))
+    return found
+
+
+def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
     """Yield the links whose direction matters and does not follow the drive."""
     pose = plan.graph.pose
     if plan.mobility != 1 or any(along.trouble(place + s) for s in (-STEP, 0, STEP)):
