@@ -115,7 +115,7 @@ force W at C along -90 deg
 friction slider A mu
 find k = Q/W
 expect k_f = (tan(alpha) + mu)/(cos(theta) + mu*sin(theta))
-expect k_f = 2.325634962 at theta = 40 deg
+expect k_f = 2.325634965 at theta = 40 deg
 """
 
 
