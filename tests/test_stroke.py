@@ -205,6 +205,13 @@ def test_a_crank_as_long_as_its_rod(length):
     assert places(found) == pytest.approx([math.pi / 2, 3 * math.pi / 2], abs=1e-12)
 
 
+def test_a_pin_that_passes_over_the_pivot_of_its_slot():
+    """Crank and frame of a Whitworth drive are equal: the slotted link may stand still or turn."""
+    text = (LIBRARY / "whitworth.mech").read_text(encoding="utf-8").split("expect")[0]
+    found = stroke(text.replace("d   = 30 mm", "d = 60 mm"))
+    assert places(found) == pytest.approx([3 * math.pi / 2], abs=1e-12)
+
+
 def test_a_loop_behind_a_loop_branches_where_its_own_crank_lies_flat():
     """A parallelogram on the rocker of a crank and rocker: flat as the rocker meets its frame."""
     a, b, c, d, phi = 40.0, 120.0, 80.0, 100.0, math.radians(200)

@@ -38,10 +38,34 @@ class Definition(NamedTuple):
 
 
 class Limit(NamedTuple):
-    """A margin that a loop has: positive where it closes in two ways, zero where in one."""
+    """Where the closures of a loop meet.
+
+    A triangle of sides d, p, q closes where d lies between |p − q| and p + q (``side`` is d,
+    ``sizes`` are p and q), a rod where it reaches its guide (``sizes``: its length, and how
+    far off the guide it is hinged), a pin in a slot where it is farther away than the slot's
+    line passes by (``side``: how far, ``sizes``: the line's distance).
+    """
 
     loop: str
-    margin: Product
+    group: Literal["triangle", "guide", "slot"]
+    side: Vector
+    sizes: tuple[Product, ...]
+
+    @property
+    def margins(self) -> tuple[Product, ...]:
+        """Return what is positive where there are two closures, zero where they are one."""
+        square = add(a.length * b.length * cosine(a.angle - b.angle)
+                     for a in self.side for b in self.side)  # fmt: skip
+        match self.group, self.sizes:
+            case "triangle", (p, q):
+                both = (p * q).scaled(2)
+                outer = add([p * p, both, q * q, -square])
+                return outer, add([square, -(p * p), both, -(q * q)])
+            case "guide", (size, height):
+                return add([size, -height]), add([size, height])
+            case _:
+                (across,) = self.sizes
+                return (add([square, -(across * across)]),)
 
 
 class Touch(NamedTuple):

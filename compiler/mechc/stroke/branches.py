@@ -12,7 +12,7 @@ from ..algebra.product import Product
 from ..algebra.sums import add
 from ..formula.roots import Function, Root, lowest, roots
 from ..formula.walk import symbols
-from ..pose.pose import Limit, Pose
+from ..pose.pose import Pose
 from .along import Along
 from .stroke import Branch
 
@@ -28,7 +28,8 @@ def branch_points(pose: Pose, along: Along, places: Sequence[float]) -> tuple[Br
     found = [
         Branch(limit.loop, *root)
         for limit in pose.limits
-        for root in _touched(limit, pose, along, places)
+        for margin in limit.margins
+        for root in _touched(margin, pose, along, places)
     ]
     kept: list[Branch] = []
     for branch in sorted(found, key=lambda b: (b.loop, b.drive)):
@@ -39,12 +40,12 @@ def branch_points(pose: Pose, along: Along, places: Sequence[float]) -> tuple[Br
     return tuple(sorted(kept, key=lambda b: b.drive))
 
 
-def _touched(limit: Limit, pose: Pose, along: Along, places: Sequence[float]) -> Iterator[Root]:
+def _touched(product: Product, pose: Pose, along: Along, places: Sequence[float]) -> Iterator[Root]:
     def margin(place: float) -> float:
-        return along.inside(limit.margin, place)
+        return along.inside(product, place)
 
     size = max((abs(v) for v in map(margin, places) if v == v), default=0.0)
-    for root in _turning(margin, _slope(limit.margin, pose), along, places):
+    for root in _turning(margin, _slope(product, pose), along, places):
         if abs(margin(root.place)) <= NIL * size:
             yield root
 

@@ -9,11 +9,11 @@ from ...diagnostics import pose as words
 from ...model.mechanism import Assembly
 from ...source import Span
 from ..nearby import Values
+from ..pose import Limit
 from .dyads import Closure
-from .limits import Margins
 from .reach import reach_of
 from .state import State
-from .web import Cycle, Names
+from .web import Cycle, Names, loop_name
 
 
 class Loops(Protocol):
@@ -30,8 +30,8 @@ class Loops(Protocol):
         ...
 
     @property
-    def margins(self) -> Margins:
-        """Return what vanishes where closures meet."""
+    def limit(self) -> Limit | None:
+        """Return where closures meet, if that is a function of what is known."""
         ...
 
     def triples(self) -> Sequence[tuple[str, str, str]]:
@@ -116,7 +116,7 @@ class Choice:
     # --------------------------------------------------------------------------- reports
 
     def _report_none(self, closures: Sequence[Closure], group: Loops) -> None:
-        stretches = reach_of(self._state, closures[0], group.margins)
+        stretches = reach_of(self._state, closures[0], group.limit)
         drive = self._state.mechanism.drive
         name = drive.parameter if drive else ""
         self._report.add(
@@ -181,8 +181,3 @@ def _degrees(angle: float) -> str:
 
 def _span(group: Loops) -> Span:
     return max((e.span for e in group.cycle), key=lambda s: s.start)
-
-
-def loop_name(cycle: Cycle) -> str:
-    """Return a loop by its points: ``O1-A-B-O2``."""
-    return "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))

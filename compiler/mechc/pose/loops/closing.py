@@ -22,13 +22,13 @@ from ..pose import Limit
 from ..terms import Terms
 from ..vectors import Vectors
 from .branches import branches
-from .choosing import Choice, loop_name
+from .choosing import Choice
 from .dyads import Group
 from .groups import closures, remaining_blocks
 from .rails import rails
 from .redundant import check_fit
 from .state import State
-from .web import Cycle, Names, Web, mentioned
+from .web import Cycle, Names, Web, loop_name, mentioned
 
 
 class Closed(NamedTuple):
@@ -174,7 +174,7 @@ class _Closing:
         chosen = self._choice.choose(candidates, group)
         self._report.stop_on_errors()
         assert chosen is not None
-        state.limits += (Limit(loop_name(cycle), margin) for margin in group.margins)
+        state.limits += [group.limit] if group.limit else []
         state.take(chosen, wanted, [tuple(a for e in cycle for a in e.arms)])
         return True
 

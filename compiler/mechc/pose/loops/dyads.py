@@ -20,9 +20,8 @@ from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula, negative, product, total
-from ..pose import Arm, Definition, Vector, components, gathered
-from .limits import Margins, of_guide, of_slide, of_triangle
-from .web import Cycle, Names, mentioned
+from ..pose import Arm, Definition, Limit, Vector, components, gathered
+from .web import Cycle, Names, loop_name, mentioned
 
 HALF_TURN, QUARTER = Angle.constant(180), Angle.constant(90)
 
@@ -77,7 +76,7 @@ class Group:
         """``kept`` are unknowns that the user named, ``fixed`` the pivots."""
         self._name, self._kept, self._fixed = name, kept, fixed
         self._shared: list[Definition] = []
-        self.margins: Margins = ()
+        self.limit: Limit | None = None
         self.cycle, self.unknown = cycle, unknown
         self.known = gathered(
             arm for edge in cycle for arm in edge.arms if unknown.isdisjoint(mentioned((arm,)))
@@ -190,7 +189,7 @@ class Group:
             return
         d, psi = self._polar(self.known, self._span_name())
         p, q = first.size, second.size
-        self.margins = of_triangle(self.known, p, q)
+        self.limit = Limit(loop_name(self.cycle), "triangle", self.known, (p, q))
         area = _heron(d, p, q)
         base, tip = (
             Call("atan2", (area, add([a * a, b * b, -(c * c)]).formula()))
@@ -243,7 +242,7 @@ class Group:
         """RRP: the part that turns spans the distance to the line that is reached along."""
         theta = reach.direction
         height = _along(self.known, theta + QUARTER)
-        self.margins = of_guide(turn.size, height)
+        self.limit = Limit(loop_name(self.cycle), "guide", (), (turn.size, height))
         sine_of = -(height / turn.size)
         flip = -1 if sine_of.coefficient < 0 else 1
         inclination = Call("asin", (sine_of.scaled(flip).formula(),))
@@ -271,7 +270,7 @@ class Group:
         gamma = reach.direction - Angle.of(turn.name) * turn.sense
         lean = turn.offset - gamma
         across, ahead = turn.size * sine(lean), turn.size * cosine(lean)
-        self.margins = of_slide(self.known, across)
+        self.limit = Limit(loop_name(self.cycle), "slot", self.known, (across,))
         if not across:
             named = self._slide_name(reach, [d, -ahead])
             yield self._closure(named, {turn.name: _aligned(turn, psi + HALF_TURN - gamma)})

@@ -17,9 +17,8 @@ from ...algebra.product import Product
 from ...formula.tree import Formula, System, implicit
 from ...frozen import replace
 from ..nearby import Values
-from ..pose import Arm, Definition, Vector, components, gathered
+from ..pose import Arm, Definition, Limit, Vector, components, gathered
 from .dyads import Closure
-from .limits import Margins
 from .state import State
 from .web import Cycle, mentioned
 
@@ -57,9 +56,9 @@ class Block(NamedTuple):
         return [_side_arms(loop) for loop in self.loops]
 
     @property
-    def margins(self) -> Margins:
-        """Return nothing: where closures meet is no function of what is known."""
-        return ()
+    def limit(self) -> Limit | None:
+        """Return None: where closures meet is no function of what is known."""
+        return None
 
     def triples(self) -> list[tuple[str, str, str]]:
         """Return the pins between two unknown edges, each with the far ends of the two."""

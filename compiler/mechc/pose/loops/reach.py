@@ -6,7 +6,7 @@ is the zero of the margin, halved to the last bits.
 """
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -21,8 +21,9 @@ from ...formula.tree import Call, Formula, Number, negative, total
 from ...formula.walk import evaluate, symbols, walk
 from ...model.values import Chain, dependent
 from ...units import ANGLE, Dimension
+from ..pose import Limit
 from .dyads import Closure
-from .limits import Margins, moved_by
+from .moving import moved_by
 from .state import State
 
 SAMPLES = 720
@@ -39,7 +40,7 @@ class End(NamedTuple):
     exact: str = ""
 
 
-def reach_of(state: State, closure: Closure, margins: Margins) -> list[Stretch]:
+def reach_of(state: State, closure: Closure, limit: Limit | None) -> list[Stretch]:
     """Return the stretches of the drive in which a group closes, empty without a drive."""
     drive = state.mechanism.drive
     if drive is None:
@@ -47,7 +48,8 @@ def reach_of(state: State, closure: Closure, margins: Margins) -> list[Stretch]:
     parameter = next(p for p in state.mechanism.parameters if p.name == drive.parameter)
     low, high = limits_of_drive(state, parameter.dimension)
     reach = _Reach(state, closure, drive.parameter)
-    ends = reach.ends((*(limit.margin for limit in state.limits), *margins), low, high)
+    limits = [*state.limits, *([limit] if limit else [])]
+    ends = reach.ends([m for one in limits for m in one.margins], low, high)
     found: list[Stretch] = []
     for start, end in pairwise(ends):
         if not reach.closes((start.place + end.place) / 2):
@@ -89,7 +91,7 @@ class _Reach:
         """Tell whether everything has a value."""
         return all(map(math.isfinite, self._values(place).values()))
 
-    def ends(self, margins: Margins, low: float, high: float) -> list[End]:
+    def ends(self, margins: Iterable[Product], low: float, high: float) -> list[End]:
         """Return where a margin vanishes, and the ends of the drive, in order."""
         inner = [e for m in margins for e in self._zeros(m, low, high) if low < e.place < high]
         return [End(low), *sorted(inner), End(high)]

@@ -10,7 +10,7 @@ from ..nearby import Values, poses_nearby
 from ..pose import Definition, Limit, Vector, turned_by
 from ..terms import Terms
 from .dyads import Closure
-from .limits import given_rates
+from .moving import given_rates
 from .rails import Rail
 from .rates import loop_rates
 from .web import Names, Web, mentioned

@@ -50,6 +50,11 @@ def _names(length: Product) -> Iterator[str]:
             yield from symbols(factor.formula())
 
 
+def loop_name(cycle: Cycle) -> str:
+    """Return a loop by its points: ``O1-A-B-O2``."""
+    return "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))
+
+
 class Web:
     """Edges, and the unknowns that are still sought."""
 
