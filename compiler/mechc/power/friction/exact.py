@@ -26,7 +26,7 @@ from ...model.mechanism import Mechanism
 from ...model.result import Definition
 from ..joint_forces import size_of
 from ..speeds import magnitude
-from .closed import Named
+from .closed import Named, readable
 from .pressing import Component, Pressed
 
 
@@ -46,7 +46,7 @@ def first_order(
             x, y = parts
             size, slip = size_of(x, y, mechanism), magnitude(p.slip, mechanism).formula()
             paired.append(product([(p.rub.factor.formula(), 1), (size, 1), (slip, 1)]))
-    added = total([add(alone).formula(), *paired])
+    added = total([readable(add(alone)), *paired])
     return Named(total([ideal, added if sense > 0 else negative(added)]))
 
 

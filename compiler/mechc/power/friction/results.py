@@ -3,10 +3,11 @@
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from ...algebra.from_formula import to_product
 from ...algebra.product import ONE, Product
 from ...diagnostics import Report
 from ...diagnostics import friction as words
-from ...formula.tree import ZERO, Symbol, product, quotient
+from ...formula.tree import ZERO, product
 from ...frozen import replace
 from ...kinematics.plan import Plan
 from ...model.mechanism import (
@@ -171,11 +172,11 @@ class FrictionResults:
             return None
         whole = self._result(find, ideal, named)
         name = f"{ideal.name}_f"
-        real = Symbol(name)
-        sides = (ideal.formula, real) if sense == "tightening" else (real, ideal.formula)
+        real, without = Product.symbol(name), to_product(ideal.formula)
+        share = (without / real if sense == "tightening" else real / without).formula()
         where = (*whole.where, Definition(name, named.formula))
         case = whole.case
         if case:
             there = (*case.where, Definition(name, case.formula))
-            case = replace(case, formula=quotient(*sides), where=there)
-        return replace(whole, formula=quotient(*sides), where=where, dimension=NUMBER, case=case)
+            case = replace(case, formula=share, where=there)
+        return replace(whole, formula=share, where=where, dimension=NUMBER, case=case)
