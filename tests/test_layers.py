@@ -38,7 +38,6 @@ VOCABULARY = {
     "derivation.wording",
     "kinematics.forms",
     "model.forms",
-    "model.order",
     "model.to_text",
     "model.values",
     "pose.to_text",

@@ -20,9 +20,8 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism
-from ..model.order import ordered
 from ..model.result import Definition, Result
-from ..model.values import Values
+from ..model.values import Chain, Values, completed, dependent
 from ..units import UNITS
 from .poses import complete, default_pose, random_poses
 
@@ -95,8 +94,8 @@ def _judge(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
 
 def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
     given = {p.name: default_pose(mechanism).get(p.name) for p in mechanism.parameters}
-    kept = {n: v for n, v in given.items() if v is not None and n not in _dependent(mechanism)}
-    values = _with_intermediates(complete(mechanism, kept | _at(expect)), result)
+    kept = {n: v for n, v in given.items() if v is not None and n not in dependent(mechanism)}
+    values = completed(complete(mechanism, kept | _at(expect)), result.where)
     missing = sorted(symbols(result.formula) - values.keys())
     if missing:
         return Finding(expect, "undecided", missing=missing[0])
@@ -112,18 +111,12 @@ def _at(expect: Expect) -> dict[str, float]:
     return {name: evaluate(value, {}) for name, value in expect.at.items()}
 
 
-def _dependent(mechanism: Mechanism) -> set[str]:
-    return {p.name for p in mechanism.parameters if p.dependent}
-
-
 # ------------------------------------------------------------------------ formulas
 
 
 def _proved(value: Formula, result: Result, mechanism: Mechanism) -> bool:
-    dependent = {p.name: p.value for p in mechanism.parameters if p.dependent and p.value}
-    order, _ = ordered({n: set(symbols(f)) & dependent.keys() for n, f in dependent.items()})
-    definitions = [(name, dependent[name]) for name in order]
-    definitions += [d for d in result.where if d.name not in dependent]
+    chain = Chain(dependent(mechanism))
+    definitions = [*chain.definitions, *(d for d in result.where if d.name not in chain.names)]
     return equal(value, result.formula, definitions)
 
 
@@ -153,15 +146,7 @@ def _everything(values: Values, expect: Expect, result: Result) -> Values:
     inner = {d.name for d in result.where}
     chance = random.Random(2)
     made_up = {n: chance.uniform(0.5, 1.5) for n in sorted(wanted - inner - values.keys())}
-    return _with_intermediates({**values, **made_up}, result)
-
-
-def _with_intermediates(values: Values, result: Result) -> dict[str, float]:
-    every = dict(values)
-    for name, formula in result.where:
-        if symbols(formula) <= every.keys():
-            every[name] = evaluate(formula, every)
-    return every
+    return completed({**values, **made_up}, result.where)
 
 
 # ------------------------------------------------------------------------- wording

@@ -5,7 +5,7 @@ Values are SI and radians.
 
 import math
 import operator
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Iterable, Mapping
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -40,6 +40,11 @@ class Chain:
         self._steps = [(name, formulas[name], needs[name]) for name in order]
 
     @property
+    def definitions(self) -> list[tuple[str, Formula]]:
+        """Return the formulas, each after those it needs."""
+        return [(name, formula) for name, formula, _ in self._steps]
+
+    @property
     def names(self) -> frozenset[str]:
         """Return the names that the formulas define."""
         return frozenset(name for name, _, _ in self._steps)
@@ -51,6 +56,15 @@ class Chain:
             if name not in found and needs <= found.keys():
                 found[name] = evaluate(formula, found)
         return found
+
+
+def completed(values: Values, definitions: Iterable[tuple[str, Formula]]) -> dict[str, float]:
+    """Return values with definitions that stand in order, as far as their names have values."""
+    found = dict(values)
+    for name, formula in definitions:
+        if symbols(formula) <= found.keys():
+            found[name] = evaluate(formula, found)
+    return found
 
 
 def independent(mechanism: Mechanism) -> list[Parameter]:

@@ -14,7 +14,8 @@ from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Find, Force, LoadRatio
-from ..model.result import Definition, Result
+from ..model.result import Result
+from ..model.values import Chain, completed, defaults, dependent
 from .balance import Balance, Solved, Term
 
 NIL = 1e-12
@@ -39,21 +40,14 @@ def check_numbers(balance: Balance, report: Report) -> Balance:
 def default_values(plan: Plan) -> dict[str, float]:
     """Return the values of parameters, intermediates, and bound sums at the default pose."""
     pose = plan.graph.pose
-    values: dict[str, float] = {}
-    definitions = [Definition(p.name, p.value) for p in pose.mechanism.parameters if p.value]
-    for name, formula in (*definitions, *pose.definitions):
-        if symbols(formula) <= values.keys():
-            values[name] = evaluate(formula, values)
-    values.update(dict.fromkeys(pose.placeholders, 1.0))
-    return values
+    chain = Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
+    open_lengths = dict.fromkeys(pose.placeholders, 1.0)
+    return chain.complete({**defaults(pose.mechanism), **open_lengths})
 
 
 def value_of(result: Result, values: Mapping[str, float]) -> float | None:
     """Return a result at given values; None where something it needs has none."""
-    known = dict(values)
-    for name, formula in result.where:
-        if symbols(formula) <= known.keys():
-            known[name] = evaluate(formula, known)
+    known = completed(values, result.where)
     if not symbols(result.formula) <= known.keys():
         return None
     return evaluate(result.formula, known)

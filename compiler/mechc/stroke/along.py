@@ -8,7 +8,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..kinematics.plan import Plan
 from ..model.result import Result
-from ..model.values import Chain, Values, allowed, defaults, dependent
+from ..model.values import Chain, Values, allowed, completed, defaults, dependent
 
 NOT_ASSEMBLED = "cannot be assembled"
 EXCLUDED = "excluded by a condition of use"
@@ -43,10 +43,9 @@ class Along:
 
     def of(self, formula: Formula, where: Result | None, place: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none."""
-        values = dict(self.values(place))
-        for name, inner in where.where if where else ():
-            if name not in values and symbols(inner) <= values.keys():
-                values[name] = evaluate(inner, values)
+        values = self.values(place)
+        if where:
+            values = completed(values, (d for d in where.where if d.name not in values))
         return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan
 
     def inside(self, value: Product, place: float) -> float:

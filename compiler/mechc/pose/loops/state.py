@@ -4,8 +4,8 @@ import math
 from collections.abc import Callable, Iterable, Mapping, Sequence
 
 from ...algebra.angle import Angle
-from ...formula.walk import evaluate, symbols
 from ...model.mechanism import Mechanism
+from ...model.values import completed
 from ..nearby import Values, poses_nearby
 from ..pose import Definition, Limit, Vector, turned_by
 from ..terms import Terms
@@ -75,10 +75,7 @@ class State:
 
     def tried(self, closure: Closure, values: Mapping[str, float]) -> Values:
         """Return values with what a closure would add to them; NaN where it does not close."""
-        found = dict(values)
-        for name, formula in closure.definitions:
-            if symbols(formula) <= found.keys():
-                found[name] = evaluate(formula, found)
+        found = completed(values, closure.definitions)
         for name, angle in closure.directions.items():
             if angle.names <= found.keys():
                 found[name] = angle.evaluate(found)
