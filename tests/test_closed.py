@@ -10,7 +10,7 @@ import pytest
 
 import mechc
 import reference_closed
-from good_mechanisms import compiled, tree_of
+from good_mechanisms import ALL, compiled, tree_of
 from mechc.formula.walk import evaluate
 from mechc.model.mechanism import LoadRatio
 from mechc.power.numbers import value_of
@@ -106,3 +106,13 @@ let lead = s - l
     lead = 0.05 * math.cos(phi) + 0.15 * math.cos(beta) - 0.15
     assert float(found["lead"]) == pytest.approx(lead, rel=1e-12)
     assert float(found["k"]) == pytest.approx(0.05 * math.sin(phi + beta) / math.cos(beta))
+
+
+def test_a_ternary_link_given_by_its_three_sides():
+    """The side CD says what the angle at B says; a body's own triangle closes no loop."""
+    text = ALL["triad_closed"].read_text(encoding="utf-8")
+    sides = text.replace("angle CBD = 60 deg", "CD = 80 mm\nassembly CBD cw")
+    given = mechc.loads(text, "a.mech"), mechc.loads(sides, "b.mech")
+    phi = [0.6, 0.9, 1.3]
+    one, other = (g.evaluate(phi=phi)["k"] for g in given)
+    assert other == pytest.approx(one, rel=1e-12)

@@ -1,6 +1,6 @@
 """Joints beyond pins and guides: slides, telescopes, slots, contacts, gears, racks, screws."""
 
-from collections.abc import Iterable
+from collections.abc import Collection, Iterable
 from typing import Protocol, TypeVar
 
 from ..diagnostics.model import joints as words
@@ -45,7 +45,8 @@ class Joints:
 
 def read_joints(file: ast.File, scope: Scope) -> Joints:
     """Return every joint of the description that is neither pin nor guide nor rigid link."""
-    slides = tuple(found(_slide(s, scope) for s in every(file, ast.Slide)))
+    loose = {s.point.text for s in every(file, ast.Slider) if s.through is None}
+    slides = tuple(found(_slide(s, loose, scope) for s in every(file, ast.Slide)))
     is_mirrored = bool(every(file, ast.Mirror))
     wheels = [s for s in file.statements if isinstance(s, ast.Gear | ast.Belt)]
     return Joints(
@@ -67,12 +68,16 @@ def found(items: Iterable[T | None]) -> Iterable[T]:
     return (item for item in items if item is not None)
 
 
-def _slide(statement: ast.Slide, scope: Scope) -> Slide | None:
+def _slide(statement: ast.Slide, loose: Collection[str], scope: Scope) -> Slide | None:
+    """Return a slide; a slider of its own that says where its guide lies is no repetition.
+
+    ``loose`` are the sliders that do not.
+    """
     points = scope.points.known(statement.points)
     along = read_direction(statement.along, scope)
     if not points or not along:
         return None
-    for point in (p for p in points if p in scope.points.guided):
+    for point in (p for p in points if p in loose):
         scope.report.add(words.guided_twice(statement.span, statement.points.text, point))
     return Slide(statement.points.text, points, along, statement.span)
 

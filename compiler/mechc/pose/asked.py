@@ -16,7 +16,7 @@ from ..frozen import replace
 from ..model.forms import Form, form_of
 from ..model.mechanism import Mechanism, Thrust
 from ..source import Span
-from .loops.dyads import principal
+from .loops.sides import principal
 from .vectors import Vectors
 
 

@@ -3,7 +3,8 @@
 import math
 from collections.abc import Iterable
 
-from ..formula.walk import evaluate
+from ..algebra.product import Product
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Mechanism, Parameter
 from ..model.values import Chain, dependent
 from .pose import Definition
@@ -26,6 +27,13 @@ def _given(mechanism: Mechanism, number: int) -> Values:
         for i, p in enumerate(mechanism.parameters)
         if not p.dependent and (number or p.value is not None)
     }
+
+
+def is_behind(length: Product, poses: Iterable[Values]) -> bool:
+    """Tell whether a length that was found, such as a place on a line, is negative."""
+    known = (values for values in poses if symbols(length.formula()) <= values.keys())
+    values = next(known, None)
+    return values is not None and length.evaluate(values) < 0
 
 
 def _moved(parameter: Parameter, part: float, number: int) -> float:

@@ -51,19 +51,21 @@ class Terms:
         angle = to_angle(formula)
         if angle is not None:
             return angle
-        definition = Definition(name, formula)
-        if definition not in self.definitions:
-            self.definitions.append(definition)
-        return Angle.of(name)
+        return Angle.of(self._defined(name, formula))
 
     def polar(self, x: Product, y: Product, name: str) -> tuple[Product, Angle]:
         """Return a vector of two components as ``len_name @ phi_name``, both defined."""
         parts = (x.formula(), y.formula())
         angle = self.angle(Call("atan2", parts[::-1]), f"phi_{name}")
-        length = Definition(f"len_{name}", Call("hypot", parts))
-        if length not in self.definitions:
-            self.definitions.append(length)
-        return Product.symbol(length.name), angle
+        return Product.symbol(self._defined(f"len_{name}", Call("hypot", parts))), angle
+
+    def _defined(self, name: str, formula: Formula) -> str:
+        """Define a name, or another like it where it means something else already."""
+        while any(d.name == name and d.formula != formula for d in self.definitions):
+            name += "_"
+        if Definition(name, formula) not in self.definitions:
+            self.definitions.append(Definition(name, formula))
+        return name
 
     def length(self, formula: Formula) -> Product:
         """Return a formula as a product."""

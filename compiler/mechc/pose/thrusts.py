@@ -10,8 +10,8 @@ from ..algebra.trigonometry import sine
 from ..diagnostics import Report
 from ..diagnostics import pose as words
 from ..model.mechanism import Mechanism, Thrust
-from .nearby import poses_nearby
-from .pose import Definition, Vector, evaluate_vector
+from .nearby import is_behind, poses_nearby
+from .pose import Arm, Definition, Vector, evaluate_vector
 from .terms import Terms
 from .vectors import Vectors
 
@@ -43,13 +43,20 @@ def thrust_line(thrust: Thrust, pairing: Pairing) -> Angle:
         pairing.report.add(words.missing_direction(thrust.span, pairs, what))
         return Angle()
     if len(vector) == 1:
-        _define_length(thrust, vector[0].length, pairing)
-        return vector[0].angle
+        return _along(thrust, vector[0], pairing)
     if pairing.vectors.is_open(vector):
         pairs = f"{thrust.first}{thrust.second}"
         pairing.report.add(words.no_direction_of_its_own(thrust.span, pairs))
         return Angle()
     return pairing.vectors.straighten(thrust.first, thrust.second)
+
+
+def _along(thrust: Thrust, arm: Arm, pairing: Pairing) -> Angle:
+    """Return the direction of the arm between the points, turned if it ends behind its start."""
+    poses = poses_nearby(pairing.mechanism, pairing.terms.definitions)
+    behind = is_behind(arm.length, poses)
+    _define_length(thrust, -arm.length if behind else arm.length, pairing)
+    return arm.angle + Angle.constant(180) if behind else arm.angle
 
 
 def _define_length(thrust: Thrust, length: Product, pairing: Pairing) -> None:

@@ -1,7 +1,7 @@
 """Vectors between points: given arms as edges of a graph, paths through it as sums."""
 
 from collections import deque
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -144,6 +144,12 @@ class Vectors:
             for head, vector in ways.items():
                 ways[head] = turned_by(vector, values)
         self.loops = [loop._replace(arms=turned_by(loop.arms, values)) for loop in self.loops]
+
+    def lay(self, edges: Iterable[Edge]) -> None:
+        """Enter vectors to points that no given one leads to."""
+        for edge in edges:
+            if self.chain(edge.tail, edge.head) is None:
+                self._join(edge.tail, edge.head, edge.arms)
 
     def _join(self, tail: str, head: str, vector: Vector) -> None:
         self._edges.setdefault(tail, {})[head] = vector

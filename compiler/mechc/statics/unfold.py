@@ -181,8 +181,12 @@ class Unfolding:
         share = force.times(self._parts(point))
         if not self._shared(point):
             return (Push(point, share), Push(self._twin(point), self._reflected(share)))
+        return (Push(point, self._axial(share)),)
+
+    def _axial(self, force: Plane) -> Plane:
+        """Return the part of a force on what both halves share that is the same for both."""
         axis = self._axis
-        return (Push(point, share if axis is None else axis.times(axis.dot(share))),)
+        return force if axis is None else axis.times(axis.dot(force))
 
     def couple(self, link: str, moment: float) -> tuple[Action, ...]:
         """Return what a couple on a link puts on the whole assembly."""
@@ -204,35 +208,32 @@ class Unfolding:
                 assert_never(load)
 
     def _pair(self, load: Thrust) -> tuple[Action, ...]:
-        """Return both forces of a pair; across the mirror the twin's is the other one."""
+        """Return both forces of a pair, all of them where it belongs to one half or branch.
+
+        Across the mirror the twin's is the other one.
+        """
         line = direction(self.pose.lines[load.name].evaluate(self.values))
         push = line.times(float(load.times))
         if load.second == f"{load.first}'":
             return self.push(load.first, push)
-        shared = self._shared(load.first) and self._shared(load.second)
-        if not shared or self._axis is None:
-            return (*self._half(load.second, push), *self._half(load.first, push.times(-1)))
-        return (*self.push(load.second, push), *self.push(load.first, push.times(-1)))
+        push = push.times(max(self._parts(load.first), self._parts(load.second)))
+        if self._shared(load.first) and self._shared(load.second):
+            push = self._axial(push)
+            return Push(load.second, push), Push(load.first, push.times(-1))
+        pair = Push(load.second, push), Push(load.first, push.times(-1))
+        return (*pair, *map(self._mirrored, pair))
 
     def apart(self, touch: Touch, along: Plane) -> tuple[Action, ...]:
         """Return a unit force on a pin and its reaction on the body under it, in both halves."""
         first = next(iter(self.pose.frames[touch.body]))
-        base, reach = (
-            self.arm(touch.body, first, touch.tail),
-            evaluate_vector(touch.reach, self.values),
-        )
+        base = self.arm(touch.body, first, touch.tail)
+        reach = evaluate_vector(touch.reach, self.values)
         x, y = base.x + reach[0], base.y + reach[1]
         back = Wrench(touch.body, along.times(-1), y * along.x - x * along.y)
         push: tuple[Action, ...] = (Push(touch.point, along), back)
         if self._axis is None or (self._shared(touch.point) and self._shared(touch.body)):
             return push
         return (*push, *map(self._mirrored, push))
-
-    def _half(self, point: str, force: Plane) -> tuple[Action, ...]:
-        """Return a force that both halves have, on a point that they may share."""
-        if self._axis is None:
-            return self.push(point, force)
-        return (Push(point, force), Push(self._twin(point), self._reflected(force)))
 
     def _bodies(self) -> Iterator[Body]:
         for link in self.pose.mechanism.links:
@@ -297,12 +298,9 @@ class Unfolding:
         """
         mechanism, values = self.pose.mechanism, self.values
         for mesh in mechanism.meshes:
-            first, second = (
-                evaluate(mesh.first_radius, values),
-                evaluate(mesh.second_radius, values),
-            )
-            sign = -1.0 if mesh.same else 1.0
-            couples = Couple(mesh.first_link, first), Couple(mesh.second_link, sign * second)
+            first = evaluate(mesh.first_radius, values)
+            second = evaluate(mesh.second_radius, values) * (-1 if mesh.same else 1)
+            couples = Couple(mesh.first_link, first), Couple(mesh.second_link, second)
             yield from self._both(f"{mesh.kind} {mesh.first}", couples)
         for rack in mechanism.racks:
             radius = evaluate(rack.radius, values)

@@ -313,7 +313,8 @@ def guided_twice(at: Span, slide: str, point: str) -> Words:
     nothing where it is parallel, and locks the slide where it is not::
 
         slider W along x
-        slide  WXY along x      # warned of: the slide guides W by itself
+        slide  WXY along x                # warned of: the slide guides W by itself
+        slider W along x through O        # right: it says where the guide lies
     """
     return Words(
         at,

@@ -1,7 +1,7 @@
 """Which of two closures is meant: what the user said, decided at the default pose."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from typing import Protocol
 
 from ...diagnostics import Report
@@ -11,6 +11,7 @@ from ...source import Span
 from ..nearby import Values
 from ..pose import Limit
 from .dyads import Closure
+from .rails import Rail
 from .reach import reach_of
 from .state import State
 from .web import Cycle, Names, loop_name
@@ -49,9 +50,15 @@ class Choice:
     def __init__(self, state: State, report: Report) -> None:
         self._state, self._report = state, report
         self._unused = list(state.mechanism.assemblies)
+        self._lines: Mapping[str, Rail] = {}
 
-    def choose(self, closures: Sequence[Closure], group: Loops) -> Closure | None:
-        """Return the closure that is meant; report where there is none, or none is named."""
+    def choose(
+        self, closures: Sequence[Closure], group: Loops, within: Collection[str] | None = None
+    ) -> Closure | None:
+        """Return the closure that is meant; report where there is none, or none is named.
+
+        ``within`` are the points of a body that closes by itself: only they have places yet.
+        """
         base = self._state.base
         poses = [self._state.tried(c, base) for c in closures]
         possible = [i for i, p in enumerate(poses) if all(map(math.isfinite, p.values()))]
@@ -60,11 +67,13 @@ class Choice:
             return None
         if len(closures) == 1:
             return closures[0]
-        decisive = [a for a in self._unused if self._decides(a, poses, base)]
+        possible = self._with_lengths(possible, poses, group) or possible
+        self._lines = self._rails_of(group)
+        heard = [a for a in self._unused if within is None or set(a.points) <= set(within)]
+        decisive = [a for a in heard if self._decides(a, poses, base)]
+        self._unused = [a for a in self._unused if a not in decisive]
         meant = [i for i in possible if all(self._holds(a, poses, i) for a in decisive)]
-        for assembly in decisive:
-            self._unused.remove(assembly)
-        if not decisive and len(ahead := _reaching_ahead(closures, poses)) == 1:
+        if not decisive and len(ahead := self._reaching_ahead(group, poses)) == 1:
             meant = ahead
         if len(meant) != 1:
             self._report_open(decisive, poses, group)
@@ -75,6 +84,25 @@ class Choice:
         """Warn of lines that decided nothing."""
         for assembly in self._unused:
             self._report.add(words.assembly_idle(assembly.span, "".join(assembly.points)))
+
+    def _rails_of(self, group: Loops) -> Mapping[str, Rail]:
+        """Return the line of each pin; of several lines the one along which the group closes."""
+        rails = sorted(self._state.rails, key=lambda rail: rail.length in group.unknown)
+        return {rail.pin: rail for rail in rails}
+
+    def _with_lengths(
+        self, indices: Sequence[int], poses: Sequence[Values], group: Loops
+    ) -> list[int]:
+        """Return the closures in which no vector has a negative length; places may be negative."""
+        places = {rail.length for rail in self._state.rails} | self._state.named
+        lengths = group.unknown - self._state.angles - places
+        return [i for i in indices if all(poses[i].get(n, 0.0) >= 0 for n in lengths)]
+
+    def _reaching_ahead(self, group: Loops, poses: Sequence[Values]) -> list[int]:
+        """Return the closures in which no length is negative."""
+        names = group.unknown - self._state.angles
+        lengths = [[p[n] for n in names if n in p] for p in poses]
+        return [i for i, sizes in enumerate(lengths) if sizes and min(sizes) >= 0]
 
     def _decides(self, assembly: Assembly, poses: Sequence[Values], before: Values) -> bool:
         """Tell whether this group is what places the points named."""
@@ -90,7 +118,7 @@ class Choice:
             return None
         if len(assembly.points) == 1:
             x, y = places[assembly.points[0]]
-            along = self._state.rails[assembly.points[0]].angle.evaluate(values)
+            along = self._lines[assembly.points[0]].angle.evaluate(values)
             return x * math.cos(along) + y * math.sin(along)
         (ax, ay), (bx, by), (cx, cy) = (places[p] for p in assembly.points)
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
@@ -101,7 +129,7 @@ class Choice:
         """Return a point to measure from: the fixed end of a guide, or the first point."""
         if len(assembly.points) == 3:
             return assembly.points[0]
-        rail = self._state.rails.get(assembly.points[0])
+        rail = self._lines.get(assembly.points[0])
         return rail.start if rail and rail.angle.names <= values.keys() else None
 
     def _holds(self, assembly: Assembly, poses: Sequence[Values], i: int) -> bool:
@@ -137,10 +165,10 @@ class Choice:
         """Return the lines that would choose a closure, and its angles in degrees."""
         angles = sorted(n for n in group.unknown if n in self._state.angles)
         shown = ", ".join(f"{n} = {_degrees(values[n])}" for n in angles if n in values)
-        lines = " with ".join(f"`{line}`" for line in self._lines(group, values, poses))
+        lines = " with ".join(f"`{line}`" for line in self._telling(group, values, poses))
         return f"{lines} ({shown})" if shown else lines
 
-    def _lines(self, group: Loops, values: Values, poses: Sequence[Values]) -> list[str]:
+    def _telling(self, group: Loops, values: Values, poses: Sequence[Values]) -> list[str]:
         """Return as many lines as it takes to tell a closure from all others."""
         others, lines = [p for p in poses if p is not values], list[str]()
         for probe in self._probes(group):
@@ -153,7 +181,7 @@ class Choice:
 
     def _probes(self, group: Loops) -> Iterator[Assembly]:
         span = _span(group)
-        for point, rail in self._state.rails.items():
+        for point, rail in self._lines.items():
             if rail.length in group.unknown:
                 yield Assembly((point,), "forward", span)
         for points in group.triples():
@@ -167,12 +195,6 @@ class Choice:
                 "forward" if mine == max(self._measure(probe, p) or 0.0 for p in poses) else "back"
             )
         return "ccw" if mine > 0 else "cw"
-
-
-def _reaching_ahead(closures: Sequence[Closure], poses: Sequence[Values]) -> list[int]:
-    """Return the closures in which no length is negative."""
-    lengths = [[d.name for d in c.definitions if d.name.startswith("len_")] for c in closures]
-    return [i for i, p in enumerate(poses) if lengths[i] and all(p[n] >= 0 for n in lengths[i])]
 
 
 def _degrees(angle: float) -> str:

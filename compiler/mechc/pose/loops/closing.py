@@ -52,10 +52,9 @@ def close(
     Reports E303 where given data disagree, E307 and E308 where the closure is not chosen,
     E309 where there is none at the default pose.
     """
-    named = _sought_parameters(mechanism)
-    if not compass.sought and not named:
+    named, lines = _sought_parameters(mechanism), list(rails(mechanism, compass))
+    if not (compass.sought or named or (lines and mechanism.drive)):
         return Closed(mechanism, frozenset(), {}, ())
-    lines = list(rails(mechanism, compass))
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
     lengths = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
     lengths -= {d.name for d in terms.definitions}
@@ -67,6 +66,7 @@ def close(
     report.stop_on_errors()
     compass.put(state.directions)
     vectors.put(state.directions)
+    vectors.lay(state.laid())
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
     found, bounds = frozenset(state.found), tuple(state.limits)
     return Closed(_with_solved(mechanism, state), found, state.rates, bounds)
@@ -108,26 +108,29 @@ class _Closing:
         """Close everything that can be closed."""
         for link in self._state.mechanism.links:
             self._close_body(link)
-        while self._state.is_open and self._close_next():
+        while self._state.is_open and (self._close_next() or self._close_block()):
             pass
-        if self._state.open_angles:
-            self._close_together()
         self._choice.warn_of_unused()
 
-    def _close_together(self) -> None:
-        """Close the groups of class III and higher, each as a system of its own."""
-        for block in remaining_blocks(self._state):
-            found = closures(block, self._state)
-            if not found:
-                span = max((e.span for e in block.cycle), key=lambda s: s.start)
-                loop, drive = loop_name(block.cycle), self._state.mechanism.drive
-                reach = branches(block, self._state)
-                name = drive.parameter if drive else ""
-                raise self._report.fail(words.cannot_assemble(span, loop, name, reach))
-            chosen = self._choice.choose(found, block)
-            self._report.stop_on_errors()
-            assert chosen is not None
-            self._state.take(chosen, block.unknown, block.sides)
+    def _close_block(self) -> bool:
+        """Close a group of class III or higher, as a system; False where none is left."""
+        if not self._state.open_angles:
+            return False
+        block = next(remaining_blocks(self._state), None)
+        if block is None:
+            return False
+        found = closures(block, self._state)
+        if not found:
+            span = max((e.span for e in block.cycle), key=lambda s: s.start)
+            loop, drive = loop_name(block.cycle), self._state.mechanism.drive
+            reach = branches(block, self._state)
+            name = drive.parameter if drive else ""
+            raise self._report.fail(words.cannot_assemble(span, loop, name, reach))
+        chosen = self._choice.choose(found, block)
+        self._report.stop_on_errors()
+        assert chosen is not None
+        self._state.take(chosen, block.unknown, block.sides)
+        return True
 
     def _close_body(self, link: Link) -> None:
         """Close the triangles of a body whose sides are given, one direction apart."""
@@ -159,19 +162,19 @@ class _Closing:
         """Close one cycle; False where none is left that two unknowns close."""
         pairs = list(self._state.web.pairs(within))
         telling = [pair for pair in pairs if not pair[0].isdisjoint(self._state.angles)]
-        return any(self._settle(*pair) for pair in (*telling, *pairs))
+        return any(self._settle(*pair, within) for pair in (*telling, *pairs))
 
-    def _settle(self, wanted: Names, cycle: Cycle) -> bool:
+    def _settle(self, wanted: Names, cycle: Cycle, within: Names | None) -> bool:
         if len(wanted) == 1:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
-        group = Group(cycle, wanted, state.named, self._fixed, state.free_name)
+        group = Group(cycle, wanted, state.named, self._fixed, state.free_name, state.base)
         ways = group.closures()
         if not ways:
             return False
         familiar = self._familiar(cycle)
         candidates = [state.recognised(c, wanted, familiar) for c in ways]
-        chosen = self._choice.choose(candidates, group)
+        chosen = self._choice.choose(candidates, group, within)
         self._report.stop_on_errors()
         assert chosen is not None
         state.limits += [group.limit] if group.limit else []

@@ -20,7 +20,9 @@ from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula, negative, product, total
+from ..nearby import Values, is_behind
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
+from .sides import along, common_turn, heron, principal
 from .web import Cycle, Names, loop_name, mentioned
 
 HALF_TURN, QUARTER = Angle.constant(180), Angle.constant(90)
@@ -71,10 +73,16 @@ class Group:
     """A loop with its two unknowns, taken apart."""
 
     def __init__(
-        self, cycle: Cycle, unknown: Names, kept: Names, fixed: Names, name: Namer
+        self,
+        cycle: Cycle,
+        unknown: Names,
+        kept: Names,
+        fixed: Names,
+        name: Namer,
+        values: Values,
     ) -> None:
-        """``kept`` are unknowns that the user named, ``fixed`` the pivots."""
-        self._name, self._kept, self._fixed = name, kept, fixed
+        """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose."""
+        self._name, self._kept, self._fixed, self._values = name, kept, fixed, values
         self._shared: list[Definition] = []
         self.limit: Limit | None = None
         self.cycle, self.unknown = cycle, unknown
@@ -153,14 +161,23 @@ class Group:
         return any(p in self._fixed for e in edges for p in (e.tail, e.head))
 
     def _polar(self, vector: Vector, name: str) -> tuple[Product, Angle]:
-        """Return a vector as one length and one direction, both named where it is a sum."""
+        """Return a vector as one length and one direction, both named where it is a sum.
+
+        The length is positive: a difference or a place on a line may have to be turned round.
+        What turns as one body has a direction within it, ``delta``, that does not turn.
+        """
         if len(vector) == 1:
-            return vector[0].length, vector[0].angle
-        parts = tuple(p.formula() for p in components(vector))
-        size, angle = self._name(f"len_{name}"), self._name(f"phi_{name}")
+            length, angle = vector[0]
+            behind = is_behind(length, [self._values])
+            return (-length, angle + HALF_TURN) if behind else (length, angle)
+        turn = common_turn(vector)
+        within = gathered(Arm(arm.length, arm.angle - turn) for arm in vector)
+        parts = tuple(p.formula() for p in components(within))
+        size = self._name(f"len_{name}")
+        within_name = self._name(f"{'delta' if turn.terms else 'phi'}_{name}")
         self._shared.append(Definition(size, Call("hypot", parts)))
-        self._shared.append(Definition(angle, Call("atan2", parts[::-1])))
-        return Product.symbol(size), Angle.of(angle)
+        self._shared.append(Definition(within_name, Call("atan2", parts[::-1])))
+        return Product.symbol(size), turn + Angle.of(within_name)
 
     def _span_name(self) -> str:
         """Return the name of the known side of the loop, by the points at its ends."""
@@ -190,7 +207,7 @@ class Group:
         d, psi = self._polar(self.known, self._span_name())
         p, q = first.size, second.size
         self.limit = Limit(loop_name(self.cycle), "triangle", self.known, (p, q))
-        area = _heron(d, p, q)
+        area = heron(d, p, q)
         base, tip = (
             Call("atan2", (area, add([a * a, b * b, -(c * c)]).formula()))
             for a, b, c in ((d, p, q), (p, q, d))
@@ -241,7 +258,7 @@ class Group:
     def _turn_and_guide(self, turn: Turning, reach: Reaching) -> Iterable[Closure]:
         """RRP: the part that turns spans the distance to the line that is reached along."""
         theta = reach.direction
-        height = _along(self.known, theta + QUARTER)
+        height = along(self.known, theta + QUARTER)
         self.limit = Limit(loop_name(self.cycle), "guide", (), (turn.size, height))
         sine_of = -(height / turn.size)
         flip = -1 if sine_of.coefficient < 0 else 1
@@ -259,8 +276,8 @@ class Group:
                 lean_angle = Angle.of(name) * flip
                 direction = theta + lean_angle if forward else theta + HALF_TURN - lean_angle
                 put = {turn.name: turn.angle_at(direction)}
-            along = (*self.known, Arm(turn.size, direction))
-            yield self._closure([named, _reach(reach, -_along(along, theta))], put)
+            behind = (*self.known, Arm(turn.size, direction))
+            yield self._closure([named, _reach(reach, -along(behind, theta))], put)
 
     def _turn_and_slide(self, turn: Turning, reach: Reaching) -> Iterable[Closure]:
         """RPR: the part that is reached along turns with the unknown direction."""
@@ -272,8 +289,9 @@ class Group:
         across, ahead = turn.size * sine(lean), turn.size * cosine(lean)
         self.limit = Limit(loop_name(self.cycle), "slot", self.known, (across,))
         if not across:
-            named = self._slide_name(reach, [d, -ahead])
-            yield self._closure(named, {turn.name: _aligned(turn, psi + HALF_TURN - gamma)})
+            for side, way in ((d, psi + HALF_TURN), (-d, psi)):
+                named = _reach(reach, add([side, -ahead]))
+                yield self._closure([named], {turn.name: _aligned(turn, way - gamma)})
             return
         sides = d.formula(), across.formula()
         root: Formula = Call(
@@ -287,16 +305,13 @@ class Group:
             angle = total([lead, negative(offset) if turn.sense > 0 else offset])
             yield Closure((Definition(reach.name, size), Definition(turn.name, angle)), {})
 
-    def _slide_name(self, reach: Reaching, parts: list[Product]) -> list[Definition]:
-        return [Definition(reach.name, (add(parts) / reach.scale).formula())]
-
     def _two_lengths(self, first: Reaching, second: Reaching) -> Iterable[Closure]:
         """PRP and RPP: two lengths along known directions."""
         angle = sine(first.direction - second.direction)
         if not angle:
             return
-        one = -(_along(self.known, second.direction + QUARTER) / angle)
-        two = _along(self.known, first.direction + QUARTER) / angle
+        one = -(along(self.known, second.direction + QUARTER) / angle)
+        two = along(self.known, first.direction + QUARTER) / angle
         yield self._closure([_reach(first, one), _reach(second, two)], {})
 
     def _closure(self, definitions: list[Definition], put: Mapping[str, Angle]) -> Closure:
@@ -321,21 +336,3 @@ def _reach(reach: Reaching, length: Product) -> Definition:
 
 def _inverse(scale: Product) -> tuple[Formula, int]:
     return scale.formula(), -1
-
-
-def _along(vector: Vector, direction: Angle) -> Product:
-    return add(arm.length * cosine(arm.angle - direction) for arm in vector)
-
-
-def principal(angle: Angle) -> Angle:
-    """Return an angle with its constant between −180° and 180°."""
-    return Angle(angle.terms, -((180 - angle.degrees) % 360 - 180))
-
-
-def _heron(d: Product, p: Product, q: Product) -> Formula:
-    """Return four times the area of a triangle.
-
-    The factors stay apart: two that are alike would else make a square, whose root has no sign.
-    """
-    factors = (add([p, q, d]), add([p, q, -d]), add([d, p, -q]), add([d, q, -p]))
-    return Call("sqrt", (product((f.formula(), 1) for f in factors),))

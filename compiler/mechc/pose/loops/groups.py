@@ -73,8 +73,11 @@ class Block(NamedTuple):
 
 
 def remaining_blocks(state: State) -> Iterator[Block]:
-    """Yield the blocks of what is left, each after those that it rests on."""
-    loops = state.web.fundamental()
+    """Yield the blocks of what is left, each after those that it rests on.
+
+    A loop of one unknown is a body's, turns as a whole and says nothing.
+    """
+    loops = [loop for loop in state.web.fundamental() if len(_unknown(loop, state)) > 1]
     equations = [(i, part) for i in range(len(loops)) for part in (0, 1)]
     names = sorted({n for loop in loops for n in _unknown(loop, state)})
     number = {n: i for i, n in enumerate(names)}

@@ -6,7 +6,7 @@ from typing import NamedTuple, assert_never
 from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...frozen import replace
-from ...model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
+from ...model.mechanism import Arrow, Geometry, Mechanism, Offset, Thrust, Turn
 from ...source import Span
 from ..compass import Compass
 from ..pose import Arm
@@ -14,17 +14,16 @@ from .web import Edge
 
 
 class Rail(NamedTuple):
-    """A line on which a pin slides: where it starts, its direction, the name of the distance."""
+    """A line on which a pin slides: where it starts, its direction, the name of the distance.
+
+    The distance is counted along the line, so that it is negative behind the start.
+    """
 
     start: str
     pin: str
     angle: Angle
+    length: str
     span: Span
-
-    @property
-    def length(self) -> str:
-        """Return the name of the distance from the start to the pin."""
-        return f"len_{self.start}{self.pin}"
 
     @property
     def edge(self) -> Edge:
@@ -38,10 +37,19 @@ def rails(mechanism: Mechanism, compass: Compass) -> Iterator[Rail]:
     for slider in mechanism.sliders:
         angle = compass.resolve(slider.along, f"theta_{slider.point}")
         if slider.through and angle is not None:
-            yield Rail(slider.through, slider.point, angle, slider.span)
+            name = _length(slider.through, slider.point, mechanism)
+            yield Rail(slider.through, slider.point, angle, name, slider.span)
     for slot in mechanism.slots:
         if (angle := compass.of(slot.tail, slot.head)) is not None:
-            yield Rail(slot.tail, slot.point, angle, slot.span)
+            name = _length(slot.tail, slot.point, mechanism)
+            yield Rail(slot.tail, slot.point, angle, name, slot.span)
+
+
+def _length(start: str, pin: str, mechanism: Mechanism) -> str:
+    """Return a name for the distance; that of a spring's ends means what is never negative."""
+    springs = (t for t in mechanism.loads if isinstance(t, Thrust) and t.spring)
+    taken = any((t.first, t.second) == (start, pin) for t in springs)
+    return f"len_{start}{pin}" + "_" * taken
 
 
 def with_lines(mechanism: Mechanism) -> Mechanism:

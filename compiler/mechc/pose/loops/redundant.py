@@ -8,7 +8,8 @@ from ...diagnostics import Diagnostic
 from ...diagnostics import pose as words
 from ...formula.tree import Call
 from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
-from .dyads import Closure, principal
+from .dyads import Closure
+from .sides import principal
 from .state import State
 from .web import Cycle, mentioned
 

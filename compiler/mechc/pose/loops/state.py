@@ -1,7 +1,7 @@
 """What closing the loops has found so far: definitions, directions, numbers."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from ...algebra.angle import Angle
 from ...model.mechanism import Mechanism
@@ -13,7 +13,7 @@ from .dyads import Closure
 from .moving import given_rates
 from .rails import Rail
 from .rates import loop_rates
-from .web import Names, Web, mentioned
+from .web import Edge, Names, Web, mentioned
 
 ALIKE = 1e-9
 """Angles in radians that differ by less at every pose looked at are the same angle."""
@@ -35,7 +35,7 @@ class State:
         named: Names,
     ) -> None:
         self.mechanism, self.web, self.angles, self.named = mechanism, web, angles, named
-        self.rails = {rail.pin: rail for rail in lines}
+        self.rails = list(lines)
         self.definitions = terms.definitions
         self.directions: dict[str, Angle] = {}
         self.found: set[str] = set()
@@ -62,8 +62,14 @@ class State:
 
     @property
     def is_open(self) -> bool:
-        """Tell whether a direction, or a quantity that the user named, is still sought."""
-        return bool(self.open_angles or self.named & self.web.sought)
+        """Tell whether a direction, a place on a line or what the user named is still sought."""
+        driven = self.mechanism.drive is not None
+        places = {rail.length for rail in self.rails if driven}
+        return bool(self.web.sought & (self.angles | self.named | places))
+
+    def laid(self) -> Iterator[Edge]:
+        """Yield the vectors to the pins whose place on a line was found."""
+        return (rail.edge for rail in self.rails if rail.length in self.found)
 
     def free_name(self, stem: str) -> str:
         """Return a name that nothing has, and keep it."""
@@ -91,7 +97,7 @@ class State:
         settled = dict(closure.directions)
         self.directions = {n: a.put(settled) for n, a in self.directions.items()} | settled
         self.web.put(settled)
-        self.rails = {p: r._replace(angle=r.angle.put(settled)) for p, r in self.rails.items()}
+        self.rails = [r._replace(angle=r.angle.put(settled)) for r in self.rails]
         for values in self.values:
             for name in settled:
                 values.pop(name, None)

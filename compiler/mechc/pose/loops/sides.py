@@ -1,0 +1,33 @@
+"""The sides and angles of the triangles that loops make."""
+
+from ...algebra.angle import Angle
+from ...algebra.product import Product
+from ...algebra.sums import add
+from ...algebra.trigonometry import cosine
+from ...formula.tree import Call, Formula, product
+from ..pose import Vector
+
+
+def along(vector: Vector, direction: Angle) -> Product:
+    """Return the component of a vector along a direction."""
+    return add(arm.length * cosine(arm.angle - direction) for arm in vector)
+
+
+def common_turn(vector: Vector) -> Angle:
+    """Return the symbols by which all arms turn alike."""
+    alike = set.intersection(*(set(arm.angle.terms) for arm in vector))
+    return Angle(tuple(sorted((n, c) for n, c in alike if n in vector[0].angle.names)))
+
+
+def principal(angle: Angle) -> Angle:
+    """Return an angle with its constant between −180° and 180°."""
+    return Angle(angle.terms, -((180 - angle.degrees) % 360 - 180))
+
+
+def heron(d: Product, p: Product, q: Product) -> Formula:
+    """Return four times the area of a triangle.
+
+    The factors stay apart: two that are alike would else make a square, whose root has no sign.
+    """
+    factors = (add([p, q, d]), add([p, q, -d]), add([d, p, -q]), add([d, q, -p]))
+    return Call("sqrt", (product((f.formula(), 1) for f in factors),))

@@ -1,0 +1,106 @@
+"""Grown mechanisms along strokes, by coordinates: Newton's method in small steps.
+
+Nothing but places and the bilinear forms that hold between them. Velocities come from the
+same forms, differentiated; loads from their work. Many strokes run at once.
+"""
+
+import math
+
+import numpy as np
+
+CLOSED = 1e-15
+"""A gap below this, in square metres, is closed."""
+
+HARD = 300.0
+"""Above this condition a pose is near a dead centre: the reference could take another branch."""
+
+
+class Strokes:
+    """The strokes of one mechanism: columns of drives and cranks, rows of poses."""
+
+    def __init__(self, grown):
+        self.grown = grown
+        self.index = {p: i for i, p in enumerate(grown.places)}
+        self.x0 = np.array(list(grown.places.values()), dtype=float)
+        self.loose = [i for p, i in self.index.items() if p not in grown.fixed]
+        self.left, self.right = (self._chords(a) for a in (0, 2))
+        cross = np.array([[0.0, 1.0], [-1.0, 0.0]])
+        self.turned = np.array([cross if f.is_cross else np.eye(2) for f in grown.forms])
+        self.values = np.array([f.value for f in grown.forms])
+        self.drives = [(i, f.drive) for i, f in enumerate(grown.forms) if f.drive]
+
+    def _chords(self, first):
+        """Return the matrix that takes places to the differences in the forms."""
+        rows = np.zeros((len(self.grown.forms), len(self.x0)))
+        for row, form in zip(rows, self.grown.forms, strict=True):
+            row[self.index[form[first]]] -= 1
+            row[self.index[form[first + 1]]] += 1
+        return rows
+
+    def _run(self, drive, crank):
+        """Return the values of the forms at each stroke's drive, and their rates."""
+        values = np.tile(self.values, (len(drive), 1))
+        rates = np.zeros_like(values)
+        for i, kind in self.drives:
+            c, s, still = np.cos(drive), np.sin(drive), np.zeros_like(drive)
+            values[:, i], rates[:, i] = {
+                "cos": (crank * c, -crank * s),
+                "sin": (crank * s, crank * c),
+                "xx": (drive * drive, 2 * drive),
+                "rr": (crank * crank, still),
+                "r": (values[:, i] * crank / self.grown.size, still),
+            }[kind]
+        return values, rates
+
+    def _jacobian(self, x):
+        """Return the forms at places x, and their derivatives by the loose points' places."""
+        u, w = self.left @ x, np.einsum("fab,sfb->sfa", self.turned, self.right @ x)
+        back = np.einsum("fba,sfb->sfa", self.turned, u)
+        slopes = (
+            self.left[:, :, None] * w[:, :, None, :] + self.right[:, :, None] * back[:, :, None, :]
+        )
+        return np.sum(u * w, axis=2), slopes[:, :, self.loose].reshape(len(x), len(w[0]), -1)
+
+    def _closed(self, x, values):
+        """Return the places by Newton's method, the last Jacobian, and which ones close."""
+        for _ in range(12):
+            found, jacobian = self._jacobian(x)
+            gap = found - values
+            if np.max(np.abs(gap)) < CLOSED / 50:
+                break
+            step = np.linalg.solve(jacobian, gap[:, :, None])[:, :, 0]
+            x = x.copy()
+            x[:, self.loose] -= np.nan_to_num(step).reshape(len(x), -1, 2)
+        found, jacobian = self._jacobian(x)
+        return x, jacobian, np.max(np.abs(found - values), axis=1) < CLOSED
+
+    def followed(self, drives, cranks):
+        """Return k at each pose of each stroke, NaN from where one comes near a dead centre."""
+        x = np.tile(self.x0, (len(drives), 1, 1))
+        alive = np.ones(len(drives), bool)
+        found = np.full(drives.shape, math.nan)
+        for j, drive in enumerate(drives.T):
+            values, rates = self._run(drive, cranks[:, j])
+            x, jacobian, closed = self._closed(x, values)
+            sizes = np.linalg.norm(jacobian, axis=2, keepdims=True)
+            alive &= closed & (np.linalg.cond(jacobian / sizes) < HARD)
+            if not alive.any():
+                break
+            jacobian[~alive] = np.eye(jacobian.shape[1])
+            moved = np.linalg.solve(jacobian, rates[:, :, None])[:, :, 0]
+            v = np.zeros_like(x)
+            v[:, self.loose] = moved.reshape(len(x), -1, 2)
+            found[alive, j] = -self._work(x, v)[alive]
+        return found
+
+    def _work(self, x, v):
+        """Return the work of F = 1 for a unit of the drive."""
+        kind, p, q, angle = self.grown.work
+        d, rate = (a[:, self.index[q]] - a[:, self.index[p]] for a in (x, v))
+        size = np.hypot(d[:, 0], d[:, 1])
+        match kind:
+            case "torque":
+                return (d[:, 0] * rate[:, 1] - d[:, 1] * rate[:, 0]) / size**2
+            case "pair":
+                return np.sum(d * rate, axis=1) / size
+        return v[:, self.index[p]] @ (math.cos(angle), math.sin(angle))
