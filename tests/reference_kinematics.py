@@ -99,7 +99,7 @@ def null_space(matrix: Array) -> Array:
 
 
 def results(file: ast.File, at: Values | None = None, seed: int = 1) -> Values:
-    """Return every ``find`` and ``let`` of a description, by name, in SI.
+    """Return every ``find`` and ``let`` of a description but forces at joints, by name, in SI.
 
     ``at`` replaces default values; ``seed`` chooses the lengths that are not given.
     An unnamed ``find`` goes by the name of the load it asks for.
@@ -108,7 +108,7 @@ def results(file: ast.File, at: Values | None = None, seed: int = 1) -> Values:
     motion = Motion(assemble(file, values, seed))
     known = _known_loads(file, values)
     for item in file.statements:
-        if isinstance(item, ast.Find):
+        if isinstance(item, ast.Find) and not _is_joint_force(item):
             name, value = _found(file, item, motion, values | known)
             values[name] = value
         elif isinstance(item, ast.Let) and _computable(item.value, values | known):
@@ -180,8 +180,15 @@ def _load_ratio(above: str, below: str, columns: dict[str, Array]) -> float:
 
 def _asked(file: ast.File) -> list[str]:
     """Return the loads that are asked for as linear forms of the others."""
-    targets = [f.target for f in every(file, ast.Find)]
-    return [t.name for t in targets if isinstance(t, ast.Symbol)]
+    return [
+        f.target.name
+        for f in every(file, ast.Find)
+        if isinstance(f.target, ast.Symbol) and not _is_joint_force(f)
+    ]
+
+
+def _is_joint_force(find: ast.Find) -> bool:
+    return isinstance(find.target, ast.Symbol) and find.target.name[:2] in ("R_", "N_")
 
 
 def _balancing(load: str, columns: dict[str, Array], values: Values, asked: list[str]) -> float:

@@ -39,3 +39,39 @@ def test_both_motions_straddle_the_ideal_ratio(case):
     found = mechc.loads(described(case), case).evaluate()
     assert found["k_hold"] < found["k"] < found["k_f"]
     assert 0 < found["eta_k"] < 1
+
+
+LEVER = """mechanism lever
+param a = 150 mm
+param b = 60 mm
+param r = 8 mm
+param f = 0.15
+pivot O
+link AOB
+OA = a @ 180 deg
+OB = b @ {side} deg
+force Q at A along -90 deg
+force P at B along {way} deg
+friction pins f diameter 2*r
+find k = Q/P
+"""
+
+
+@pytest.mark.parametrize(
+    ("side", "way", "b", "tightening", "releasing"),
+    [
+        (0, -90, 0.06, "(b + r*f)/(a - r*f)", "(b - r*f)/(a + r*f)"),
+        (0, -90, 0.3, "(b + r*f)/(a - r*f)", "(b - r*f)/(a + r*f)"),
+        (180, 90, 0.06, "(b + r*f)/(a + r*f)", "(b - r*f)/(a - r*f)"),
+        (180, 90, 0.3, "(b - r*f)/(a - r*f)", "(b + r*f)/(a + r*f)"),
+    ],
+)
+def test_parallel_forces_on_a_lever_need_no_root(side, way, b, tightening, releasing):
+    """f·r·(Q + P) at the pivot between the forces, f·r·|Q − P| where both are on one side."""
+    given = LEVER.format(side=side, way=way)
+    expects = f"expect k_f = {tightening}\nexpect k_hold = {releasing}\n"
+    assert not mechc.loads(given.replace("b = 60 mm", f"b = {b} m") + expects).warnings
+    found = mechc.loads(given).evaluate(b=b)
+    at = {"a": 0.15, "b": b, "r": 0.008, "f": 0.15}
+    for name, formula in (("k_f", tightening), ("k_hold", releasing)):
+        assert found[name] == pytest.approx(eval(formula, {}, at), rel=1e-12)

@@ -160,13 +160,14 @@ def pinned() -> tuple[str, ...]:
 @pytest.mark.parametrize("name", pinned())
 @pytest.mark.parametrize("moved", [False, True], ids=["default", "nearby"])
 def test_agrees_with_coordinates_and_singular_values(name: str, moved: bool) -> None:
+    """Ratios and loads without friction; friction and joint forces have references elsewhere."""
     tree = tree_of(source_of(name))
     values = reference_geometry.defaults(tree)
     values = turned(values) if moved else values
     expected = reference_kinematics.results(tree, values)
     compared = 0
     for function in compiled(name).routine.functions:
-        if all(i.name in values for i in function.inputs):
+        if function.name in expected and all(i.name in values for i in function.inputs):
             found = evaluate(function, {i.name: values[i.name] for i in function.inputs})
             assert float(found) == pytest.approx(expected[function.name], rel=1e-9)
             compared += 1

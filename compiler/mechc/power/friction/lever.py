@@ -6,7 +6,8 @@ Squared, with c and q the components of K along and across e:
 
     S = (ρ²c − aB + σ·sgn(a)·ρ·√((a·c − B)² + (a² − ρ²)·q²)) / (a² − ρ²)
 
-The root taken is the one that has the sign of σ for small ρ.
+The root taken is the one that has the sign of σ for small ρ. Where all forces are parallel,
+q = 0, it is the quotient that a·S + B = ±ρ·(S + c) gives at once.
 """
 
 from collections.abc import Mapping, Sequence
@@ -64,7 +65,19 @@ def on_lever(
     arm, rest = arm.scaled(way), rest.scaled(way)
     across = -across if across.coefficient < 0 else across
     turn = (signs.of(f"s_{label}_arm", arm) * bearing.turn).scaled(way)
+    if not across:
+        return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
     return Product.of(Opaque(_root(label, (arm, rest, along, across), bearing, turn, signs)))
+
+
+def _parallel(
+    label: str, parts: Sequence[Product], radius: Product, turn: Product, signs: Signs
+) -> Product:
+    """Return the force where all are parallel; the pivot takes (a·c − B)/a without friction."""
+    arm, rest, along = parts
+    pressed = signs.of(f"s_{label}_pivot", add((arm * along, -rest)))
+    lever = turn * pressed * radius
+    return add((lever * along, -rest)) / add((arm, -lever))
 
 
 def _root(
