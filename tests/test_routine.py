@@ -72,14 +72,29 @@ def test_shared_parts_become_steps_with_readable_names() -> None:
     k = functions(chained())["k"]
     assert written(k.steps) == [
         "sin_phi = sin(phi)",
-        "theta = asin(a*sin_phi/b)",
+        "p1 = a*sin_phi/b",
+        "theta = asin(p1)",
         "cos_phi = cos(phi)",
         "reach = a*cos_phi + cos_phi/sin_phi",
-        "phi_plus_theta = phi + theta",
+        "t1 = sqrt((1 - p1)*(1 + p1))",
     ]
     assert text(k.output) == (
-        "sin(phi_plus_theta)*reach*reach/cos(theta) - 3*sin_phi*cos(phi_plus_theta)/cos_phi"
+        "(a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1"
+        " - 3*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi"
     )
+
+
+def test_a_shared_sum_is_called_by_its_terms() -> None:
+    angle = total([s("phi"), s("theta")])
+    steps, _ = share([], [total([sin(angle), Call("cos", (angle,))])], [])
+    assert written(steps) == ["phi_plus_theta = phi + theta"]
+
+
+def test_an_input_above_and_below_is_cancelled_and_a_root_is_not() -> None:
+    root = f("sqrt", s("x"))
+    above, below = product([(s("a"), 1), (root, 1)]), product([(s("a"), -1), (root, -1)])
+    _, (output,) = share([], [product([(above, 1), (below, 1)])], [])
+    assert text(output) == "sqrt_x/sqrt_x"
 
 
 def test_a_definition_names_what_equals_it() -> None:
@@ -173,7 +188,7 @@ def test_promises_are_kept(name: str) -> None:
 def test_broken_promises_are_seen() -> None:
     k = functions(chained())["k"]
     shuffled = replace(k, steps=k.steps[::-1], output=total([k.output, sin(s("phi"))]))
-    assert "theta uses sin_phi too early" in broken_promises(shuffled)
+    assert "p1 uses sin_phi too early" in broken_promises(shuffled)
     assert "sin(phi) is computed twice" in broken_promises(shuffled)
     assert broken_promises(replace(k, steps=())) != []
 

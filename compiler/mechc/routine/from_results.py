@@ -25,6 +25,7 @@ from ..model.mechanism import (
 )
 from ..model.result import Result
 from ..units import FORCE, TORQUE
+from .lengths import with_roots
 from .scope import Definitions, Scope, rename
 from .sharing import share
 from .steps import (
@@ -91,7 +92,9 @@ def _pose(scope: Scope, inputs: Mapping[str, Input]) -> Pose | None:
     found = scope.intermediates()
     if not found.names:
         return None
-    steps, _ = share(found.formulas, [], [*inputs, *scope.results])
+    names = {*inputs, *scope.results, *(name for name, _ in found.formulas)}
+    rooted, _ = with_roots(found.formulas, [], names)
+    steps, _ = share(rooted, [], [*inputs, *scope.results])
     used = frozenset[str]().union(*(symbols(f) for step in steps for f in formulas_of(step)))
     defined = {name for step in steps for name in names_of(step)}
     known = tuple(item for name, item in inputs.items() if name in used - defined)

@@ -178,10 +178,23 @@ class Table:
             below += factor.below
         if coefficient == 0 or not (above or below):
             return self._number(coefficient)
+        for common in [f for f in above if self._is_plain(f)]:
+            if common in below:
+                above.remove(common)
+                below.remove(common)
+        if not (above or below):
+            return self._number(coefficient)
         core = self._ratio(tuple(above), tuple(below))
         if coefficient == 1:
             return core
         return self._add(Scaled(coefficient, core), (Scaled, coefficient, core))
+
+    def _is_plain(self, index: int) -> bool:
+        """Return whether an entry is an input or its size, so that it may be cancelled."""
+        entry = self.entries[index]
+        if isinstance(entry, Apply) and entry.function == "abs":
+            entry = self.entries[entry.arguments[0]]
+        return isinstance(entry, Leaf)
 
     def _ratio(self, above: tuple[int, ...], below: tuple[int, ...]) -> int:
         if len(above) == 1 and not below:

@@ -1,108 +1,59 @@
-"""Angles that are only turned by, carried as their cosine and sine.
+"""Angles that are only turned by, carried as the vectors that they are the directions of.
 
 A loop that closes gives a direction as ``atan2(y, x)`` plus others, and k then takes its
-sine: three functions where a root does. ``cos = x/r``, ``sin = y/r`` and the rules for
-sums of angles give the same; the formula for the reader stays in angles.
+sine: three functions where a root does, and in a triangle of known sides not even that.
+The formula for the reader stays in angles.
 """
 
-from collections.abc import Callable, Iterable, Mapping, Sequence
-from typing import NamedTuple
+from collections import Counter
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_angle
-from ..algebra.trigonometry import cosine, sine
-from ..formula.tree import (
-    ONE,
-    Call,
-    Formula,
-    Number,
-    Product,
-    Sum,
-    Symbol,
-    negative,
-    product,
-    total,
-)
-from ..formula.walk import children, rebuild, symbols
+from ..formula.tree import ONE, Call, Formula, Sum, Symbol, negative, number, power, product, total
+from ..formula.walk import children, rebuild, symbols, walk
+from .lengths import Definitions, Named, fresh, signed, size, sizes, unsigned, with_roots
+from .unit import WANTED, Unit, factors, plain, whole
 
-Definitions = Sequence[tuple[str, Formula]]
-
-FEW = (-2, -1, 1, 2)
+MULTIPLES = (-2, -1, 1, 2)
 """Multiples of an angle that are written out."""
 
+FEW = 2
+"""Sums of angles that may divide by the size of a vector; for more it is divided out at once."""
 
-class Unit(NamedTuple):
-    """The cosine and the sine of an angle."""
+LONGEST = 6
+"""Factors of a size beyond which it is divided out at once: far from what underflows."""
 
-    cos: Formula
-    sin: Formula
-
-    def turned(self, by: "Unit") -> "Unit":
-        """Return the unit vector of a sum of two angles."""
-        return Unit(
-            total([_times(self.cos, by.cos), negative(_times(self.sin, by.sin))]),
-            total([_times(self.sin, by.cos), _times(self.cos, by.sin)]),
-        )
-
-    def back(self) -> "Unit":
-        """Return the unit vector of the opposite angle."""
-        return Unit(self.cos, negative(self.sin))
-
-
-WANTED: Mapping[str, Callable[[Unit], Formula]] = {
-    "sin": lambda u: u.sin,
-    "cos": lambda u: u.cos,
-    "tan": lambda u: _over(u.sin, u.cos),
-    "cot": lambda u: _over(u.cos, u.sin),
-    "sec": lambda u: _over(ONE, u.cos),
-    "csc": lambda u: _over(ONE, u.sin),
-}
-"""Each function of an angle, from its unit vector."""
-
-
-class Known(NamedTuple):
-    """What is known of the names so far.
-
-    ``units`` are carried angles, ``sums`` those that are sums of carried ones, ``sizes``
-    the names of the hypotenuses that were asked for anyway.
-    """
-
-    units: dict[str, Unit]
-    sums: dict[str, Angle]
-    sizes: dict[frozenset[Formula], str]
+MOST = 5
+"""Angles in a sum that is written out; each doubles what there is to compute."""
 
 
 def in_unit_vectors(
     definitions: Definitions, formulas: Sequence[Formula], kept: Iterable[str], taken: set[str]
-) -> tuple[list[tuple[str, Formula]], list[Formula]]:
-    """Return definitions and formulas with polar angles carried as unit vectors.
+) -> tuple[Named, list[Formula]]:
+    """Return definitions and formulas with polar angles carried as vectors.
 
     ``kept`` are names that must stay defined, ``taken`` those that a new one may not have.
+    Where no root is left that is NaN if an angle is, the angle's size keeps it.
     """
-    known = Known({}, {}, {})
-    written: list[tuple[str, Formula]] = []
-    for name, formula in definitions:
-        written.append((name, _rewritten(formula, known)))
-        angle = to_angle(formula)
-        if isinstance(formula, Call) and formula.function == "hypot":
-            known.sizes[frozenset(map(_unsigned, formula.arguments))] = name
-        elif angle is not None and any(n in known.units for n in angle.names):
-            known.sums[name] = angle.put(known.sums)
-        elif unit := _polar(formula, known):
-            cos, sin = (_fresh(f"{f}_{name}", taken) for f in ("cos", "sin"))
-            rewritten = [_rewritten(part, known) for part in unit]
-            written += zip((cos, sin), rewritten, strict=True)
-            known.units[name] = Unit(Symbol(cos), Symbol(sin))
-    results = [_rewritten(f, known) for f in formulas]
-    return _reached(written, results, kept), results
+    uses, careful = _uses(definitions, formulas), set[str]()
+    while True:
+        turning = _Turning(sizes(definitions), uses, {*taken}, careful)
+        for name, formula in definitions:
+            turning.define(name, formula)
+        found = [turning.rewritten(f) for f in formulas]
+        reached = _reached(turning.written, found, kept)
+        lost = turning.lost([*(f for _, f in reached), *found])
+        if not lost:
+            rooted, found = with_roots(reached, found, turning.taken)
+            return _reached(rooted, found, kept), found
+        careful |= lost
 
 
-def _reached(
-    definitions: Definitions, results: Iterable[Formula], kept: Iterable[str]
-) -> list[tuple[str, Formula]]:
+def _reached(definitions: Definitions, results: Iterable[Formula], kept: Iterable[str]) -> Named:
     """Return the definitions that something needs."""
     used = {*kept, *(name for f in results for name in symbols(f))}
-    found: list[tuple[str, Formula]] = []
+    found: Named = []
     for name, formula in reversed(definitions):
         if name in used:
             found.append((name, formula))
@@ -110,106 +61,160 @@ def _reached(
     return found[::-1]
 
 
-def _fresh(name: str, taken: set[str]) -> str:
-    while name in taken:
-        name += "_"
-    taken.add(name)
-    return name
+def _uses(definitions: Definitions, results: Sequence[Formula]) -> Counter[str]:
+    """Return in how many sums of angles each name occurs, signs and constants aside."""
+    sums: dict[str, Angle] = {}
+    asked: set[frozenset[str]] = set()
+    for name, formula in (*definitions, *(("", f) for f in results)):
+        angle = to_angle(formula)
+        if angle is not None:
+            sums[name] = angle.put(sums)
+        elif isinstance(formula, Sum):
+            asked |= {
+                frozenset((name, t.name))
+                for t in map(unsigned, formula.terms)
+                if isinstance(t, Symbol)
+            }
+        asked |= {frozenset(a.put(sums).names) for a in _turned_by(formula)}
+    return Counter(name for names in asked for name in names)
 
 
-def _polar(formula: Formula, known: Known) -> Unit | None:
-    """Return the unit vector of an angle made of arc tangents, known units and plain angles."""
-    terms = formula.terms if isinstance(formula, Sum) else (formula,)
-    plain: list[Formula] = []
-    found: list[Unit] = []
-    for term in terms:
-        sign, inner = _signed(term)
-        if isinstance(inner, Call) and inner.function == "atan2":
-            y, x = inner.arguments
-            unit = _of_components(y, x, known)
-        elif isinstance(inner, Symbol) and inner.name in known.units:
-            unit = known.units[inner.name]
-        else:
-            plain.append(term)
-            continue
-        found.append(unit if sign > 0 else unit.back())
-    if not found:
+def _turned_by(formula: Formula) -> Iterator[Angle]:
+    for part in walk(formula):
+        if isinstance(part, Call) and part.function in WANTED:
+            angle = to_angle(part.arguments[0])
+            if angle is not None:
+                yield angle
+
+
+class _Turning:
+    """Writes definitions in terms of the vectors of those before.
+
+    ``units`` are carried angles, ``sums`` those that are sums of carried ones, ``roots``
+    what is NaN where a carried angle is, and no size of its vector.
+    """
+
+    def __init__(
+        self,
+        lengths: Mapping[frozenset[Formula], str],
+        uses: Mapping[str, int],
+        taken: set[str],
+        careful: Set[str],
+    ) -> None:
+        self.lengths, self.uses, self.taken, self.careful = lengths, uses, taken, careful
+        self.units: dict[str, Unit] = {}
+        self.sums: dict[str, Angle] = {}
+        self.roots: dict[str, Formula] = {}
+        self.written: Named = []
+        self.used: set[str] = set()
+
+    def lost(self, formulas: Iterable[Formula]) -> set[str]:
+        """Return the angles in use whose roots are not."""
+        there = {part for f in formulas for part in walk(f)}
+        return {n for n, root in self.roots.items() if n in self.used and root not in there}
+
+    def define(self, name: str, formula: Formula) -> None:
+        """Add a definition, and the vector of an angle."""
+        self.written.append((name, self.rewritten(formula)))
+        angle = to_angle(formula)
+        if angle is not None and any(n in self.units for n in angle.names):
+            self.sums[name] = angle.put(self.sums)
+        elif units := self._polar(name, formula):
+            self.units[name] = self._carried(name, units)
+
+    def _carried(self, name: str, units: list[Unit]) -> Unit:
+        unit = Unit(*map(self.rewritten, whole(units)))
+        if len(units) > 1:
+            unit = Unit(
+                self._named(f"x_{name}", unit.x), self._named(f"y_{name}", unit.y), unit.size
+            )
+        if self.uses[name] <= FEW and factors(unit.size) <= LONGEST:
+            return unit
+        return Unit(self._named(f"cos_{name}", unit.cos), self._named(f"sin_{name}", unit.sin))
+
+    def _named(self, name: str, formula: Formula) -> Formula:
+        title = fresh(name, self.taken)
+        self.written.append((title, formula))
+        return Symbol(title)
+
+    # ---------------------------------------------------------------------- reading
+
+    def _polar(self, name: str, formula: Formula) -> list[Unit]:
+        """Return what an angle is the sum of: arc functions, carried and plain angles."""
+        terms = formula.terms if isinstance(formula, Sum) else (formula,)
+        others: list[Formula] = []
+        found: list[Unit] = []
+        for term in terms:
+            sign, inner = signed(term)
+            unit = self._simple(name, inner)
+            if unit:
+                found.append(unit if sign > 0 else unit.back())
+            else:
+                others.append(term)
+        angle = to_angle(total(others))
+        if not found or angle is None:
+            return []
+        if others:
+            found.append(plain(angle))
+        return found if len(found) <= MOST else []
+
+    def _simple(self, name: str, formula: Formula) -> Unit | None:
+        match formula:
+            case Call("atan2", (y, x)):
+                return Unit(x, y, self._size(name, x, y))
+            case Call("asin", (sine,)) if name not in self.careful:
+                return self._leaning(name, sine)
+            case Symbol(other) if other in self.units:
+                self.used.add(other)
+                return self.units[other]
         return None
-    if plain:
-        angle = to_angle(total(plain))
-        if angle is None:
+
+    def _leaning(self, name: str, sine: Formula) -> Unit:
+        """Return the direction that leans by a sine: no cancellation where it is near 1."""
+        less, more = total([ONE, negative(sine)]), total([ONE, sine])
+        cosine = Call("sqrt", (product([(less, 1), (more, 1)]),))
+        self.roots[name] = self.rewritten(cosine)
+        return Unit(cosine, sine)
+
+    def _size(self, name: str, x: Formula, y: Formula) -> Formula:
+        length = self.lengths.get(frozenset(map(unsigned, (x, y))))
+        if length:
+            return Symbol(length)
+        if name not in self.careful and (known := size(x, y, self.lengths.values())):
+            root = next((unsigned(c) for c in (y, x) if _is_root(c)), None)
+            if root:
+                self.roots[name] = self.rewritten(root)
+            return known
+        return Call("sqrt", (total(power(unsigned(c), number(2)) for c in (x, y)),))
+
+    # ---------------------------------------------------------------------- writing
+
+    def rewritten(self, formula: Formula) -> Formula:
+        """Return a formula with functions of carried angles written by their vectors."""
+        if isinstance(formula, Call) and formula.function in WANTED:
+            angle = to_angle(formula.arguments[0])
+            if angle is not None and (unit := self._turned(angle.put(self.sums))):
+                return WANTED[formula.function](unit)
+        parts = children(formula)
+        return rebuild(formula, tuple(map(self.rewritten, parts))) if parts else formula
+
+    def _turned(self, angle: Angle) -> Unit | None:
+        """Return the direction of an angle that mentions carried ones; None for others."""
+        carried = {n: c for n, c in angle.terms if n in self.units}
+        if not carried or any(c not in MULTIPLES for c in carried.values()):
             return None
-        found.append(_plain(angle))
-    whole = found[0]
-    for unit in found[1:]:
-        whole = whole.turned(unit)
-    return whole
+        self.used |= carried.keys()
+        turns = [u for n, c in carried.items() for u in _repeated(self.units[n], int(c))]
+        rest = Angle(tuple(t for t in angle.terms if t[0] not in carried), angle.degrees)
+        if rest.terms or rest.degrees:
+            turns.append(plain(rest))
+        return whole(turns) if len(turns) <= MOST else None
 
 
-def _signed(term: Formula) -> tuple[int, Formula]:
-    match term:
-        case Product((Number(value), *rest)) if value == -1:
-            return -1, rest[0] if len(rest) == 1 else Product(tuple(rest))
-        case _:
-            return 1, term
-
-
-def _unsigned(term: Formula) -> Formula:
-    return _signed(term)[1]
-
-
-def _of_components(y: Formula, x: Formula, known: Known) -> Unit:
-    squares = total([_times(x, x), _times(y, y)])
-    name = known.sizes.get(frozenset((_unsigned(x), _unsigned(y))))
-    size = Symbol(name) if name else Call("sqrt", (squares,))
-    return Unit(_over(x, size), _over(y, size))
-
-
-def _plain(angle: Angle) -> Unit:
-    """Return the unit vector of an angle that is not carried; of a negative one, turned back."""
-    if all(c < 0 for _, c in angle.terms):
-        return _plain(-angle).back() if angle.terms else _constant(angle)
-    return Unit(Call("cos", (angle.formula(),)), Call("sin", (angle.formula(),)))
-
-
-def _constant(angle: Angle) -> Unit:
-    return Unit(cosine(angle).formula(), sine(angle).formula())
-
-
-def _rewritten(formula: Formula, known: Known) -> Formula:
-    """Return a formula with functions of carried angles written by their unit vectors."""
-    if isinstance(formula, Call) and formula.function in WANTED:
-        angle = to_angle(formula.arguments[0])
-        if angle is not None and (unit := _turned(angle.put(known.sums), known.units)):
-            return WANTED[formula.function](unit)
-    parts = children(formula)
-    if not parts:
-        return formula
-    return rebuild(formula, tuple(_rewritten(p, known) for p in parts))
-
-
-def _turned(angle: Angle, units: Mapping[str, Unit]) -> Unit | None:
-    """Return the unit vector of an angle that mentions carried ones; None for others."""
-    carried = [(units[n], c) for n, c in angle.terms if n in units]
-    if not carried or any(c not in FEW for _, c in carried):
-        return None
-    rest = Angle(tuple((n, c) for n, c in angle.terms if n not in units), angle.degrees)
-    turns = [u for unit, c in carried for u in _repeated(unit, int(c))]
-    if rest.terms or rest.degrees:
-        turns.append(_plain(rest))
-    whole = turns[0]
-    for unit in turns[1:]:
-        whole = whole.turned(unit)
-    return whole
+def _is_root(formula: Formula) -> bool:
+    bare = unsigned(formula)
+    return isinstance(bare, Call) and bare.function == "sqrt"
 
 
 def _repeated(unit: Unit, times: int) -> list[Unit]:
     return [unit if times > 0 else unit.back()] * abs(times)
-
-
-def _times(a: Formula, b: Formula) -> Formula:
-    return product([(a, 1), (b, 1)])
-
-
-def _over(a: Formula, b: Formula) -> Formula:
-    return product([(a, 1), (b, -1)])

@@ -91,24 +91,26 @@ static inline double mechc_if_apart(double left, double right, double value)
 double chained_k(double a, double b, double phi)
 {
     const double sin_phi = sin(phi);
-    const double theta = asin(a*sin_phi/b);
+    const double p1 = a*sin_phi/b;
+    const double theta = asin(p1);
     const double cos_phi = cos(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
-    const double phi_plus_theta = phi + theta;
+    const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
     if (!(theta >= 0.0)) {
         return NAN;
     }
-    return sin(phi_plus_theta)*reach*reach/cos(theta) - 3.0*sin_phi*cos(phi_plus_theta)/cos_phi;
+    return (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi;
 }
 
 static inline double chained_k_quick(double a, double b, double phi)
 {
     const double sin_phi = mechc_sin(phi);
-    const double theta = asin(a*sin_phi/b);
+    const double p1 = a*sin_phi/b;
+    const double theta = asin(p1);
     const double cos_phi = mechc_cos(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
-    const double phi_plus_theta = phi + theta;
-    return mechc_if_no_more(0.0, theta, mechc_sin(phi_plus_theta)*reach*reach/mechc_cos(theta) - 3.0*sin_phi*mechc_cos(phi_plus_theta)/cos_phi);
+    const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
+    return mechc_if_no_more(0.0, theta, (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi);
 }
 
 void chained_k_n(
@@ -135,26 +137,28 @@ void chained_k_n(
 double chained_P(double a, double b, double phi, double m, double M)
 {
     const double sin_phi = sin(phi);
-    const double theta = asin(a*sin_phi/b);
+    const double p1 = a*sin_phi/b;
+    const double theta = asin(p1);
     const double cos_phi = cos(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
-    const double phi_plus_theta = phi + theta;
+    const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
     if (!(theta >= 0.0 && m > a)) {
         return NAN;
     }
-    return (sin(phi_plus_theta)*reach*reach/cos(theta) - 3.0*sin_phi*cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a);
+    return ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b);
 }
 
 static inline double chained_P_quick(double a, double b, double phi, double m, double M)
 {
     const double sin_phi = mechc_sin(phi);
-    const double theta = asin(a*sin_phi/b);
+    const double p1 = a*sin_phi/b;
+    const double theta = asin(p1);
     const double cos_phi = mechc_cos(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
-    const double phi_plus_theta = phi + theta;
-    return mechc_if_less(a, m, mechc_if_no_more(0.0, theta, (mechc_sin(phi_plus_theta)*reach*reach/mechc_cos(theta) - 3.0*sin_phi*mechc_cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a)));
+    const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
+    return mechc_if_less(a, m, mechc_if_no_more(0.0, theta, ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)));
 }
 
 void chained_P_n(
@@ -195,12 +199,13 @@ void chained_F_n(size_t n, const double *MECHC_RESTRICT m, double *MECHC_RESTRIC
 double chained_twice(double a, double b, double phi, double m, double M)
 {
     const double sin_phi = sin(phi);
-    const double theta = asin(a*sin_phi/b);
+    const double p1 = a*sin_phi/b;
+    const double theta = asin(p1);
     const double cos_phi = cos(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
-    const double phi_plus_theta = phi + theta;
-    const double P = (sin(phi_plus_theta)*reach*reach/cos(theta) - 3.0*sin_phi*cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a);
+    const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
+    const double P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b);
     const double w = a + b;
     if (!(theta >= 0.0 && m > a)) {
         return NAN;
@@ -211,12 +216,13 @@ double chained_twice(double a, double b, double phi, double m, double M)
 static inline double chained_twice_quick(double a, double b, double phi, double m, double M)
 {
     const double sin_phi = mechc_sin(phi);
-    const double theta = asin(a*sin_phi/b);
+    const double p1 = a*sin_phi/b;
+    const double theta = asin(p1);
     const double cos_phi = mechc_cos(phi);
     const double reach = a*cos_phi + cos_phi/sin_phi;
     const double F = 10.0*m;
-    const double phi_plus_theta = phi + theta;
-    const double P = (mechc_sin(phi_plus_theta)*reach*reach/mechc_cos(theta) - 3.0*sin_phi*mechc_cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a);
+    const double t1 = sqrt((1.0 - p1)*(1.0 + p1));
+    const double P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b);
     const double w = a + b;
     return mechc_if_less(a, m, mechc_if_no_more(0.0, theta, 2.0*P*w));
 }

@@ -21,18 +21,19 @@ def k(a, b, phi):
         b: m; 250 mm, in 125 mm .. 250 mm
         phi: rad; 40 deg, in 20 deg .. 40 deg
 
-    Operations: 19
+    Operations: 29
     """
     a = np.asarray(a, dtype=float)
     b = np.asarray(b, dtype=float)
     phi = np.asarray(phi, dtype=float)
     with np.errstate(all="ignore"):
         sin_phi = np.sin(phi)
-        theta = np.arcsin(a*sin_phi/b)
+        p1 = a*sin_phi/b
+        theta = np.arcsin(p1)
         cos_phi = np.cos(phi)
         reach = a*cos_phi + cos_phi/sin_phi
-        phi_plus_theta = phi + theta
-        k = np.sin(phi_plus_theta)*reach*reach/np.cos(theta) - 3.0*sin_phi*np.cos(phi_plus_theta)/cos_phi
+        t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
+        k = (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi
         k = np.where(theta >= 0.0, k, np.nan)
     return k if np.ndim(k) else float(k)
 
@@ -56,7 +57,7 @@ def P(a, b, phi, m, M):
         m: kg; 3 kg, in 1.5 kg .. 3 kg
         M: N*m
 
-    Operations: 26
+    Operations: 34
     """
     a = np.asarray(a, dtype=float)
     b = np.asarray(b, dtype=float)
@@ -65,12 +66,13 @@ def P(a, b, phi, m, M):
     M = np.asarray(M, dtype=float)
     with np.errstate(all="ignore"):
         sin_phi = np.sin(phi)
-        theta = np.arcsin(a*sin_phi/b)
+        p1 = a*sin_phi/b
+        theta = np.arcsin(p1)
         cos_phi = np.cos(phi)
         reach = a*cos_phi + cos_phi/sin_phi
         F = 10.0*m
-        phi_plus_theta = phi + theta
-        P = (np.sin(phi_plus_theta)*reach*reach/np.cos(theta) - 3.0*sin_phi*np.cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a)
+        t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
+        P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
         P = np.where(theta >= 0.0, P, np.nan)
         P = np.where(m > a, P, np.nan)
     return P if np.ndim(P) else float(P)
@@ -112,7 +114,7 @@ def twice(a, b, phi, m, M):
         m: kg; 3 kg, in 1.5 kg .. 3 kg
         M: N*m
 
-    Operations: 29
+    Operations: 37
     """
     a = np.asarray(a, dtype=float)
     b = np.asarray(b, dtype=float)
@@ -121,12 +123,13 @@ def twice(a, b, phi, m, M):
     M = np.asarray(M, dtype=float)
     with np.errstate(all="ignore"):
         sin_phi = np.sin(phi)
-        theta = np.arcsin(a*sin_phi/b)
+        p1 = a*sin_phi/b
+        theta = np.arcsin(p1)
         cos_phi = np.cos(phi)
         reach = a*cos_phi + cos_phi/sin_phi
         F = 10.0*m
-        phi_plus_theta = phi + theta
-        P = (np.sin(phi_plus_theta)*reach*reach/np.cos(theta) - 3.0*sin_phi*np.cos(phi_plus_theta)/cos_phi)*F + a*M/(cos_phi*b*a)
+        t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
+        P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
         w = a + b
         twice = 2.0*P*w
         twice = np.where(theta >= 0.0, twice, np.nan)

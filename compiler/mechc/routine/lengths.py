@@ -1,0 +1,196 @@
+"""Lengths of vectors, and what is known of them without another root.
+
+``hypot(x, y)`` guards against overflow, which no length in metres comes near; a root does
+the same in a fraction of the time, and where the square is asked for it is there already.
+"""
+
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from math import isqrt
+
+from ..algebra.factors import Length
+from ..algebra.from_formula import is_transparent, to_product
+from ..algebra.product import Product as Factored
+from ..algebra.sums import add
+from ..formula.tree import (
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    negative,
+    number,
+    power,
+    product,
+    total,
+)
+from ..formula.walk import children, rebuild, walk
+
+Definitions = Sequence[tuple[str, Formula]]
+Named = list[tuple[str, Formula]]
+Sizes = Mapping[frozenset[Formula], str]
+"""The lengths that have a name, by the components of their vectors, signs aside."""
+
+TWO = number(2)
+
+
+def with_roots(
+    definitions: Definitions, formulas: Sequence[Formula], taken: set[str]
+) -> tuple[Named, list[Formula]]:
+    """Return definitions and formulas in which lengths of vectors are roots of their squares.
+
+    A length whose square is asked for has the square defined before it.
+    """
+    lengths = sizes(definitions).values()
+    paired = [(name, in_squares(formula, lengths)) for name, formula in definitions]
+    results = [in_squares(f, lengths) for f in formulas]
+    asked = set(_squared([*(f for _, f in paired), *results]))
+    squares: dict[Formula, Formula] = {}
+    written: Named = []
+    for name, formula in paired:
+        if not (isinstance(formula, Call) and formula.function == "hypot"):
+            written.append((name, _put(formula, squares)))
+            continue
+        square = total(power(unsigned(_put(part, squares)), TWO) for part in formula.arguments)
+        if name in asked:
+            title = fresh(f"{name}_squared", taken)
+            written.append((title, square))
+            square = squares[Power(Symbol(name), TWO)] = Symbol(title)
+        written.append((name, Call("sqrt", (square,))))
+    return written, [_put(f, squares) for f in results]
+
+
+def _squared(formulas: Iterable[Formula]) -> Iterator[str]:
+    for formula in formulas:
+        for part in walk(formula):
+            match part:
+                case Power(Symbol(name), exponent) if exponent == TWO:
+                    yield name
+
+
+def _put(formula: Formula, squares: Mapping[Formula, Formula]) -> Formula:
+    """Return a formula with squares by their names."""
+    if formula in squares:
+        return squares[formula]
+    parts = children(formula)
+    return rebuild(formula, tuple(_put(p, squares) for p in parts)) if parts else formula
+
+
+def in_squares(formula: Formula, lengths: Collection[str]) -> Formula:
+    """Return a formula with ``(u + r)·(u - r)`` as ``u² - r²`` in it, r being such a length.
+
+    As r is the root of a square, nothing cancels that had not cancelled already: u² is as
+    close to r² as u + r and u - r are to what the rounded r makes them.
+    """
+    parts = tuple(in_squares(p, lengths) for p in children(formula))
+    if not isinstance(formula, Product):
+        return rebuild(formula, parts) if parts else formula
+    left, found = [*parts], list[Formula]()
+    while left:
+        first = left.pop(0)
+        pairs = ((p, d) for p in left if (d := _difference(first, p, lengths)))
+        partner, difference = next(pairs, (None, first))
+        if partner:
+            left.remove(partner)
+        found.append(difference)
+    return product((f, 1) for f in found)
+
+
+def _difference(one: Formula, other: Formula, lengths: Collection[str]) -> Formula | None:
+    """Return the product of ``u + r`` and ``u - r``, or of ``u + r`` and ``r - u``."""
+    if not (isinstance(one, Sum) and isinstance(other, Sum)):
+        return None
+    r, u = _parted(one, lengths)
+    s, v = _parted(other, lengths)
+    if not r or not s:
+        return None
+    if r == s and {*map(negative, u)} == {*v}:
+        return total([power(r, TWO), negative(power(total(u), TWO))])
+    if r == negative(s) and {*u} == {*v}:
+        return total([power(total(u), TWO), negative(power(unsigned(r), TWO))])
+    return None
+
+
+def _parted(formula: Sum, lengths: Collection[str]) -> tuple[Formula | None, list[Formula]]:
+    """Return the term of a sum that is such a length, and the others."""
+    for i, term in enumerate(formula.terms):
+        bare = unsigned(term)
+        if isinstance(bare, Symbol) and bare.name in lengths:
+            return term, [*formula.terms[:i], *formula.terms[i + 1 :]]
+    return None, []
+
+
+def sizes(definitions: Definitions) -> Sizes:
+    """Return the lengths that are defined as those of vectors."""
+    return {
+        frozenset(map(unsigned, formula.arguments)): name
+        for name, formula in definitions
+        if isinstance(formula, Call) and formula.function == "hypot"
+    }
+
+
+def size(x: Formula, y: Formula, positive: Collection[str] = ()) -> Formula | None:
+    """Return ``hypot(x, y)`` without a root, where algebra sees that it is a product.
+
+    As in a triangle, where x and y come from the three sides and their hypotenuse is twice
+    the product of two of them. ``positive`` names need no absolute value.
+
+    >>> from ..formula.to_text import text
+    >>> a, b = Symbol("a"), Symbol("b")
+    >>> squares = product([(total([a, b]), 1), (total([a, negative(b)]), 1)])
+    >>> text(size(Call("sqrt", (squares,)), b))
+    'abs(a)'
+    """
+    squares = [_square(x), _square(y)]
+    if not all(map(is_transparent, squares)):
+        return None
+    square = add(squares)
+    scale = _root(Fraction(square.coefficient))
+    if scale is None or any(not isinstance(f, Length) or e % 2 for f, e in square.factors.items()):
+        return None
+    roots = [(_absolute(f.formula(), positive), e // 2) for f, e in square.factors.items()]
+    return product([(Number(scale), 1), *roots])
+
+
+def _absolute(formula: Formula, positive: Collection[str]) -> Formula:
+    known = isinstance(formula, Symbol) and formula.name in positive
+    return formula if known else Call("abs", (formula,))
+
+
+def _square(formula: Formula) -> Factored:
+    bare = unsigned(formula)
+    if isinstance(bare, Call) and bare.function == "sqrt":
+        return to_product(bare.arguments[0])
+    return to_product(bare) ** 2
+
+
+def _root(value: Fraction) -> Fraction | None:
+    """Return the root of a rational number where it is rational."""
+    if value <= 0:
+        return None
+    root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
+    return root if root * root == value else None
+
+
+def signed(term: Formula) -> tuple[int, Formula]:
+    """Return the sign in front of a formula, and the formula without it."""
+    match term:
+        case Product((Number(value), *rest)) if value == -1:
+            return -1, rest[0] if len(rest) == 1 else Product(tuple(rest))
+        case _:
+            return 1, term
+
+
+def unsigned(term: Formula) -> Formula:
+    """Return a formula without the minus sign in front."""
+    return signed(term)[1]
+
+
+def fresh(name: str, taken: set[str]) -> str:
+    """Return a name like this one that is not taken, and take it."""
+    while name in taken:
+        name += "_"
+    taken.add(name)
+    return name
