@@ -13,6 +13,7 @@ from typing import NamedTuple, assert_never
 from ..formula.derivative import jacobian
 from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, System
 from ..formula.walk import side, symbols
+from .alike import turned_alike
 from .steps import Solve, Solver, Statement, Step
 from .table import (
     Apply,
@@ -65,9 +66,10 @@ def solver(system: System) -> Solver:
     """Return a system in straight lines, its equations and their slopes sharing parts."""
     used = used_outer(system)
     outer = tuple(system.anchor[i][0] for i in used)
-    rows = jacobian(system.equations, system.unknowns)
+    equations = turned_alike(system.equations)
+    rows = jacobian(equations, system.unknowns)
     entries = [entry for row in rows for entry in row]
-    steps, formulas = share([], [*system.equations, *entries], [*system.unknowns, *outer])
+    steps, formulas = share([], [*equations, *entries], [*system.unknowns, *outer])
     size = len(system.unknowns)
     return Solver(
         system.unknowns,

@@ -6,6 +6,7 @@ from typing import NamedTuple
 from ...formula import newton
 from ...formula.to_text import text
 from ...formula.tree import Formula
+from ...formula.walk import symbols
 from ...routine.steps import Solve, Solver, Statement
 from ..names import Names, mangle
 from ..printer import Printer
@@ -14,7 +15,8 @@ from .layout import harmless, wrapped
 from .printer import RESERVED, QuickPrinter
 
 _WORDS = """
-    base reached step last count i found aim rest right matrix sign size far longest mechc_eliminate
+    base reached step last count i found aim rest right matrix sign size far longest good there
+    mechc_eliminate
 """
 _OWN = frozenset(_WORDS.split())
 """What the template calls its own."""
@@ -25,13 +27,17 @@ NEVER = 2
 
 
 class SolverContext(NamedTuple):
-    """One system; fields are what ``c/solver.jinja`` mentions."""
+    """One system; fields are what ``c/solver.jinja`` mentions.
+
+    ``fixed`` lines are those of a step along the way, ``body`` those of a correction.
+    """
 
     title: str
     zeros: list[str]
     head: str
     size: int
     start: str
+    fixed: list[Line]
     body: list[Line]
     residuals: list[str]
     jacobian: list[list[str]]
@@ -60,14 +66,19 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     printer = QuickPrinter(names)
     heads = [*(f"double {ends[n]}" for n in solver.outer), "double *found"]
     unknowns = [Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)]
-    lines = [Line(names[s.name], printer.print(s.formula)) for s in solver.steps]
+    lines = {s.name: Line(names[s.name], printer.print(s.formula)) for s in solver.steps}
+    fixed = _fixed(solver)
     return SolverContext(
         harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
         [harmless(text(equation)) for equation in solver.equations],
         wrapped(f"static int {name}(", heads),
         len(solver.unknowns),
         f"{{{', '.join(map(repr, solver.start))}}}",
-        [*(_between(n, names, ends, a) for n, a in _anchored(solver)), *unknowns, *lines],
+        [
+            *(_between(n, names, ends, a) for n, a in _anchored(solver)),
+            *(line for n, line in lines.items() if n in fixed),
+        ],
+        [*unknowns, *(line for n, line in lines.items() if n not in fixed)],
         [printer.print(f) for f in solver.residuals],
         [[printer.print(f) for f in row] for row in solver.jacobian],
         " + ".join(_square(_gap(ends[n], a), newton.scale(a)) for n, a in _anchored(solver))
@@ -75,6 +86,15 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         " + ".join(_square(f"right[{i}]", newton.scale(s)) for i, s in enumerate(solver.start)),
         solver.side or NEVER,
     )
+
+
+def _fixed(solver: Solver) -> set[str]:
+    """Return the steps that no unknown enters."""
+    known = set(solver.outer)
+    for step in solver.steps:
+        if symbols(step.formula) <= known:
+            known.add(step.name)
+    return known
 
 
 def _anchored(solver: Solver) -> Iterator[tuple[str, float]]:
