@@ -1,4 +1,4 @@
-"""Measure mechc against its peers and against itself: ``python benchmarks/run.py [--quick]``.
+"""Measure mechc against its peers and itself: ``python benchmarks/run.py [--quick] [PART …]``.
 
 Every figure is a ratio of times taken in turns in one run, a fitted exponent or a
 count, so that it means the same on another machine.
@@ -16,7 +16,9 @@ from pathlib import Path
 import sympy
 
 import peers
+from emitted import scalar
 from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
+from iterated import implicit
 from measure import exponent, medians, table, timed
 from mechc.diagnostics import Report
 from mechc.driver import Compilation, compile_source, emit
@@ -32,6 +34,7 @@ from mechc.pose.from_model import settle
 from mechc.power.balance import Balance
 from mechc.power.from_plan import balance
 from mechc.source import Source
+from precision import precision
 
 CHAINS: dict[str, Callable[[int], str]] = {
     "scissor, equal stages": scissor,
@@ -45,14 +48,16 @@ PATIENCE = 2.0
 
 
 def main() -> None:
-    """Run every comparison and print its table."""
+    """Run the comparisons asked for, or every one, and print their tables."""
     options = argparse.ArgumentParser(description=__doc__)
     options.add_argument("--quick", action="store_true", help="fewer rounds, shorter chains")
-    quick = options.parse_args().quick
-    lengths()
-    cold_start(rounds=3 if quick else 15)
-    derivation(rounds=2 if quick else 9)
-    growth((4, 8, 16) if quick else (4, 8, 16, 32, 64), rounds=1 if quick else 3)
+    options.add_argument("parts", nargs="*", metavar="PART", help=", ".join(PARTS))
+    chosen = options.parse_args()
+    if strangers := set(chosen.parts) - PARTS.keys():
+        options.error(f"no such part: {', '.join(sorted(strangers))}")
+    for name, run in PARTS.items():
+        if name in chosen.parts or not chosen.parts:
+            run(chosen.quick)
 
 
 # --------------------------------------------------------------- (a) the whole process
@@ -178,6 +183,20 @@ def lengths() -> None:
         if printed:
             rows.append((name, sympy.count_ops(to_sympy(result.formula)), printed[0]))
     table("Operations in k", ("mechanism", "own", "printed"), rows)
+
+
+PARTS: dict[str, Callable[[bool], None]] = {
+    "operations": lambda quick: lengths(),
+    "start": lambda quick: cold_start(rounds=3 if quick else 15),
+    "derivation": lambda quick: derivation(rounds=2 if quick else 9),
+    "growth": lambda quick: growth(
+        (4, 8, 16) if quick else (4, 8, 16, 32, 64), rounds=1 if quick else 3
+    ),
+    "scalar": lambda quick: scalar(rounds=15 if quick else 75),
+    "implicit": lambda quick: implicit(rounds=5 if quick else 25),
+    "precision": lambda quick: precision(poses=7 if quick else 51),
+}
+"""What can be measured, quickly or with care."""
 
 
 if __name__ == "__main__":

@@ -50,6 +50,6 @@ def _written(formula: Formula, offsets: Offsets) -> Formula:
     angle = _turn(formula)
     if angle and angle.terms and angle.degrees and len(offsets[_bare(angle)]) > 1:
         unit = plain(_bare(angle)).turned(plain(Angle.constant(angle.degrees)))
-        return unit.sin if formula.function == "sin" else unit.cos
+        return unit.sin if formula == Call("sin", children(formula)) else unit.cos
     parts = children(formula)
     return rebuild(formula, tuple(_written(p, offsets) for p in parts)) if parts else formula

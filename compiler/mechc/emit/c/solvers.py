@@ -11,12 +11,13 @@ from ...routine.steps import Solve, Solver, Statement
 from ..names import Names, mangle
 from ..printer import Printer
 from ..render import Line
+from .elimination import Reduced, reduced
 from .layout import harmless, wrapped
 from .printer import RESERVED, QuickPrinter
 
 _WORDS = """
     base reached step last count i found aim rest right matrix sign size far longest good there
-    mechc_eliminate
+    residual slope change mechc_eliminate
 """
 _OWN = frozenset(_WORDS.split())
 """What the template calls its own."""
@@ -41,6 +42,7 @@ class SolverContext(NamedTuple):
     body: list[Line]
     residuals: list[str]
     jacobian: list[list[str]]
+    left: Reduced
     far: str
     norm: str
     side: int
@@ -67,7 +69,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     heads = [*(f"double {ends[n]}" for n in solver.outer), "double *found"]
     unknowns = [Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)]
     lines = {s.name: Line(names[s.name], printer.print(s.formula)) for s in solver.steps}
-    fixed = _fixed(solver)
+    fixed, left = _fixed(solver), reduced(solver.jacobian)
     return SolverContext(
         harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
         [harmless(text(equation)) for equation in solver.equations],
@@ -81,10 +83,11 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         [*unknowns, *(line for n, line in lines.items() if n not in fixed)],
         [printer.print(f) for f in solver.residuals],
         [[printer.print(f) for f in row] for row in solver.jacobian],
+        left,
         " + ".join(_square(_gap(ends[n], a), newton.scale(a)) for n, a in _anchored(solver))
         or "0.0",
-        " + ".join(_square(f"right[{i}]", newton.scale(s)) for i, s in enumerate(solver.start)),
-        solver.side or NEVER,
+        " + ".join(_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start)),
+        solver.side * left.turn or NEVER,
     )
 
 
