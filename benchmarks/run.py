@@ -18,7 +18,6 @@ import sympy
 import peers
 from emitted import scalar
 from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
-from iterated import implicit
 from measure import exponent, medians, table, timed
 from mechc.diagnostics import Report
 from mechc.driver import Compilation, compile_source, emit
@@ -185,6 +184,16 @@ def lengths() -> None:
     table("Operations in k", ("mechanism", "own", "printed"), rows)
 
 
+# ------------------------------------------------- (e) to (g), in files of their own
+
+
+def iterated(rounds: int) -> None:
+    """Time emitted solvers; SciPy is asked for only here."""
+    from iterated import implicit
+
+    implicit(rounds)
+
+
 PARTS: dict[str, Callable[[bool], None]] = {
     "operations": lambda quick: lengths(),
     "start": lambda quick: cold_start(rounds=3 if quick else 15),
@@ -193,7 +202,7 @@ PARTS: dict[str, Callable[[bool], None]] = {
         (4, 8, 16) if quick else (4, 8, 16, 32, 64), rounds=1 if quick else 3
     ),
     "scalar": lambda quick: scalar(rounds=15 if quick else 75),
-    "implicit": lambda quick: implicit(rounds=5 if quick else 25),
+    "implicit": lambda quick: iterated(rounds=5 if quick else 25),
     "precision": lambda quick: precision(poses=7 if quick else 51),
 }
 """What can be measured, quickly or with care."""

@@ -20,17 +20,17 @@ static inline double mechc_circular(double x, uint64_t quarter)
     const double turns = shifted - shifter;
     const double beyond = x*1.71e302; /* infinite beyond 2^20, and infinity less itself is NaN */
     const double r = x - turns*1.57079632673412561417e+00 - turns*6.07710050630396597660e-11
-        - turns*2.02226624871116645580e-21 - turns*8.47842766036889956997e-32 + (beyond - beyond);
-    const double z = r*r;
-    const double s = r + z*r*(-1.66666666666666324348e-01 + z*(8.33333333332248946124e-03
-        + z*(-1.98412698298579493134e-04 + z*(2.75573137070700676789e-06
-        + z*(-2.50507602534068634195e-08 + z*1.58969099521155010221e-10)))));
+        - (turns*2.02226624871116645580e-21 + (turns*8.47842766036889956997e-32 + (beyond - beyond)));
+    const double z = r*r, zz = z*z;
+    const double s = r + z*r*(-1.66666666666666324348e-01 + z*8.33333333332248946124e-03
+        + zz*(-1.98412698298579493134e-04 + z*2.75573137070700676789e-06
+        + zz*(-2.50507602534068634195e-08 + z*1.58969099521155010221e-10)));
     const double h = 0.5*z;
     const double w = 1.0 - h;
-    const double c = w + (1.0 - w - h + z*z*(4.16666666666666019037e-02
-        + z*(-1.38888888888741095749e-03 + z*(2.48015872894767294178e-05
-        + z*(-2.75573143513906633035e-07 + z*(2.08757232129817482790e-09
-        - z*1.13596475577881948265e-11))))));
+    const double c = w + (1.0 - w - h + zz*(4.16666666666666019037e-02
+        - z*1.38888888888741095749e-03 + zz*(2.48015872894767294178e-05
+        - z*2.75573143513906633035e-07 + zz*(2.08757232129817482790e-09
+        - z*1.13596475577881948265e-11))));
     uint64_t count, sine, cosine, chosen;
     double result;
     memcpy(&count, &shifted, sizeof count);
