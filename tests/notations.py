@@ -123,6 +123,10 @@ CONSTRUCTS = [
         "friction: {A: {roller: f1, axle: d, wheel: D}}",
     ),
     ("friction contact A mu", "friction: {A: {contact: mu}}"),
+    ("friction gear O1 c", "friction: {O1: {gear: c}}"),
+    ("friction belt O1 c", "friction: {O1: {belt: c}}"),
+    ("friction rack A c", "friction: {A: {rack: c}}"),
+    ("friction screw A mu thread d", "friction: {A: {screw: mu, thread: d}}"),
     (
         "friction pin A f diameter d\nfriction slider A mu",
         "friction: {A: {f: f, diameter: d, guide: mu}}",

@@ -54,6 +54,7 @@ LATE = {
     ("api.py", "routine.evaluate"),
     ("api.py", "sympy"),
     ("formula/to_sympy.py", "sympy"),
+    ("power/from_plan.py", "kinematics.release"),
     ("power/from_plan.py", "power.friction.results"),
     ("power/from_plan.py", "power.joint_forces"),
     ("power/from_plan.py", "power.reactions"),

@@ -1,4 +1,4 @@
-"""Words for friction in the balance of power (E51x)."""
+"""Words for friction in the balance of power (E510, E511)."""
 
 from ..source import Span
 from .diagnostic import Words, coded

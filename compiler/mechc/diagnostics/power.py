@@ -144,6 +144,23 @@ def reaction_undetermined(at: Span, result: str) -> Words:
     return Words(at, message, "leave the redundant bar or guide out, or ask for another force")
 
 
+@coded("E512")
+def transmission_presses(at: Span, point: str) -> Words:
+    """The force on the pivot of a gear, a pulley or a screw is asked for, or its friction.
+
+    What the teeth pass on presses across the line of centres, a belt was tightened before
+    it ran, and a screw's thrust is out of the plane: the description tells of none of them. A
+    rack presses along its guide; its wheel's pivot can be asked about.
+
+        gear O1 20 mm, O2 40 mm
+        find R_O1                                # wrong
+        friction pin O1 0.1 diameter 10 mm       # wrong
+        friction gear O1 0.02                    # right: what the teeth lose
+    """
+    message = f"the force on pivot {point} is needed, and a gear, belt or screw presses on it"
+    return Words(at, message, "nothing tells which way it presses there")
+
+
 @coded("W501")
 def load_does_no_work(at: Span, load: str) -> Words:
     """A load does no work in any motion: it stands on a fixed point or across the motion.

@@ -56,8 +56,9 @@ def _mesh(mesh: Mesh, pose: Pose, spins: Spins) -> Relation:
 
 
 def _rack(rack: Rack, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
-    form = _driven(rack.point, spins[rack.link], pose.radii[rack.radius], pose, velocities)
     along = _guide(rack.point, pose)
+    form = _driven(rack.point, spins[rack.link], pose.radii[rack.radius], pose, velocities)
+    form = subtract(form, projection(velocities[rack.pivot], along))
     return Relation(Rule.RACK, rack.link, (rack.pivot, rack.point), along, form, rack.span)
 
 

@@ -13,13 +13,16 @@ from collections.abc import Callable, Iterable
 from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
+from ..algebra.from_formula import to_product
+from ..algebra.product import Product
 from ..diagnostics import MechcError, Report
+from ..formula.tree import PI
 from ..frozen import frozen, replace
 from ..model.mechanism import Force, Link, Load, Mechanism, Thrust, Torque
 from ..pose.pose import Pose, Touch
 from ..source import Source, Span
 from .builder import Builder
-from .forms import QUARTER, leaving, parting, projection, spin, subtract
+from .forms import QUARTER, leaving, parting, projection, scaled, spin, subtract
 from .graph import Form, Graph, Relation, Rule
 from .plan import Plan, Speeds
 from .planning import plan_of
@@ -28,7 +31,8 @@ from .planning import plan_of
 class Bond(NamedTuple):
     """What is let go at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
 
-    ``of`` is the name of the link or slide.
+    ``of`` is the name of the link or slide. A ``gear`` or ``belt`` has the pivot of its first
+    wheel for a point, a ``rack`` or ``screw`` its slider.
     """
 
     kind: str
@@ -120,6 +124,8 @@ def _released(pose: Pose, bond: Bond, along: Angle) -> Released:
             return _without_ground(pose, bond.point, along)
         case "slide":
             return _without_slide(pose, bond, along)
+        case "gear" | "belt" | "rack" | "screw":
+            return _without_transmission(pose, bond)
         case _:
             return _without_touch(pose, bond.point)
 
@@ -132,9 +138,13 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
     touches = tuple(
         t._replace(tail=own) if t.body == bond.of and t.tail == point else t for t in pose.touches
     )
+    racks = tuple(
+        replace(r, pivot=own) if (r.link, r.pivot) == (bond.of, point) else r
+        for r in mechanism.racks
+    )
     apart = replace(
         pose,
-        mechanism=replace(_sharing(mechanism, bond), links=links),
+        mechanism=replace(_sharing(mechanism, bond), links=links, racks=racks),
         frames={**pose.frames, bond.of: frame},
         touches=touches,
     )
@@ -188,6 +198,38 @@ def _without_slide(pose: Pose, bond: Bond, along: Angle) -> Released:
     )
 
 
+def _without_transmission(pose: Pose, bond: Bond) -> Released:
+    """Let the teeth of a pair, a rack or a thread lose each other."""
+    m = pose.mechanism
+    free = replace(
+        m,
+        meshes=tuple(x for x in m.meshes if (x.kind, x.first) != (bond.kind, bond.point)),
+        racks=tuple(r for r in m.racks if (bond.kind, bond.point) != ("rack", r.point)),
+        screws=tuple(s for s in m.screws if (bond.kind, bond.point) != ("screw", s.point)),
+    )
+    return Released(replace(pose, mechanism=free), lambda graph: slipping(graph, pose, bond))
+
+
+def slipping(graph: Graph, pose: Pose, bond: Bond) -> Form:
+    """Return the speed at which rims, a rack and its wheel, or nut and thread, part."""
+    for mesh in pose.mechanism.meshes:
+        if (mesh.kind, mesh.first) == (bond.kind, bond.point):
+            sign = -1 if mesh.same else 1
+            first = scaled(spin(graph, mesh.first_link), pose.radii[mesh.first_radius])
+            second = scaled(spin(graph, mesh.second_link), pose.radii[mesh.second_radius])
+            return subtract(first, scaled(second, Product(-sign)))
+    moved, guide = bond.point, pose.guide_of(bond.point) or Angle()
+    ahead = projection(graph.velocities[moved], guide)
+    racks = {r.point: r for r in (*pose.mechanism.racks, *graph.pose.mechanism.racks)}
+    if bond.kind == "rack":
+        rack = racks[moved]
+        rim = scaled(spin(graph, rack.link), pose.radii[rack.radius])
+        return subtract(subtract(ahead, rim), projection(graph.velocities[rack.pivot], guide))
+    screw = next(s for s in pose.mechanism.screws if s.point == moved)
+    lead = pose.radii[screw.pitch] / to_product(PI).scaled(2)
+    return subtract(ahead, scaled(spin(graph, screw.link), lead))
+
+
 def _without_touch(pose: Pose, point: str) -> Released:
     touch = touch_at(pose, point)
     left = tuple(t for t in pose.touches if t is not touch)
@@ -197,10 +239,30 @@ def _without_touch(pose: Pose, point: str) -> Released:
     )
 
 
+def unclear(mechanism: Mechanism) -> frozenset[str]:
+    """Return the pivots on which wheels and screws press in directions that nothing tells.
+
+    Teeth press across the line of centres, belts are tightened beforehand, and a screw's
+    thrust is out of the plane. A rack presses along its guide.
+    """
+    turning = {link for m in mechanism.meshes for link in (m.first_link, m.second_link)}
+    turning |= {screw.link for screw in mechanism.screws}
+    fixed = {pivot.point for pivot in mechanism.pivots}
+    held = (p for k in mechanism.links if k.name in turning for p in k.points)
+    return frozenset(p for p in held if p in fixed)
+
+
 def members(pose: Pose, bond: Bond) -> tuple[str, ...]:
     """Return the points of all that a bond joins; it is shared by halves where they all are."""
     if bond.kind == "touch":
         return (bond.point, *pose.frames[touch_at(pose, bond.point).body])
+    if bond.kind in ("gear", "belt"):
+        mesh = next(m for m in pose.mechanism.meshes if (m.kind, m.first) == bond[:2])
+        return (*pose.frames[mesh.first_link], *pose.frames[mesh.second_link])
+    if bond.kind in ("rack", "screw"):
+        links = {r.point: r.link for r in pose.mechanism.racks}
+        links |= {s.point: s.link for s in pose.mechanism.screws}
+        return (bond.point, *pose.frames[links[bond.point]])
     return tuple(pose.frames[bond.of]) if bond.of else (bond.point,)
 
 

@@ -45,6 +45,10 @@ RUBBING = (
     ast.GuideFriction,
     ast.RollerFriction,
     ast.ContactFriction,
+    ast.GearFriction,
+    ast.BeltFriction,
+    ast.RackFriction,
+    ast.ScrewFriction,
 )
 
 

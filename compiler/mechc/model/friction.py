@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from fractions import Fraction
+from typing import Literal
 
 from ..diagnostics.model import friction as words
 from ..formula.tree import Call, Formula, number, product, total
@@ -10,21 +11,30 @@ from ..source import Span
 from ..syntax import ast
 from ..units import LENGTH, NUMBER
 from .expressions import Reader
-from .rubbing import Friction, Rubbing, RubbingFace, RubbingGuide, RubbingPin
+from .mechanism import Mechanism
+from .rubbing import (
+    Friction,
+    Rubbing,
+    RubbingFace,
+    RubbingGuide,
+    RubbingMesh,
+    RubbingPin,
+    RubbingThread,
+)
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
 
 HALF = number(Fraction(1, 2))
 
 
-def read_friction(file: ast.File, scope: Scope) -> Friction:
+def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     """Return all that rubs; report what names no such joint or is said twice."""
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
-    rubbing: dict[tuple[type, str], Rubbing] = {}
+    rubbing: dict[object, Rubbing] = {}
     for statement in file.statements:
-        for rub in _read(statement, named, scope):
-            key = type(rub), rub.point
+        for rub in _read(statement, named, built, scope):
+            key = (type(rub), getattr(rub, "kind", "")), rub.point
             if key in rubbing:
                 first = rubbing[key].span
                 scope.report.add(words.friction_again(rub.span, rub.point, first))
@@ -38,7 +48,9 @@ def read_friction(file: ast.File, scope: Scope) -> Friction:
     return friction
 
 
-def _read(statement: ast.Statement, named: set[str], scope: Scope) -> Iterator[Rubbing]:
+def _read(
+    statement: ast.Statement, named: set[str], built: Mechanism, scope: Scope
+) -> Iterator[Rubbing]:
     match statement:
         case ast.PinFriction():
             yield from _pins(statement, named, scope)
@@ -48,6 +60,8 @@ def _read(statement: ast.Statement, named: set[str], scope: Scope) -> Iterator[R
             yield from _roller(statement, scope)
         case ast.ContactFriction():
             yield from _face(statement, scope)
+        case ast.GearFriction() | ast.BeltFriction() | ast.RackFriction() | ast.ScrewFriction():
+            yield from _transmission(statement, built, scope)
         case _:
             return
 
@@ -171,6 +185,36 @@ def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[Rubbing]:
         yield RubbingFace(point.text, f, statement.span)
     else:
         scope.report.add(words.nothing_touches(point.span, point.text))
+
+
+def _transmission(
+    statement: ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction,
+    built: Mechanism,
+    scope: Scope,
+) -> Iterator[Rubbing]:
+    """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
+    f = _coefficient(statement.coefficient, scope)
+    point, span = statement.point, statement.span
+    if not scope.points.acting(point) or f is None:
+        return
+    kind: Literal["gear", "belt", "rack", "screw"]
+    match statement:
+        case ast.GearFriction():
+            kind, there = "gear", {m.first for m in built.meshes if m.kind == "gear"}
+        case ast.BeltFriction():
+            kind, there = "belt", {m.first for m in built.meshes if m.kind == "belt"}
+        case ast.RackFriction():
+            kind, there = "rack", {r.point for r in built.racks}
+        case _:
+            kind, there = "screw", {s.point for s in built.screws}
+    if point.text not in there:
+        scope.report.add(words.no_transmission(point.span, kind, point.text, sorted(there)))
+    elif isinstance(statement, ast.ScrewFriction):
+        thread = _length(statement.thread, "the mean diameter of a thread", scope)
+        if thread is not None:
+            yield RubbingThread(point.text, f, thread, span)
+    elif kind != "screw":
+        yield RubbingMesh(kind, point.text, f, span)
 
 
 def _is_guided(point: ast.Name, scope: Scope) -> bool:

@@ -45,7 +45,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     found = read_definitions(file, scope)
     mechanism = replace(_headed(file, report), finds=tuple(finds), spans=points.places)
     mechanism = _under_loads(_built(mechanism, file, scope), file, scope)
-    mechanism = replace(mechanism, friction=read_friction(file, scope))
+    mechanism = replace(mechanism, friction=read_friction(file, mechanism, scope))
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)

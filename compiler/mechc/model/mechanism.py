@@ -33,7 +33,9 @@ from .rubbing import Friction as Friction
 from .rubbing import Rubbing as Rubbing
 from .rubbing import RubbingFace as RubbingFace
 from .rubbing import RubbingGuide as RubbingGuide
+from .rubbing import RubbingMesh as RubbingMesh
 from .rubbing import RubbingPin as RubbingPin
+from .rubbing import RubbingThread as RubbingThread
 from .targets import Axial as Axial
 from .targets import Efficiency as Efficiency
 from .targets import LoadForm as LoadForm

@@ -1,5 +1,7 @@
 """What rubs: friction at pins, guides and contacts, as coefficients and lengths in SI."""
 
+from typing import Literal
+
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..source import Span
@@ -39,7 +41,31 @@ class RubbingFace:
     span: Span
 
 
-Rubbing = RubbingPin | RubbingGuide | RubbingFace
+@frozen
+class RubbingMesh:
+    """A pair of gears, a belt or a rack that loses ``factor`` of the force it passes on.
+
+    The loss resists the rim of the first wheel, or the rack: ``point`` is its pivot, or the
+    rack's. What arrives beyond is the force passed on.
+    """
+
+    kind: Literal["gear", "belt", "rack"]
+    point: str
+    factor: Formula
+    span: Span
+
+
+@frozen
+class RubbingThread:
+    """A screw on whose thread, of mean diameter ``thread``, Coulomb's friction acts."""
+
+    point: str
+    factor: Formula
+    thread: Formula
+    span: Span
+
+
+Rubbing = RubbingPin | RubbingGuide | RubbingFace | RubbingMesh | RubbingThread
 
 
 @frozen

@@ -189,11 +189,16 @@ class _Asked:
     # ------------------------------------------------------------------------- forces
 
     def _force(self, find: Find, target: Reaction | Axial | Normal) -> Solved | None:
-        from .joint_forces import find_force
+        from ..kinematics.release import unclear
+        from .joint_forces import called, find_force
 
+        point = getattr(target, "point", "")
+        if not isinstance(target, Normal) and point in unclear(self._mechanism):
+            self._report.add(words.transmission_presses(find.span, point))
+            return None
         found = find_force(target, self._plan.graph.pose, self._reactions)
         if found is None:
-            self._report.add(words.reaction_undetermined(find.span, find.name))
+            self._report.add(words.reaction_undetermined(find.span, called(target)))
             return None
         where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
         given = [Definition(n, f) for n in self._equations.columns if (f := self._given(n))]

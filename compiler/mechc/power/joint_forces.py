@@ -44,6 +44,17 @@ def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactio
             return _linear(transmitted, transmitted.along(_line(target, pose)))
 
 
+def called(target: Reaction | Axial | Normal) -> str:
+    """Return what a force is called in the language, whatever part of it is asked for."""
+    match target:
+        case Reaction(point, link):
+            return f"R_{point} on {link}" if link else f"R_{point}"
+        case Axial(_, tail, head):
+            return f"N_{tail}{head}"
+        case Normal(point):
+            return f"N_{point}"
+
+
 def bond_of(target: Reaction | Axial | Normal, pose: Pose) -> Bond:
     """Return the bond whose force is asked for."""
     match target:

@@ -116,6 +116,8 @@ def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
     match bond.kind:
         case "touch":
             return (touch_at(pose, bond.point).normal,)
+        case "gear" | "belt" | "rack" | "screw":
+            return (Angle(),)
         case "ground" if bond.point in pose.guides:
             return () if shared else (pose.guides[bond.point] + QUARTER,)
         case _ if shared and pose.axis is not None:

@@ -17,7 +17,9 @@ from ..model.mechanism import (
     Rubbing,
     RubbingFace,
     RubbingGuide,
+    RubbingMesh,
     RubbingPin,
+    RubbingThread,
     WithFriction,
 )
 from .answers import INCONSISTENT, Answer, Row, gather, ties, with_loads
@@ -187,6 +189,13 @@ def _of(rubbing: Rubbing, unfolding: Unfolding) -> Iterator[Pair]:
                     )
         case RubbingGuide(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
+        case RubbingMesh(kind, point, factor_):
+            size = evaluate(factor_, unfolding.values)
+            yield Pair(f"{kind} {point}", unfolding.rim(kind, point), f"{kind} {point}", "", size)
+        case RubbingThread(point, factor_, thread):
+            size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
+            actions = unfolding.along_thread(point, diameter)
+            yield Pair(f"screw {point}", actions, f"screw {point}", "", size)
         case RubbingFace(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:

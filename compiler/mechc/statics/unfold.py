@@ -17,7 +17,7 @@ from typing import NamedTuple, assert_never
 
 from ..formula.walk import evaluate
 from ..frozen import frozen
-from ..model.mechanism import Force, Load, Thrust, Torque
+from ..model.mechanism import Force, Load, Rack, Thrust, Torque
 from ..pose.pose import Pose, Touch, evaluate_vector
 
 
@@ -77,7 +77,8 @@ class Rubbing(NamedTuple):
 class Transfer(NamedTuple):
     """One force that wheels, a rack or a screw pass on, and all that a unit of it does.
 
-    The bearings take the same force back; it does no more than load the ground there.
+    Where nothing tells its direction, the bearings' part in it is left out: it loads the
+    ground alone, and forces on such bearings are never asked for.
     """
 
     name: str
@@ -235,6 +236,36 @@ class Unfolding:
             return push
         return (*push, *map(self._mirrored, push))
 
+    def rim(self, kind: str, point: str) -> tuple[Action, ...]:
+        """Return a unit force on the rim of a pair's first wheel, or on a rack."""
+        if kind == "rack":
+            rack = next(r for r in self.pose.mechanism.racks if r.point == point)
+            return self._by(rack.link, point, self.direction_of_guide(point))
+        pairs = self.pose.mechanism.meshes
+        pair = next(m for m in pairs if (m.kind, m.first) == (kind, point))
+        return self.couple(pair.first_link, evaluate(pair.first_radius, self.values))
+
+    def along_thread(self, point: str, diameter: float) -> tuple[Action, ...]:
+        """Return the friction on a thread that an axial force of 1 times 1 gives, on nut and screw.
+
+        F/cos ψ along the thread, whose slope is tan ψ = p/(πd): F·tan ψ along the axis, and
+        F·d/2 about it.
+        """
+        screw = next(s for s in self.pose.mechanism.screws if s.point == point)
+        slope = evaluate(screw.pitch, self.values) / (math.pi * diameter)
+        along = self.direction_of_guide(point).times(slope)
+        return (*self._by(screw.link, point, along), *self.couple(screw.link, diameter / 2))
+
+    def _by(self, link: str, point: str, force: Plane) -> tuple[Action, ...]:
+        """Return a force on a point by each of the links that drive it."""
+        return self.push(point, force) if self._shared(link) else self._half(point, force)
+
+    def _half(self, point: str, force: Plane) -> tuple[Action, ...]:
+        """Return a force that both halves have, on a point that they may share."""
+        if self._axis is None:
+            return self.push(point, force)
+        return (Push(point, force), Push(self._twin(point), self._reflected(force)))
+
     def _bodies(self) -> Iterator[Body]:
         for link in self.pose.mechanism.links:
             frame = self.pose.frames[link.name]
@@ -303,17 +334,22 @@ class Unfolding:
             couples = Couple(mesh.first_link, first), Couple(mesh.second_link, second)
             yield from self._both(f"{mesh.kind} {mesh.first}", couples)
         for rack in mechanism.racks:
-            radius = evaluate(rack.radius, values)
-            yield from self._both(f"rack {rack.point}", self._driven(rack.point, rack.link, radius))
+            yield from self._both(f"rack {rack.point}", self._teeth(rack))
         for screw in mechanism.screws:
             lead = evaluate(screw.pitch, values) / (2 * math.pi)
-            yield from self._both(
-                f"screw {screw.point}", self._driven(screw.point, screw.link, lead)
-            )
+            along = self.direction_of_guide(screw.point)
+            thread = Push(screw.point, along), Couple(screw.link, -lead)
+            yield from self._both(f"screw {screw.point}", thread)
 
-    def _driven(self, point: str, link: str, lever: float) -> tuple[Action, ...]:
-        """Return a force along a slider's guide, and the couple of its reaction on a wheel."""
-        return Push(point, self.direction_of_guide(point)), Couple(link, -lever)
+    def _teeth(self, rack: Rack) -> tuple[Action, ...]:
+        """Return a force on a rack along its guide, and what its wheel takes at the pitch point."""
+        along = self.direction_of_guide(rack.point)
+        right = along.turned().times(-evaluate(rack.radius, self.values))
+        first = next(iter(self.pose.frames[rack.link]))
+        centre = self.arm(rack.link, first, rack.pivot)
+        x, y = centre.x + right.x, centre.y + right.y
+        back = Wrench(rack.link, along.times(-1), y * along.x - x * along.y)
+        return Push(rack.point, along), back
 
     def _both(self, name: str, actions: tuple[Action, ...]) -> Iterator[Transfer]:
         """Yield a transfer and its twin in the other half."""

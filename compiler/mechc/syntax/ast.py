@@ -425,6 +425,39 @@ class ContactFriction(Statement):
 
 
 @frozen
+class GearFriction(Statement):
+    """``friction gear O1 c``: what the teeth of a pair lose, as a part of the force they pass."""
+
+    point: Name
+    coefficient: Expr
+
+
+@frozen
+class BeltFriction(Statement):
+    """``friction belt O1 c``: what a belt loses, as a part of the force that it passes."""
+
+    point: Name
+    coefficient: Expr
+
+
+@frozen
+class RackFriction(Statement):
+    """``friction rack A c``: what the teeth of rack A lose."""
+
+    point: Name
+    coefficient: Expr
+
+
+@frozen
+class ScrewFriction(Statement):
+    """``friction screw A mu thread d``: Coulomb friction on a thread of mean diameter d."""
+
+    point: Name
+    coefficient: Expr
+    thread: Expr
+
+
+@frozen
 class Motion(Statement):
     """``motion tightening`` or ``motion releasing``."""
 

@@ -47,11 +47,16 @@ ROLLER_FRICTION = (
     key("axle", Kind.EXPRESSION),
     key("wheel", Kind.EXPRESSION),
 )
+SCREW_FRICTION = (key("screw", Kind.EXPRESSION, "coefficient"), key("thread", Kind.EXPRESSION))
 FRICTION = (
     Entry(ast.PinFriction, key("point", Kind.PIN), keys=PIN_FRICTION),
     Entry(ast.GuideFriction, AT_POINT, keys=GUIDE_FRICTION),
     Entry(ast.RollerFriction, AT_POINT, keys=ROLLER_FRICTION),
     Entry(ast.ContactFriction, AT_POINT, keys=(key("contact", Kind.EXPRESSION, "coefficient"),)),
+    Entry(ast.GearFriction, AT_POINT, keys=(key("gear", Kind.EXPRESSION, "coefficient"),)),
+    Entry(ast.BeltFriction, AT_POINT, keys=(key("belt", Kind.EXPRESSION, "coefficient"),)),
+    Entry(ast.RackFriction, AT_POINT, keys=(key("rack", Kind.EXPRESSION, "coefficient"),)),
+    Entry(ast.ScrewFriction, AT_POINT, keys=SCREW_FRICTION),
 )
 PARAM_KEYS = (
     optional("value", Kind.EXPRESSION),
@@ -223,7 +228,7 @@ SECTIONS: tuple[Section, ...] = (
         ),
     ),
     one("gravity", "direction of gravity", ast.Gravity, plain(Kind.DIRECTION, "along")),
-    named("friction", "friction at pins, guides, rollers and contacts", *FRICTION),
+    named("friction", "friction at pins, guides, rollers, contacts and transmissions", *FRICTION),
     one(
         "motion",
         "which way it moves",

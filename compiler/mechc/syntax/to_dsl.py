@@ -45,6 +45,10 @@ LINES: dict[type[ast.Statement], str] = {
     "[ {law}]",
     ast.RollerFriction: "friction roller {point} {coefficient} axle {axle} wheel {wheel}",
     ast.ContactFriction: "friction contact {point} {coefficient}",
+    ast.GearFriction: "friction gear {point} {coefficient}",
+    ast.BeltFriction: "friction belt {point} {coefficient}",
+    ast.RackFriction: "friction rack {point} {coefficient}",
+    ast.ScrewFriction: "friction screw {point} {coefficient} thread {thread}",
     ast.Motion: "motion {sense}",
     ast.Efficiency: "efficiency {value}",
     ast.Let: "let {name}|= {value}",
@@ -56,7 +60,10 @@ ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {l
 QUOTED = frozenset({"title", "text", "label", "about"})
 
 TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw)
-FRICTIONS = (ast.PinFriction, ast.GuideFriction, ast.RollerFriction, ast.ContactFriction)
+FRICTIONS = (
+    *(ast.PinFriction, ast.GuideFriction, ast.RollerFriction, ast.ContactFriction),
+    *(ast.GearFriction, ast.BeltFriction, ast.RackFriction, ast.ScrewFriction),
+)
 
 SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
     (ast.Version, ast.Heading, ast.SourceNote),

@@ -217,6 +217,10 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "gravity": ast.Gravity,
     "friction_roller": ast.RollerFriction,
     "friction_contact": ast.ContactFriction,
+    "friction_gear": ast.GearFriction,
+    "friction_belt": ast.BeltFriction,
+    "friction_rack": ast.RackFriction,
+    "friction_screw": ast.ScrewFriction,
     "efficiency": ast.Efficiency,
     "let": ast.Let,
 }

@@ -1,5 +1,7 @@
 """Words for friction (E27x)."""
 
+from collections.abc import Sequence
+
 from ...source import Span
 from ..diagnostic import Related, Words, coded
 
@@ -84,6 +86,23 @@ def nothing_presses(span: Span, point: str) -> Words:
     friction slider B 0.1     # wrong unless a link goes through B
     """
     return Words(span, f"no link goes through {point}, so nothing presses it on its guide")
+
+
+@coded("E277")
+def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> Words:
+    """Friction of a gear, belt, rack or screw is given where there is none.
+
+    A pair of gears and a belt are named by the pivot of their first wheel, a rack and a
+    screw by their slider.
+
+        gear O1 20 mm, O2 40 mm
+        friction gear O2 0.02     # wrong
+        friction gear O1 0.02     # right
+    """
+    named = {"gear": "no pair of gears begins at", "belt": "no belt begins at"}
+    message = f"{named.get(kind, f'there is no {kind} at')} {point}"
+    hint = f"write 'friction {kind} {there[0]} …'" if there else f"no line begins with '{kind}'"
+    return Words(span, message, hint)
 
 
 @coded("W270")

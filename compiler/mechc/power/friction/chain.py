@@ -15,7 +15,7 @@ together, and :mod:`.exact` solves them.
 """
 
 from collections.abc import Iterator, Sequence
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ...algebra.angle import Angle
 from ...algebra.factors import Opaque
@@ -24,15 +24,9 @@ from ...algebra.sums import add, canonical
 from ...model.mechanism import Link
 from ...pose.pose import Touch
 from .bodies import HALF_TURN, Bodies, Entangled, Pull, Surface, Task, under
+from .closed import Condition
 from .lever import Bearing, on_lever
 from .signs import Signs
-
-
-class Condition(NamedTuple):
-    """A force that keeps its ideal sign in the formula: ``sign · force > 0``."""
-
-    sign: Product
-    force: Product
 
 
 class Chain:

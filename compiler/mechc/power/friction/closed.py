@@ -1,7 +1,7 @@
-"""The closed form of a chain: as code takes it, and as it is printed."""
+"""A closed form: as code takes it, and as it is printed."""
 
-from collections.abc import Iterator, Mapping, Set
-from typing import Literal
+from collections.abc import Callable, Iterator, Mapping, Set
+from typing import Literal, NamedTuple, Protocol
 
 from ...algebra.factors import Factor, Trig
 from ...algebra.product import Product, Sum
@@ -10,9 +10,7 @@ from ...formula.operations import count_operations
 from ...formula.tree import Formula, product, total
 from ...frozen import frozen
 from ...model.result import Definition
-from .bodies import Task
-from .chain import Chain
-from .signs import AtAnyPose, AtOnePose
+from .signs import AtAnyPose, AtOnePose, Signs
 
 
 @frozen
@@ -38,25 +36,38 @@ class Named:
     case: Printed | None = None
 
 
-def closed_form(task: Task, cranks: bool, sense: int, factor: Product, taken: Set[str]) -> Named:
-    """Return the driving load times a factor, with signs that follow from the pose.
+class Condition(NamedTuple):
+    """A force that keeps its ideal sign in the formula: ``sign · force > 0``."""
 
-    Raises :class:`~.bodies.Entangled` where the chain ends.
-    """
+    sign: Product
+    force: Product
+
+
+class Way(Protocol):
+    """A way to solve for the driving load, and what its formula takes for granted then."""
+
+    conditions: list[Condition]
+
+    def solve(self) -> Product:
+        """Return the driving load. Raises :class:`~.bodies.Entangled` where it cannot."""
+        ...
+
+
+def closed_form(way: Callable[[Signs], Way], factor: Product, taken: Set[str]) -> Named:
+    """Return the driving load times a factor, with signs that follow from the pose."""
     signs = AtAnyPose(taken)
-    chain = Chain(task, cranks, signs, sense)
-    formula = readable(canonical(chain.solve() * factor))
-    positive = ((c.sign * c.force).formula() for c in chain.conditions)
+    solver = way(signs)
+    formula = readable(canonical(solver.solve() * factor))
+    positive = ((c.sign * c.force).formula() for c in solver.conditions)
     return Named(formula, tuple(signs.definitions), tuple(positive))
 
 
 def printed_form(
-    task: Task, cranks: bool, sense: int, factor: Product, values: Mapping[str, float]
+    way: Callable[[Signs], Way], factor: Product, values: Mapping[str, float]
 ) -> Printed:
     """Return the driving load times a factor, for the signs at given values."""
     signs = AtOnePose(values.keys(), values)
-    chain = Chain(task, cranks, signs, sense)
-    formula = readable(canonical(chain.solve() * factor))
+    formula = readable(canonical(way(signs).solve() * factor))
     operators: Mapping[int, Literal["<", ">", "="]] = {-1: "<", 0: "=", 1: ">"}
     holds = tuple((value, operators[sign]) for value, sign in signs.conditions.items())
     return Printed(formula, tuple(signs.definitions), holds)

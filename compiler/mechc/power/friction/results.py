@@ -1,15 +1,18 @@
 """Ratios and loads with friction in them, and their efficiency."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ...algebra.from_formula import to_product
 from ...algebra.product import ONE, Product
+from ...algebra.sums import add, canonical
 from ...diagnostics import Report
 from ...diagnostics import friction as words
+from ...diagnostics.power import transmission_presses
 from ...formula.tree import ZERO, product
 from ...frozen import replace
 from ...kinematics.plan import Plan
+from ...kinematics.release import unclear
 from ...model.mechanism import (
     Efficiency,
     Find,
@@ -26,10 +29,13 @@ from ..definitions import bound_sums, intermediates
 from ..equations import Equations
 from ..numbers import default_values
 from .bodies import Entangled, Task
-from .closed import Named, Printed, closed_form, printed_form
+from .chain import Chain
+from .closed import Named, Printed, Way, closed_form, printed_form
 from .exact import exact, first_order
 from .pressing import Pressed, Undetermined, press
 from .rubs import Rub, rubs
+from .signs import Signs
+from .straight import Straight
 
 SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
 """The sign with which friction adds to the driving load."""
@@ -83,29 +89,42 @@ class FrictionResults:
         pressed = self._press(find, case)
         if pressed is None:
             return None
+        scaled = _scaled(pressed, case.factor)
         if order == "first":
-            return first_order(case.ideal.formula, pressed, sign, self._mechanism)
-        return self._closed(case, pressed, sign) or exact(
-            case.ideal.formula, pressed, sign, self._taken()
-        )
+            return first_order(
+                case.ideal.formula, _scaled(pressed, case.factor), sign, self._mechanism
+            )
+        closed = self._closed(case, pressed, sign)
+        scaled = _scaled(pressed, case.factor)
+        return closed or exact(case.ideal.formula, scaled, sign, self._taken())
 
     def _closed(self, case: Case, pressed: Sequence[Pressed], sense: int) -> Named | None:
-        """Return the closed form; None where the bodies do not follow one from another."""
+        """Return the first closed form that there is; None where all equations hang together."""
+        for way in self._ways(case, pressed, sense):
+            try:
+                found = closed_form(way, case.factor, self._taken())
+            except Entangled:
+                continue
+            return replace(found, case=self._printed(way, case.factor))
+        return None
+
+    def _ways(
+        self, case: Case, pressed: Sequence[Pressed], sense: int
+    ) -> Iterator[Callable[[Signs], Way]]:
         loads = self._mechanism.loads
         owners = {load.name: self._equations.owner(load.name) for load in loads}
         task = Task(self._plan.graph.pose, case.driving, case.given, owners, pressed)
-        for cranks in (False, True):
-            try:
-                found = closed_form(task, cranks, sense, case.factor, self._taken())
-            except Entangled:
-                continue
-            return replace(found, case=self._printed(task, cranks, sense, case.factor))
-        return None
+        yield lambda signs: Chain(task, False, signs, sense)
+        yield lambda signs: Chain(task, True, signs, sense)
+        columns = self._equations.columns
+        works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
+        ideal = canonical(-(add(works) / columns[case.driving][0]))
+        yield lambda signs: Straight(ideal, pressed, signs, sense)
 
-    def _printed(self, task: Task, cranks: bool, sense: int, factor: Product) -> Printed | None:
+    def _printed(self, way: Callable[[Signs], Way], factor: Product) -> Printed | None:
         """Return the closed form for the default pose; None where something has no value."""
         try:
-            return printed_form(task, cranks, sense, factor, default_values(self._plan))
+            return printed_form(way, factor, default_values(self._plan))
         except KeyError:
             return None
 
@@ -118,13 +137,18 @@ class FrictionResults:
         if self._equations.number != 1:
             self._report.add(words.several_freedoms(find.span, self._equations.number))
             return None
+        pressed_on = unclear(self._mechanism)
+        for rub in self._rubs:
+            if rub.bond.kind == "pin" and rub.bond.point in pressed_on:
+                self._report.add(transmission_presses(find.span, rub.bond.point))
+                return None
         plan, given = self._plan, case.given
         try:
             pressed = press(plan, self._equations, case.driving, self._rubs, given)
         except Undetermined as found:
             self._report.add(words.pressed_how_hard(find.span, found.rub.bond.point))
             return None
-        return tuple(replace(p, slip=p.slip * case.factor) for p in pressed)
+        return pressed
 
     def _taken(self) -> set[str]:
         mechanism = self._mechanism
@@ -180,3 +204,8 @@ class FrictionResults:
             there = (*case.where, Definition(name, case.formula))
             case = replace(case, formula=share, where=there)
         return replace(whole, formula=share, where=where, dimension=NUMBER, case=case)
+
+
+def _scaled(pressed: Sequence[Pressed], factor: Product) -> tuple[Pressed, ...]:
+    """Return what adds to a multiple of the driving load."""
+    return tuple(replace(p, slip=p.slip * factor) for p in pressed)

@@ -3,17 +3,26 @@
 A pin of several links rubs in each of them but the one that carries it.
 """
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
+from ...algebra.angle import Angle
 from ...algebra.from_formula import to_product
 from ...algebra.product import Product
-from ...kinematics.forms import QUARTER, leaving, projection, spin, subtract
+from ...formula.tree import PI
+from ...kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ...kinematics.graph import Form, Graph
 from ...kinematics.plan import Plan, Speeds
-from ...kinematics.release import Bond, members
-from ...model.mechanism import RubbingFace, RubbingGuide, RubbingPin
+from ...kinematics.release import Bond, Measure, members
+from ...model.mechanism import (
+    Rubbing,
+    RubbingFace,
+    RubbingGuide,
+    RubbingMesh,
+    RubbingPin,
+    RubbingThread,
+)
 from ...pose.pose import Pose, Touch
 from ..joint_forces import holding
 from ..loads import repeated
@@ -30,7 +39,7 @@ class Rub(NamedTuple):
     name: str
     bond: Bond
     factor: Product
-    slip: Callable[[Graph], Form]
+    slip: Measure
     number: Fraction = Fraction(1)
 
     def speeds(self, plan: Plan) -> Speeds:
@@ -47,7 +56,7 @@ def rubs(pose: Pose) -> tuple[Rub, ...]:
     return tuple(rub._replace(number=_number(rub.bond, pose)) for rub in found)
 
 
-def _of(rubbing: RubbingPin | RubbingGuide | RubbingFace, pose: Pose) -> Iterator[Rub]:
+def _of(rubbing: Rubbing, pose: Pose) -> Iterator[Rub]:
     match rubbing:
         case RubbingPin():
             yield from _pin(rubbing, pose)
@@ -62,6 +71,11 @@ def _of(rubbing: RubbingPin | RubbingGuide | RubbingFace, pose: Pose) -> Iterato
                     to_product(factor),
                     lambda graph: projection(graph.velocities[point], along),
                 )
+        case RubbingMesh(kind, point, factor):
+            yield Rub(f"{point}_{kind}", Bond(kind, point), to_product(factor), _rim(rubbing, pose))
+        case RubbingThread(point, factor):
+            slip = _along_thread(rubbing, pose)
+            yield Rub(f"{point}_screw", Bond("screw", point), to_product(factor), slip)
         case RubbingFace(point, factor):
             touch = next(t for t in pose.touches if t.point == point)
             yield Rub(f"{point}_face", Bond("touch", point), to_product(factor), _sliding(touch))
@@ -76,7 +90,7 @@ def _pin(pin: RubbingPin, pose: Pose) -> Iterator[Rub]:
         yield Rub(name, bond, to_product(pin.radius), slip)
 
 
-def _turning(link: str, carrier: str) -> Callable[[Graph], Form]:
+def _turning(link: str, carrier: str) -> Measure:
     """Return the rotation of a link relative to what carries its pin."""
 
     def slip(graph: Graph) -> Form:
@@ -86,12 +100,44 @@ def _turning(link: str, carrier: str) -> Callable[[Graph], Form]:
     return slip
 
 
-def _sliding(touch: Touch) -> Callable[[Graph], Form]:
+def _sliding(touch: Touch) -> Measure:
     def slip(graph: Graph) -> Form:
         there = next((t for t in graph.pose.touches if t.point == touch.point), touch)
         return leaving(graph, there, touch.normal + QUARTER)
 
     return slip
+
+
+def _rim(mesh: RubbingMesh, pose: Pose) -> Measure:
+    """Return the speed of the first wheel's rim, or of a rack."""
+    if mesh.kind == "rack":
+        return lambda graph: projection(graph.velocities[mesh.point], _guide(mesh.point, pose))
+    pair = next(m for m in pose.mechanism.meshes if (m.kind, m.first) == (mesh.kind, mesh.point))
+    return lambda graph: scaled(spin(graph, pair.first_link), pose.radii[pair.first_radius])
+
+
+def _along_thread(thread: RubbingThread, pose: Pose) -> Measure:
+    """Return v·p/(πd) + ω·d/2: what the axial force times μ does work with.
+
+    With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
+    force F presses with F/cos ψ.
+    """
+    screw = next(s for s in pose.mechanism.screws if s.point == thread.point)
+    diameter = to_product(thread.thread)
+    slope = pose.radii[screw.pitch] / (to_product(PI) * diameter)
+
+    def slip(graph: Graph) -> Form:
+        ahead = projection(graph.velocities[thread.point], _guide(thread.point, pose))
+        round_ = scaled(spin(graph, screw.link), -diameter.scaled(Fraction(1, 2)))
+        return subtract(scaled(ahead, slope), round_)
+
+    return slip
+
+
+def _guide(point: str, pose: Pose) -> Angle:
+    guide = pose.guide_of(point)
+    assert guide is not None, "the model lets racks and screws move guided points only"
+    return guide
 
 
 def _is_shared(bond: Bond, pose: Pose) -> bool:
