@@ -248,6 +248,50 @@ def test_a_group_of_class_three_turns_back():
     assert (locked.kind, locked.drive) == ("drive locked", stretch.high)
 
 
+PLATFORM = """
+param a   = 60 mm
+param phi = 70 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (200 mm, 0 mm)
+pivot R at (300 mm, 0 mm)
+link OA
+link AB
+link BCD
+link QC
+link RD
+OA        = a @ phi
+AB        = {b!r} mm
+BC        = {c!r} mm
+BD        = {d!r} mm
+angle CBD = {turn!r} rad
+QC        = 80 mm
+RD        = 80 mm
+assembly QCB ccw
+assembly RDB cw
+drive phi from 30 deg to 75 deg
+torque M on OA
+force F at C along y
+find k = M/F
+"""
+
+
+def test_a_group_of_class_three_that_another_branch_crosses():
+    """A platform on a parallelogram that lies flat as the crank stands at 40°."""
+    phi = math.radians(40)
+    b, c, d = complex(310, 60), complex(280, 0), complex(380, 0)
+    rod = abs(b - 60 * complex(math.cos(phi), math.sin(phi)))
+    turn = (d - b) / (c - b)
+    shape = {"b": rod, "c": abs(c - b), "d": abs(d - b), "turn": math.atan2(turn.imag, turn.real)}
+    found = stroke(PLATFORM.format(**shape), 3)
+    assert places(found) == pytest.approx([phi], abs=2e-12)
+    (stretch,) = found.stretches
+    assert (stretch.low, stretch.high) == (places(found)[0], math.radians(75))
+    assert [row.trouble for row in found.rows] == [stretch.before, "", ""]
+    assert "branch point" in stretch.before
+    assert not found.singular
+    assert not found.extrema
+
+
 def test_a_given_pose_and_an_exact_dead_centre():
     text = """
 param l = 1 m

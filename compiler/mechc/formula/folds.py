@@ -19,6 +19,9 @@ STEP, SHORTEST = 0.06, 1e-7
 STEPS = 600
 """Steps after which a curve is given up."""
 
+NEAR = 1.5e-3
+"""Steps by which a crossing is looked for; solutions are exact to twelve digits so near it."""
+
 CORRECTIONS = 12
 
 CLOSED = 1e-12
@@ -85,6 +88,47 @@ class Curve:
             point, tangent, step = ahead, turned, min(STEP, 1.5 * step)
         return End(point[-1] * self._scales[-1], False)
 
+    def crossing(self, unknowns: Sequence[float], place: float, goal: float) -> float | None:
+        """Return the place on the way to a goal where another branch crosses, if there is one.
+
+        The determinant changes its sign there while the drive goes on. At the place itself
+        nothing can be solved for, so it is interpolated from both sides.
+        """
+        point = self._scaled([*unknowns, place])
+        sense = 1.0 if goal > place else -1.0
+        tangent = self._tangent(point, [*([0.0] * len(unknowns)), sense])
+        here = self._determinant(point)
+        while tangent and tangent[-1] * sense > 0 and (goal - self._drive(point)) * sense > 0:
+            step, ahead = NEAR, self._corrected(point, tangent, NEAR)
+            while ahead is None and step < 2 * NEAR:
+                step *= 1.3
+                ahead = self._corrected(point, tangent, step)
+            if ahead is None:
+                return None
+            if (there := self._determinant(ahead)) * here <= 0:
+                return self._crossed(point, tangent, step * here / (here - there))
+            point, tangent, here = ahead, self._tangent(ahead, tangent), there
+        return None
+
+    def _crossed(self, point: Point, tangent: Point, middle: float) -> float | None:
+        """Return the drive where the determinant vanishes, about a step along a tangent."""
+        steps = [middle + NEAR * part for part in (-5, -4, -3, -2, -1, 1, 2, 3, 4, 5)]
+        points = [p for step in steps if (p := self._corrected(point, tangent, step))]
+        if len(points) < len(steps):
+            return None
+        sizes = [self._determinant(p) for p in points]
+        return interpolated(sizes, [self._drive(p) for p in points], 0.0)
+
+    def _determinant(self, point: Point) -> float:
+        """Return the determinant by the unknowns."""
+        gaps, matrix = self._at(point)
+        square = [row[:-1] for row in matrix]
+        sign = eliminate(square, gaps)
+        return sign * math.prod(abs(row[i]) for i, row in enumerate(square))
+
+    def _drive(self, point: Point) -> float:
+        return point[-1] * self._scales[-1]
+
     def _turning(self, point: Point, tangent: Point, step: float) -> float:
         """Return the drive between two points where the tangent has no part along it."""
         sense, low, high = math.copysign(1.0, tangent[-1]), 0.0, step
@@ -145,6 +189,20 @@ class Curve:
 
     def _plain(self, point: Point) -> list[float]:
         return [p * s for p, s in zip(point, self._scales, strict=True)]
+
+
+def interpolated(xs: Sequence[float], ys: Sequence[float], x: float) -> float:
+    """Return the value at x of the polynomial through points (Neville).
+
+    >>> interpolated([1.0, 2.0, 3.0], [1.0, 4.0, 9.0], 1.5)
+    2.25
+    """
+    row = list(ys)
+    for width in range(1, len(xs)):
+        for i in range(len(xs) - width):
+            low, high = xs[i], xs[i + width]
+            row[i] = ((x - high) * row[i] + (low - x) * row[i + 1]) / (low - high)
+    return row[0]
 
 
 def _shortest(matrix: Sequence[Sequence[float]], gaps: Sequence[float]) -> list[float] | None:

@@ -43,11 +43,12 @@ class Limit(NamedTuple):
     A triangle of sides d, p, q closes where d lies between |p − q| and p + q (``side`` is d,
     ``sizes`` are p and q), a rod where it reaches its guide (``sizes``: its length, and how
     far off the guide it is hinged), a pin in a slot where it is farther away than the slot's
-    line passes by (``side``: how far, ``sizes``: the line's distance).
+    line passes by (``side``: how far, ``sizes``: the line's distance). Of a system nothing
+    more is known.
     """
 
     loop: str
-    group: Literal["triangle", "guide", "slot"]
+    group: Literal["triangle", "guide", "slot", "system"]
     side: Vector
     sizes: tuple[Product, ...]
 
@@ -63,9 +64,10 @@ class Limit(NamedTuple):
                 return outer, add([square, -(p * p), both, -(q * q)])
             case "guide", (size, height):
                 return add([size, -height]), add([size, height])
-            case _:
-                (across,) = self.sizes
+            case "slot", (across,):
                 return (add([square, -(across * across)]),)
+            case _:
+                return ()
 
 
 class Touch(NamedTuple):

@@ -1,11 +1,13 @@
-"""The ends of what can be assembled, where a loop that is closed by iteration turns back.
+"""The ends of what can be assembled, where a loop that is closed by iteration comes to its own.
 
 Newton's method gives up a hair before the place at which two solutions meet; the curve of
-solutions is followed to the place itself.
+solutions is followed to the place itself. Where the curve does not turn back there, another
+one crosses it: a branch point, at which the drive can go on and the loop in two ways.
 """
 
 from collections.abc import Callable, Iterator, Sequence
 from functools import partial
+from typing import NamedTuple
 
 from ..formula.folds import Curve
 from ..formula.tree import Formula, Implicit, System
@@ -22,19 +24,31 @@ BACK = 1e-3
 """The part of the stroke by which one goes back before the curve is followed."""
 
 
-def turning_back(pose: Pose, along: Along, edge: float, range_: float) -> float:
-    """Return the place beyond an edge at which a loop turns back, the edge where none does.
+class End(NamedTuple):
+    """The last place that can be reached, and the loop that another branch crosses there."""
+
+    place: float
+    crossed: str = ""
+
+
+def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> End:
+    """Return where a loop turns back, or another branch crosses it, beyond an edge.
 
     ``range_`` is the length of the stroke, negative where there are poses after the edge.
+    The edge itself is returned where neither happens.
     """
     inside, goal = edge - BACK * range_, edge + BACK * range_
-    for system, outer in _systems(pose, along):
+    loops = [limit.loop for limit in pose.limits if limit.group == "system"]
+    for (system, outer), loop in zip(_systems(pose, along), loops, strict=False):
         start = solution(system, tuple(outer(inside)))
         scales = [*_scales(system, start, pose), 1.0 if _turns(pose) else abs(range_)]
-        end = Curve(numeric(system), outer, scales).end(start, inside, goal)
-        if end.turns:
-            return end.place
-    return edge
+        curve = Curve(numeric(system), outer, scales)
+        end = curve.end(start, inside, goal)
+        if end.turns and (end.place - goal) * range_ < 0:
+            return End(end.place)
+        if (crossing := curve.crossing(start, inside, goal)) is not None:
+            return End(crossing, loop)
+    return End(edge)
 
 
 def _systems(pose: Pose, along: Along) -> Iterator[tuple[System, Outer]]:

@@ -16,15 +16,20 @@ from ..power.balance import Balance
 from ..units import ANGLE, LENGTH, Dimension
 from .along import NOT_ASSEMBLED, Along
 from .branches import branch_points
-from .ends import turning_back
+from .ends import end_of_branch
 from .extrema import extrema
 from .singular import BESIDE, singular_poses, told_apart
-from .stroke import Column, Extremum, Row, Singular, Stretch, Stroke
+from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, transmissions
 from .velocities import velocities
 
 SAMPLES = 720
 """Places at which the stroke is looked at for singular poses and extrema."""
+
+BEYOND = "not followed beyond the branch point"
+
+CROSSING = 1e-12
+"""How exact a place is at which branches cross that are found by iteration."""
 
 ENOUGH = 180
 """Places that are enough for a stretch."""
@@ -86,6 +91,7 @@ class _Runner:
         self._ratios = [r for r in self._results if isinstance(r.target, LoadRatio)]
         self._places = _spaced(low, high, SAMPLES)
         self._branches = branch_points(self._pose, self._along, self._places)
+        self._crossings: list[Branch] = []
 
     def _is_open(self, result: Result) -> bool:
         """Tell a result that rests on loads whose size nobody gives."""
@@ -97,6 +103,8 @@ class _Runner:
         """Return the whole."""
         filled = list(self._columns())
         stretches = tuple(self._stretches())
+        places = _spaced(self._low, self._high, points - 1)
+        branches = sorted((*self._branches, *self._crossings), key=lambda b: b.drive)
         return Stroke(
             self._parameter.name,
             self._parameter.dimension,
@@ -104,11 +112,11 @@ class _Runner:
             self._low,
             self._high,
             tuple(f.column for f in filled),
-            tuple(self._row(x, filled) for x in _spaced(self._low, self._high, points - 1)),
+            tuple(self._row(x, filled, stretches) for x in places),
             stretches,
-            self._singular(stretches),
-            self._branches,
-            tuple(self._extrema(stretches)),
+            self._singular(stretches, branches),
+            tuple(branches),
+            self._extrema(stretches),
             self._along.defaults,
         )
 
@@ -146,10 +154,11 @@ class _Runner:
         parameters = self._pose.mechanism.parameters
         return next((p.unit for p in parameters if p.dimension == LENGTH and p.unit), "")
 
-    def _row(self, place: float, filled: Sequence[_Filled]) -> Row:
+    def _row(self, place: float, filled: Sequence[_Filled], stretches: Sequence[Stretch]) -> Row:
         trouble = self._trouble(place)
         if self._along.trouble(place):
-            return Row(place, (math.nan,) * len(filled), trouble)
+            why = _beyond(place, stretches) if trouble == NOT_ASSEMBLED else ""
+            return Row(place, (math.nan,) * len(filled), why or trouble)
         return Row(place, tuple(f.at(place) for f in filled), trouble)
 
     # ----------------------------------------------------------------------------- stretches
@@ -175,18 +184,23 @@ class _Runner:
         start, before = (places[0] if self._stands(places[0]) else None), ""
         for a, b in pairwise(places):
             if self._stands(b) and not self._stands(a):
-                start, before = self._edge(a, b), self._trouble(a)
+                start, before = self._ended(a, b)
             elif self._stands(a) and not self._stands(b) and start is not None:
-                yield Stretch(start, self._edge(b, a), before, self._trouble(b))
+                end, after = self._ended(b, a)
+                yield Stretch(start, end, before, after)
                 start = None
         if start is not None:
             yield Stretch(start, places[-1], before, "")
 
-    def _edge(self, bad: float, good: float) -> float:
-        edge, range_ = self._halved(bad, good), self._high - self._low
-        if self._along.trouble(bad) != NOT_ASSEMBLED:
-            return edge
-        return turning_back(self._pose, self._along, edge, math.copysign(range_, bad - good))
+    def _ended(self, bad: float, good: float) -> tuple[float, str]:
+        """Return the last place before a bad one, and what ends there."""
+        edge, range_, why = self._halved(bad, good), self._high - self._low, self._trouble(bad)
+        if why != NOT_ASSEMBLED:
+            return edge, why
+        end = end_of_branch(self._pose, self._along, edge, math.copysign(range_, bad - good))
+        if end.crossed:
+            self._crossings.append(Branch(end.crossed, end.place, CROSSING))
+        return end.place, BEYOND if end.crossed else why
 
     def _halved(self, bad: float, good: float) -> float:
         while (middle := (bad + good) / 2) not in (bad, good):
@@ -205,7 +219,9 @@ class _Runner:
             return _spaced(stretch.low, stretch.high, SAMPLES)
         return [stretch.low, *inner, stretch.high]
 
-    def _singular(self, stretches: Sequence[Stretch]) -> tuple[Singular, ...]:
+    def _singular(
+        self, stretches: Sequence[Stretch], branches: Sequence[Branch]
+    ) -> tuple[Singular, ...]:
         name = self._parameter.name
         found = [
             pose
@@ -213,9 +229,10 @@ class _Runner:
             for result in self._ratios
             for pose in singular_poses(result, name, self._along, stretch, self._within(stretch))
         ]
-        return told_apart(found, self._branches, self._high - self._low)
+        return told_apart(found, branches, self._high - self._low)
 
-    def _extrema(self, stretches: Sequence[Stretch]) -> list[Extremum]:
+    def _extrema(self, stretches: Sequence[Stretch]) -> tuple[Extremum, ...]:
+        """Return the extrema; beside a branch that iteration finds, results lose digits."""
         name = self._parameter.name
         found = [
             extremum
@@ -223,7 +240,16 @@ class _Runner:
             for result in self._results
             for extremum in extrema(result, name, self._along, self._within(stretch))
         ]
-        return sorted(found, key=lambda e: e.drive)
+        near = BESIDE * (self._high - self._low)
+        clear = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]
+        return tuple(sorted(clear, key=lambda e: e.drive))
+
+
+def _beyond(place: float, stretches: Sequence[Stretch]) -> str:
+    """Return what is said of a place between stretches one of which ends at a branch point."""
+    before = [s.after for s in stretches if s.high < place]
+    after = [s.before for s in stretches if s.low > place]
+    return BEYOND if BEYOND in (*before[-1:], *after[:1]) else ""
 
 
 def _plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:

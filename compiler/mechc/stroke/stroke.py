@@ -56,7 +56,7 @@ class Singular(NamedTuple):
 
 
 class Branch(NamedTuple):
-    """A place at which a loop lies flat and can be left in two ways: a change point.
+    """A place at which two closures of a loop are one and it can go on in two ways: a change point.
 
     Results may well be finite there. The place lies within ``bracket``.
     """

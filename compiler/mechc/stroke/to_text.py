@@ -99,7 +99,7 @@ def _stretch(stretch: Stretch, stroke: Stroke) -> Iterator[str]:
 
 def _branch(found: Branch, stroke: Stroke) -> str:
     at = _at(found.drive, stroke)
-    return f"branch point at {at}: the loop {found.loop} lies flat and can go on in two ways"
+    return f"branch point at {at}: the loop {found.loop} can go on in two ways"
 
 
 def _singular(found: Singular, stroke: Stroke) -> str:

@@ -129,6 +129,7 @@ class _Closing:
         chosen = self._choice.choose(found, block)
         self._report.stop_on_errors()
         assert chosen is not None
+        self._state.limits.append(Limit(loop_name(block.cycle), "system", (), ()))
         self._state.take(chosen, block.unknown, block.sides)
         return True
 
