@@ -41,6 +41,7 @@ VOCABULARY = {
     "model.to_text",
     "model.values",
     "pose.to_text",
+    "power.definitions",
     "power.numbers",
     "routine.quotient",
     "syntax.words",

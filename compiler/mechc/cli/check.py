@@ -1,11 +1,12 @@
 """``mechc check``: mistakes found, expectations proved or refuted, the second opinion."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 import click
 
 from ..check.expectations import Finding
-from ..derivation.definitions import Solved, definitions, grouped, is_by_letter
+from ..derivation.definitions import Solved, by_letter, grouped, is_by_letter
+from ..derivation.sections import Told
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
@@ -59,22 +60,25 @@ def command(
 
 def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
-    results = compilation.results
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
-    for number, result in enumerate(results):
-        yield from _of_result(result, {r.name for r in results[:number]})
+    told = Told()
+    for result in compilation.results:
+        yield from _of_result(result, told.of(result))
     for finding in compilation.findings:
         yield f"  {_of_finding(finding, compilation.source)}"
     yield from _of_verdict(compilation.verdict, verbose)
 
 
-def _of_result(result: Result, told: set[str]) -> Iterator[str]:
+def _of_result(result: Result, where: Iterable[Definition]) -> Iterator[str]:
     yield f"  {result.name} = {text(result.formula)}"
-    for group in grouped(definitions(result, told)):
+    for group in grouped((name, by_letter(formula)) for name, formula in where):
         yield from _of_definition(group)
     if result.default is not None:
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
+    if result.holds:
+        holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in result.holds)
+        yield f"    holds while {', '.join(holds)}"
     if result.independent:
         yield f"    does not depend on {', '.join(result.independent)}"
 

@@ -1,37 +1,15 @@
 """What stands behind *where*: the names that a result mentions, each told once."""
 
-from collections.abc import Container, Iterable, Iterator, Sequence
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from ..formula.tree import Formula, Implicit, Number, Product, Symbol
-from ..formula.walk import equations, substitute, symbols
+from ..formula.walk import equations, substitute
 from ..model.mechanism import GRAVITY
-from ..model.result import Definition, Result
+from ..model.result import Definition
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""
-
-
-def definitions(result: Result, told: Container[str] = ()) -> tuple[Definition, ...]:
-    """Return a result's definitions but those ``told`` before, g in weights by its letter.
-
-    What only serves one that was told before was told with it.
-    """
-    where = result.where
-    if any(name in told for name, _ in where):
-        where = tuple(_serving(result.formula, where, told))[::-1]
-    return tuple(Definition(name, by_letter(formula)) for name, formula in where)
-
-
-def _serving(
-    formula: Formula, where: Sequence[Definition], told: Container[str]
-) -> Iterator[Definition]:
-    """Yield the definitions that a formula rests on, the last one first, but for those told."""
-    needed = symbols(formula)
-    for each in reversed(where):
-        if each.name in needed and each.name not in told:
-            needed |= symbols(each.formula)
-            yield each
 
 
 def by_letter(formula: Formula) -> Formula:

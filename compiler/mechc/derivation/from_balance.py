@@ -13,6 +13,7 @@ from ..kinematics.plan import Block
 from ..model.mechanism import Force, Speed, SpeedRatio, Thrust, Torque
 from ..model.result import Result
 from ..power.balance import Balance, Term
+from .forces import of_forces
 from .notation import Named, Notation
 from .outputs import acting_on
 from .steps import Derivation, Equation, PowerTerm, Rule, Step
@@ -26,7 +27,8 @@ def derive(balance: Balance, results: Sequence[Result]) -> Derivation:
     writer = _Writer(balance)
     steps = tuple(writer.steps())
     terms = tuple(writer.term(t) for t in balance.terms if any(t.power))
-    return Derivation(steps, terms, tuple(writer.balances()), tuple(results))
+    accounts = tuple(of_forces(balance))
+    return Derivation(steps, terms, tuple(writer.balances()), tuple(results), accounts)
 
 
 class _Writer:

@@ -19,6 +19,7 @@ from ..model.mechanism import (
 )
 from ..model.result import Result, Trend, Vanishing
 from ..words.table import Words
+from .steps import Passage
 from .wording import enumeration, positive_first
 
 
@@ -40,6 +41,18 @@ class Speller(Protocol):
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         ...
+
+
+def said(passage: Passage, words: Words, spell: Speller) -> str:
+    """Return what a passage says."""
+    names = {
+        place: enumeration((spell.point(n) for n in listed), words)
+        for place, listed in passage.names.items()
+        if listed
+    }
+    formulas = {place: _spelled(f, spell) for place, f in passage.formulas.items()}
+    held = " " + words.held.format(loads=names["held"]) if "held" in names else ""
+    return words.sayings[passage.saying].format_map({**names, **formulas, "held": held})
 
 
 def heading(result: Result, words: Words) -> str:
@@ -81,7 +94,14 @@ def _speed(speed: Speed) -> Formula:
 def asked(result: Result) -> Formula:
     """Return the result's own symbol; a ratio that was given no name stands for itself."""
     asked_for = ratio(result)
-    return asked_for if asked_for and is_nameless(result) else Symbol(result.name)
+    return asked_for if asked_for and is_nameless(result) else Symbol(called(result))
+
+
+def called(result: Result) -> str:
+    """Return a result's name in print; the direction of a force has an angle's letter."""
+    if isinstance(result.target, Reaction) and result.target.part == "direction":
+        return f"phi_{result.name.removesuffix('_direction')}"
+    return result.name
 
 
 def is_nameless(result: Result) -> bool:

@@ -5,12 +5,14 @@ Every relation is a pair of formulas; the words for each rule, in each language,
 belong to whoever prints.
 """
 
+from collections.abc import Mapping
 from enum import StrEnum
+from types import MappingProxyType
 from typing import NamedTuple
 
 from ..formula.tree import Formula
 from ..frozen import frozen
-from ..model.result import Result
+from ..model.result import Definition, Result
 
 
 class Rule(StrEnum):
@@ -85,11 +87,64 @@ class PowerTerm:
     speed: Formula
 
 
+class Saying(StrEnum):
+    """What a passage says; the words belong to each language."""
+
+    RELEASED = "released"
+    """The principle of released constraints."""
+    PIVOT = "pivot"
+    """A pivot is let go."""
+    GUIDE = "guide"
+    """A point, or a body that translates, is let go off its guide."""
+    PIN = "pin"
+    """A link is let go off a pin."""
+    TOUCH = "touch"
+    """A slot or contact is let go."""
+    IDLE = "idle"
+    """A bond is let go where no load does work."""
+    ROD = "rod"
+    """The force of a rod without loads acts along it."""
+    SMOOTH = "smooth"
+    """A guide presses across itself only."""
+    SHARED = "shared"
+    """Forces across the line of symmetry cancel."""
+
+
+@frozen
+class Passage:
+    """A sentence with the equations that it leads to.
+
+    ``names`` are the points, links and loads that the sentence mentions, by the places that
+    its words have for them; ``formulas`` what it has of mathematics.
+    """
+
+    saying: Saying
+    equations: tuple[Equation, ...] = ()
+    names: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    formulas: Mapping[str, Formula] = MappingProxyType({})
+
+
+@frozen
+class Account:
+    """How results were found that are told together, such as the components of one force.
+
+    ``where`` is what the equations rest on.
+    """
+
+    results: tuple[str, ...]
+    passages: tuple[Passage, ...]
+    where: tuple[Definition, ...] = ()
+
+
 @frozen
 class Derivation:
-    """The velocity steps, the power equation (or several, at mobility m), the results."""
+    """The velocity steps, the power equation (or several, at mobility m), the results.
+
+    ``accounts`` tell of results that need more than the power equation.
+    """
 
     steps: tuple[Step, ...]
     terms: tuple[PowerTerm, ...]
     balances: tuple[Equation, ...]
     results: tuple[Result, ...]
+    accounts: tuple[Account, ...] = ()

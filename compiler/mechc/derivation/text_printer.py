@@ -17,7 +17,7 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import assert_never
 
-from ..formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
+from ..formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal, squares
 from ..formula.names import GREEK, split_name
 from ..formula.tree import (
     Call,
@@ -200,8 +200,12 @@ _INVERSE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
 
 
 def _call(function: str, arguments: tuple[Formula, ...], signs: Signs) -> str:
+    if function == "hypot":
+        return _call("sqrt", (squares(arguments),), signs)
     if signs.fancy and function == "sqrt":
         return f"√({_print(arguments[0], signs, SUM, False)})"
+    if signs.fancy and function == "abs":
+        return f"|{print_formula(arguments[0], signs)}|"
     word = _INVERSE.get(function, function) if signs.fancy else function
     if len(arguments) == 1:
         return _applied(word, arguments[0], signs, function in TRIGONOMETRIC)

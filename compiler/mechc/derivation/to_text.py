@@ -1,7 +1,7 @@
 """The derivation for the terminal: numbered steps, the rule in words, what it gives."""
 
 import re
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -12,8 +12,9 @@ from ..model.mechanism import GRAVITY, Mechanism
 from ..model.result import Definition, Result
 from ..units import ANGLE
 from ..words.en import WORDS
-from .definitions import Solved, definitions, grouped, is_by_letter
-from .remarks import asked, conditions, heading, is_nameless, ratio, remarks
+from .definitions import Solved, grouped, is_by_letter
+from .remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
+from .sections import Section, sections
 from .steps import Derivation, Step
 from .text_printer import ASCII, UNICODE, Signs, print_formula, print_point
 from .wording import Sides, lines, sentence
@@ -57,9 +58,8 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     """
     spell = Speller(_signs(derivation, mechanism, unicode))
     lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
-    for number, result in enumerate(derivation.results):
-        told = {r.name for r in derivation.results[:number]}
-        lines += _result(result, definitions(result, told), spell)
+    for section in sections(derivation):
+        lines += _section(section, spell)
     if mechanism.requires:
         lines += [
             "",
@@ -103,21 +103,31 @@ def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
         yield from _equations(derivation.balances, spell)
 
 
-def _result(result: Result, where: Sequence[Definition], spell: Speller) -> Iterator[str]:
-    yield from ("", heading(result, WORDS) or WORDS.results)
+def _section(section: Section, spell: Speller) -> Iterator[str]:
+    yield from ("", heading(section.results[0], WORDS) or WORDS.results)
+    for passage in section.passages:
+        yield from _wrapped(said(passage, WORDS, spell), "     ")
+        yield from _equations(passage.equations, spell)
+    if section.passages:
+        yield f"     {WORDS.hence}"
+    for result in section.results:
+        yield from _result(result, spell)
+    if section.where:
+        yield f"     {WORDS.where}"
+        for group in grouped(section.where):
+            yield from _group(group, spell)
+    if any(is_by_letter(d.formula) for d in section.where):
+        yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
+    for result in section.results:
+        for remark in remarks(result, WORDS, spell):
+            yield from _wrapped(remark, "   - ")
+
+
+def _result(result: Result, spell: Speller) -> list[str]:
     asked_for = ratio(result)
     left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
-    sides = (*left, result.formula)
     angle = is_angle(result.formula, spell.angles)
-    yield from _broken(spell.relation(sides, ("=",) * len(left), angle))
-    if where:
-        yield f"     {WORDS.where}"
-        for group in grouped(where):
-            yield from _group(group, spell)
-    if any(is_by_letter(d.formula) for d in where):
-        yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
-    for remark in remarks(result, WORDS, spell):
-        yield from _wrapped(remark, "   - ")
+    return _broken(spell.relation((*left, result.formula), ("=",) * len(left), angle))
 
 
 def _group(group: Definition | Solved, spell: Speller) -> Iterator[str]:

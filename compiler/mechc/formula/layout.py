@@ -5,12 +5,25 @@ factor of the angles behind it, ``2b/a · cos α sin θ / cos(α + θ)``. Consta
 stand in degrees. Both are decided here once, for LaTeX and for the terminal.
 """
 
-from collections.abc import Set
+from collections.abc import Iterable, Set
 from fractions import Fraction
 from typing import NamedTuple
 
 from .operations import split_fraction
-from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from .tree import (
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    negative,
+    power,
+    total,
+)
 from .walk import children
 
 INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
@@ -142,6 +155,28 @@ def is_angle(formula: Formula, angles: Set[str]) -> bool:
             return is_angle(Symbol(system.unknowns[index]), angles)
         case _:
             return False
+
+
+def squares(arguments: Iterable[Formula]) -> Formula:
+    """Return the sum of squares under the root that a hypotenuse is.
+
+    >>> from .to_text import text
+    >>> from .tree import negative, number
+    >>> text(squares((negative(Symbol("x")), number(1))))
+    'x^2 + 1'
+    """
+    return total(power(unsigned(a), Number(Fraction(2))) for a in arguments)
+
+
+def unsigned(formula: Formula) -> Formula:
+    """Return what has the same square, without a minus in front."""
+    match formula:
+        case Number(value):
+            return Number(abs(value))
+        case Product((Number(value), *_)) if value < 0:
+            return negative(formula)
+        case _:
+            return formula
 
 
 def short_decimal(value: Fraction) -> str | None:

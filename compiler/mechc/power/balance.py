@@ -1,5 +1,7 @@
 """The power equations: ``Σ load · speed = 0``, one for each independent motion."""
 
+from collections.abc import Mapping
+
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..frozen import frozen
@@ -30,16 +32,37 @@ class Term:
 
 
 @frozen
+class Release:
+    """One component of the force at a joint: a bond that is let go along a direction.
+
+    ``kind``, ``point`` and ``of`` are the bond's; the loads that are ``held`` do no work. Of
+    the ``terms`` the last one is that of the force itself, its speed that at which the bond
+    parts; ``amounts`` is the force per unit of each load.
+    """
+
+    kind: str
+    point: str
+    of: str
+    direction: Angle
+    held: tuple[str, ...]
+    plan: Plan
+    terms: tuple[Term, ...]
+    amounts: Mapping[str, Product]
+
+
+@frozen
 class Solved:
     """A result as algebra, before it is turned into a formula.
 
-    ``value`` is None for a let. ``above`` and ``below`` are the loads of a ratio.
+    ``value`` is None for a let. ``above`` and ``below`` are the loads of a ratio,
+    ``releases`` those by which a force at a joint was found.
     """
 
     result: Result
     value: Product | None = None
     above: str = ""
     below: str = ""
+    releases: tuple[Release, ...] = ()
 
 
 @frozen

@@ -216,7 +216,7 @@ class _Asked:
             tuple(dict.fromkeys((*before, *where, *given))),
             None if coefficients is None else {n: c.formula() for n, c in coefficients.items()},
         )
-        return Solved(result, None)
+        return Solved(result, releases=found.releases)
 
     @cached_property
     def _reactions(self) -> "Reactions":

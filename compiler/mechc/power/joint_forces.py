@@ -14,6 +14,7 @@ from ..kinematics.plan import Plan
 from ..kinematics.release import Bond, held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
 from ..pose.pose import Pose
+from .balance import Release
 from .reactions import Reactions, Transmitted
 from .speeds import magnitude, root
 
@@ -23,13 +24,18 @@ Amounts = Mapping[str, Product]
 class Found(NamedTuple):
     """A force at a joint: its formula, and, where it is a linear form, its coefficients.
 
-    ``values`` is the algebra behind it, ``plans`` are those that its named sums come from.
+    ``values`` is the algebra behind it, ``releases`` tell how it was found.
     """
 
     formula: Formula
     coefficients: Amounts | None
     values: tuple[Product, ...]
-    plans: tuple[Plan, ...]
+    releases: tuple[Release, ...]
+
+    @property
+    def plans(self) -> tuple[Plan, ...]:
+        """Return the plans that the formula's named sums come from."""
+        return tuple(release.plan for release in self.releases)
 
 
 def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactions) -> Found | None:
@@ -90,7 +96,7 @@ def _line(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
 
 
 def _linear(transmitted: Transmitted, amounts: Amounts) -> Found:
-    return Found(_form(_kept(amounts)), amounts, tuple(amounts.values()), transmitted.plans)
+    return Found(_form(_kept(amounts)), amounts, tuple(amounts.values()), transmitted.releases)
 
 
 def _form(amounts: Amounts) -> Formula:
@@ -100,7 +106,7 @@ def _form(amounts: Amounts) -> Formula:
 def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
     """Return the size of a force, or its direction."""
     x, y = (_kept(transmitted.along(axis)) for axis in (Angle(), QUARTER))
-    plans, loads = transmitted.plans, dict.fromkeys((*x, *y))
+    loads = dict.fromkeys((*x, *y))
     if part == "direction":
         formula: Formula = Call("atan2", (_form(y), _form(x))) if loads else ZERO
     elif len(loads) > 1:
@@ -108,7 +114,7 @@ def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
     else:
         sizes = {n: size_of(x.get(n, NONE), y.get(n, NONE), mechanism) for n in loads}
         formula = total(product([(s, 1), (Call("abs", (Symbol(n),)), 1)]) for n, s in sizes.items())
-    return Found(formula, None, (*x.values(), *y.values()), plans)
+    return Found(formula, None, (*x.values(), *y.values()), transmitted.releases)
 
 
 def _kept(amounts: Amounts) -> Amounts:

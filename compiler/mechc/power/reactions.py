@@ -4,7 +4,7 @@ A reaction is a linear form in the loads that are given; those that drive follow
 and do no work while they are held.
 """
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
@@ -18,7 +18,7 @@ from ..kinematics.plan import Plan
 from ..kinematics.release import Bond, Loosened, loosened, members, touch_at
 from ..model.mechanism import Absolute, Force
 from ..pose.pose import Pose
-from .balance import Term
+from .balance import Release, Term
 from .equations import Equations
 from .loads import repeated, terms
 
@@ -44,10 +44,15 @@ class Push(NamedTuple):
 
 @frozen
 class Transmitted:
-    """The force of a bond as the sum of pushes, and the plans by which they were found."""
+    """The force of a bond as the sum of pushes, and how each was found."""
 
     pushes: tuple[Push, ...]
-    plans: tuple[Plan, ...]
+    releases: tuple[Release, ...]
+
+    @property
+    def plans(self) -> tuple[Plan, ...]:
+        """Return the plans by which the pushes were found."""
+        return tuple(release.plan for release in self.releases)
 
     def along(self, direction: Angle) -> dict[str, Product]:
         """Return the component in a direction as a linear form in the given loads."""
@@ -81,24 +86,28 @@ class Reactions:
         return self._known[bond]
 
     def _find(self, bond: Bond) -> Transmitted | None:
-        pushes: list[Push] = []
-        plans: list[Plan] = []
+        releases: list[Release] = []
         for direction in directions(self._pose, bond):
             loose = loosened(self._pose, bond, direction, self._held, self._taken)
-            amounts = self._amounts(loose, bond) if loose else None
+            powers = self._powers(loose, bond) if loose else ()
+            amounts = self._amounts(powers) if powers else None
             if loose is None or amounts is None:
                 return None
             self._taken |= {binding.name for binding in loose.plan.bindings}
-            pushes.append(Push(direction, amounts))
-            plans.append(loose.plan)
-        return Transmitted(tuple(pushes), tuple(plans))
+            releases.append(Release(*bond, direction, self._driving, loose.plan, powers, amounts))
+        pushes = tuple(Push(r.direction, r.amounts) for r in releases)
+        return Transmitted(pushes, tuple(releases))
 
-    def _amounts(self, loose: Loosened, bond: Bond) -> Mapping[str, Product] | None:
+    def _powers(self, loose: Loosened, bond: Bond) -> tuple[Term, ...]:
+        """Return the terms of all loads, that of the bond's force last."""
         plan, span = loose.plan, self._pose.mechanism.span
         load = Force(HERE, bond.loose, Absolute(ZERO, span), span)
         count = Product(repeated(self._pose.mechanism, members(self._pose, bond)))
         here = Term(load, count, loose.parting, None)
-        equations = Equations((*terms(plan), *self._more(plan), here))
+        return (*terms(plan), *self._more(plan), here)
+
+    def _amounts(self, powers: Sequence[Term]) -> Mapping[str, Product] | None:
+        equations = Equations(powers)
         if equations.number != 1 or HERE not in equations.columns:
             return None
         others = [n for n in equations.columns if n not in (HERE, *self._driving)]

@@ -76,6 +76,25 @@ WORDS = Words(
         " along the line through them.",
         "component": "Component of the velocity of {first} in the direction of the load {rest}.",
     },
+    sayings={
+        "released": "Principle of released constraints: a bond is taken away, its force becomes a "
+        "load, and the powers of all loads add up to zero in the motion that is left.{held}",
+        "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "
+        "{speed}.",
+        "guide": "Let {point} leave its guide in the direction {direction} with the velocity "
+        "{speed}.",
+        "pin": "Let the link {link} part from the pin {point} in the direction {direction} with "
+        "the velocity {speed}.",
+        "touch": "Let {point} part from the surface that it touches in the direction {direction} "
+        "with the velocity {speed}.",
+        "idle": "Let the bond at {point} go in the direction {direction}: no load does work then, "
+        "and this component is zero.",
+        "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
+        "line.",
+        "smooth": "The guide of {point} presses across itself only.",
+        "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
+    },
+    held="The drive ({loads}) is held still.",
     hence="hence",
     power="Power equation",
     power_rule="Principle of virtual powers: in equilibrium the powers of all loads add up to "

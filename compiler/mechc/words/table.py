@@ -10,8 +10,9 @@ class Words(NamedTuple):
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
-    words of a result, ``joints`` those of a joint that is neither pin nor guide. ``units``
-    maps a unit's letters to the language's.
+    words of a result, ``joints`` those of a joint that is neither pin nor guide,
+    ``sayings`` those of a passage about forces or friction, with places for its names and
+    formulas. ``units`` maps a unit's letters to the language's.
     """
 
     babel: str
@@ -46,6 +47,8 @@ class Words(NamedTuple):
     magnitudes: str
     signed: str
     rules: Mapping[str, str]
+    sayings: Mapping[str, str]
+    held: str
     hence: str
 
     power: str

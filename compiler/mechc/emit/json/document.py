@@ -5,7 +5,16 @@ The document and its JSON Schema are both made from what stands here.
 
 from collections.abc import Mapping
 
-from ...derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
+from ...derivation.steps import (
+    Account,
+    Derivation,
+    Equation,
+    Passage,
+    PowerTerm,
+    Rule,
+    Saying,
+    Step,
+)
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import evaluate
@@ -17,6 +26,7 @@ from ...model.mechanism import (
     Normal,
     Parameter,
     Reaction,
+    Require,
     SpeedRatio,
     Target,
     WithFriction,
@@ -85,6 +95,14 @@ DEFINITION: Kind[Definition] = record(
     member("formula", "What it stands for.", FORMULA, lambda d: d.formula),
 )
 
+CONDITION: Kind[Require] = record(
+    "condition",
+    "What must hold: left operator right.",
+    member("left", "One side.", FORMULA, lambda c: c.left),
+    member("operator", "How they compare.", TEXT, lambda c: c.operator),
+    member("right", "The other side.", FORMULA, lambda c: c.right),
+)
+
 VANISHING: Kind[Vanishing] = record(
     "vanishing",
     "A condition under which a result is zero, or infinite.",
@@ -130,6 +148,18 @@ RESULT: Kind[Result] = record(
     ),
     member("derivatives", "Partial ones.", map_of(FORMULA), lambda r: r.derivatives or {}),
     member("value", "At the default pose, SI; null at a pole.", FLOAT, lambda r: r.default),
+    member(
+        "holds",
+        "Conditions of the formula, where it is for the signs of the default pose.",
+        list_of(CONDITION),
+        lambda r: r.holds,
+    ),
+    member(
+        "guards",
+        "What must hold for a solution to mean anything; code gives NaN elsewhere.",
+        list_of(CONDITION),
+        lambda r: r.guards,
+    ),
 )
 
 STEP: Kind[Step] = record(
@@ -160,6 +190,28 @@ TERM: Kind[PowerTerm] = record(
     member("speed", "Signed along the load.", FORMULA, lambda t: t.speed),
 )
 
+PASSAGE: Kind[Passage] = record(
+    "passage",
+    "A sentence with the equations that it leads to.",
+    member("says", "What the sentence says.", one_of(*Saying), lambda p: p.saying),
+    member("names", "What it says it of.", map_of(list_of(TEXT)), lambda p: p.names),
+    member("formulas", "Directions, speeds …", map_of(FORMULA), lambda p: p.formulas),
+    member(
+        "equations",
+        "What follows.",
+        list_of(TEXT),
+        lambda p: tuple(map(_equation, p.equations)),
+    ),
+)
+
+ACCOUNT: Kind[Account] = record(
+    "account",
+    "How results were found that need more than the power equation.",
+    member("results", "Their names.", list_of(TEXT), lambda a: a.results),
+    member("passages", "In order.", list_of(PASSAGE), lambda a: a.passages),
+    member("where", "What the equations rest on.", list_of(DEFINITION), lambda a: a.where),
+)
+
 DERIVATION: Kind[Derivation] = record(
     "derivation",
     "From speeds to the power balance.",
@@ -171,6 +223,7 @@ DERIVATION: Kind[Derivation] = record(
         list_of(TEXT),
         lambda d: tuple(map(_equation, d.balances)),
     ),
+    member("accounts", "Of forces and friction.", list_of(ACCOUNT), lambda d: d.accounts),
 )
 
 TRIAL: Kind[Trial] = record(

@@ -10,6 +10,7 @@ from typing import Literal
 
 from ...formula.names import GREEK, Point, split_name, split_points
 from ...frozen import frozen
+from ...model.mechanism import Reaction
 
 Language = Literal["en", "uk", "ru"]
 
@@ -65,6 +66,22 @@ def name(symbol: str, style: Notation) -> str:
     ['\\alpha_1', 'l_A', '\\varphi', '\\mathrm{eff}', '\\omega_{O_{1}B}']
     """
     return style.spellings.get(symbol) or _by_rule(symbol, style)
+
+
+def of_force(symbol: str, force: Reaction, style: Notation) -> str:
+    r"""Return a force on a link with the link above, a direction as an angle.
+
+    >>> of_force("R_B_on_BC_x", Reaction("B", "BC", "x"), notation("en"))
+    'R_{B,x}^{BC}'
+    >>> of_force("R_O_direction", Reaction("O", "", "direction"), notation("en"))
+    '\\phi_{R_O}'
+    """
+    if force.part == "direction":
+        size = Reaction(force.point, force.link, "size")
+        return f"{style.phi}_{{{of_force(symbol.removesuffix('_direction'), size, style)}}}"
+    base, on, rest = symbol.partition(f"_on_{force.link}")
+    whole = name(base + rest, style)
+    return f"{whole}^{{{points(force.link)}}}" if force.link and on else whole
 
 
 def _by_rule(symbol: str, style: Notation) -> str:

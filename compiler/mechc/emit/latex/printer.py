@@ -19,7 +19,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from ...formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal
+from ...formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal, squares
 from ...formula.tree import (
     Call,
     Formula,
@@ -214,6 +214,8 @@ def factors(
         current = _set(formula, style, around, angle)
         if boxes and _runs_together(boxes[-1], formula, current):
             boxes.append(plain(r"\cdot "))
+        elif boxes and _are_words(boxes[-1], current):
+            boxes.append(plain(r"\,"))
         boxes.append(current)
     return row(boxes)
 
@@ -224,6 +226,12 @@ def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
     return (before.open and not (is_function or raised)) or (
         before.tex[-1].isdigit() and after.tex[0].isdigit()
     )
+
+
+def _are_words(before: Box, after: Box) -> bool:
+    """Tell whether a name of several letters would be read as one with the next letter."""
+    words = (re.match(r"\\math(rm|it)", box.tex) for box in (before, after))
+    return any(words) and before.tex[-1] not in ")]" and after.tex[0] not in "(["
 
 
 def _power(base: Formula, exponent: Formula, style: Notation, around: int) -> Box:
@@ -253,9 +261,7 @@ def _call(function: str, arguments: tuple[Formula, ...], style: Notation) -> Box
         case "sqrt":
             return _root(_set(arguments[0], style, SUM, False))
         case "hypot":
-            return _root(
-                _set(Sum(tuple(power(a, number(2)) for a in arguments)), style, SUM, False)
-            )
+            return _root(_set(squares(arguments), style, SUM, False))
         case "abs":
             inner = box(arguments[0], style)
             return Box(rf"\left|{inner.tex}\right|", inner.width + 0.6, inner.tall)

@@ -1,12 +1,15 @@
 """The report's last part: what was found and what follows from it."""
 
-from collections.abc import Container, Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from itertools import groupby
 from math import isfinite
 from typing import NamedTuple
 
-from ...derivation.definitions import Solved, definitions, grouped
-from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks
+from ...derivation.definitions import Solved, grouped
+from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks, said
+from ...derivation.sections import Section
+from ...derivation.steps import Passage
+from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Formula, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition, Result
@@ -18,23 +21,60 @@ from .printer import Box, box, latex, plain
 from .quantity import decimal, measured
 
 
-class ResultBlock(NamedTuple):
-    """One result, ready for LaTeX: its heading, displays, remarks in sentences."""
+class PassageBlock(NamedTuple):
+    """One passage of how results came about: a sentence, and a display or nothing."""
 
-    heading: str
-    displays: tuple[str, ...]
+    sentence: str
+    equations: str
+
+
+class Findings(NamedTuple):
+    """What follows from one result: remarks in sentences, sensitivities."""
+
     remarks: tuple[str, ...]
     derivatives: str
     sensitivities: str
 
 
-def result_block(
-    result: Result, told: Container[str], words: Words, style: Notation
-) -> ResultBlock:
-    """Return everything the report says of one result; ``told`` are those before it."""
-    return ResultBlock(
-        heading(result, words),
-        (*_main(result, words, style), *_where(definitions(result, told), words, style)),
+class SectionBlock(NamedTuple):
+    """Results under one heading, ready for LaTeX."""
+
+    heading: str
+    passages: tuple[PassageBlock, ...]
+    displays: tuple[str, ...]
+    findings: tuple[Findings, ...]
+
+
+def section_block(section: Section, words: Words, style: Notation) -> SectionBlock:
+    """Return everything the report says of the results of one section."""
+    main = _together(section.results, style, words) or _main(section.results[0], words, style)
+    return SectionBlock(
+        heading(section.results[0], words),
+        tuple(_passage(p, words, style) for p in section.passages),
+        (*main, *_where(section.where, words, style)),
+        tuple(_findings(r, words, style) for r in section.results),
+    )
+
+
+def _together(results: Sequence[Result], style: Notation, words: Words) -> tuple[str, ...]:
+    """Return the components of one force below each other; nothing for a single result."""
+    if len(results) == 1:
+        return ()
+    lines = tuple(Line(_left(r, style), r.formula) for r in results)
+    return (display(lines, style, words.where),)
+
+
+def _passage(passage: Passage, words: Words, style: Notation) -> PassageBlock:
+    lines = tuple(
+        Line(box(left, style), right, is_angle(right, style.angles))
+        for left, right in passage.equations
+    )
+    shown = display(lines, style, words.where) if lines else ""
+    return PassageBlock(said(passage, words, Speller(style)), shown)
+
+
+def _findings(result: Result, words: Words, style: Notation) -> Findings:
+    return Findings(
         remarks(result, words, Speller(style)),
         _derivatives(result, words, style),
         words.slope if result.where else words.derivatives,

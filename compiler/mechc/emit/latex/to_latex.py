@@ -10,22 +10,23 @@ from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from ...derivation.remarks import conditions
+from ...derivation.remarks import called, conditions
+from ...derivation.sections import sections
 from ...derivation.steps import Derivation, Equation, Step
 from ...derivation.wording import Sides, lines, sentence
 from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
-from ...model.mechanism import Parameter
+from ...model.mechanism import Parameter, Reaction
 from ...units import ANGLE
 from ...words import en, ru, uk
 from ...words.table import Words
 from ..target import Compiled, Emitted, Options
 from .display import LINE, Line, display, vanishing
 from .given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
-from .notation import Notation, notation, spellings
+from .notation import Notation, notation, of_force, spellings
 from .printer import Box, box, plain, row
-from .results import ResultBlock, Speller, check, numbers, result_block
+from .results import SectionBlock, Speller, check, numbers, section_block
 from .text import escape, has_cyrillic
 
 _WORDS = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
@@ -55,7 +56,7 @@ class Report(NamedTuple):
     steps: tuple[StepBlock, ...]
     several: str
     balances: str
-    results: tuple[ResultBlock, ...]
+    results: tuple[SectionBlock, ...]
     conditions: str
     numbers: tuple[str, ...]
     check: str
@@ -112,7 +113,13 @@ def _style(compiled: Compiled, style: Notation) -> Notation:
             if is_angle(definition.formula, angles):
                 angles.add(definition.name)
     known = replace(style, angles=frozenset(angles))
-    return replace(known, spellings=spellings(_names(compiled), known))
+    known = replace(known, spellings=spellings(_names(compiled), known))
+    forces = {
+        called(r): of_force(r.name, r.target, known)
+        for r in compiled.derivation.results
+        if isinstance(r.target, Reaction)
+    }
+    return replace(known, spellings={**known.spellings, **forces})
 
 
 def _names(compiled: Compiled) -> Iterator[str]:
@@ -149,19 +156,11 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
         steps=tuple(_step(step, words, style) for step in derivation.steps),
         several=_several(derivation, words),
         balances=_balances(derivation.balances, words, style),
-        results=_results(derivation, words, style),
+        results=tuple(section_block(s, words, style) for s in sections(derivation)),
         conditions=conditions(mechanism.requires, Speller(style)),
         numbers=numbers(derivation.results, words, style),
         check=check(verdict, words, style),
         remarks=tuple(map(escape, verdict.remarks)),
-    )
-
-
-def _results(derivation: Derivation, words: Words, style: Notation) -> tuple[ResultBlock, ...]:
-    names = [r.name for r in derivation.results]
-    return tuple(
-        result_block(result, names[:number], words, style)
-        for number, result in enumerate(derivation.results)
     )
 
 

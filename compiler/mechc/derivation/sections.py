@@ -1,0 +1,108 @@
+"""The results in the order of a report: those of one joint together, each name told once."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ..formula.operations import count_operations
+from ..formula.tree import Call, Formula, Implicit, Symbol, System
+from ..formula.walk import symbols
+from ..frozen import frozen, replace
+from ..model.mechanism import Reaction
+from ..model.result import Definition, Result
+from .definitions import by_letter
+from .steps import Account, Derivation, Passage
+
+LONG = 24
+"""The size of a force that takes more operations is given by the components."""
+
+
+@frozen
+class Section:
+    """Results that are told under one heading, how they came about, and what they rest on."""
+
+    passages: tuple[Passage, ...]
+    results: tuple[Result, ...]
+    where: tuple[Definition, ...]
+
+
+def sections(derivation: Derivation) -> Iterator[Section]:
+    """Yield the results under their headings; what was told before is left out."""
+    told = Told()
+    for account, results in _grouped(derivation):
+        told.equations(account)
+        rested = told.untold([Symbol(d.name) for d in account.where], account.where)
+        fresh = [*rested, *(d for r in results for d in told.of(r))]
+        where = tuple(Definition(name, by_letter(formula)) for name, formula in fresh)
+        yield Section(account.passages, tuple(_in_short(r, results) for r in results), where)
+
+
+class Told:
+    """What the names in a report stand for, so that nothing is told twice."""
+
+    def __init__(self) -> None:
+        self._results: set[str] = set()
+        self._known: dict[str, Formula] = {}
+
+    def of(self, result: Result) -> list[Definition]:
+        """Return what is new in a result's definitions, and note it."""
+        fresh = self.untold([result.formula], result.where)
+        self._results.add(result.name)
+        return fresh
+
+    def untold(self, formulas: Iterable[Formula], where: Sequence[Definition]) -> list[Definition]:
+        """Return the definitions that formulas rest on and that are new, and note them."""
+        needed = self._needed(formulas, where)
+        new = [d for d in needed if self._known.get(d.name) != d.formula]
+        systems = {d.formula.system for d in new if isinstance(d.formula, Implicit)}
+        fresh = [d for d in needed if d in new or _system(d) in systems]
+        self._known |= dict(fresh)
+        return fresh
+
+    def equations(self, account: Account) -> None:
+        """Note the names that the equations of an account define."""
+        for passage in account.passages:
+            for left, right in passage.equations:
+                if isinstance(left, Symbol):
+                    self._known[left.name] = right
+
+    def _needed(self, formulas: Iterable[Formula], where: Sequence[Definition]) -> list[Definition]:
+        """Return what formulas rest on, not looking behind results that were told."""
+        used = {name for formula in formulas for name in symbols(formula)}
+        needed = []
+        for definition in reversed(where):
+            if definition.name in used - self._results:
+                needed.append(definition)
+                used |= symbols(definition.formula)
+        return needed[::-1]
+
+
+def _system(definition: Definition) -> System | None:
+    formula = definition.formula
+    return formula.system if isinstance(formula, Implicit) else None
+
+
+def _grouped(derivation: Derivation) -> Iterator[tuple[Account, Sequence[Result]]]:
+    owners = {name: account for account in derivation.accounts for name in account.results}
+    left = list(derivation.results)
+    while left:
+        account = owners.get(left[0].name) or Account((left[0].name,), ())
+        yield account, [r for r in left if r.name in account.results]
+        left = [r for r in left if r.name not in account.results]
+
+
+def _in_short(result: Result, results: Sequence[Result]) -> Result:
+    """Return a direction, or a long size, by the components of the force beside it."""
+    match _part(result):
+        case "direction" if symbols(result.formula):
+            return replace(result, formula=Call("atan2", _components(results)[::-1]))
+        case "size" if count_operations(result.formula) > LONG:
+            return replace(result, formula=Call("hypot", _components(results)))
+        case _:
+            return result
+
+
+def _part(result: Result) -> str:
+    return result.target.part if isinstance(result.target, Reaction) else ""
+
+
+def _components(results: Sequence[Result]) -> tuple[Formula, ...]:
+    return tuple(Symbol(r.name) for part in "xy" for r in results if _part(r) == part)

@@ -1,0 +1,120 @@
+"""How forces at joints come about: every equation that is printed holds with numbers put in."""
+
+import pytest
+
+from mechc.derivation.steps import Saying
+from mechc.derivation.to_text import render
+from mechc.driver import compile_source
+from mechc.files import find, read
+from mechc.formula.tree import Power, Product, Symbol
+from mechc.formula.walk import evaluate, symbols
+from mechc.power.numbers import default_values
+from mechc.source import Source
+
+KNEE = """
+param alpha = 20 deg
+param L = 80 mm
+pivot E
+slider C along 0 deg
+link EB
+link BC
+EB = L @ alpha
+BC = L @ -alpha
+force Q at B along -90 deg
+force W at C along 180 deg
+find k = Q/W
+"""
+
+DESCRIPTIONS = {
+    "knee": KNEE + "find R_E\nfind N_EB\nfind N_BC\nfind R_B on BC\nfind N_C\nfind R_C",
+    "packet clamp": ("karpenko_fig9_packet_clamp", "find R_O\nfind R_B on OBA\nfind R_K on BK"),
+    "parallel levers": ("karpenko_fig1_parallel_levers", "find R_O\nfind R_B on AB"),
+    "shears": ("bolt_cutter", "find R_D\nfind R_H on HGE"),
+    "crank": ("crank_rocker", "find R_O1\nfind N_AB"),
+    "slot": ("d45_07_lever_slot", "find R_O"),
+    "whitworth": ("whitworth", "find R_Q\nfind R_E\nfind R_O"),
+    "excavator": ("excavator_arm", "find R_O\nfind R_C"),
+}
+
+
+def compiled(name):
+    found = DESCRIPTIONS[name]
+    if isinstance(found, str):
+        return compile_source(Source("knee.mech", found))
+    source = read(find(found[0]))
+    return compile_source(Source(source.name, f"{source.text}\n{found[1]}\n"))
+
+
+def numbers(compilation, account):
+    """Return the values at the default pose of all that a printed equation may mention."""
+    values = default_values(compilation.plan)
+    values |= {load.name: 1.0 + i / 7 for i, load in enumerate(compilation.mechanism.loads)}
+    results = {r.name: r for r in compilation.results}
+    where = [*account.where, *(d for name in account.results for d in results[name].where)]
+    for definition in where:
+        values[definition.name] = evaluate(definition.formula, values)
+    for name in account.results:
+        values[name] = evaluate(results[name].formula, values)
+    return values
+
+
+@pytest.mark.parametrize("name", DESCRIPTIONS)
+def test_the_power_of_a_released_bond(name):
+    """The ratios of speeds, put into the power equation, give the force that was found."""
+    compilation = compiled(name)
+    checked = 0
+    for account in compilation.derivation.accounts:
+        values = numbers(compilation, account)
+        for passage in account.passages:
+            if "speed" not in passage.formulas:
+                continue
+            values[passage.formulas["speed"].name] = 1.0
+            *ratios, power = (e for e in passage.equations if not isinstance(e.left, Symbol))
+            for found in (e for e in passage.equations if isinstance(e.left, Symbol)):
+                values[found.left.name] = evaluate(found.right, values)
+            for ratio in ratios:
+                values[speed_in(ratio.left)] = evaluate(ratio.right, values)
+            assert evaluate(power.left, values) == pytest.approx(0, abs=1e-9)
+            checked += 1
+    assert checked
+
+
+def speed_in(ratio):
+    match ratio:
+        case Product((Symbol(name), Power())):
+            return name
+    raise AssertionError(ratio)
+
+
+def shown(name):
+    compilation = compiled(name)
+    return render(compilation.derivation, compilation.mechanism)
+
+
+def test_a_force_is_told_under_one_heading_with_its_direction():
+    text = shown("knee")
+    assert text.count("Force at a joint") == 6
+    assert "φ_R_E = atan2(R_E_y, R_E_x)" in text
+    assert "R_E = √(1 + tan² α) · |W|" in text
+
+
+def test_a_rod_without_loads_is_let_go_along_its_line_once():
+    compilation = compiled("knee")
+    accounts = {a.results[0]: a for a in compilation.derivation.accounts}
+    on_rod = accounts["R_B_on_BC_x"]
+    assert [p.saying for p in on_rod.passages] == [Saying.ROD]
+
+
+def test_a_guide_presses_across_itself():
+    accounts = compiled("knee").derivation.accounts
+    sideways = next(a for a in accounts if a.results[0] == "R_C_x")
+    assert sideways.passages[0].saying is Saying.SMOOTH
+
+
+def test_results_mention_nothing_that_is_not_told():
+    compilation = compiled("packet clamp")
+    known = {p.name for p in compilation.mechanism.parameters}
+    known |= {load.name for load in compilation.mechanism.loads}
+    for result in compilation.results:
+        told = known | {d.name for d in result.where}
+        assert symbols(result.formula) <= told
