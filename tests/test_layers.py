@@ -35,6 +35,7 @@ DATA = {
 VOCABULARY = {
     "derivation.definitions",
     "derivation.remarks",
+    "derivation.sections",
     "derivation.wording",
     "kinematics.forms",
     "model.forms",
