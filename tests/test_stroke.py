@@ -375,6 +375,13 @@ def test_velocities_of_a_four_bar_are_those_of_its_power():
         assert row["omega_O2B/omega_O1A"] == pytest.approx(-row["k"], rel=1e-12, abs=1e-15)
 
 
+def test_no_two_columns_have_one_name():
+    found = mechc.load("peaucellier_closed").stroke(2)
+    names = [column.name for column in found.columns]
+    assert len(set(names)) == len(names)
+    assert {"mu_B(AB-OB)", "mu_C(AC-OC)"} <= set(names)
+
+
 PUSHED = """
 param l = 300 mm
 param s = 200 mm

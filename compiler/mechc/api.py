@@ -129,7 +129,7 @@ class SolvedMechanism:
         return {f.name: evaluate(f, given) for f in ready}
 
     def stroke(self, points: int = 19) -> Stroke:
-        """Return the results along the stroke of the drive, singular poses and extrema.
+        """Return the results along the stroke of the drive; singular poses, branch points, extrema.
 
         SI and radians. Raises :class:`mechc.MechcError` where no drive is named.
 

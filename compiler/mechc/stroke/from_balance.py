@@ -20,7 +20,7 @@ from .ends import end_of_branch
 from .extrema import extrema
 from .singular import BESIDE, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
-from .transmission import Transmission, transmissions
+from .transmission import Transmission, named, transmissions
 from .velocities import velocities
 
 SAMPLES = 720
@@ -137,8 +137,8 @@ class _Runner:
             unit = self._unit(velocity.dimension)
             column = Column(velocity.name, velocity.dimension, "velocity", unit)
             yield _Filled(column, partial(self._along.inside, velocity.value))
-        for angle in dict.fromkeys(transmissions(self._pose)):
-            column = Column(f"mu_{angle.pin}", ANGLE, "angle")
+        for name, angle in named(transmissions(self._pose)):
+            column = Column(name, ANGLE, "angle")
             yield _Filled(column, partial(self._angle, angle))
 
     def _values(self, formula: Formula, where: Result) -> Callable[[float], float]:

@@ -6,7 +6,7 @@ Forces pass well near 90° and not at all at 0.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
@@ -15,10 +15,15 @@ from ..pose.pose import Pose
 
 
 class Transmission(NamedTuple):
-    """A pin and the angle whose sine is that of its transmission angle."""
+    """A pin, the angle whose sine is that of its transmission angle, the rod and what it drives.
+
+    ``onto`` is the link driven, '' where it is a slider.
+    """
 
     pin: str
     between: Angle
+    rod: str
+    onto: str
 
     def at(self, values: Mapping[str, float]) -> float:
         """Return the angle in radians, between 0 and π/2."""
@@ -39,9 +44,10 @@ def transmissions(pose: Pose) -> Iterator[Transmission]:
                 if link is not rod and centre and pin in link.points and along is not None:
                     arm = _direction(pose, link, centre, pin)
                     if arm is not None and not _drives(pose, arm):
-                        yield Transmission(pin, along - arm)
+                        yield Transmission(pin, along - arm, rod.name, link.name)
             if pin in pose.guides and along is not None:
-                yield Transmission(pin, along - pose.guides[pin] + Angle.constant(90))
+                across = pose.guides[pin] + Angle.constant(90)
+                yield Transmission(pin, along - across, rod.name, "")
 
 
 def _direction(pose: Pose, link: Link, tail: str, head: str) -> Angle | None:
@@ -53,3 +59,12 @@ def _drives(pose: Pose, arm: Angle) -> bool:
     """Tell the crank, whose direction is the drive's, from what is driven."""
     drive = pose.mechanism.drive
     return drive is not None and [n for n, _ in arm.terms] == [drive.parameter]
+
+
+def named(found: Iterable[Transmission]) -> Iterator[tuple[str, Transmission]]:
+    """Yield transmission angles by their pins, by rod and link too where a pin has several."""
+    each = list(dict.fromkeys(found))
+    for one in each:
+        alone = [other.pin for other in each].count(one.pin) == 1
+        pair = "-".join(name for name in (one.rod, one.onto) if name)
+        yield f"mu_{one.pin}" if alone else f"mu_{one.pin}({pair})", one
