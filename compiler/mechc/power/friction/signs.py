@@ -5,12 +5,14 @@ pulled. Code takes these signs from the ideal solution at the pose; a printed fo
 states one case, that of the default pose.
 """
 
+import math
 from collections.abc import Mapping, Set
 from typing import Literal, Protocol
 
 from ...algebra.angle import Angle, Rational
 from ...algebra.factors import Length, Trig
 from ...algebra.product import Product
+from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula
 from ...formula.walk import evaluate
 from ...model.result import Definition
@@ -113,13 +115,23 @@ class AtOnePose(_Names):
         sign = _sign(value.evaluate(self._values)) if value else 0
         if not sign:
             return line
-        return line + (self.turn(name, line, by, value.scaled(sign)) - line) * sign
+        size = value.scaled(sign)
+        known = _angle_of(size) if by == "atan" else None
+        if known and abs(known.evaluate(self._values)) < math.pi / 2:
+            return line + known * sign
+        return line + (self.turn(name, line, by, size) - line) * sign
 
     def define(self, name: str, formula: Formula) -> str:
         """Return what a formula is called from now on, and note its value."""
         known = super().define(name, formula)
         self._values[known] = evaluate(formula, self._values)
         return known
+
+
+def _angle_of(tangent: Product) -> Angle | None:
+    """Return the angle where a value is written as the tangent of one."""
+    sines = (f.angle for f in tangent.factors if isinstance(f, Trig) and f.function == "sin")
+    return next((a for a in sines if tangent == sine(a) / cosine(a)), None)
 
 
 def _is_single(value: Product) -> bool:
