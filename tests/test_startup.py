@@ -76,7 +76,7 @@ def test_other_targets_are_not_imported(target: str) -> None:
 
 
 LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
-OWN, ALL = 210, 380
+OWN, ALL = 216, 386
 """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
 
 

@@ -20,13 +20,14 @@ from mechc.model.mechanism import LoadForm, LoadRatio, Speed, SpeedRatio
 from mechc.model.result import Result
 from mechc.source import Source
 from mechc.statics.answers import load_ratio
+from mechc.statics.assembly import Plane, direction
 from mechc.statics.free_bodies import equilibrium
 from mechc.statics.poses import candidates, settle
 from mechc.statics.referee import RefereeDisagrees, judge
 from mechc.statics.solve import factor
 from mechc.statics.speeds import speed_ratio
 from mechc.statics.to_text import to_text
-from mechc.statics.unfold import Plane, Unfolding, direction
+from mechc.statics.unfold import Unfolding
 from mechc.units import ANGLE, LENGTH, NUMBER
 
 

@@ -1,6 +1,6 @@
 """Friction: ``friction …``, ``motion …``, ``efficiency …``."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from fractions import Fraction
 from typing import Literal
 
@@ -39,6 +39,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
                 first = rubbing[key].span
                 scope.report.add(words.friction_again(rub.span, rub.point, first))
             rubbing.setdefault(key, rub)
+    _warn_of_halves(rubbing.values(), built, scope)
     motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
     friction = Friction(
         tuple(rubbing.values()), motion.sense if motion else "tightening", efficiency
@@ -46,6 +47,19 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     if motion and friction.is_ideal:
         scope.report.add(words.motion_for_nothing(motion.span))
     return friction
+
+
+def _warn_of_halves(rubbing: Iterable[Rubbing], built: Mechanism, scope: Scope) -> None:
+    """Remark on guides whose side forces cancel, or would in a whole that is drawn by half."""
+    shared = {p for group in (built.mirror, built.copies) if group for p in group.sharing}
+    counted = next((load for load in built.loads if load.times > 1), None)
+    for rub in rubbing:
+        if not isinstance(rub, RubbingGuide):
+            continue
+        if rub.point in shared:
+            scope.report.add(words.halves_cancel(rub.span, rub.point))
+        elif counted and not shared:
+            scope.report.add(words.perhaps_a_half(rub.span, rub.point, counted.name))
 
 
 def _read(

@@ -14,7 +14,7 @@ from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
 from ..pose.pose import Pose, evaluate_vector
-from .unfold import Plane, direction
+from .assembly import Plane, direction
 
 CLOSED = 1e-6
 """A gap below this part of the largest length is rounding: arc cosines lose half the digits."""

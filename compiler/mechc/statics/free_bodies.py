@@ -14,7 +14,7 @@ from collections.abc import Iterator, Mapping
 from typing import NamedTuple
 
 from ..frozen import frozen
-from .unfold import (
+from .assembly import (
     Action,
     Assembly,
     Body,

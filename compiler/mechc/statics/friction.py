@@ -23,10 +23,11 @@ from ..model.mechanism import (
     WithFriction,
 )
 from .answers import INCONSISTENT, Answer, Row, gather, ties, with_loads
+from .assembly import Action, direction
 from .free_bodies import System, equilibrium
 from .solve import Factors, factor
 from .speeds import felt
-from .unfold import Action, Unfolding, direction
+from .unfold import Unfolding
 
 ROUNDS = 10_000
 """Repetitions at most: each gains a constant factor, however slowly."""

@@ -5,8 +5,9 @@ from collections.abc import Mapping, Set
 
 from ..model.mechanism import Axial, Normal, Reaction
 from .answers import Answer, combination, gather, ties
+from .assembly import Plane
 from .free_bodies import System, Unknown, equilibrium
-from .unfold import Plane, Unfolding
+from .unfold import Unfolding
 
 Weights = Mapping[int, float]
 """A force as a combination of the unknowns of a system, by their columns."""

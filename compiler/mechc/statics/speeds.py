@@ -10,8 +10,9 @@ from typing import NamedTuple
 
 from ..model.mechanism import Speed, SpeedRatio
 from .answers import Answer, balance
+from .assembly import Action, Plane, direction
 from .free_bodies import equilibrium
-from .unfold import Action, Plane, Unfolding, direction
+from .unfold import Unfolding
 
 Probe = tuple[Action, ...]
 """A unit load that does work with one component of a speed."""

@@ -13,119 +13,26 @@ cancel around the axis. In the plane of one branch a guide takes that cross part
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple, assert_never
+from typing import assert_never
 
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import Force, Load, Rack, Thrust, Torque
 from ..pose.pose import Pose, Touch, evaluate_vector
-
-
-class Plane(NamedTuple):
-    """A planar vector in numbers: metres, newtons, or a unit direction."""
-
-    x: float
-    y: float
-
-    def turned(self) -> "Plane":
-        """Return the vector turned by +90°."""
-        return Plane(-self.y, self.x)
-
-    def times(self, factor: float) -> "Plane":
-        """Return the vector times a number."""
-        return Plane(self.x * factor, self.y * factor)
-
-    def dot(self, other: "Plane") -> float:
-        """Return the scalar product."""
-        return self.x * other.x + self.y * other.y
-
-
-class Body(NamedTuple):
-    """A rigid body: where its points are, seen from the first of them."""
-
-    name: str
-    points: Mapping[str, Plane]
-
-
-class Guide(NamedTuple):
-    """A point guided by the ground along a unit direction."""
-
-    point: str
-    along: Plane
-
-
-class Translation(NamedTuple):
-    """A body that only translates: its guide takes any force across and any couple."""
-
-    body: Body
-    along: Plane
-
-
-class Rubbing(NamedTuple):
-    """A pin held by a body across a line: the force on the pin is along the normal.
-
-    ``arm`` is the vector from the body's first point to the pin.
-    """
-
-    kind: str
-    point: str
-    body: str
-    arm: Plane
-    normal: Plane
-
-
-class Transfer(NamedTuple):
-    """One force that wheels, a rack or a screw pass on, and all that a unit of it does.
-
-    Where nothing tells its direction, the bearings' part in it is left out: it loads the
-    ground alone, and forces on such bearings are never asked for.
-    """
-
-    name: str
-    actions: tuple["Action", ...]
-
-
-class Push(NamedTuple):
-    """A force on a point, per unit of its load."""
-
-    point: str
-    force: Plane
-
-
-class Couple(NamedTuple):
-    """A couple on a body, counter-clockwise, per unit of its load."""
-
-    body: str
-    moment: float
-
-
-class Wrench(NamedTuple):
-    """A force on a body itself, not on a pin of it, and its moment about the first point."""
-
-    body: str
-    force: Plane
-    moment: float
-
-
-Action = Push | Couple | Wrench
-
-
-@frozen
-class Assembly:
-    """Everything that equilibrium needs, in numbers."""
-
-    bodies: tuple[Body, ...]
-    pivots: tuple[str, ...]
-    guides: tuple[Guide, ...]
-    slides: tuple[Translation, ...]
-    rubbings: tuple[Rubbing, ...]
-    transfers: tuple[Transfer, ...]
-    loads: Mapping[str, tuple[Action, ...]]
-
-
-def direction(angle: float) -> Plane:
-    """Return the unit vector at an angle in radians."""
-    return Plane(math.cos(angle), math.sin(angle))
+from .assembly import (
+    Action,
+    Assembly,
+    Body,
+    Couple,
+    Guide,
+    Plane,
+    Push,
+    Rubbing,
+    Transfer,
+    Translation,
+    Wrench,
+    direction,
+)
 
 
 @frozen

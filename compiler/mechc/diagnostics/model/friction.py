@@ -126,3 +126,36 @@ def motion_for_nothing(span: Span) -> Words:
     motion releasing     # warned of where no line begins with 'friction' or 'efficiency'
     """
     return Words(span, "without friction it makes no difference which way the mechanism moves")
+
+
+@coded("W272")
+def halves_cancel(span: Span, point: str) -> Words:
+    """Friction is given on a guide that mirrored halves, or equal branches, share.
+
+    The side forces of the halves cancel there, so the guide is not pressed and does not
+    rub. The line has no influence.
+
+        mirror across 0 deg sharing A
+        friction slider A 0.1            # warned of
+    """
+    message = f"the side forces on the guide of {point} cancel, so that it does not rub"
+    return Words(span, message, "remove the line, or the symmetry if there is none")
+
+
+@coded("W273")
+def perhaps_a_half(span: Span, point: str, load: str) -> Words:
+    """A guide rubs in a mechanism of which perhaps one half is described only.
+
+    A load that counts twice suggests a second half that is not there. In the whole the side
+    forces of the halves cancel on a guide that they share; one half alone presses it to one
+    side, and its friction is overstated.
+
+        force F at D along y times 2
+        friction slider A 0.1                # warned of
+        mirror across 0 deg sharing A        # right: both halves are solved
+    """
+    message = (
+        f"the guide of {point} rubs, but {load} counts more than once: side forces of a half that "
+        "is left out would cancel there"
+    )
+    return Words(span, message, f"describe the half with 'mirror across … sharing {point}'")
