@@ -43,9 +43,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     guides, axis = survey.guides(), survey.axis()
     lines = {**survey.lines(), **survey.thrusts()}
     held = tuple(touches(mechanism, compass, vectors, survey.direction))
-    frames = {link.name: survey.frame(link) for link in mechanism.links}
-    frames |= {slide.name: survey.layout(slide) for slide in mechanism.slides}
-    slides = survey.slides()
+    frames, slides = survey.frames(), survey.slides()
     pose = Pose(
         mechanism=mechanism,
         frames=frames,
@@ -94,6 +92,11 @@ class _Survey:
     ) -> None:
         self._mechanism, self._terms = mechanism, terms
         self._compass, self._vectors, self._report = compass, vectors, report
+
+    def frames(self) -> Mapping[str, Mapping[str, Vector]]:
+        """Return the frames of links and slides."""
+        links = {link.name: self.frame(link) for link in self._mechanism.links}
+        return links | {slide.name: self.layout(slide) for slide in self._mechanism.slides}
 
     def frame(self, link: Link) -> Mapping[str, Vector]:
         """Return the vectors from a link's first point to each of its points."""
