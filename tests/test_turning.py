@@ -120,6 +120,14 @@ def test_the_length_of_a_vector_is_not_rooted_where_its_square_is_enough():
     assert text(output).count("sqrt") == 1
 
 
+@pytest.mark.parametrize("order", [1, -1])
+def test_the_length_of_a_vector_is_used_once_it_is_defined(order):
+    definitions = [("d", Call("hypot", (X, Y))), ("t", Call("atan2", (Y, X)))][::order]
+    wanted = product([(Symbol("d"), 1), (Call("sin", (Symbol("t"),)), 1)])
+    values = {"x": 0.3, "y": -0.7}
+    assert carried(definitions, wanted, values) == pytest.approx(-0.7)
+
+
 def test_vectors_of_many_uses_are_divided_by_their_size_once():
     angles = [Symbol(f"t{i}") for i in range(9)]
     wanted = total(Call("sin", (total([Symbol("mu"), t]),)) for t in angles)

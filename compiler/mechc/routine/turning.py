@@ -107,6 +107,7 @@ class _Turning:
         self.roots: dict[str, Formula] = {}
         self.written: Named = []
         self.used: set[str] = set()
+        self.defined: set[str] = set()
 
     def lost(self, formulas: Iterable[Formula]) -> set[str]:
         """Return the angles in use whose roots are not."""
@@ -116,6 +117,7 @@ class _Turning:
     def define(self, name: str, formula: Formula) -> None:
         """Add a definition, and the vector of an angle."""
         self.written.append((name, self.rewritten(formula)))
+        self.defined.add(name)
         angle = to_angle(formula)
         if angle is not None and any(n in self.units for n in angle.names):
             self.sums[name] = angle.put(self.sums)
@@ -178,7 +180,7 @@ class _Turning:
 
     def _size(self, name: str, x: Formula, y: Formula) -> Formula:
         length = self.lengths.get(frozenset(map(unsigned, (x, y))))
-        if length:
+        if length in self.defined:
             return Symbol(length)
         if name not in self.careful and (known := size(x, y, self.lengths.values())):
             root = next((unsigned(c) for c in (y, x) if _is_root(c)), None)
