@@ -6,13 +6,13 @@ from typing import NamedTuple
 from ...formula import newton
 from ...formula.to_text import text
 from ...formula.tree import Formula
-from ...formula.walk import symbols
 from ...routine.steps import Solve, Solver, Statement
 from ..names import Names, mangle
 from ..printer import Printer
 from ..render import Line
 from .elimination import Reduced, reduced
 from .layout import harmless, wrapped
+from .opening import Opening, fixed_steps, opening
 from .printer import RESERVED, QuickPrinter
 
 _WORDS = """
@@ -43,6 +43,7 @@ class SolverContext(NamedTuple):
     residuals: list[str]
     jacobian: list[list[str]]
     left: Reduced
+    opening: Opening | None
     far: str
     norm: str
     side: int
@@ -69,7 +70,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     heads = [*(f"double {ends[n]}" for n in solver.outer), "double *found"]
     unknowns = [Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)]
     lines = {s.name: Line(names[s.name], printer.print(s.formula)) for s in solver.steps}
-    fixed, left = _fixed(solver), reduced(solver.jacobian)
+    fixed, left = fixed_steps(solver), reduced(solver.jacobian)
     return SolverContext(
         harmless(f"The unknowns {', '.join(solver.unknowns)}, for which these are zero"),
         [harmless(text(equation)) for equation in solver.equations],
@@ -84,20 +85,12 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         [printer.print(f) for f in solver.residuals],
         [[printer.print(f) for f in row] for row in solver.jacobian],
         left,
+        opening(solver, names),
         " + ".join(_square(_gap(ends[n], a), newton.scale(a)) for n, a in _anchored(solver))
         or "0.0",
         " + ".join(_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start)),
         solver.side * left.turn or NEVER,
     )
-
-
-def _fixed(solver: Solver) -> set[str]:
-    """Return the steps that no unknown enters."""
-    known = set(solver.outer)
-    for step in solver.steps:
-        if symbols(step.formula) <= known:
-            known.add(step.name)
-    return known
 
 
 def _anchored(solver: Solver) -> Iterator[tuple[str, float]]:
