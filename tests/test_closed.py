@@ -31,6 +31,7 @@ CLOSED = (
     "gripper_closed",
     "steering_trapezium",
     "triad_closed",
+    "double_butterfly",
 )
 PARTS = (0.15, 0.4, 0.65, 0.9)
 

@@ -1,7 +1,7 @@
 """Words of the pose stage: directions and lengths that are missing, loops that disagree."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from ..source import Span
@@ -132,8 +132,8 @@ def points_coincide(at: Span, points: str) -> Words:
 
 
 @coded("E307")
-def closure_open(at: Span, loop: str, closures: Iterable[str]) -> Words:
-    """A loop closes in two ways, and the description does not say which is meant.
+def closure_open(at: Span, loop: str, closures: Sequence[str]) -> Words:
+    """A loop closes in two ways or more, and the description does not say which is meant.
 
     With its lengths and the drive given, a triangle can lie on either side of its base,
     and a slider can stand on either side along its guide::
@@ -145,9 +145,10 @@ def closure_open(at: Span, loop: str, closures: Iterable[str]) -> Words:
 
     ``assembly B forward`` takes the place of B farther along its guide, ``back`` the other.
     """
+    ways = "two" if len(closures) == 2 else str(len(closures))
     return Words(
         at,
-        f"the loop {loop} closes in two ways, and nothing says which is meant",
+        f"the loop {loop} closes in {ways} ways, and nothing says which is meant",
         "add " + " or ".join(closures),
     )
 

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Collection, Iterator, Mapping, Sequence
+from itertools import combinations
 from typing import Protocol
 
 from ...diagnostics import Report
@@ -172,6 +173,8 @@ class Choice:
         """Return as many lines as it takes to tell a closure from all others."""
         others, lines = [p for p in poses if p is not values], list[str]()
         for probe in self._probes(group):
+            if not others:
+                break
             mine = self._mode(probe, values, poses)
             left = [p for p in others if self._mode(probe, p, poses) == mine]
             if len(left) < len(others):
@@ -184,8 +187,8 @@ class Choice:
         for point, rail in self._lines.items():
             if rail.length in group.unknown:
                 yield Assembly((point,), "forward", span)
-        for points in group.triples():
-            yield Assembly(points, "ccw", span)
+        for triple in (*group.triples(), *combinations(_points(group), 3)):
+            yield Assembly(triple, "ccw", span)
 
     def _mode(self, probe: Assembly, values: Values, poses: Sequence[Values]) -> str:
         """Return the word that fits a closure."""
@@ -199,6 +202,11 @@ class Choice:
 
 def _degrees(angle: float) -> str:
     return f"{math.degrees(math.remainder(angle, 2 * math.pi)):.4g} deg"
+
+
+def _points(group: Loops) -> list[str]:
+    """Return the points of the loops, the ground's origin apart."""
+    return [p for p in dict.fromkeys(e.tail for e in group.cycle) if p]
 
 
 def _span(group: Loops) -> Span:
