@@ -68,6 +68,7 @@ class Strokes:
             gap = found - values
             if np.max(np.abs(gap)) < CLOSED / 50:
                 break
+            jacobian[np.linalg.det(jacobian) == 0] = np.eye(jacobian.shape[1])
             step = np.linalg.solve(jacobian, gap[:, :, None])[:, :, 0]
             x = x.copy()
             x[:, self.loose] -= np.nan_to_num(step).reshape(len(x), -1, 2)

@@ -86,6 +86,8 @@ def _telescope(statement: ast.Telescope, scope: Scope) -> Telescope | None:
     points = scope.points.known(statement.points)
     if not points:
         return None
+    if link := scope.points.bodies.get(frozenset(points)):
+        scope.report.add(words.link_again(statement.span, statement.points.text, link.span))
     return Telescope(statement.points.text, (points[0], points[1]), statement.span)
 
 

@@ -9,7 +9,9 @@ from ..algebra.sums import add
 from ..algebra.trigonometry import sine
 from ..diagnostics import Report
 from ..diagnostics import pose as words
+from ..diagnostics import power as power_words
 from ..model.mechanism import Mechanism, Thrust
+from .loops.web import mentioned
 from .nearby import is_behind, poses_nearby
 from .pose import Arm, Definition, Vector, evaluate_vector
 from .terms import Terms
@@ -42,6 +44,8 @@ def thrust_line(thrust: Thrust, pairing: Pairing) -> Angle:
         what = f"the {'spring' if thrust.spring else 'actuator'} {thrust.name}"
         pairing.report.add(words.missing_direction(thrust.span, pairs, what))
         return Angle()
+    if _lacks_length(thrust, vector, pairing):
+        return Angle()
     if len(vector) == 1:
         return _along(thrust, vector[0], pairing)
     if pairing.vectors.is_open(vector):
@@ -49,6 +53,16 @@ def thrust_line(thrust: Thrust, pairing: Pairing) -> Angle:
         pairing.report.add(words.no_direction_of_its_own(thrust.span, pairs))
         return Angle()
     return pairing.vectors.straighten(thrust.first, thrust.second)
+
+
+def _lacks_length(thrust: Thrust, vector: Vector, pairing: Pairing) -> bool:
+    """Report a spring whose points are at a distance that is not given."""
+    if not thrust.spring or not pairing.vectors.is_open(vector):
+        return False
+    points = {n.removeprefix("len_") for n in mentioned(vector) & {*pairing.vectors.placeholders}}
+    what = f"the spring {thrust.name}"
+    pairing.report.add(power_words.length_not_given(thrust.span, what, sorted(points)))
+    return True
 
 
 def _along(thrust: Thrust, arm: Arm, pairing: Pairing) -> Angle:
@@ -76,6 +90,8 @@ def _across(thrust: Thrust, pairing: Pairing, axis: Angle) -> Angle:
         pairs = f"{shared[0] if shared else 'O'}{thrust.first}"
         what = f"the side of {thrust.first} on which {thrust.name} pushes it"
         pairing.report.add(words.missing_direction(thrust.span, pairs, what))
+        return axis + QUARTER
+    if _lacks_length(thrust, vector, pairing):
         return axis + QUARTER
     away = add(arm.length * sine(arm.angle - axis) for arm in vector)
     if _is_left(vector, axis, pairing):
