@@ -26,7 +26,16 @@ class Assembled:
         self.tree, self.values = tree, values
         self.points = sorted(places)
         self.index = {p: 2 * i for i, p in enumerate(self.points)}
-        self.x = np.array([c for p in self.points for c in places[p]], dtype=float)
+        start = np.array([places[p] for p in self.points], dtype=float)
+        self.x = (start + self.origin(places)).ravel()
+
+    def origin(self, places):
+        """Return by how much the places are to be moved for a pivot to stand where it is given."""
+        for s in every(self.tree, ast.Pivot):
+            if s.at:
+                given = [evaluate(c, self.values) for c in (s.at.x, s.at.y)]
+                return np.subtract(given, places[s.point.text])
+        return np.zeros(2)
 
     def at(self, point, x=None):
         x = self.x if x is None else x
@@ -61,15 +70,19 @@ class Assembled:
             a, b = complex(*(first - vertex)), complex(*(second - vertex))
             yield (b / a * np.exp(-1j * gamma)).imag
         for s in every(self.tree, ast.Slider):
-            if isinstance(s.through, ast.Name):
-                yield cross(
-                    self.at(s.point.text, x) - self.at(s.through.text, x),
-                    self.direction(s.along, x),
-                )
+            if s.through is not None:
+                place = self.at(s.point.text, x) - self.start(s.through, x)
+                yield cross(place, self.direction(s.along, x))
         for s in every(self.tree, ast.Slot):
             tail, head = points_of(s.line.text)
             line = self.at(head, x) - self.at(tail, x)
             yield cross(self.at(s.point.text, x) - self.at(tail, x), line / np.hypot(*line))
+
+    def start(self, through, x):
+        """Return the place that a guide passes through."""
+        if isinstance(through, ast.Name):
+            return self.at(through.text, x)
+        return np.array([evaluate(c, self.values) for c in (through.x, through.y)])
 
     def vector(self, s, x):
         tail, head = points_of(s.points.text)

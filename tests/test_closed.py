@@ -32,6 +32,12 @@ CLOSED = (
     "steering_trapezium",
     "triad_closed",
     "double_butterfly",
+    "hoeken",
+    "jansen_leg",
+    "crank_shaper",
+    "scissor_table",
+    "landing_gear",
+    "crimping_tool",
 )
 PARTS = (0.15, 0.4, 0.65, 0.9)
 

@@ -137,10 +137,9 @@ class Choice:
         mine = self._measure(assembly, poses[i]) or 0.0
         if assembly.mode in ("ccw", "cw"):
             return mine > 0 if assembly.mode == "ccw" else mine < 0
-        others = [self._measure(assembly, p) or 0.0 for j, p in enumerate(poses) if j != i]
-        if any(math.isclose(mine, other, rel_tol=FLAT) for other in others):
-            return False
-        return all((mine > o) == (assembly.mode == "forward") for o in others if not math.isnan(o))
+        others = [self._measure(assembly, p) or 0.0 for p in poses]
+        ahead = [_is_ahead(place, others) for place in others]
+        return not all(ahead) and ahead[i] == (assembly.mode == "forward")
 
     # --------------------------------------------------------------------------- reports
 
@@ -194,10 +193,15 @@ class Choice:
         """Return the word that fits a closure."""
         mine = self._measure(probe, values) or 0.0
         if len(probe.points) == 1:
-            return (
-                "forward" if mine == max(self._measure(probe, p) or 0.0 for p in poses) else "back"
-            )
+            places = [self._measure(probe, p) or 0.0 for p in poses]
+            return "forward" if _is_ahead(mine, places) else "back"
         return "ccw" if mine > 0 else "cw"
+
+
+def _is_ahead(place: float, places: Sequence[float]) -> bool:
+    """Tell whether a place is the farthest along the guide; several closures may share it."""
+    known = [p for p in places if not math.isnan(p)]
+    return place > max(known) - FLAT * max(map(abs, known))
 
 
 def _degrees(angle: float) -> str:
