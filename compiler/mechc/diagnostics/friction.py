@@ -24,3 +24,19 @@ def pressed_how_hard(span: Span, point: str) -> Words:
     """
     message = f"equilibrium leaves open how hard the joint at {point} is pressed"
     return Words(span, message, "leave the redundant bar or guide out, or give it no friction")
+
+
+@coded("E513")
+def another_load_presses(span: Span, load: str, result: str) -> Words:
+    """A ratio of two loads depends on a third one that presses a joint with friction.
+
+    A load that does no work has no influence on k, but it presses guides and pins, and their
+    friction does work. The ratio of the two others is no number then.
+
+        weight W mass m at A          # on a horizontal guide
+        friction slider A 0.1
+        find k = P/F                  # wrong
+        find P                        # right: P as a form of F and W
+    """
+    message = f"{load} presses a joint with friction, so {result} is no ratio of two loads alone"
+    return Words(span, message, "ask for the driving load by itself, as in 'find P'")

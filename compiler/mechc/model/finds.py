@@ -9,10 +9,13 @@ from ..syntax import ast
 from ..units import FREQUENCY, NUMBER, VELOCITY, Dimension
 from .forms import Form, form_of
 from .mechanism import (
+    Axial,
     Efficiency,
     Find,
     LoadForm,
     LoadRatio,
+    Normal,
+    Reaction,
     Sense,
     Speed,
     SpeedRatio,
@@ -70,13 +73,15 @@ def read_finds(file: ast.File, scope: Scope) -> list[Find]:
 def _with_friction(find: Find, sense: Sense, rubs: bool, scope: Scope) -> Iterator[Find]:
     """Yield the load or ratio with friction, to first order, when holding, its efficiency."""
     of = find.target
-    if not isinstance(of, LoadRatio | LoadForm):
+    if not isinstance(of, LoadRatio | LoadForm | Reaction | Axial | Normal):
         return
     dimension = scope.entries[find.name].dimension
     more: list[tuple[str, Target, Dimension | None]] = [
         (f"{find.name}_f", WithFriction(of, sense), dimension)
     ]
-    if rubs:
+    if isinstance(of, Reaction | Axial | Normal):
+        more = more if rubs else []
+    elif rubs:
         more.append((f"{find.name}_f1", WithFriction(of, sense, "first"), dimension))
         if sense == "tightening":
             more.append((f"{find.name}_hold", WithFriction(of, "releasing"), dimension))

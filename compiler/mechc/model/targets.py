@@ -76,12 +76,12 @@ Sense = Literal["tightening", "releasing"]
 
 @frozen
 class WithFriction:
-    """A ratio or a load with friction in it, the driving load moving along its arrow or back.
+    """A ratio, load or force with friction in it, the driving load moving along its arrow or back.
 
     ``order`` tells the exact one from that of first order in friction.
     """
 
-    of: LoadRatio | LoadForm
+    of: LoadRatio | LoadForm | Reaction | Axial | Normal
     sense: Sense
     order: Literal["exact", "first"] = "exact"
 

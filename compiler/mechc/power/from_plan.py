@@ -23,6 +23,7 @@ from ..model.mechanism import (
     Reaction,
     Speed,
     SpeedRatio,
+    Target,
     Torque,
     WithFriction,
 )
@@ -74,7 +75,8 @@ class _Asked:
         return check_numbers(done, self._report)
 
     def _remark(self) -> None:
-        for name in self._equations.idle_loads:
+        idle = () if self._mechanism.friction.rubbing else self._equations.idle_loads
+        for name in idle:
             self._report.add(words.load_does_no_work(self._loads[name].span, name))
         asks_for_loads = any(not isinstance(f.target, SpeedRatio) for f in self._mechanism.finds)
         if self._equations.idle_motions and asks_for_loads:
@@ -175,7 +177,7 @@ class _Asked:
     def _dimension(self, load: str) -> Dimension:
         return TORQUE if isinstance(self._loads[load], Torque) else FORCE
 
-    def _rubbing(self, find: Find, of: LoadRatio | LoadForm) -> Solved | None:
+    def _rubbing(self, find: Find, of: Target) -> Solved | None:
         ideal = next((s.result for s in self._solved_so_far if s.result.target == of), None)
         result = self._friction.find(find, ideal) if ideal else None
         return Solved(result) if result else None
@@ -184,7 +186,10 @@ class _Asked:
     def _friction(self) -> "FrictionResults":
         from .friction.results import FrictionResults
 
-        return FrictionResults(self._plan, self._equations, self._report)
+        driving = next(iter(self._driving()), "")
+        valued = {n: f for n in self._loads if (f := self._given(n)) is not None}
+        free = {n: f for n, f in valued.items() if self._equations.owner(n)[0] == n}
+        return FrictionResults(self._plan, self._equations, driving, free, self._report)
 
     # ------------------------------------------------------------------------- forces
 

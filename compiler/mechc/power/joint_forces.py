@@ -47,7 +47,7 @@ def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactio
         case Reaction(part="size" | "direction" as part):
             return _whole(part, transmitted, pose.mechanism)
         case _:
-            return _linear(transmitted, transmitted.along(_line(target, pose)))
+            return _linear(transmitted, transmitted.along(line_of(target, pose)))
 
 
 def called(target: Reaction | Axial | Normal) -> str:
@@ -82,7 +82,8 @@ def holding(point: str, pose: Pose) -> Bond:
     return Bond("slide", point, name) if name else Bond("ground", point)
 
 
-def _line(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
+def line_of(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
+    """Return the direction along which a force, or a component of it, counts as positive."""
     match target:
         case Reaction(part=part):
             return QUARTER if part == "y" else Angle()

@@ -13,6 +13,7 @@ from typing import NamedTuple, assert_never
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import (
+    LoadForm,
     LoadRatio,
     Rubbing,
     RubbingFace,
@@ -25,6 +26,7 @@ from ..model.mechanism import (
 from .answers import INCONSISTENT, Answer, Row, gather, ties, with_loads
 from .assembly import Action, direction
 from .free_bodies import System, equilibrium
+from .joint_forces import Weights, wanted_of
 from .solve import Factors, factor
 from .speeds import felt
 from .unfold import Unfolding
@@ -34,6 +36,9 @@ ROUNDS = 10_000
 
 STILL = 1e-16
 """A relative change below this is rounding."""
+
+STANDING = 1e-13
+"""A slip below this, per unit of the driving load's speed, is none."""
 
 LOCKED = "friction leaves no balance at that pose"
 
@@ -52,11 +57,8 @@ class Pair:
     factor: float
 
 
-class Response(NamedTuple):
-    """The unknowns under a load, the driving load last, and how far to trust that one."""
-
-    found: list[float]
-    influence: float
+Found = Sequence[float]
+"""The unknowns under a load."""
 
 
 class Question(NamedTuple):
@@ -68,27 +70,62 @@ class Question(NamedTuple):
     drive: int
 
 
-def driven(unfolding: Unfolding, target: WithFriction, given: Mapping[str, float]) -> Answer:
-    """Return the driving load with friction where the other loads have given sizes."""
+def with_friction(
+    unfolding: Unfolding, target: WithFriction, driving: str, given: Mapping[str, float]
+) -> Answer:
+    """Return a driving load or a force at a joint, where the other loads have given sizes."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
-    name = target.of.above if isinstance(target.of, LoadRatio) else target.of.load
+    drive = tied[driving]
     pairs = tuple(_pairs(unfolding))
-    question = _question(unfolding, pairs, tied[name].base)
+    question = _question(unfolding, pairs, drive.base)
     if not question.factors.determined(question.drive):
-        return Answer(math.nan, math.inf, f"equilibrium leaves {name} open")
+        return Answer(math.nan, math.inf, f"equilibrium leaves {drive.base} open")
     right: dict[int, float] = {}
     for load, size in given.items():
         for i, amount in question.columns[tied[load].base].items():
             right[i] = right.get(i, 0.0) - amount * size / tied[load].factor
-    ideal = _response(question, right)
-    if question.factors.gap(ideal.found, right) > INCONSISTENT:
+    ideal = question.factors.solve(right)
+    if question.factors.gap(ideal, right) > INCONSISTENT:
         return Answer(math.nan, math.inf, "no forces at the joints balance the loads")
     sense = 1.0 if target.sense == "tightening" else -1.0
-    reference = unfolding.assembly().loads[name]
-    responses = [_resisting(question, unfolding, p, reference, sense) for p in pairs]
-    answer = _repeated(question, pairs, ideal, responses)
-    factor_ = tied[name].factor
-    return answer._replace(value=answer.value * factor_, influence=answer.influence * abs(factor_))
+    reference = unfolding.assembly().loads[drive.base]
+    loads = [_resisting(question, unfolding, p, reference, sense) for p in pairs]
+    responses = [question.factors.solve(load) for load in loads]
+    frictions = _repeated(question, pairs, ideal, responses)
+    if frictions is None:
+        return Answer(math.nan, math.inf, LOCKED)
+    parts = [(right, 1.0), *zip(loads, frictions, strict=True)]
+    weights = _weights(target, unfolding, question, drive.factor)
+    return _combined([_answer(question, w, parts) for w in weights])
+
+
+def _weights(
+    target: WithFriction, unfolding: Unfolding, question: Question, factor_: float
+) -> tuple[Weights, ...]:
+    if isinstance(target.of, LoadRatio | LoadForm):
+        return ({question.drive: factor_},)
+    return wanted_of(target.of, unfolding, question.system)
+
+
+def _answer(question: Question, weights: Weights, parts: Sequence[tuple[Row, float]]) -> Answer:
+    """Return a combination of unknowns under several loads, each so many times over."""
+    value = influence = 0.0
+    for load, size in parts:
+        found = question.factors.solve(load)
+        sizes = question.factors.weights(found, load)
+        for column, weight in weights.items():
+            value += weight * size * found[column]
+            shares = zip(question.factors.adjoint(column), sizes, strict=True)
+            influence += abs(weight * size) * sum(abs(share) * s for share, s in shares)
+    return Answer(value, influence)
+
+
+def _combined(parts: Sequence[Answer]) -> Answer:
+    """Return the only part, or the size of two that are perpendicular."""
+    if len(parts) == 1:
+        return parts[0]
+    size = math.hypot(*(part.value for part in parts))
+    return Answer(size, sum(part.influence for part in parts))
 
 
 def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Question:
@@ -100,30 +137,26 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
     return Question(system, columns, factor(rows, last + 1, last), last)
 
 
-def _response(question: Question, right: Row) -> Response:
-    found = question.factors.solve(right)
-    sizes = question.factors.weights(found, right)
-    shares = zip(question.factors.adjoint(question.drive), sizes, strict=True)
-    return Response(found, sum(abs(share) * size for share, size in shares))
-
-
 def _resisting(
     question: Question,
     unfolding: Unfolding,
     pair: Pair,
     reference: tuple[Action, ...],
     sense: float,
-) -> Response:
-    """Return the response to a friction of 1 against the slip of a pair."""
+) -> dict[int, float]:
+    """Return the right-hand side of a friction of 1 against the slip of a pair."""
     slip = felt(unfolding, pair.actions, reference).value
-    against = -sense * (math.copysign(1.0, slip) if abs(slip) > 1e-13 else 0.0)
-    return _response(question, {i: -v * against for i, v in question.columns[pair.name].items()})
+    against = -sense * (math.copysign(1.0, slip) if abs(slip) > STANDING else 0.0)
+    return {i: -v * against for i, v in question.columns[pair.name].items()}
 
 
 def _repeated(
-    question: Question, pairs: Sequence[Pair], ideal: Response, responses: Sequence[Response]
-) -> Answer:
-    """Let frictions follow from pressing forces and these from frictions until both stay."""
+    question: Question, pairs: Sequence[Pair], ideal: Found, responses: Sequence[Found]
+) -> list[float] | None:
+    """Let frictions follow from pressing forces and these from frictions until both stay.
+
+    None where they grow without end.
+    """
     places = [_pressing(question.system, pair) for pair in pairs]
     frictions = [0.0] * len(pairs)
     for _ in range(ROUNDS):
@@ -133,32 +166,19 @@ def _repeated(
             for pair, columns in zip(pairs, places, strict=True)
         ]
         if not all(map(math.isfinite, frictions)):
-            break
+            return None
         change = max((abs(a - b) for a, b in zip(frictions, before, strict=True)), default=0.0)
         if change <= STILL * max(frictions, default=0.0):
-            break
-    else:
-        return Answer(math.nan, math.inf, LOCKED)
-    if not all(map(math.isfinite, frictions)):
-        return Answer(math.nan, math.inf, LOCKED)
-    each = list(zip(frictions, responses, strict=True))
-    value = ideal.found[question.drive] + sum(f * r.found[question.drive] for f, r in each)
-    return Answer(value, ideal.influence + sum(f * r.influence for f, r in each))
+            return frictions
+    return None
 
 
 def _size(
-    columns: Sequence[int],
-    ideal: Response,
-    responses: Sequence[Response],
-    frictions: Sequence[float],
+    columns: Sequence[int], ideal: Found, responses: Sequence[Found], frictions: Sequence[float]
 ) -> float:
     """Return the size of a force of perpendicular components."""
-    return math.hypot(
-        *(
-            ideal.found[c] + sum(f * r.found[c] for f, r in zip(frictions, responses, strict=True))
-            for c in columns
-        )
-    )
+    each = list(zip(frictions, responses, strict=True))
+    return math.hypot(*(ideal[c] + sum(f * r[c] for f, r in each) for c in columns))
 
 
 def _pressing(system: System, pair: Pair) -> tuple[int, ...]:

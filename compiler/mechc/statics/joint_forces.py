@@ -22,7 +22,7 @@ def joint_force(unfolding: Unfolding, target: Target, given: str, known: Set[str
     columns = gather(system, tied)
     right = {i: -v / tied[given].factor for i, v in columns.pop(tied[given].base).items()}
     unknown = {base: row for base, row in columns.items() if base not in known}
-    parts = [combination(system, unknown, right, w) for w in _wanted(target, unfolding, system)]
+    parts = [combination(system, unknown, right, w) for w in wanted_of(target, unfolding, system)]
     if len(parts) == 1:
         return parts[0]
     trouble = next((p.trouble for p in parts if p.trouble), "")
@@ -30,7 +30,8 @@ def joint_force(unfolding: Unfolding, target: Target, given: str, known: Set[str
     return Answer(size, sum(p.influence for p in parts), trouble)
 
 
-def _wanted(target: Target, unfolding: Unfolding, system: System) -> tuple[Weights, ...]:
+def wanted_of(target: Target, unfolding: Unfolding, system: System) -> tuple[Weights, ...]:
+    """Return a force as a combination of unknowns, or both components of one whose size counts."""
     axes = {"x": Plane(1.0, 0.0), "y": Plane(0.0, 1.0)}
     match target:
         case Reaction(point, link, part):

@@ -135,8 +135,10 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
                 pass  # it follows from the components, which are judged
             case Reaction() | Axial() | Normal():
                 yield from _forces(result, target, mechanism)
+            case WithFriction(Reaction(part="direction")):
+                pass  # it follows from the components, which are judged
             case WithFriction(order="exact") if mechanism.friction.efficiency is None:
-                yield _rubbing(result, target)
+                yield _rubbing(result, target, mechanism)
             case WithFriction() | Efficiency():
                 pass  # an approximation, and quotients of what is judged
             case SpeedRatio():
@@ -171,22 +173,36 @@ def _forces(
         yield Question(f"{result.name}/{load}", formula, result.where, ask)
 
 
-def _rubbing(result: Result, target: WithFriction) -> Question:
-    """Ask for a driving load with friction where every other load is 1 or what is known."""
-    from .friction import driven
+def _rubbing(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
+    """Ask for a load or force with friction where every other load is 1 or what is known."""
+    from .friction import with_friction
 
-    if isinstance(target.of, LoadRatio):
-        others: tuple[str, ...] = (target.of.below,)
-    else:
-        others = tuple(result.coefficients or ())
     known = {d.name: d.formula for d in result.where}
+    driving = _driving(target, mechanism)
+    free = (load.name for load in mechanism.loads if load.tie is None or load.name in known)
+    others = tuple(n for n in free if n != driving)
+    if isinstance(target.of, LoadRatio):
+        others = (target.of.below,)
     where = (*(Definition(n, ONE) for n in others if n not in known), *result.where)
 
     def ask(unfolding: Unfolding) -> Answer:
         given = {n: evaluate(known.get(n, ONE), unfolding.values) for n in others}
-        return driven(unfolding, target, given)
+        return with_friction(unfolding, target, driving, given)
 
     return Question(result.name, result.formula, where, ask, result.guards)
+
+
+def _driving(target: WithFriction, mechanism: Mechanism) -> str:
+    """Return the load that follows from the others: the one asked for, else the first free one."""
+    asked = [target.of, *(find.target for find in mechanism.finds)]
+    for one in asked:
+        if isinstance(one, LoadRatio):
+            return one.above
+        if isinstance(one, LoadForm):
+            return one.load
+    valued = {let.name for let in mechanism.lets}
+    free = (k.name for k in mechanism.loads if k.tie is None and k.name not in valued)
+    return next(free, "")
 
 
 def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:

@@ -58,7 +58,8 @@ def closed_form(way: Callable[[Signs], Way], factor: Product, taken: Set[str]) -
     signs = AtAnyPose(taken)
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
-    positive = ((c.sign * c.force).formula() for c in solver.conditions)
+    kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
+    positive = (force.formula() for force in kept if force.factors)
     return Named(formula, tuple(signs.definitions), tuple(positive))
 
 

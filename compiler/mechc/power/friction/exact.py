@@ -6,7 +6,7 @@ by what they press altogether, so that the way has the same length however large
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ...algebra.sums import add
@@ -22,6 +22,7 @@ from ...formula.tree import (
     quotient,
     total,
 )
+from ...frozen import frozen
 from ...model.mechanism import Mechanism
 from ...model.result import Definition
 from ..joint_forces import size_of
@@ -50,11 +51,26 @@ def first_order(
     return Named(total([ideal, added if sense > 0 else negative(added)]))
 
 
-def exact(ideal: Formula, pressed: Sequence[Pressed], sense: int, taken: set[str]) -> Named:
-    """Return the driving load where every friction follows from its true pressing force."""
+@frozen
+class Sizes:
+    """The names of the true sizes of pressing forces, by pair, and what they rest on."""
+
+    names: Mapping[str, str]
+    definitions: tuple[Definition, ...]
+    sense: int
+
+
+def true_sizes(pressed: Sequence[Pressed], sense: int, taken: set[str]) -> Sizes:
+    """Return the sizes of the pressing forces that solve the exact equations."""
     system = _Exact(pressed, sense, taken)
-    parts = [_added(p, Symbol(name), sense) for p, name in zip(pressed, system.sizes, strict=True)]
-    return Named(total([ideal, *parts]), tuple(system.definitions()))
+    names = {p.rub.name: name for p, name in zip(pressed, system.sizes, strict=True)}
+    return Sizes(names, tuple(system.definitions()), sense)
+
+
+def exact(ideal: Formula, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
+    """Return the driving load where every friction follows from its true pressing force."""
+    parts = [_added(p, Symbol(sizes.names[p.rub.name]), sizes.sense) for p in pressed]
+    return Named(total([ideal, *parts]), sizes.definitions)
 
 
 def _added(pressed: Pressed, size: Formula, sense: int) -> Formula:

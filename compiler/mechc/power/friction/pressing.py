@@ -53,39 +53,52 @@ class Undetermined(Exception):
         self.rub = rub
 
 
+class PressedByAnother(Exception):
+    """A load that is neither given nor driving presses a pair of surfaces."""
+
+    def __init__(self, load: str) -> None:
+        self.load = load
+
+
 def press(
     plan: Plan, equations: Equations, driving: str, rubs: Sequence[Rub], given: Given
 ) -> tuple[Pressed, ...]:
     """Return how every pair is pressed and slips where one load drives.
 
-    Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open.
+    Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open, and
+    :class:`PressedByAnother` where a load has a part in it that is not given.
     """
     pose = plan.graph.pose
-    names = {_load(rub): rub.name for rub in rubs}
-    reactions = Reactions(pose, (driving,), lambda loose: [_term(rub, loose) for rub in rubs])
+    names = {load_of(rub): rub.name for rub in rubs}
+    reactions = Reactions(pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs])
     (power,) = equations.columns[driving]
     pressed = []
     for rub in rubs:
         transmitted = reactions.of(rub.bond)
         if transmitted is None:
             raise Undetermined(rub)
-        (speed,) = (canonical(part / power) for part in _term(rub, plan).power)
+        (speed,) = (canonical(part / power) for part in term_of(rub, plan).power)
         components = (_component(push, names, given) for push in transmitted.pushes)
         pressed.append(Pressed(rub, speed, tuple(components), transmitted.plans))
     return tuple(pressed)
 
 
-def _load(rub: Rub) -> str:
+def load_of(rub: Rub) -> str:
     """Return the name of a friction as a load; no description can have it."""
     return f"friction of {rub.name} {rub.bond.kind}"
 
 
-def _term(rub: Rub, plan: Plan) -> Term:
-    load = Torque(_load(rub), "", plan.graph.pose.mechanism.span)
+def term_of(rub: Rub, plan: Plan) -> Term:
+    """Return a friction as a term of the power equations: it does work with its slip."""
+    load = Torque(load_of(rub), "", plan.graph.pose.mechanism.span)
     return Term(load, Product(rub.number), rub.speeds(plan), None)
 
 
 def _component(push: Push, names: Mapping[str, str], given: Given) -> Component:
+    known = names.keys() | given.keys()
+    for load, amount in push.amounts.items():
+        if amount and load not in known:
+            raise PressedByAnother(load)
     ideal = add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
     by = {name: push.amounts[load] for load, name in names.items() if push.amounts.get(load)}
     return Component(ideal, by)

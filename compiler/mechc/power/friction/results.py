@@ -9,15 +9,19 @@ from ...algebra.sums import add, canonical
 from ...diagnostics import Report
 from ...diagnostics import friction as words
 from ...diagnostics.power import transmission_presses
-from ...formula.tree import ZERO, product
+from ...formula.tree import ZERO, Formula, product
+from ...formula.walk import evaluate, symbols
 from ...frozen import replace
 from ...kinematics.plan import Plan
 from ...kinematics.release import unclear
 from ...model.mechanism import (
+    Axial,
     Efficiency,
     Find,
     LoadForm,
     LoadRatio,
+    Normal,
+    Reaction,
     Require,
     Sense,
     WithFriction,
@@ -31,8 +35,9 @@ from ..numbers import default_values
 from .bodies import Entangled, Task
 from .chain import Chain
 from .closed import Named, Printed, Way, closed_form, printed_form
-from .exact import exact, first_order
-from .pressing import Pressed, Undetermined, press
+from .exact import exact, first_order, true_sizes
+from .forces import force_with_friction
+from .pressing import Pressed, PressedByAnother, Undetermined, press
 from .rubs import Rub, rubs
 from .signs import Signs
 from .straight import Straight
@@ -51,18 +56,33 @@ class Case(NamedTuple):
 
 
 class FrictionResults:
-    """Finds what friction does to one result after another."""
+    """Finds what friction does to one result after another.
 
-    def __init__(self, plan: Plan, equations: Equations, report: Report) -> None:
+    ``driving`` is the load that follows where forces at joints are asked for; ``valued`` are
+    loads of known size, such as weights.
+    """
+
+    def __init__(
+        self,
+        plan: Plan,
+        equations: Equations,
+        driving: str,
+        valued: Mapping[str, Formula],
+        report: Report,
+    ) -> None:
         self._plan, self._equations, self._report = plan, equations, report
+        self._driving, self._valued = driving, valued
         self._mechanism = plan.graph.pose.mechanism
         self._rubs: tuple[Rub, ...] = rubs(plan.graph.pose)
         self._pressed: dict[str, tuple[Pressed, ...] | None] = {}
+        self._known: dict[object, tuple[Pressed, ...] | None] = {}
 
     def find(self, find: Find, ideal: Result) -> Result | None:
         """Return the result with friction; None where an error was reported."""
         match find.target:
-            case WithFriction(of, sense, order):
+            case WithFriction(Reaction() | Axial() | Normal() as force, sense):
+                return self._force(find, ideal, force, sense)
+            case WithFriction(LoadRatio() | LoadForm() as of, sense, order):
                 named = self._solve(find, self._case(of, ideal), sense, order)
                 return self._result(find, ideal, named) if named else None
             case Efficiency(of, sense):
@@ -77,8 +97,12 @@ class FrictionResults:
                 lower, share = self._equations.owner(below)
                 return Case(ideal, upper, factor, {lower: ONE / share})
             case LoadForm(load):
-                others = [n for n in self._equations.columns if n != load]
-                return Case(ideal, load, ONE, {n: Product.symbol(n) for n in others})
+                return Case(ideal, load, ONE, self._others(load))
+
+    def _others(self, driving: str) -> Mapping[str, Product]:
+        """Return all other free loads as they stand: one that does no work presses, too."""
+        names = (*self._equations.columns, *self._equations.idle_loads)
+        return {n: Product.symbol(n) for n in names if n != driving}
 
     # ------------------------------------------------------------------------- solving
 
@@ -96,7 +120,7 @@ class FrictionResults:
             )
         closed = self._closed(case, pressed, sign)
         scaled = _scaled(pressed, case.factor)
-        return closed or exact(case.ideal.formula, scaled, sign, self._taken())
+        return closed or exact(case.ideal.formula, scaled, true_sizes(pressed, sign, self._taken()))
 
     def _closed(self, case: Case, pressed: Sequence[Pressed], sense: int) -> Named | None:
         """Return the first closed form that there is; None where all equations hang together."""
@@ -124,14 +148,26 @@ class FrictionResults:
     def _printed(self, way: Callable[[Signs], Way], factor: Product) -> Printed | None:
         """Return the closed form for the default pose; None where something has no value."""
         try:
-            return printed_form(way, factor, default_values(self._plan))
+            return printed_form(way, factor, self._values())
         except KeyError:
             return None
 
+    def _values(self) -> dict[str, float]:
+        """Return the default pose's values, with loads of unknown size as 1."""
+        values = dict.fromkeys((load.name for load in self._mechanism.loads), 1.0)
+        values |= default_values(self._plan)
+        for name, formula in self._valued.items():
+            if symbols(formula) <= values.keys():
+                values[name] = evaluate(formula, values)
+        return values
+
     def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
-        if case.ideal.name not in self._pressed:
-            self._pressed[case.ideal.name] = self._try(find, case)
-        return self._pressed[case.ideal.name]
+        """Return how the pairs are pressed under the loads of a case, found once for each."""
+        key = case.driving, tuple(case.given.items())
+        if key not in self._known:
+            self._known[key] = self._try(find, case)
+        self._pressed[case.ideal.name] = self._known[key]
+        return self._known[key]
 
     def _try(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
         if self._equations.number != 1:
@@ -148,6 +184,9 @@ class FrictionResults:
         except Undetermined as found:
             self._report.add(words.pressed_how_hard(find.span, found.rub.bond.point))
             return None
+        except PressedByAnother as found:
+            self._report.add(words.another_load_presses(find.span, found.load, find.name))
+            return None
         return pressed
 
     def _taken(self) -> set[str]:
@@ -156,12 +195,37 @@ class FrictionResults:
         named = (*mechanism.parameters, *mechanism.loads, *mechanism.finds, *mechanism.lets)
         return {item.name for item in (*named, *pose.definitions)}
 
+    # -------------------------------------------------------------------------- forces
+
+    def _force(
+        self, find: Find, ideal: Result, force: Reaction | Axial | Normal, sense: Sense
+    ) -> Result | None:
+        """Return a force at a joint, as large as friction everywhere makes it."""
+        case = Case(ideal, self._driving, ONE, self._others(self._driving))
+        pressed = self._press(find, case)
+        if pressed is None:
+            return None
+        sizes = true_sizes(pressed, SIGNS[sense], self._taken())
+        found = force_with_friction(force, self._plan, self._driving, pressed, sizes)
+        if found is None:
+            return None
+        named, transmitted = found
+        result = self._result(find, ideal, named)
+        sums = [
+            d
+            for plan, push in zip(transmitted.plans, transmitted.pushes, strict=True)
+            for d in bound_sums(plan, list(push.amounts.values()))
+        ]
+        return replace(result, where=tuple(dict.fromkeys((*sums, *result.where))))
+
     # ------------------------------------------------------------------------- results
 
     def _result(self, find: Find, ideal: Result, named: Named) -> Result:
         pressed = self._pressed.get(ideal.name) or ()
         formulas = [named.formula, *(d.formula for d in named.where)]
-        known = [*intermediates(self._plan, formulas), *self._sums(pressed), *ideal.where]
+        used = {name for f in formulas for name in symbols(f)}
+        weights = [Definition(n, f) for n, f in self._valued.items() if n in used]
+        known = [*weights, *intermediates(self._plan, formulas), *self._sums(pressed), *ideal.where]
         where = tuple(dict.fromkeys((*known, *named.where)))
         return Result(
             find.name,
