@@ -9,7 +9,7 @@ guide), or a *touch* (slot, contact). Let go along a direction, it keeps everyth
 a pin does not part across it, a pivot moves along it only.
 """
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable, Iterator
 from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
@@ -135,6 +135,10 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
     own, point, mechanism = bond.loose, bond.point, pose.mechanism
     links = tuple(_renamed(k, point, own) if k.name == bond.of else k for k in mechanism.links)
     frame = {own if p == point else p: v for p, v in pose.frames[bond.of].items()}
+    frames = {**pose.frames, bond.of: frame}
+    if not any(point in held for held in _holding(pose, links)):
+        pin = Link(f"pin {point}", (point,), mechanism.span)
+        links, frames = (*links, pin), {**frames, pin.name: {point: ()}}
     touches = tuple(
         t._replace(tail=own) if t.body == bond.of and t.tail == point else t for t in pose.touches
     )
@@ -145,7 +149,7 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
     apart = replace(
         pose,
         mechanism=replace(_sharing(mechanism, bond), links=links, racks=racks),
-        frames={**pose.frames, bond.of: frame},
+        frames=frames,
         touches=touches,
     )
 
@@ -154,6 +158,15 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
         return subtract(ahead, behind)
 
     return Released(apart, gap, (lambda graph: gap(graph, along + QUARTER),))
+
+
+def _holding(pose: Pose, links: Iterable[Link]) -> Iterator[Collection[str]]:
+    """Yield the points of whatever gives a point its velocity."""
+    mechanism = pose.mechanism
+    yield {pivot.point for pivot in mechanism.pivots}
+    yield pose.guides.keys()
+    yield from (link.points for link in links)
+    yield from (slide.points for slide in mechanism.slides)
 
 
 def _renamed(link: Link, point: str, own: str) -> Link:
