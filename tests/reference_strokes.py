@@ -75,6 +75,7 @@ class Strokes:
         found, jacobian = self._jacobian(x)
         return x, jacobian, np.max(np.abs(found - values), axis=1) < CLOSED
 
+    @np.errstate(over="ignore", invalid="ignore")
     def followed(self, drives, cranks):
         """Return k at each pose of each stroke, NaN from where one comes near a dead centre."""
         x = np.tile(self.x0, (len(drives), 1, 1))
