@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 
+import mechc
 from mechc.check.expectations import Finding, compare
 from mechc.check.poses import complete, default_pose, random_poses
 from mechc.diagnostics import Report
@@ -173,3 +174,19 @@ def test_completing_ends_where_a_value_is_missing() -> None:
     mechanism = Mechanism("m", "", "", HERE, parameters=(*PARAMETERS, twice))
     assert "c" not in complete(mechanism, {"a": 1.0})
     assert complete(mechanism, {"a": 1.0, "b": 2.0})["c"] == 3.0
+
+
+def test_a_whole_number_at_a_pose_is_a_figure_not_a_formula():
+    text = """
+param a = 1 m
+pivot O
+link OA
+OA = a @ 0 deg
+torque M on OA
+force F at A along -y
+find k = M/F
+expect k = 2 m at a = 2 m
+"""
+    solved = mechc.loads(text, "lever.mech")
+    assert [f.outcome for f in solved._compilation.findings] == ["agrees"]
+    assert solved.warnings == []

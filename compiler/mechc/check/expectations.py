@@ -81,7 +81,7 @@ def _with_names_of(expect: Expect, result: Result, definitions: Sequence[Definit
 
 
 def _judge(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
-    if expect.tolerance or (expect.at and not symbols(expect.value)):
+    if _is_number(expect):
         return _compare_number(expect, result, mechanism)
     printed = result.printed()
     if not expect.at and _proved(expect.value, printed, mechanism):
@@ -90,6 +90,11 @@ def _judge(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
 
 
 # ------------------------------------------------------------------------- numbers
+
+
+def _is_number(expect: Expect) -> bool:
+    """Tell a figure, which may be a whole number without a tolerance, from a formula."""
+    return bool(expect.tolerance or (expect.at and not symbols(expect.value)))
 
 
 def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
@@ -162,7 +167,7 @@ def _remark(finding: Finding, mechanism: Mechanism) -> Diagnostic | None:
             return words.expectation_refuted(span, subject, found, expected, at)
         case "undecided" if finding.missing:
             return words.expectation_without_pose(span, subject, finding.missing)
-        case "agrees" | "undecided" if not finding.expect.tolerance:
+        case "agrees" | "undecided" if not _is_number(finding.expect):
             return words.expectation_unproved(span, subject, finding.poses)
     return None
 
