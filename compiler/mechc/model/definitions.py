@@ -86,13 +86,18 @@ def _read_let(statement: ast.Let, scope: Scope) -> Let | None:
             return None
         return Let(name, found.formula, entry.dimension, statement.span)
     plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
-    scope.define(name, found.dimension, plain, posed)
+    scope.define(name, found.dimension, plain, posed, _solved(found.formula, scope))
     return Let(name, found.formula, found.dimension, statement.span)
 
 
 def _plain(formula: Formula, scope: Scope) -> bool:
     entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
     return all(e.kind == "parameter" or (e.kind == "let" and e.plain) for e in entries)
+
+
+def _solved(formula: Formula, scope: Scope) -> bool:
+    entries = [scope.entries[name] for name in symbols(formula) if name in scope.entries]
+    return any(e.kind == "result" or e.solved for e in entries)
 
 
 def _posed(formula: Formula, scope: Scope) -> bool:
@@ -137,12 +142,12 @@ def _as_parameter(let: Let) -> Parameter:
 
 
 def written_out(found: Definitions, scope: Scope) -> dict[str, Formula]:
-    """Return lets as formulas of parameters; those that would grow too long are left out."""
+    """Return lets as formulas of parameters and loads; those too long for that are left out."""
     formulas: dict[str, Formula] = {}
     lengths: dict[str, int] = {}
     for name, let in found.lets.items():
         entry = scope.entries[name]
-        if entry.kind != "let" or not entry.plain or name in scope.feeding:
+        if entry.kind != "let" or entry.solved or name in scope.feeding:
             continue
         parts = [part.name if isinstance(part, Symbol) else "" for part in walk(let.value)]
         lengths[name] = sum(lengths.get(part, 1) for part in parts)

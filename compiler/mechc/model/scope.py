@@ -20,8 +20,9 @@ Kind = Literal["parameter", "let", "load", "result"]
 class Entry(NamedTuple):
     """What a name stands for. ``dimension`` is None where an error hid it.
 
-    ``plain`` tells of a ``let`` that it depends on no loads and results, ``posed`` that it
-    depends on directions and lengths that the pose has, so that the pose cannot rest on it.
+    ``plain`` tells of a ``let`` that it depends on no loads and results, ``solved`` that it
+    depends on results, ``posed`` that it depends on directions and lengths that the pose has,
+    so that the pose cannot rest on it.
     """
 
     kind: Kind
@@ -29,12 +30,14 @@ class Entry(NamedTuple):
     dimension: Dimension | None = None
     plain: bool = True
     posed: bool = False
+    solved: bool = False
 
 
 class Usage(NamedTuple):
     """Which kinds of names a formula may mention, and how to say so.
 
-    With ``plain`` a let must depend on no loads and results; with ``feeds`` it thereby becomes
+    With ``plain`` a let must depend on no loads and results, without ``solved`` on no results;
+    with ``feeds`` it thereby becomes
     a dependent parameter, since the description itself is made of it. With ``posed`` it may
     mention ``phi_AB`` and ``len_AB``.
     """
@@ -44,6 +47,7 @@ class Usage(NamedTuple):
     plain: bool = True
     feeds: bool = True
     posed: bool = True
+    solved: bool = True
 
 
 DESCRIPTION = Usage(
@@ -51,7 +55,7 @@ DESCRIPTION = Usage(
 )
 TIE = Usage(frozenset({"parameter", "let", "load"}), "parameters and one load")
 CONDITION = DESCRIPTION._replace(feeds=False, posed=True)
-EXPECTED = TIE._replace(wanted="parameters and loads", feeds=False)
+EXPECTED = TIE._replace(wanted="parameters and loads", plain=False, feeds=False, solved=False)
 FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity", False, False)
 
 
@@ -89,11 +93,17 @@ class Scope:
         return True
 
     def define(
-        self, name: str, dimension: Dimension, plain: bool = True, posed: bool = False
+        self,
+        name: str,
+        dimension: Dimension,
+        plain: bool = True,
+        posed: bool = False,
+        solved: bool = False,
     ) -> None:
         """State what a declared name measures, once its formula is read."""
-        entry = self.entries[name]
-        self.entries[name] = entry._replace(dimension=dimension, plain=plain, posed=posed)
+        self.entries[name] = self.entries[name]._replace(
+            dimension=dimension, plain=plain, posed=posed, solved=solved
+        )
 
     def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
         """Return what a name in a formula stands for; None where that is an error."""
@@ -102,7 +112,8 @@ class Scope:
             self.report.add(words.unknown_name(symbol.span, symbol.name, self._offered(usage)))
             return None
         self.used.add(symbol.name)
-        if entry.kind not in usage.kinds or (usage.plain and not entry.plain):
+        too_late = (usage.plain and not entry.plain) or (entry.solved and not usage.solved)
+        if entry.kind not in usage.kinds or too_late:
             kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
             self.report.add(words.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted))
             return None
