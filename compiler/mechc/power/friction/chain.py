@@ -128,8 +128,10 @@ class Chain:
     def _lever(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
         surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
         bearing = Bearing(pivot, surface.factor, self._turn(surface)) if surface else None
-        size = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
+        size, turns = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
         self._settle(unknown, size)
+        if turns.factors:
+            self.conditions.append(Condition(ONE, turns))
 
     def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
         """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed."""

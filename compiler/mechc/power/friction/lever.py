@@ -6,8 +6,10 @@ Squared, with c and q the components of K along and across e:
 
     S = (ρ²c − aB + σ·sgn(a)·ρ·√((a·c − B)² + (a² − ρ²)·q²)) / (a² − ρ²)
 
-The root taken is the one that has the sign of σ for small ρ. Where all forces are parallel,
-q = 0, it is the quotient that a·S + B = ±ρ·(S + c) gives at once.
+The root taken is the one that has the sign of σ for small ρ. It solves the equation before
+squaring where a² > ρ², or else σ·(a·c − B) < 0; elsewhere no force turns the lever. Where all
+forces are parallel, q = 0, it is the quotient that a·S + B = ±ρ·(S + c) gives at once, as
+long as friction does not exceed the arm.
 """
 
 from collections.abc import Mapping, Sequence
@@ -15,11 +17,10 @@ from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.factors import Opaque
-from ...algebra.product import Product
+from ...algebra.product import ONE, Product
 from ...algebra.sums import add
 from ...formula.tree import (
     Call,
-    Formula,
     Symbol,
     negative,
     number,
@@ -46,43 +47,52 @@ class Bearing(NamedTuple):
     turn: Product
 
 
+class Balanced(NamedTuple):
+    """The size of the pull that balances a lever; it does so where ``turns`` is positive."""
+
+    size: Product
+    turns: Product = ONE
+
+
 def on_lever(
     unknown: Pull, known: Sequence[Pull], arms: Arms, bearing: Bearing | None, signs: Signs
-) -> Product:
+) -> Balanced:
     """Return the size of the unknown pull on a lever that is in balance."""
     arm = moment(unknown, arms)
     rest = add(moment(p, arms) for p in known)
     if bearing is None:
-        return -(rest / arm)
+        return Balanced(-(rest / arm))
     line = unknown.line or Angle()
     along = add(p.along(line) for p in known)
     across = add(p.across(line) for p in known)
     if unknown.line is None:
         load = Product.of(Opaque(Call("hypot", (along.formula(), across.formula()))))
-        return add((bearing.turn * bearing.radius * load, -rest)) / arm
+        return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
     label = unknown.name.removeprefix("S_")
     way = -1 if arm.coefficient < 0 else 1
     arm, rest = arm.scaled(way), rest.scaled(way)
     across = -across if across.coefficient < 0 else across
-    turn = (signs.of(f"s_{label}_arm", arm) * bearing.turn).scaled(way)
+    bearing = bearing._replace(turn=bearing.turn.scaled(way))
+    turn = signs.of(f"s_{label}_arm", arm) * bearing.turn
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
-    return Product.of(Opaque(_root(label, (arm, rest, along, across), bearing, turn, signs)))
+    return _root(label, (arm, rest, along, across), bearing, turn, signs)
 
 
 def _parallel(
     label: str, parts: Sequence[Product], radius: Product, turn: Product, signs: Signs
-) -> Product:
+) -> Balanced:
     """Return the force where all are parallel; the pivot takes (a·c − B)/a without friction."""
     arm, rest, along = parts
     pressed = signs.of(f"s_{label}_pivot", add((arm * along, -rest)))
     lever = turn * pressed * radius
-    return add((lever * along, -rest)) / add((arm, -lever))
+    left = add((arm, -lever))
+    return Balanced(add((lever * along, -rest)) / left, arm * left)
 
 
 def _root(
     label: str, parts: Sequence[Product], bearing: Bearing, turn: Product, signs: Signs
-) -> Formula:
+) -> Balanced:
     """Return the root of the quadratic, with what it is made of by names."""
     a, b, c, q = (
         signs.named(f"{letter}_{label}", part).formula()
@@ -97,7 +107,9 @@ def _root(
         product([(radius, 2), (c, 1)]),
         product([(turn.formula(), 1), (radius, 1), (Call("sqrt", (inside,)), 1)]),
     ]
-    return quotient(total(above), square)
+    ahead = product([(bearing.turn.formula(), 1), (negative(gap), 1)])
+    root, turns = quotient(total(above), square), Call("max", (square, ahead))
+    return Balanced(Product.of(Opaque(root)), Product.of(Opaque(turns)))
 
 
 def moment(pull: Pull, arms: Arms) -> Product:
