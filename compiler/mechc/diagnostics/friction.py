@@ -1,4 +1,4 @@
-"""Words for friction in the balance of power (E510, E511)."""
+"""Words for friction in the balance of power (E510, E511, E513, E514)."""
 
 from ..source import Span
 from .diagnostic import Words, coded
@@ -40,3 +40,14 @@ def another_load_presses(span: Span, load: str, result: str) -> Words:
     """
     message = f"{load} presses a joint with friction, so {result} is no ratio of two loads alone"
     return Words(span, message, "ask for the driving load by itself, as in 'find P'")
+
+
+@coded("E514")
+def slips_either_way(span: Span, point: str) -> Words:
+    """A joint with friction can slip without any load moving.
+
+    A part that can be turned or shifted idly, such as a roller or a link without a load,
+    moves as friction leads it, and which way that is follows from no load.
+    """
+    message = f"the joint at {point} can slip while no load moves, so nothing tells which way"
+    return Words(span, message, "hold what moves idly, or give that joint no friction")

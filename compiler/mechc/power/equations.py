@@ -28,6 +28,7 @@ class Equations:
         rows = [{n: c[m] for n, c in enumerate(active.values()) if c[m]} for m in range(motions)]
         kept = independent(residues(row, point) for row in rows)
         self.idle_motions = [i for i, keep in enumerate(kept) if not keep]
+        self._powers = active
         self.columns = {
             n: [p for p, keep in zip(c, kept, strict=True) if keep] for n, c in active.items()
         }
@@ -40,6 +41,17 @@ class Equations:
     def number(self) -> int:
         """Return the number of independent equations."""
         return len(next(iter(self.columns.values()), ()))
+
+    def per_power(self, load: str, power: Sequence[Product]) -> Product | None:
+        """Return a power of each motion per unit of a load's, in the one that moves loads.
+
+        None where an idle motion changes it.
+        """
+        whole = self._powers[load]
+        (kept,) = (i for i in range(len(whole)) if i not in self.idle_motions)
+        ratio = canonical(power[kept] / whole[kept])
+        idle = (add((power[i], -(ratio * whole[i]))) for i in self.idle_motions)
+        return None if any(map(canonical, idle)) else ratio
 
     def solve(self, load: str, unknown: Sequence[str], per: str) -> Product:
         """Return the unknown load that balances a unit of a known one, others being absent.

@@ -8,7 +8,7 @@ friction is its factor times the size of a pressing force is not linear.
 from collections.abc import Mapping, Sequence
 
 from ...algebra.product import Product
-from ...algebra.sums import add, canonical
+from ...algebra.sums import add
 from ...frozen import frozen
 from ...kinematics.plan import Plan
 from ...model.mechanism import Torque
@@ -60,24 +60,33 @@ class PressedByAnother(Exception):
         self.load = load
 
 
+class Idle(Exception):
+    """A pair of surfaces can slip without any load moving."""
+
+    def __init__(self, rub: Rub) -> None:
+        self.rub = rub
+
+
 def press(
     plan: Plan, equations: Equations, driving: str, rubs: Sequence[Rub], given: Given
 ) -> tuple[Pressed, ...]:
     """Return how every pair is pressed and slips where one load drives.
 
-    Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open, and
-    :class:`PressedByAnother` where a load has a part in it that is not given.
+    Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open,
+    :class:`PressedByAnother` where a load has a part in it that is not given, and :class:`Idle`
+    where a motion that moves no load changes how it slips.
     """
     pose = plan.graph.pose
     names = {load_of(rub): rub.name for rub in rubs}
     reactions = Reactions(pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs])
-    (power,) = equations.columns[driving]
     pressed = []
     for rub in rubs:
+        speed = equations.per_power(driving, term_of(rub, plan).power)
+        if speed is None:
+            raise Idle(rub)
         transmitted = reactions.of(rub.bond)
         if transmitted is None:
             raise Undetermined(rub)
-        (speed,) = (canonical(part / power) for part in term_of(rub, plan).power)
         components = (_component(push, names, given) for push in transmitted.pushes)
         pressed.append(Pressed(rub, speed, tuple(components), transmitted.plans))
     return tuple(pressed)

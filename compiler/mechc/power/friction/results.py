@@ -31,13 +31,13 @@ from ...model.result import Definition, Result
 from ...units import NUMBER
 from ..definitions import bound_sums, intermediates
 from ..equations import Equations
-from ..numbers import default_values
+from ..numbers import default_values, value_of
 from .bodies import Entangled, Task
 from .chain import Chain
 from .closed import Named, Printed, Way, closed_form, printed_form
 from .exact import exact, first_order, true_sizes
 from .forces import force_with_friction
-from .pressing import Pressed, PressedByAnother, Undetermined, press
+from .pressing import Idle, Pressed, PressedByAnother, Undetermined, press
 from .rubs import Rub, rubs
 from .signs import Signs
 from .straight import Straight
@@ -109,7 +109,8 @@ class FrictionResults:
     def _solve(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
         sign, efficiency = SIGNS[sense], self._mechanism.friction.efficiency
         if efficiency is not None:
-            return Named(product([(case.ideal.formula, 1), (efficiency, -sign)]))
+            exponent = -1 if self._drives(case.ideal, sense) else 1
+            return Named(product([(case.ideal.formula, 1), (efficiency, exponent)]))
         pressed = self._press(find, case)
         if pressed is None:
             return None
@@ -187,6 +188,9 @@ class FrictionResults:
         except PressedByAnother as found:
             self._report.add(words.another_load_presses(find.span, found.load, find.name))
             return None
+        except Idle as found:
+            self._report.add(words.slips_either_way(find.span, found.rub.bond.point))
+            return None
         return pressed
 
     def _taken(self) -> set[str]:
@@ -194,6 +198,11 @@ class FrictionResults:
         pose = self._plan.graph.pose
         named = (*mechanism.parameters, *mechanism.loads, *mechanism.finds, *mechanism.lets)
         return {item.name for item in (*named, *pose.definitions)}
+
+    def _drives(self, ideal: Result, sense: Sense) -> bool:
+        """Tell whether the driving load does drive: not where it follows, nor where k < 0."""
+        value = value_of(ideal, default_values(self._plan))
+        return SIGNS[sense] * (-1 if value is not None and value < 0 else 1) > 0
 
     # -------------------------------------------------------------------------- forces
 
@@ -261,7 +270,7 @@ class FrictionResults:
         whole = self._result(find, ideal, named)
         name = f"{ideal.name}_f"
         real, without = Product.symbol(name), to_product(ideal.formula)
-        share = (without / real if sense == "tightening" else real / without).formula()
+        share = (without / real if self._drives(ideal, sense) else real / without).formula()
         where = (*whole.where, Definition(name, named.formula))
         case = whole.case
         if case:
