@@ -15,6 +15,7 @@ TOP = ["driver", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
 DATA = {
     "syntax.ast",
+    "model.locking",
     "model.mechanism",
     "model.parts",
     "model.rubbing",
@@ -57,6 +58,8 @@ LATE = {
     ("api.py", "sympy"),
     ("formula/to_sympy.py", "sympy"),
     ("power/from_plan.py", "kinematics.release"),
+    ("power/conclusions.py", "power.friction.course"),
+    ("power/conclusions.py", "power.friction.locking"),
     ("power/from_plan.py", "power.friction.results"),
     ("power/from_plan.py", "power.joint_forces"),
     ("power/from_plan.py", "power.reactions"),

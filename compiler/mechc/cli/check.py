@@ -6,7 +6,9 @@ import click
 
 from ..check.expectations import Finding
 from ..derivation.definitions import Solved, by_letter, grouped, is_by_letter
+from ..derivation.locking import friction_remarks
 from ..derivation.sections import Told
+from ..derivation.to_text import speller
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
@@ -17,6 +19,7 @@ from ..source import Source
 from ..statics.to_text import to_text
 from ..statics.verdict import Verdict
 from ..syntax.settings import Settings
+from ..words.en import WORDS
 from .begin import begin
 from .inputs import settings_option, stdin_option
 from .session import Command, session, session_options, status
@@ -60,10 +63,12 @@ def command(
 
 def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
+    spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told = Told()
     for result in compilation.results:
         yield from _of_result(result, told.of(result))
+        yield from (f"    {line}" for line in friction_remarks(result, WORDS, spell))
     for finding in compilation.findings:
         yield f"  {_of_finding(finding, compilation.source)}"
     yield from _of_verdict(compilation.verdict, verbose)

@@ -1,7 +1,7 @@
 """What follows from a result, in sentences, whatever the language and whoever prints."""
 
 from collections.abc import Iterable
-from typing import Protocol, assert_never
+from typing import assert_never
 
 from ..formula.layout import is_angle
 from ..formula.tree import ZERO, Formula, Sum, Symbol, product, quotient, total
@@ -19,28 +19,10 @@ from ..model.mechanism import (
 )
 from ..model.result import Result, Trend, Vanishing
 from ..words.table import Words
+from .locking import friction_remarks
+from .speller import Speller
 from .steps import Passage
 from .wording import enumeration, positive_first
-
-
-class Speller(Protocol):
-    """Writes mathematics inside a sentence."""
-
-    @property
-    def angles(self) -> frozenset[str]:
-        """Return the names that are angles."""
-        ...
-
-    def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
-        """Return sides joined by signs (``<``, ``<=``, ``=``, ``!=``, ``~`` …); one side, none.
-
-        ``angle`` says that the sides are angles, so that constants are in degrees.
-        """
-        ...
-
-    def point(self, names: str) -> str:
-        """Return a point, a link or a vector."""
-        ...
 
 
 def said(passage: Passage, words: Words, spell: Speller) -> str:
@@ -110,7 +92,7 @@ def is_nameless(result: Result) -> bool:
 
 
 def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
-    """Return what follows from a result: limits, proportions, symmetries, trends."""
+    """Return what follows from a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
     said = [_limit(words.zero, symbol, v, words, spell) for v in result.zeros]
     said += [_limit(words.pole, symbol, v, words, spell) for v in result.poles]
@@ -121,7 +103,8 @@ def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
     for first, second in result.swaps:
         one, other = (_spelled(Symbol(n), spell) for n in (first, second))
         said.append(words.swaps.format(result=symbol, first=one, second=other))
-    return tuple(said + _trends(result, symbol, words, spell))
+    said += _trends(result, symbol, words, spell)
+    return (*said, *friction_remarks(result, words, spell))
 
 
 def _spelled(formula: Formula, spell: Speller) -> str:

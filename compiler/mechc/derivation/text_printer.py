@@ -17,7 +17,15 @@ from fractions import Fraction
 from itertools import pairwise
 from typing import assert_never
 
-from ..formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal, squares
+from ..formula.layout import (
+    TRIGONOMETRIC,
+    decimal,
+    fractions,
+    in_degrees,
+    is_angle,
+    short_decimal,
+    squares,
+)
 from ..formula.names import GREEK, split_name
 from ..formula.tree import (
     Call,
@@ -91,7 +99,7 @@ def print_point(name: str, signs: Signs) -> str:
 def _print(formula: Formula, signs: Signs, around: int, angle: bool) -> str:
     constant = in_degrees(formula) if angle else None
     if constant is not None and formula != number(0):
-        return _number(constant, signs, around) + signs.degree
+        return _number(constant, signs, around, decimal(constant)) + signs.degree
     match formula:
         case Number(value):
             return _number(value, signs, around)
@@ -124,8 +132,8 @@ def _signed(term: Formula, signs: Signs, first: bool, angle: bool) -> str:
     return f" + {printed}"
 
 
-def _number(value: Fraction, signs: Signs, around: int) -> str:
-    plain = (short_decimal(value) or str(value)).replace("-", signs.minus)
+def _number(value: Fraction, signs: Signs, around: int, figures: str | None = None) -> str:
+    plain = (figures or short_decimal(value) or str(value)).replace("-", signs.minus)
     return f"({plain})" if (value < 0 and around) or ("/" in plain and around) else plain
 
 

@@ -56,7 +56,7 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     only ASCII characters are used in formulas. Lines keep to 80 columns, except a
     formula that has no place to break.
     """
-    spell = Speller(_signs(derivation, mechanism, unicode))
+    spell = speller(derivation, mechanism, unicode)
     lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
     for section in sections(derivation):
         lines += _section(section, spell)
@@ -68,14 +68,14 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
 
 
-def _signs(derivation: Derivation, mechanism: Mechanism, unicode: bool) -> Signs:
-    """Return the signs, with the names that are angles in this mechanism."""
+def speller(derivation: Derivation, mechanism: Mechanism, unicode: bool) -> Speller:
+    """Return what spells mathematics, with the names that are angles in this mechanism."""
     angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
     for result in derivation.results:
         for definition in result.where:
             if is_angle(definition.formula, angles):
                 angles.add(definition.name)
-    return replace(UNICODE if unicode else ASCII, angles=frozenset(angles))
+    return Speller(replace(UNICODE if unicode else ASCII, angles=frozenset(angles)))
 
 
 def _title(mechanism: Mechanism) -> list[str]:

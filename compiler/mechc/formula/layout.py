@@ -187,8 +187,17 @@ def short_decimal(value: Fraction) -> str | None:
     >>> short_decimal(Fraction(98, 10)), short_decimal(Fraction(1, 4))
     ('9.8', None)
     """
-    if value.denominator in {1, 2, 4, 8} or 10**6 % value.denominator:
+    return None if value.denominator in {1, 2, 4, 8} else decimal(value)
+
+
+def decimal(value: Fraction) -> str | None:
+    """Return a decimal of at most six digits behind the point that is exact, else None.
+
+    >>> decimal(Fraction(45, 2)), decimal(Fraction(10)), decimal(Fraction(1, 3))
+    ('22.5', '10', None)
+    """
+    if 10**6 % value.denominator:
         return None
     digits = str(value.numerator * (10**6 // value.denominator)).lstrip("-").rjust(7, "0")
     whole, decimals = digits[:-6], digits[-6:].rstrip("0")
-    return f"{'-' if value < 0 else ''}{whole}.{decimals}"
+    return f"{'-' if value < 0 else ''}{whole}{'.' if decimals else ''}{decimals}"

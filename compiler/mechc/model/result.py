@@ -13,6 +13,7 @@ from typing import Literal, NamedTuple
 from ..formula.tree import Formula
 from ..frozen import frozen, replace
 from ..units import Dimension
+from .locking import Course, Locking
 from .mechanism import Require, Target
 
 
@@ -62,7 +63,8 @@ class Result:
     the derivative, never by sampling); ``derivatives`` are the partial ones.
     ``guards`` are conditions without which the formula has no meaning. ``case`` is what is
     printed instead of a formula that takes its signs from the pose; ``holds`` are the
-    conditions of a result that is such a case.
+    conditions of a result that is such a case. ``locking`` tells of a ratio with friction
+    where nothing moves, ``courses`` of an efficiency what it runs through.
     """
 
     name: str
@@ -82,6 +84,8 @@ class Result:
     guards: tuple[Require, ...] = ()
     case: Case | None = None
     holds: tuple[Require, ...] = ()
+    locking: Locking | None = None
+    courses: tuple[Course, ...] = ()
 
     def printed(self) -> "Result":
         """Return the case that is printed, where the formula takes its signs from the pose."""

@@ -11,7 +11,7 @@ from ..algebra.sums import add
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import evaluate, substitute, symbols
 from ..frozen import replace
-from ..model.mechanism import Mechanism
+from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
 from ..model.result import Result, Trend
 from ..pose.pose import Pose
 from .balance import Balance, Solved
@@ -34,7 +34,7 @@ def conclude(balance: Balance) -> tuple[Result, ...]:
 
 def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> Result:
     if item.value is None:
-        return item.result.printed()
+        return _with_friction(item.result, balance)
     mechanism = balance.plan.graph.pose.mechanism
     result = replace(
         item.result,
@@ -58,6 +58,24 @@ def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> R
         trends=trends,
         derivatives={name: slope.formula() for name, slope in slopes.items()},
     )
+
+
+def _with_friction(result: Result, balance: Balance) -> Result:
+    """Return a result as it is printed, with where the mechanism moves at all."""
+    printed, friction = result.printed(), balance.plan.graph.pose.mechanism.friction
+    if friction.efficiency is not None:
+        return printed
+    match result.target:
+        case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
+            from .friction.locking import locking
+
+            return replace(printed, locking=locking(balance, result, printed))
+        case Efficiency():
+            from .friction.course import courses
+
+            return replace(printed, courses=tuple(courses(balance, result)))
+        case _:
+            return printed
 
 
 def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | None:

@@ -72,6 +72,17 @@ class Words(NamedTuple):
     pole: str
     when: str
     centres: Mapping[str, str]
+    states: Mapping[str, str]
+    all_loads: str
+    as_given: str
+    where_it_holds: str
+    any_of: str
+    in_range: str
+    all_of_range: str
+    out_of_range: str
+    course: str
+    usual: str
+    unusual: str
     derivatives: str
     slope: str
 

@@ -18,6 +18,7 @@ from ...derivation.steps import (
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import evaluate
+from ...model.locking import Bound, Course, Locking, Reach, Stretch
 from ...model.mechanism import (
     Axial,
     Efficiency,
@@ -112,6 +113,50 @@ VANISHING: Kind[Vanishing] = record(
     member("kind", "What happens there.", one_of(*VANISHINGS), lambda v: v.kind),
 )
 
+STATES = ("free", "locked", "jammed")
+_NUMBERS = list_of(FLOAT)
+
+BOUND: Kind[Bound] = record(
+    "bound",
+    "An end of a stretch.",
+    member("place", "SI and radians.", FLOAT, lambda b: b.place),
+    member("formula", "The same, where one is known.", optional(FORMULA), lambda b: b.exact),
+)
+
+STRETCH: Kind[Stretch] = record(
+    "stretch",
+    "A stretch on which nothing moves.",
+    member("state", "Held, or not to be moved.", one_of(*STATES), lambda s: s.state),
+    member("low", "Null at a dead centre or a range's end.", optional(BOUND), lambda s: s.low),
+    member("high", "The same above.", optional(BOUND), lambda s: s.high),
+    member("within", "Its part of the range.", optional(_NUMBERS), lambda s: s.within),
+)
+
+REACH: Kind[Reach] = record(
+    "reach",
+    "Where nothing moves as one parameter varies, the others at their values.",
+    member("parameter", "Its name.", TEXT, lambda r: r.parameter),
+    member("range", "As given.", optional(_NUMBERS), lambda r: r.range),
+    member("stretches", "In order.", list_of(STRETCH), lambda r: r.stretches),
+)
+
+LOCKING: Kind[Locking] = record(
+    "locking",
+    "Of a ratio with friction: where the load alone, or the drive, moves nothing.",
+    member("state", "At the default pose.", one_of(*STATES), lambda k: k.state),
+    member("reaches", "By parameter.", list_of(REACH), lambda k: k.reaches),
+)
+
+COURSE: Kind[Course] = record(
+    "course",
+    "What an efficiency runs through over a range.",
+    member("parameter", "Its name.", TEXT, lambda c: c.parameter),
+    member("range", "SI and radians.", _NUMBERS, lambda c: c.range),
+    member("least", "0 where nothing moves.", FLOAT, lambda c: c.least),
+    member("greatest", "The highest.", FLOAT, lambda c: c.greatest),
+    member("usual", "Where it is 0.9 … 0.95.", list_of(_NUMBERS), lambda c: c.usual),
+)
+
 _POWERS = map_of(Kind({"type": "integer"}, int))
 _PAIRS = list_of(list_of(TEXT))
 
@@ -147,6 +192,8 @@ RESULT: Kind[Result] = record(
         lambda r: r.trends or {},
     ),
     member("derivatives", "Partial ones.", map_of(FORMULA), lambda r: r.derivatives or {}),
+    member("locking", "Where friction holds it.", optional(LOCKING), lambda r: r.locking),
+    member("courses", "Of an efficiency.", list_of(COURSE), lambda r: r.courses),
     member("value", "At the default pose, SI; null at a pole.", FLOAT, lambda r: r.default),
     member(
         "holds",

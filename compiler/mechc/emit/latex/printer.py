@@ -19,7 +19,15 @@ from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
-from ...formula.layout import TRIGONOMETRIC, fractions, in_degrees, is_angle, short_decimal, squares
+from ...formula.layout import (
+    TRIGONOMETRIC,
+    decimal,
+    fractions,
+    in_degrees,
+    is_angle,
+    short_decimal,
+    squares,
+)
 from ...formula.tree import (
     Call,
     Formula,
@@ -138,7 +146,8 @@ def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> 
 
 
 def _degrees(value: Fraction, style: Notation, around: int) -> Box:
-    inner = _number(value, style, SUM)
+    figures = decimal(value)
+    inner = plain(figures.replace(".", style.decimal)) if figures else _number(value, style, SUM)
     ends = inner.tex.find("}") if inner.tall else len(inner.tex)
     whole = rf"{inner.tex[:ends]}^\circ{inner.tex[ends:]}"
     marked = inner._replace(tex=whole, width=inner.width + 0.4)

@@ -1,0 +1,126 @@
+"""Where a mechanism is locked by friction, and how its efficiency runs, in sentences."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from ..formula.tree import Formula, Symbol, degrees, number, total
+from ..formula.walk import symbols
+from ..model.locking import Bound, Course, Locking, Range, Reach, Stretch
+from ..model.result import Result
+from ..units import UNITS
+from ..words.table import Words
+from .speller import Speller
+from .wording import enumeration, positive_first
+
+DIGITS = 4
+"""Significant digits of a place; two are enough for an efficiency."""
+
+HALF_CIRCLE = 180 / 3.141592653589793
+
+
+def friction_remarks(result: Result, words: Words, spell: Speller) -> Iterator[str]:
+    """Yield where nothing moves, and what an efficiency runs through."""
+    if result.locking:
+        yield from _locking(result.locking, words, spell)
+    for course in result.courses:
+        yield _course(result, course, words, spell)
+
+
+def _locking(locking: Locking, words: Words, spell: Speller) -> Iterator[str]:
+    drive = spell.relation((Symbol(locking.drive),), (), False)
+    load = spell.relation((Symbol(locking.load),), (), False) if locking.load else words.all_loads
+    said = {s: template.format(drive=drive, load=load) for s, template in words.states.items()}
+    if locking.state != "free":
+        yield f"{said[locking.state]} {words.as_given}."
+    for reach in locking.reaches:
+        for stretch in filter(_is_told, reach.stretches):
+            where = words.where_it_holds.format(condition=_condition(stretch, reach, spell, words))
+            yield f"{said[stretch.state]} {where}{_within(stretch, reach, words, spell)}."
+
+
+def _is_told(stretch: Stretch) -> bool:
+    """Tell a stretch of interest from a jam near a dead centre outside the range."""
+    return stretch.state == "locked" or stretch.within is not None
+
+
+def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> str:
+    """Return a stretch as an inequality, with figures behind its formulas."""
+    if not stretch.low and not stretch.high:
+        return words.any_of.format(name=_name(reach, spell))
+    sides: list[Formula] = [Symbol(reach.parameter)]
+    if stretch.low:
+        sides.insert(0, _side(stretch.low, reach, spell))
+    if stretch.high:
+        sides.append(_side(stretch.high, reach, spell))
+    only_low = stretch.low and not stretch.high
+    shown = sides[::-1] if only_low else sides
+    signs = (">=",) if only_low else ("<=",) * (len(shown) - 1)
+    said = spell.relation(tuple(shown), signs, reach.parameter in spell.angles)
+    bounds = [b for b in (stretch.low, stretch.high) if b]
+    figures = [_figure(b.place, reach, spell) for b in bounds if b.exact and symbols(b.exact)]
+    unit = _unit(reach, words) if any(not b.exact for b in bounds) else ""
+    return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")
+
+
+def _side(bound: Bound, reach: Reach | Course, spell: Speller) -> Formula:
+    if bound.exact is None:
+        return _rounded(bound.place, reach, spell)
+    terms = getattr(bound.exact, "terms", (bound.exact,))
+    return total(positive_first(terms))
+
+
+def _within(stretch: Stretch, reach: Reach, words: Words, spell: Speller) -> str:
+    """Return what of a stretch lies in the parameter's range."""
+    if reach.range is None:
+        return ""
+    if stretch.within is None:
+        return f", {words.out_of_range}"
+    if stretch.within == reach.range:
+        return f", {words.all_of_range}"
+    return f", {words.in_range.format(condition=_span(stretch.within, reach, words, spell))}"
+
+
+def _course(result: Result, course: Course, words: Words, spell: Speller) -> str:
+    said = words.course.format(
+        result=spell.relation((Symbol(result.name),), (), False),
+        condition=_span(course.range, course, words, spell),
+        least=_share(course.least, spell),
+        greatest=_share(course.greatest, spell),
+    )
+    spans = [_span(part, course, words, spell) for part in course.usual]
+    usual = words.usual.format(conditions=enumeration(spans, words)) if spans else words.unusual
+    return f"{said}; {usual}."
+
+
+# --------------------------------------------------------------------------- figures
+
+
+def _span(part: Range, reach: Reach | Course, words: Words, spell: Speller) -> str:
+    """Return ``1° ≤ α ≤ 45°``."""
+    low, high = (_rounded(end, reach, spell) for end in part)
+    sides, angle = (low, Symbol(reach.parameter), high), reach.parameter in spell.angles
+    return spell.relation(sides, ("<=", "<="), angle) + _unit(reach, words)
+
+
+def _figure(place: float, reach: Reach, spell: Speller) -> str:
+    return spell.relation((_rounded(place, reach, spell),), (), reach.parameter in spell.angles)
+
+
+def _rounded(place: float, reach: Reach | Course, spell: Speller) -> Formula:
+    """Return a place with few digits, an angle in degrees."""
+    if reach.parameter in spell.angles:
+        return degrees(Fraction(f"{place * HALF_CIRCLE:.{DIGITS}g}"))
+    factor = float(UNITS[reach.unit].factor) if reach.unit else 1.0
+    return number(Fraction(f"{place / factor:.{DIGITS}g}"))
+
+
+def _share(value: float, spell: Speller) -> str:
+    return spell.relation((number(Fraction(f"{value:.3f}")),), (), False)
+
+
+def _unit(reach: Reach | Course, words: Words) -> str:
+    return f" {words.units.get(reach.unit, reach.unit)}" if reach.unit else ""
+
+
+def _name(reach: Reach, spell: Speller) -> str:
+    return spell.relation((Symbol(reach.parameter),), (), False)

@@ -1,0 +1,213 @@
+"""A formula's zeros and poles, solved for an angle that is in it: ``tan(α − δ) − c``.
+
+What is not of such a form has no solution here.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import NamedTuple
+
+from .layout import in_degrees
+from .tree import (
+    ZERO,
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    degrees,
+    negative,
+    number,
+    product,
+    total,
+)
+from .walk import evaluate, symbols
+
+CLOSE = 1e-9
+"""Radians by which a formula may miss the place that it is for."""
+
+
+class Solution(NamedTuple):
+    """A value of an angle, and the degrees after which there is another."""
+
+    value: Formula
+    period: Fraction
+
+    def at(self, place: float, values: Mapping[str, float]) -> Formula | None:
+        """Return the value that lies at a place, None where none does.
+
+        >>> Solution(Symbol("delta"), Fraction(180)).at(0.1 - math.pi, {"delta": 0.1})
+        Sum(terms=(Symbol(name='delta'), Product(factors=(Number(value=Fraction(-1, 1)), Pi()))))
+        """
+        if not symbols(self.value) <= values.keys():
+            return None
+        first, period = evaluate(self.value, values), math.radians(self.period)
+        if not math.isfinite(first):
+            return None
+        turns = round((place - first) / period)
+        if abs(first + turns * period - place) > CLOSE:
+            return None
+        return _tidy((self.value, degrees(turns * self.period)))
+
+
+def zeros(formula: Formula, name: str) -> Iterator[Solution]:
+    """Yield where a formula vanishes.
+
+    >>> from .to_text import text
+    >>> a, d, c = (Symbol(n) for n in ("alpha", "delta", "c"))
+    >>> ahead = Call("tan", (total([a, negative(d)]),))
+    >>> [text(s.value) for s in zeros(total([ahead, negative(c)]), "alpha")]
+    ['delta + atan(c)']
+    """
+    match formula:
+        case Product(factors):
+            for factor in factors:
+                yield from zeros(factor, name)
+        case Power(base, Number(exponent)):
+            yield from zeros(base, name) if exponent > 0 else poles(base, name)
+        case Call("sin" | "tan", (angle,)):
+            yield from _where(angle, ZERO, 180, name)
+        case Call("cos" | "cot", (angle,)):
+            yield from _where(angle, degrees(90), 180, name)
+        case Sum(terms):
+            yield from _of_sum(terms, name)
+        case _:
+            return
+
+
+def poles(formula: Formula, name: str) -> Iterator[Solution]:
+    """Yield where a formula is infinite.
+
+    >>> from .to_text import text
+    >>> [text(s.value) for s in poles(Call("tan", (Symbol("alpha"),)), "alpha")]
+    ['pi/2']
+    """
+    match formula:
+        case Product(parts) | Sum(parts):
+            for part in parts:
+                yield from poles(part, name)
+        case Power(base, Number(exponent)):
+            yield from poles(base, name) if exponent > 0 else zeros(base, name)
+        case Call("cot" | "csc", (angle,)):
+            yield from _where(angle, ZERO, 180, name)
+        case Call("tan" | "sec", (angle,)):
+            yield from _where(angle, degrees(90), 180, name)
+        case _:
+            return
+
+
+def _where(angle: Formula, value: Formula, period: int, name: str) -> Iterator[Solution]:
+    """Yield where an angle has a value: it must be linear in the name."""
+    linear = _linear(angle, name)
+    if linear is not None:
+        slope, rest = linear
+        found = product([(number(1 / slope), 1), (_tidy((negative(rest), value)), 1)])
+        yield Solution(found, abs(period / slope))
+
+
+def _linear(angle: Formula, name: str) -> tuple[Fraction, Formula] | None:
+    """Return c and r of the angle c·name + r."""
+    slope, rest = Fraction(0), []
+    for term in angle.terms if isinstance(angle, Sum) else (angle,):
+        match term:
+            case Symbol(n) if n == name:
+                slope += 1
+            case Product((Number(c), Symbol(n))) if n == name:
+                slope += c
+            case _:
+                rest.append(term)
+    if not slope or any(name in symbols(term) for term in rest):
+        return None
+    return slope, total(rest)
+
+
+class _Part(NamedTuple):
+    """A term of a sum: a function of an angle that has the name in it, times the rest."""
+
+    function: str
+    angle: Formula
+    coefficient: Formula
+
+
+def _of_sum(terms: Sequence[Formula], name: str) -> Iterator[Solution]:
+    flat = [part for term in terms for part in _expanded(term, name)]
+    constant = total(t for t in flat if name not in symbols(t))
+    parts = _gathered([_part(t, name) for t in flat if name in symbols(t)])
+    match parts:
+        case [_Part(function, angle, a)]:
+            for value, period in _inverse(function, a, constant):
+                yield from _where(angle, value, period, name)
+        case [_Part("sin", angle, a), _Part("cos", other, b)] if angle == other:
+            if constant == ZERO:
+                yield from _where(angle, Call("atan", (_over(b, a),)), 180, name)
+        case _:
+            return
+
+
+def _expanded(term: Formula, name: str) -> Iterator[Formula]:
+    """Yield a term, or the terms of a sum in it times its other factors."""
+    factors = term.factors if isinstance(term, Product) else (term,)
+    sums = [f for f in factors if isinstance(f, Sum) and name in symbols(f)]
+    if len(sums) != 1:
+        yield term
+        return
+    others = [(f, 1) for f in factors if f is not sums[0]]
+    for part in sums[0].terms:
+        yield from _expanded(product([*others, (part, 1)]), name)
+
+
+def _gathered(parts: Sequence[_Part | None]) -> list[_Part] | None:
+    """Return parts with the coefficients of equal functions added, sines first."""
+    found: dict[tuple[str, Formula], list[Formula]] = {}
+    for part in parts:
+        if part is None:
+            return None
+        found.setdefault((part.function, part.angle), []).append(part.coefficient)
+    ordered = sorted(found, key=lambda key: key[0] != "sin")
+    return [_Part(*key, total(found[key])) for key in ordered]
+
+
+def _part(term: Formula, name: str) -> _Part | None:
+    factors = term.factors if isinstance(term, Product) else (term,)
+    inside = [f for f in factors if name in symbols(f)]
+    rest = product((f, 1) for f in factors if name not in symbols(f))
+    match inside:
+        case [Call("sin" | "cos" | "tan" | "cot" as function, (angle,))]:
+            return _Part(function, angle, rest)
+        case _:
+            return None
+
+
+def _inverse(function: str, a: Formula, c: Formula) -> Iterator[tuple[Formula, int]]:
+    """Yield the angles u, and their periods, at which a·function(u) + c = 0."""
+    value = _over(c, a)
+    match function:
+        case "tan":
+            yield Call("atan", (value,)), 180
+        case "cot":
+            yield Call("atan", (_over(a, c),)), 180
+        case "sin":
+            yield Call("asin", (value,)), 360
+            yield total((degrees(180), negative(Call("asin", (value,))))), 360
+        case _:
+            yield Call("acos", (value,)), 360
+            yield negative(Call("acos", (value,))), 360
+
+
+def _over(above: Formula, below: Formula) -> Formula:
+    """Return -above/below, the numbers of both as one."""
+    factors = below.factors if isinstance(below, Product) else (below,)
+    return product([(number(-1), 1), (above, 1), *((f, -1) for f in factors)])
+
+
+def _tidy(terms: Sequence[Formula]) -> Formula:
+    """Return a sum of angles with its constants as one."""
+    flat = total(terms)
+    parts = flat.terms if isinstance(flat, Sum) else (flat,)
+    constants = [in_degrees(p) for p in parts]
+    whole = sum((c for c in constants if c is not None), Fraction(0))
+    others = [p for p, c in zip(parts, constants, strict=True) if c is None]
+    return total([*others, degrees(whole)])

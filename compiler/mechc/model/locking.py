@@ -1,0 +1,75 @@
+"""Where friction alone holds a mechanism, where it jams, and through what its efficiency runs.
+
+Places are in SI and radians.
+"""
+
+from typing import Literal, NamedTuple
+
+from ..formula.tree import Formula
+from ..frozen import frozen
+
+State = Literal["free", "locked", "jammed"]
+"""``locked``: the load alone does not move it; ``jammed``: no force of the drive does."""
+
+Range = tuple[float, float]
+
+
+class Bound(NamedTuple):
+    """An end of a stretch, and the same as a formula where one is known."""
+
+    place: float
+    exact: Formula | None = None
+
+
+class Stretch(NamedTuple):
+    """A stretch of a parameter on which a mechanism is locked, or jammed.
+
+    None is an end at which nothing changes before the next dead centre, or before the
+    parameter's range ends. ``within`` is what of it lies in the range.
+    """
+
+    state: State
+    low: Bound | None
+    high: Bound | None
+    within: Range | None
+
+
+@frozen
+class Reach:
+    """All stretches of one parameter, the others at their values; its range, if it has one.
+
+    ``unit`` is that of a length, as it was written; angles have none.
+    """
+
+    parameter: str
+    unit: str
+    range: Range | None
+    stretches: tuple[Stretch, ...]
+
+
+@frozen
+class Locking:
+    """The state of a mechanism at the default pose, and how it changes with parameters.
+
+    ``drive`` and ``load`` are those of the ratio; no load stands for all of them.
+    """
+
+    state: State
+    drive: str
+    load: str
+    reaches: tuple[Reach, ...] = ()
+
+
+@frozen
+class Course:
+    """What an efficiency runs through over a parameter's range, 0 where all is stuck.
+
+    ``usual`` are the stretches on which it is as textbooks assume, 0.9 … 0.95.
+    """
+
+    parameter: str
+    unit: str
+    range: Range
+    least: float
+    greatest: float
+    usual: tuple[Range, ...]

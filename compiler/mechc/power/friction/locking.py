@@ -1,0 +1,206 @@
+"""Self-locking as a condition: solved for each angle, and where in its range it holds."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import chain, groupby, pairwise
+
+from ...formula.solved import poles, zeros
+from ...formula.walk import evaluate, symbols
+from ...frozen import frozen
+from ...model.locking import Bound, Locking, Range, Reach, State, Stretch
+from ...model.mechanism import LoadForm, LoadRatio, WithFriction
+from ...model.result import Result
+from ..balance import Balance
+from .places import Places, named
+from .ranges import range_of, turns, unit_of, varying
+from .states import Moving
+
+PLACES = 36
+"""Places at which a parameter is looked at."""
+
+HALVINGS = 8
+"""Further places beside a dead centre, each half as far from it as the one before."""
+
+ITERATED = (12, 3)
+"""The same where friction is found by iteration, which takes a hundred times as long."""
+
+BEYOND = math.pi / 2
+"""How far beyond its range an angle is followed, to the next dead centre at most."""
+
+EXACT = 1e-13
+"""The width, against the size of what is looked at, to which an end is narrowed down."""
+
+CLEAR = 10.0
+"""At the end of what is locked k is nil, at that of what is jammed infinite: so many times."""
+
+
+def locking(balance: Balance, real: Result, printed: Result) -> Locking | None:
+    """Return where a ratio with friction is locked or jammed; None where it has no values.
+
+    ``printed`` is the same as it is printed, which is what is solved for angles.
+    """
+    assert isinstance(real.target, WithFriction)
+    asked = real.target.of
+    assert isinstance(asked, LoadRatio | LoadForm)
+    ideal = next(r for r in balance.results if r.target == asked)
+    loads = sizes(balance, real)
+    if loads is None:
+        return None
+    mechanism, sense = balance.plan.graph.pose.mechanism, real.target.sense
+    at_default = Moving(Places(balance.plan, "", loads), ideal, real, sense).at(0.0).state
+    if at_default is None:
+        return None
+    reaches = []
+    for name in varying(mechanism, (ideal, real)):
+        moving = Moving(Places(balance.plan, name, loads), ideal, real, sense)
+        looked_at = _window(name, moving, balance)
+        if looked_at is not None:
+            stretches = _Stretches(name, moving, printed, range_of(name, mechanism))
+            unit = unit_of(name, mechanism)
+            reaches.append(Reach(name, unit, stretches.range, tuple(stretches.found(*looked_at))))
+    drive, load = (asked.load, "") if isinstance(asked, LoadForm) else (asked.above, asked.below)
+    return Locking(at_default, drive, load, tuple(reaches))
+
+
+def sizes(balance: Balance, real: Result) -> dict[str, float] | None:
+    """Return sizes for loads without one: any will do for one load, for several none."""
+    loads = {load.name for load in balance.plan.graph.pose.mechanism.loads}
+    formulas = [real.formula, *(d.formula for d in real.where)]
+    known = {d.name for d in real.where}
+    missing = {s for f in formulas for s in symbols(f)} & loads - known
+    return dict.fromkeys(missing, 1.0) if len(missing) < 2 else None
+
+
+# ---------------------------------------------------------------------- what is looked at
+
+
+def _window(name: str, moving: Moving, balance: Balance) -> Range | None:
+    """Return what is looked at: the range, and of an open pose what is beyond it."""
+    pose = balance.plan.graph.pose
+    given = range_of(name, pose.mechanism)
+    if pose.definitions or moving.is_iterated or not turns(name, pose.mechanism):
+        return given
+    here = moving.places.defaults[name]
+    low, high = given or (here, here)
+    return _dead_centre(low, -BEYOND, moving), _dead_centre(high, BEYOND, moving)
+
+
+def _dead_centre(start: float, beyond: float, moving: Moving) -> float:
+    """Return the place of the next dead centre, or where nothing more is looked at."""
+
+    def is_alike(place: float) -> bool:
+        found = moving.at(place)
+        return found.state is not None and found.driven == moving.at(start).driven
+
+    before = start
+    for step in range(1, PLACES + 1) if is_alike(start) else ():
+        place = start + beyond * step / PLACES
+        if not is_alike(place):
+            return _last(is_alike, before, place)
+        before = place
+    return before
+
+
+def _last(holds: Callable[[float], bool], good: float, bad: float) -> float:
+    """Return the last place at which something holds that no longer does at another."""
+    width = EXACT * max(abs(good), abs(bad))
+    while abs(bad - good) > width and (middle := (good + bad) / 2) not in (good, bad):
+        if holds(middle):
+            good = middle
+        else:
+            bad = middle
+    return good
+
+
+# --------------------------------------------------------------------------- stretches
+
+
+@frozen
+class _Stretches:
+    """Finds the stretches of one parameter on which nothing moves."""
+
+    name: str
+    moving: Moving
+    printed: Result
+    range: Range | None
+
+    def found(self, low: float, high: float) -> Iterator[Stretch]:
+        """Yield the stretches in their order."""
+        places = self._places(low, high) if low < high else []
+        first = 0
+        for state, group in groupby(places, lambda x: self.moving.at(x).state):
+            last = first + len(list(group)) - 1
+            if state in ("locked", "jammed") and (one := self._stretch(places, first, last, state)):
+                yield one
+            first = last + 1
+
+    def _stretch(
+        self, places: Sequence[float], first: int, last: int, state: State
+    ) -> Stretch | None:
+        low, high = self._end(places, first, -1), self._end(places, last, 1)
+        if not self._is_certain(state, (low, high), places[(first + last) // 2]):
+            return None
+        begins = places[first] if low is None else low
+        ends = places[last] if high is None else high
+        return Stretch(
+            state, self._bound(low, state), self._bound(high, state), self._within(begins, ends)
+        )
+
+    def _places(self, low: float, high: float) -> list[float]:
+        number, halvings = ITERATED if self.moving.is_iterated else (PLACES, HALVINGS)
+        step = (high - low) / number
+        even = [low + i * step for i in range(number)] + [high]
+        ends = self.range or ()
+        still = [z for a, b in pairwise(even) for z in self._still(a, b)]
+        near = [way * step / 2**i for way in (-1, 1) for i in range(1, halvings + 1)]
+        beside = (centre + away for centre in (low, high, *still) for away in near)
+        inside = (x for x in chain(even, beside, ends) if low <= x <= high)
+        return sorted(set(inside))
+
+    def _still(self, a: float, b: float) -> Iterator[float]:
+        """Yield the dead centre between two places."""
+        driven = self.moving.at(a).driven
+        if self.moving.at(b).driven != driven:
+            yield _last(lambda x: self.moving.at(x).driven == driven, a, b)
+
+    def _end(self, places: Sequence[float], i: int, way: int) -> float | None:
+        """Return where a state ends that the place i is the last to have, None at a dead centre."""
+        if not 0 <= i + way < len(places):
+            return None
+        a, b = places[i], places[i + way]
+        here, there = self.moving.at(a), self.moving.at(b)
+        if there.state is None or here.driven != there.driven:
+            return None
+        state = here.state
+        return _last(lambda x: self.moving.at(x).state == state, a, b)
+
+    def _is_certain(
+        self, state: State, ends: tuple[float | None, float | None], middle: float
+    ) -> bool:
+        """Tell what is stuck from a formula that merely ends, where a joint is relieved."""
+        inside = self.moving.at(middle)
+        shares = [abs(self.moving.at(e).share) for e in ends if e is not None]
+        if not shares or inside.keeps:
+            return not inside.share > 0
+        if state == "locked":
+            return any(share < 1 / CLEAR for share in shares)
+        return any(not share <= CLEAR for share in shares)
+
+    def _within(self, low: float, high: float) -> Range | None:
+        if self.range is None:
+            return None
+        first, last = max(low, self.range[0]), min(high, self.range[1])
+        return (first, last) if first < last else None
+
+    def _bound(self, place: float | None, state: State) -> Bound | None:
+        """Return an end with its formula, if it has one of names that do not vary themselves."""
+        if place is None:
+            return None
+        solve = zeros if state == "locked" else poles
+        values = named(self.printed, self.moving.places.values(place))
+        varying = self.moving.places.varying(self.printed)
+        for solution in solve(self.printed.formula, self.name):
+            exact = solution.at(place, values)
+            if exact is not None and symbols(exact).isdisjoint(varying):
+                return Bound(evaluate(exact, values), exact)
+        return Bound(place)

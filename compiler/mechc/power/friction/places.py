@@ -1,0 +1,53 @@
+"""Results where one parameter varies and the others stand at their values."""
+
+import math
+from collections.abc import Mapping
+
+from ...formula.tree import Formula
+from ...formula.walk import evaluate, symbols
+from ...kinematics.plan import Plan
+from ...model.result import Result
+from ...model.values import Chain, allowed, completed, defaults, dependent
+
+
+class Places:
+    """Evaluates results; ``loads`` are sizes of loads that nobody gives."""
+
+    def __init__(self, plan: Plan, parameter: str, loads: Mapping[str, float]) -> None:
+        pose = plan.graph.pose
+        self._mechanism = pose.mechanism
+        self._parameter = parameter
+        self.defaults = {**loads, **defaults(pose.mechanism)}
+        lets = {let.name: let.value for let in pose.mechanism.lets}
+        self._formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
+        self._chain = Chain(self._formulas)
+        self._known: dict[float, dict[str, float]] = {}
+
+    def values(self, place: float) -> dict[str, float]:
+        """Return all that has a value at a place; nothing where no pose is allowed."""
+        if place not in self._known:
+            values = self._chain.complete({**self.defaults, self._parameter: place})
+            self._known[place] = values if allowed(self._mechanism, values) else {}
+        return self._known[place]
+
+    def varying(self, result: Result) -> set[str]:
+        """Return the parameter and the names that vary with it, those of a result among them."""
+        formulas = {**self._formulas, **dict(result.where)}
+        varying = {self._parameter}
+        for _ in formulas:
+            varying |= {n for n, f in formulas.items() if not varying.isdisjoint(symbols(f))}
+        return varying
+
+    def of(self, result: Result, place: float) -> float:
+        """Return a result's value, NaN where it has none."""
+        return value(result.formula, named(result, self.values(place)))
+
+
+def named(result: Result, values: Mapping[str, float]) -> dict[str, float]:
+    """Return values with those of the names that a result mentions."""
+    return completed(values, (d for d in result.where if d.name not in values))
+
+
+def value(formula: Formula, values: Mapping[str, float]) -> float:
+    """Return the value of a formula, NaN where something in it has none."""
+    return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan

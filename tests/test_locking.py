@@ -1,0 +1,285 @@
+"""Where friction locks or jams a mechanism, against formulas by hand; courses of efficiencies."""
+
+import math
+
+import pytest
+
+import mechc
+from mechc.cli.main import main
+from mechc.driver import Compilation
+from mechc.formula.to_text import text
+from mechc.model.locking import Course, Locking, Stretch
+from mechc.model.result import Result
+from mechc.source import Source
+
+KNEE = """
+param l = 100 mm
+param alpha = 10 deg in {low} deg .. 45 deg
+param d = 10 mm
+pivot O
+slider C along y
+link OB
+link BC
+OB = l @ 90 deg - alpha
+BC = l @ 90 deg + alpha
+force P at B along -x
+force F at C along -y
+friction pins 0.1 diameter d
+{more}
+find k = P / F
+"""
+
+FEDORIV = """
+param alpha = {alpha} deg in 1 deg .. 45 deg
+param L = 80 mm
+param d = 10 mm
+param D = 30 mm
+slider A along x
+slider C along y
+link AC
+AC = L @ 90 deg - alpha
+force Q at A along x
+force W at C along -y
+friction pins 0.1 diameter d
+friction roller A 0.1 axle d wheel D
+find k = Q / W
+"""
+
+WEDGE = """
+param beta = 8 deg in 2 deg .. 30 deg
+param mu = 0.1
+slide WX along x
+slide AV along y
+contact A on WX normal 90 deg - beta
+force P at W along x
+force F at V along -y
+friction slider W mu
+friction contact A mu
+find k = P / F
+"""
+
+CRANK = """
+param a = 30 mm
+param alpha = 60 deg in 5 deg .. 175 deg
+pivot O
+link OA
+OA = a @ alpha
+force P at A along x
+torque M on OA
+friction pin O 0.3 diameter 60 mm
+{more}
+find k = P / M
+find i = M / P
+"""
+
+SLIDER_CRANK = """
+param r = 40 mm
+param l = 120 mm
+param phi = 40 deg
+drive phi from 1 deg to 179 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = r @ phi
+AB = l
+assembly B forward
+force F at B along x
+torque M on OA
+friction pins 0.15 diameter 12 mm
+friction slider B 0.1
+find k = F / M
+"""
+
+
+def results(description: str) -> dict[str, Result]:
+    return {r.name: r for r in Compilation(Source("test.mech", description)).results}
+
+
+def locking(description: str, name: str) -> Locking:
+    found = results(description)[name].locking
+    assert found is not None
+    return found
+
+
+def stretches(description: str, name: str) -> list[Stretch]:
+    (reach,) = locking(description, name).reaches
+    return list(reach.stretches)
+
+
+def course(description: str, name: str) -> Course:
+    (found,) = results(description)[name].courses
+    return found
+
+
+def degrees(*angles: float) -> list[float]:
+    return [math.degrees(angle) for angle in angles]
+
+
+# ------------------------------------------------------------------------- conditions
+
+
+def test_a_knee_locks_up_to_the_turn_of_its_rods():
+    (stretch,) = stretches(KNEE.format(low=0.1, more=""), "k_hold")
+    assert stretch.state == "locked"
+    assert stretch.low is None
+    assert stretch.high is not None
+    assert stretch.high.exact is not None
+    assert text(stretch.high.exact) == "delta_OB"
+    turn = math.asin(0.1 * 10 / 100)
+    assert stretch.high.place == pytest.approx(turn, rel=1e-14)
+    assert stretch.within == pytest.approx((math.radians(0.1), turn), rel=1e-12)
+
+
+def test_the_condition_is_told_where_it_is_out_of_range():
+    (stretch,) = stretches(KNEE.format(low=1, more=""), "k_hold")
+    assert stretch.high is not None
+    assert stretch.high.exact is not None
+    assert stretch.within is None
+
+
+def test_the_motion_named_releasing_locks_alike():
+    there, here = KNEE.format(low=0.1, more=""), KNEE.format(low=0.1, more="motion releasing")
+    assert stretches(there, "k_hold") == stretches(here, "k_f")
+    assert course(here, "eta_k").least == 0
+
+
+def test_fedoriv_locks_up_to_both_angles_of_friction():
+    """Fig. 1 of Fedoriv and Fedoriv: tan(α − β) ≤ tan φ₁ᵣ, β = asin(f·d/L)."""
+    (stretch,) = stretches(FEDORIV.format(alpha=10), "k_hold")
+    assert stretch.high is not None
+    assert stretch.high.exact is not None
+    assert text(stretch.high.exact) == "delta_AC + atan(d/(10*D))"
+    by_hand = math.asin(0.1 / 8) + math.atan(0.1 / 3)
+    assert stretch.high.place == pytest.approx(by_hand, rel=1e-14)
+
+
+@pytest.mark.parametrize(("along", "name"), [("x", "k_hold"), ("-x", "k_f")])
+def test_a_wedge_locks_up_to_twice_the_angle_of_friction(along, name):
+    """With P's arrow against the push k is negative, and P's motion along it the load's."""
+    description = WEDGE.replace("W along x", f"W along {along}")
+    (stretch,) = stretches(description, name)
+    assert stretch.high is not None
+    assert stretch.high.exact is not None
+    assert text(stretch.high.exact) == "phi_A + atan(mu)"
+    assert stretch.high.place == pytest.approx(2 * math.atan(0.1), rel=1e-14)
+    assert locking(description, name).state == "locked"
+
+
+def test_a_crank_locks_where_its_arm_is_inside_the_friction_circle():
+    """M turns the crank against P where a·sin α exceeds ρ, on either side."""
+    limit = math.degrees(math.asin(0.3 * 60 / 2 / 30))
+    for name, state in (("i_hold", "locked"), ("k_f", "jammed")):
+        first, last = stretches(CRANK.format(more=""), name)
+        assert {first.state, last.state} == {state}
+        assert first.within is not None
+        assert last.within is not None
+        assert degrees(*first.within) == pytest.approx([5, limit])
+        assert degrees(*last.within) == pytest.approx([180 - limit, 175])
+    for name in ("i_f", "k_hold"):
+        assert not stretches(CRANK.format(more=""), name)
+
+
+def test_without_a_range_the_condition_is_told_all_the_same():
+    description = KNEE.format(low=1, more="").replace(" in 1 deg .. 45 deg", "")
+    (reach,) = locking(description, "k_hold").reaches
+    assert reach.range is None
+    (stretch,) = reach.stretches
+    assert stretch.high is not None
+    assert stretch.high.exact is not None
+    assert stretch.within is None
+
+
+# ------------------------------------------------------------------------ closed poses
+
+
+def test_a_slider_crank_jams_near_both_dead_centres():
+    first, last = stretches(SLIDER_CRANK, "k_f")
+    assert (first.low, last.high) == (None, None)
+    assert first.high is not None
+    assert last.low is not None
+    mechanism = mechc.loads(SLIDER_CRANK)
+    for end, way in ((first.high.place, 1), (last.low.place, -1)):
+        beside, inside = (mechanism.evaluate(phi=end + way * x) for x in (1e-9, -1e-4))
+        assert beside["k_f"] > 1e5 * abs(beside["k"])
+        assert math.isnan(inside["k_f"])
+
+
+def test_no_force_turns_a_crank_from_beyond_its_friction_circle():
+    """Where the arm of the rod has another sign than without friction nothing balances."""
+    mechanism = mechc.loads(SLIDER_CRANK)
+    found = mechanism.evaluate(phi=[math.radians(x) for x in (0.5, 1, 177, 178.5, 179.5)])
+    assert all(math.isnan(k) for k in found["k_f"])
+
+
+@pytest.mark.parametrize("f", ["0", "0.1"])
+def test_a_lever_without_friction_has_a_ratio(f):
+    description = CRANK.format(more="").replace("pin O 0.3", f"pin O {f}")
+    found = mechc.loads(description).evaluate()
+    assert found["k_f"] >= found["k"] > 0
+
+
+# --------------------------------------------------------------------------- efficiency
+
+
+@pytest.mark.parametrize(
+    ("alpha", "eta"), [(1, 0.276), (2, 0.432), (5, 0.656), (10, 0.792), (20, 0.884), (45, 0.945)]
+)
+def test_efficiencies_of_fedoriv(alpha, eta):
+    found = mechc.loads(FEDORIV.format(alpha=alpha)).evaluate()
+    assert found["eta_k"] == pytest.approx(eta, abs=5e-4)
+
+
+def by_hand(alpha: float) -> float:
+    return math.tan(alpha) / (math.tan(alpha + math.asin(0.1 / 8)) + 0.1 / 3)
+
+
+def test_what_an_efficiency_runs_through():
+    found = course(FEDORIV.format(alpha=10), "eta_k")
+    assert found.least == pytest.approx(by_hand(math.radians(1)))
+    assert found.greatest == pytest.approx(by_hand(math.radians(45)))
+    ((low, high),) = found.usual
+    assert by_hand(low) == pytest.approx(0.9)
+    assert high == math.radians(45)
+
+
+def test_an_efficiency_is_nil_where_nothing_moves():
+    assert course(SLIDER_CRANK, "eta_k").least == 0
+
+
+def test_the_efficiency_of_what_the_load_drives_is_below_one():
+    """With the arrow of P turned round M drives, and P takes what arrives."""
+    description = CRANK.format(more="").replace("along x", "along -x")
+    found = mechc.loads(description).evaluate()
+    assert found["k"] < 0
+    assert 0 < found["eta_k"] < 1
+
+
+# ------------------------------------------------------------------------------ wording
+
+
+def told(description: str, tmp_path, capsys, *command: str) -> str:
+    path = tmp_path / "m.mech"
+    path.write_text(description, encoding="utf-8")
+    assert main([*command, str(path)]) == 0
+    return " ".join(capsys.readouterr().out.split())
+
+
+def test_check_tells_the_condition(tmp_path, capsys):
+    out = told(KNEE.format(low=0.1, more=""), tmp_path, capsys, "check")
+    assert "Self-locking: F alone moves nothing for alpha <= delta_OB (0.573 deg)" in out
+    assert "in the range given for 0.1 deg <= alpha <= 0.573 deg" in out
+    assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 for 5.19 deg" in out
+
+
+def test_check_tells_what_is_locked_as_given(tmp_path, capsys):
+    out = told(WEDGE, tmp_path, capsys, "check")
+    assert "Self-locking: F alone moves nothing at the values given." in out
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_the_report_tells_the_condition(language, tmp_path, capsys):
+    out = tmp_path / "m.tex"
+    description = FEDORIV.format(alpha=10)
+    told(description, tmp_path, capsys, "compile", "--lang", language, "-o", str(out))
+    assert r"$\alpha\leq \delta_{AC}+" in out.read_text("utf-8")
