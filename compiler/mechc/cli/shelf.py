@@ -13,8 +13,11 @@ from ..files import library, read
 from ..formula.to_text import text
 from .session import Command
 
-WIDTHS = {"title": 46, "source": 34}
-"""Longest shown of a column on a terminal; ``--json`` has all of it."""
+TERMINAL = 80
+"""Columns of a terminal, which names and titles share."""
+
+SOURCE = 34
+"""Longest source shown; ``--json`` has all of it."""
 
 
 class Row(NamedTuple):
@@ -63,16 +66,17 @@ def table(rows: list[Row], columns: int) -> Iterator[str]:
     NAME  TITLE         SOURCE  RESULT
     jack  Scissor jack  a book  k = tan(alpha)
     """
-    lines = [Row("NAME", "TITLE", "SOURCE", "RESULT"), *map(_short, rows)]
+    named = max((len(row.name) for row in rows), default=0)
+    short = (_short(row, TERMINAL - named - 2) for row in rows)
+    lines = [Row("NAME", "TITLE", "SOURCE", "RESULT"), *short]
     widths = [max(len(row[i]) for row in lines) for i in range(columns)]
     for row in lines:
         cells = zip(row, widths, strict=False)
         yield "  ".join(cell.ljust(width) for cell, width in cells).rstrip()
 
 
-def _short(row: Row) -> Row:
-    cut = {name: _cut(getattr(row, name), width) for name, width in WIDTHS.items()}
-    return row._replace(**cut)
+def _short(row: Row, title: int) -> Row:
+    return row._replace(title=_cut(row.title, title), source=_cut(row.source, SOURCE))
 
 
 def _cut(cell: str, width: int) -> str:
