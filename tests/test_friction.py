@@ -1,5 +1,8 @@
 """Friction inside k: the seeds' references, limits, laws."""
 
+import math
+from pathlib import Path
+
 import pytest
 
 import mechc
@@ -75,3 +78,34 @@ def test_parallel_forces_on_a_lever_need_no_root(side, way, b, tightening, relea
     at = {"a": 0.15, "b": b, "r": 0.008, "f": 0.15}
     for name, formula in (("k_f", tightening), ("k_hold", releasing)):
         assert found[name] == pytest.approx(eval(formula, {}, at), rel=1e-12)
+
+
+LIBRARY = Path(__file__).parent.parent / "library"
+
+
+def test_a_lever_that_stands_still_does_not_rub_on_its_pivot():
+    """At its dead centre the rod is turned by 2ρ/L alone: S·(a·cos δ + ρ) = F·b."""
+    a, b, rho, delta = 0.08, 0.12, 0.0005, math.asin(2 * 0.0005 / 0.05)
+    found = mechc.load("karpenko_fig7_with_friction").evaluate(alpha=0.0)
+    size = b / (a * math.cos(delta) + rho)
+    expected = size * (math.sin(delta) + 0.1 / 3 * math.cos(delta))
+    assert found["k_f"] == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "smooth"),
+    [
+        ("d45_16_wedge_hook_with_friction", "rho  = 0 deg"),
+        ("fedoriv_fig2a_with_friction", "f     = 0"),
+    ],
+)
+def test_formulas_stay_whole_where_a_coefficient_is_zero(name, smooth):
+    text = (LIBRARY / f"{name}.mech").read_text("utf-8")
+    parameter = f"param {smooth.split('=')[0]}"
+    lines = [n for n in text.splitlines() if " at " not in n or not n.startswith("expect")]
+    smoothed = [f"param {smooth}" if n.startswith(parameter) else n for n in lines]
+    assert smoothed != lines
+    solved = mechc.loads("\n".join(smoothed))
+    assert not solved.warnings
+    found = solved.evaluate()
+    assert found["k_f"] == found["k_hold"] == pytest.approx(found["k"], rel=1e-14)

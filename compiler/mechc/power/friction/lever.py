@@ -21,7 +21,6 @@ from ...algebra.product import ONE, Product
 from ...algebra.sums import add
 from ...formula.tree import (
     Call,
-    Symbol,
     negative,
     number,
     power,
@@ -74,6 +73,8 @@ def on_lever(
     across = -across if across.coefficient < 0 else across
     bearing = bearing._replace(turn=bearing.turn.scaled(way))
     turn = signs.of(f"s_{label}_arm", arm) * bearing.turn
+    if not turn:
+        return Balanced(-(rest / arm))
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
     return _root(label, (arm, rest, along, across), bearing, turn, signs)
@@ -93,19 +94,23 @@ def _parallel(
 def _root(
     label: str, parts: Sequence[Product], bearing: Bearing, turn: Product, signs: Signs
 ) -> Balanced:
-    """Return the root of the quadratic, with what it is made of by names."""
+    """Return the root of the quadratic, with what it is made of by names.
+
+    In code the radius has the sign of the turn: where that is zero, nothing rubs.
+    """
     a, b, c, q = (
         signs.named(f"{letter}_{label}", part).formula()
         for letter, part in zip("abcq", parts, strict=True)
     )
-    radius = Symbol(signs.define(f"rho_{bearing.pivot}", bearing.radius.formula()))
+    sense, signed = (ONE, turn * bearing.radius) if turn.factors else (turn, bearing.radius)
+    radius = signs.named(f"rho_{bearing.pivot}", signed).formula()
     gap = total([product([(a, 1), (c, 1)]), negative(b)])
     square = total([power(a, TWO), negative(power(radius, TWO))])
     inside = total([power(gap, TWO), product([(square, 1), (q, 2)])])
     above = [
         negative(product([(a, 1), (b, 1)])),
         product([(radius, 2), (c, 1)]),
-        product([(turn.formula(), 1), (radius, 1), (Call("sqrt", (inside,)), 1)]),
+        product([(sense.formula(), 1), (radius, 1), (Call("sqrt", (inside,)), 1)]),
     ]
     ahead = product([(bearing.turn.formula(), 1), (negative(gap), 1)])
     root, turns = quotient(total(above), square), Call("max", (square, ahead))

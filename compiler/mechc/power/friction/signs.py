@@ -111,10 +111,15 @@ class AtOnePose(_Names):
         return Product(sign).scaled(telling.coefficient)
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
-        """Return the line turned by a positive angle, one way or the other."""
-        sign = _sign(value.evaluate(self._values)) if value else 0
-        if not sign:
+        """Return the line turned by a positive angle, one way or the other.
+
+        A coefficient of friction that is zero for once turns as a small one would.
+        """
+        if not value:
             return line
+        sign = _sign(value.coefficient)
+        for factor, exponent in value.factors.items():
+            sign *= _sign(Product.of(factor, exponent).evaluate(self._values)) or 1
         size = value.scaled(sign)
         known = _angle_of(size) if by == "atan" else None
         if known and abs(known.evaluate(self._values)) < math.pi / 2:
