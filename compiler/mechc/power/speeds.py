@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ..algebra.angle import Rational
 from ..algebra.factors import Factor, Opaque, Trig
+from ..algebra.from_formula import to_product
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
@@ -99,6 +100,16 @@ def _barred(value: Product) -> Product:
     if not value.factors:
         return value
     return Product.of(Opaque(Call("abs", (value.formula(),))))
+
+
+def even(value: Product) -> Product:
+    """Return a product without bars around what has an even power."""
+    result = value
+    for factor, exponent in value.factors.items():
+        match factor:
+            case Opaque(Call("abs", (inner,))) if exponent % 2 == 0:
+                result = result * Product.of(factor, -exponent) * to_product(inner) ** exponent
+    return result
 
 
 def length(vector: Vector) -> Product:

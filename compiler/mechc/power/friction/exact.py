@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from ...algebra.from_formula import to_product
 from ...algebra.sums import add
 from ...formula.tree import (
     Call,
@@ -26,7 +27,7 @@ from ...frozen import frozen
 from ...model.mechanism import Mechanism
 from ...model.result import Definition
 from ..joint_forces import size_of
-from ..speeds import magnitude
+from ..speeds import even, magnitude
 from .closed import Named, readable
 from .pressing import Component, Pressed
 
@@ -45,8 +46,8 @@ def first_order(
             alone.append(p.rub.factor * magnitude(parts[0] * p.slip, mechanism))
         elif parts:
             x, y = parts
-            size, slip = size_of(x, y, mechanism), magnitude(p.slip, mechanism).formula()
-            paired.append(product([(p.rub.factor.formula(), 1), (size, 1), (slip, 1)]))
+            size = to_product(size_of(x, y, mechanism))
+            paired.append(even(p.rub.factor * size * magnitude(p.slip, mechanism)).formula())
     added = total([readable(add(alone)), *paired])
     return Named(total([ideal, added if sense > 0 else negative(added)]))
 
