@@ -283,3 +283,35 @@ def test_the_report_tells_the_condition(language, tmp_path, capsys):
     description = FEDORIV.format(alpha=10)
     told(description, tmp_path, capsys, "compile", "--lang", language, "-o", str(out))
     assert r"$\alpha\leq \delta_{AC}+" in out.read_text("utf-8")
+
+
+# ------------------------------------------------------------------------------- stroke
+
+
+def test_the_stroke_takes_signs_from_each_pose():
+    """Slips at B change their sign in the middle, where the printed case ends."""
+    mechanism = mechc.loads(SLIDER_CRANK)
+    stroke = mechanism.stroke(points=9)
+    names = [c.name for c in stroke.columns]
+    found = mechanism.evaluate(phi=[row.drive for row in stroke.rows])
+    for name in ("k_f", "k_f1", "k_hold", "eta_k"):
+        column = [row.values[names.index(name)] for row in stroke.rows]
+        assert column == pytest.approx(list(found[name]), rel=1e-12, nan_ok=True)
+    assert math.isnan(stroke.rows[0].values[names.index("k_f")])
+
+
+def test_the_stroke_tells_where_nothing_moves():
+    stroke = mechc.loads(SLIDER_CRANK).stroke()
+    first, last = stretches(SLIDER_CRANK, "k_f")
+    assert [(s.result, s.state, s.low, s.high) for s in stroke.stuck] == [
+        ("k_f", "jammed", *(first.within or ())),
+        ("k_f", "jammed", *(last.within or ())),
+    ]
+    ((name, found),) = stroke.courses
+    assert (name, found) == ("eta_k", course(SLIDER_CRANK, "eta_k"))
+
+
+def test_the_table_of_the_stroke_tells_it_in_words(tmp_path, capsys):
+    out = told(KNEE.format(low=0.1, more="drive alpha"), tmp_path, capsys, "stroke")
+    assert "k_hold: self-locking, the load alone moves nothing, from alpha = 0.1 deg" in out
+    assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 from alpha" in out

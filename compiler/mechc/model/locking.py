@@ -13,6 +13,9 @@ State = Literal["free", "locked", "jammed"]
 
 Range = tuple[float, float]
 
+USUAL: Range = (0.9, 0.95)
+"""The efficiency that textbooks assume of oiled joints (Karpenko: η = 0.9 … 0.95)."""
+
 
 class Bound(NamedTuple):
     """An end of a stretch, and the same as a formula where one is known."""
@@ -64,7 +67,7 @@ class Locking:
 class Course:
     """What an efficiency runs through over a parameter's range, 0 where all is stuck.
 
-    ``usual`` are the stretches on which it is as textbooks assume, 0.9 … 0.95.
+    ``usual`` are the stretches on which it is in :data:`USUAL`.
     """
 
     parameter: str

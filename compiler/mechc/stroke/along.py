@@ -8,7 +8,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..kinematics.plan import Plan
 from ..model.result import Result
-from ..model.values import Chain, Values, allowed, completed, defaults, dependent
+from ..model.values import Chain, Values, allowed, completed, defaults, dependent, holds
 
 NOT_ASSEMBLED = "cannot be assembled"
 EXCLUDED = "excluded by a condition of use"
@@ -42,10 +42,15 @@ class Along:
         return self._known[place]
 
     def of(self, formula: Formula, where: Result | None, place: float) -> float:
-        """Return a formula's value, with the definitions of a result; NaN where it has none."""
+        """Return a formula's value, with the definitions of a result; NaN where it has none.
+
+        It has none either where a condition of the result is broken.
+        """
         values = self.values(place)
         if where:
             values = completed(values, (d for d in where.where if d.name not in values))
+            if not all(holds(guard, values) for guard in where.guards):
+                return math.nan
         return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan
 
     def inside(self, value: Product, place: float) -> float:

@@ -18,6 +18,7 @@ from .along import NOT_ASSEMBLED, Along
 from .branches import branch_points
 from .ends import end_of_branch
 from .extrema import extrema
+from .friction import courses, in_code, some, stuck
 from .singular import BESIDE, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
@@ -87,6 +88,7 @@ class _Runner:
         self._parameter, self._low, self._high = parameter, low, high
         self._along = Along(balance.plan, _plain_lets(self._pose.mechanism))
         shown = [r for r in results if r.default is not None or r.target is not None]
+        shown = [in_code(r, balance) for r in shown]
         self._results = [r for r in shown if not self._is_open(r)]
         self._ratios = [r for r in self._results if isinstance(r.target, LoadRatio)]
         self._places = _spaced(low, high, SAMPLES)
@@ -117,6 +119,8 @@ class _Runner:
             self._singular(stretches, branches),
             tuple(branches),
             self._extrema(stretches),
+            tuple(stuck(self._results, self._parameter.name)),
+            tuple(courses(self._results, self._parameter.name)),
             self._along.defaults,
         )
 
@@ -238,7 +242,7 @@ class _Runner:
             extremum
             for stretch in stretches
             for result in self._results
-            for extremum in extrema(result, name, self._along, self._within(stretch))
+            for extremum in extrema(result, name, self._along, some(self._within(stretch), result))
         ]
         near = BESIDE * (self._high - self._low)
         clear = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]

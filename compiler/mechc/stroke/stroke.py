@@ -5,6 +5,7 @@ from typing import Literal, NamedTuple
 
 from ..formula.tree import Formula
 from ..frozen import frozen
+from ..model.locking import Course, State
 from ..units import Dimension
 
 Kind = Literal["output still", "drive locked", "branch point", "perpendicular load", "other"]
@@ -75,9 +76,21 @@ class Extremum(NamedTuple):
     value: float
 
 
+class Stuck(NamedTuple):
+    """A part of the stroke on which a result with friction is locked, or jammed."""
+
+    result: str
+    state: State
+    low: float
+    high: float
+
+
 @frozen
 class Stroke:
-    """Everything along the stroke of one mechanism; all in SI and radians."""
+    """Everything along the stroke of one mechanism; all in SI and radians.
+
+    ``courses`` tell of each efficiency what it runs through.
+    """
 
     drive: str
     dimension: Dimension
@@ -90,4 +103,6 @@ class Stroke:
     singular: tuple[Singular, ...]
     branches: tuple[Branch, ...]
     extrema: tuple[Extremum, ...]
+    stuck: tuple[Stuck, ...]
+    courses: tuple[tuple[str, Course], ...]
     defaults: Mapping[str, float]

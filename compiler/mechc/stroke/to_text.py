@@ -6,8 +6,9 @@ import math
 from collections.abc import Collection, Iterator, Sequence
 
 from ..formula.to_text import text
+from ..model.locking import USUAL, Course
 from ..units import ANGLE, UNITS, Dimension
-from .stroke import Branch, Column, Content, Extremum, Singular, Stretch, Stroke
+from .stroke import Branch, Column, Content, Extremum, Singular, Stretch, Stroke, Stuck
 
 
 def to_csv(stroke: Stroke) -> str:
@@ -47,6 +48,8 @@ def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
     yield from (_branch(b, stroke) for b in stroke.branches)
     yield from (_singular(s, stroke) for s in stroke.singular)
     yield from (_extremum(e, stroke) for e in stroke.extrema)
+    yield from (_stuck(s, stroke) for s in stroke.stuck)
+    yield from (_course(name, course, stroke) for name, course in stroke.courses)
 
 
 def _cells(values: Sequence[float], columns: Sequence[Column]) -> list[str]:
@@ -117,3 +120,24 @@ def _singular(found: Singular, stroke: Stroke) -> str:
 
 def _extremum(found: Extremum, stroke: Stroke) -> str:
     return f"{found.result} has a {found.kind} {found.value:.13g} at {_at(found.drive, stroke)}"
+
+
+def _stuck(found: Stuck, stroke: Stroke) -> str:
+    says = {
+        "free": "",
+        "locked": "self-locking, the load alone moves nothing,",
+        "jammed": "jammed, no force of the drive moves anything,",
+    }
+    return f"{found.result}: {says[found.state]} from {_span(found.low, found.high, stroke)}"
+
+
+def _course(name: str, course: Course, stroke: Stroke) -> str:
+    parts = " and ".join(f"from {_span(*part, stroke)}" for part in course.usual)
+    return (
+        f"{name} runs from {course.least:.3g} to {course.greatest:.3g}; "
+        f"it is between {USUAL[0]} and {USUAL[1]} {parts or 'nowhere'}"
+    )
+
+
+def _span(low: float, high: float, stroke: Stroke) -> str:
+    return f"{_at(low, stroke)} to {_at(high, stroke)}"

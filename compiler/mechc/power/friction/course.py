@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from ...formula.roots import halved, lowest
-from ...model.locking import Course, Range
+from ...model.locking import USUAL, Course, Range
 from ...model.mechanism import Efficiency, WithFriction
 from ...model.result import Result
 from ..balance import Balance
@@ -15,9 +15,6 @@ from .states import Moving
 
 PLACES, ITERATED = 48, 12
 """Places at which a range is looked at; fewer where friction is found by iteration."""
-
-USUAL = (0.9, 0.95)
-"""What textbooks assume of joints that are oiled."""
 
 
 def courses(balance: Balance, efficiency: Result) -> Iterator[Course]:
