@@ -255,6 +255,12 @@ def test_check_says_what_it_found(run: Mechc) -> None:
     assert run("check", "--quiet", "clamp.mech").out == ""
 
 
+def test_check_tells_a_given_load_once_in_its_unit(run: Mechc) -> None:
+    lines = run("check", "tongs_fig4_9_forces").out.splitlines()
+    assert "  N = 500 N" in lines
+    assert not any("where N" in line for line in lines)
+
+
 def test_check_goes_through_all_files(run: Mechc) -> None:
     status, out, err = run("check", "wrong.mech", "clamp.mech")
     assert status == 1

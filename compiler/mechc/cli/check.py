@@ -13,6 +13,7 @@ from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
 from ..formula.to_text import text
+from ..formula.tree import Number
 from ..model.mechanism import GRAVITY
 from ..model.result import Definition, Result
 from ..source import Source
@@ -65,16 +66,24 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
     spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
-    told = Told()
+    told, given = Told(), {r.name for r in compilation.results if _is_given(r)}
     for result in compilation.results:
-        yield from _of_result(result, told.of(result))
+        yield from _of_result(result, [d for d in told.of(result) if d.name not in given])
         yield from (f"    {line}" for line in friction_remarks(result, WORDS, spell))
     for finding in compilation.findings:
         yield f"  {_of_finding(finding, compilation.source)}"
     yield from _of_verdict(compilation.verdict, verbose)
 
 
+def _is_given(result: Result) -> bool:
+    """Tell a value that the description gives, such as a load's, from what was found."""
+    return result.target is None and isinstance(result.formula, Number)
+
+
 def _of_result(result: Result, where: Iterable[Definition]) -> Iterator[str]:
+    if _is_given(result) and result.default is not None:
+        yield f"  {result.name} = {result.default:.9g} {si_unit(result.dimension)}".rstrip()
+        return
     yield f"  {result.name} = {text(result.formula)}"
     for group in grouped((name, by_letter(formula)) for name, formula in where):
         yield from _of_definition(group)
