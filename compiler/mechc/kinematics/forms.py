@@ -34,6 +34,15 @@ def subtract(left: Form, right: Form) -> Form:
     return _collected(terms)
 
 
+def combined(parts: Iterable[tuple[Product, Form]]) -> Form:
+    """Return the sum of forms, each times a factor."""
+    terms: dict[int, list[Product]] = {}
+    for factor, form in parts:
+        for u, p in form.items():
+            terms.setdefault(u, []).append(factor * p)
+    return _collected(terms)
+
+
 def parting(graph: Graph, pair: Thrust, line: Angle) -> Form:
     """Return the rate at which the points of a pair part along a line.
 

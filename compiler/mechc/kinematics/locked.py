@@ -50,6 +50,8 @@ def _parts(graph: Graph, unknowns: Sequence[int], held: Sequence[Relation]) -> I
 
 def described(relation: Relation) -> str:
     """Return the part of the mechanism that demands a relation."""
+    if relation.rule is Rule.HELD:
+        return "a load that is held still"
     point, body = relation.points[0], relation.link
     match relation.rule:
         case Rule.SLOT:

@@ -9,7 +9,7 @@ guide), or a *touch* (slot, contact). Let go along a direction, it keeps everyth
 a pin does not part across it, a pivot moves along it only.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
@@ -22,7 +22,7 @@ from ..model.mechanism import Force, Link, Load, Mechanism, Thrust, Torque
 from ..pose.pose import Pose, Touch
 from ..source import Source, Span
 from .builder import Builder
-from .forms import QUARTER, leaving, parting, projection, scaled, spin, subtract
+from .forms import QUARTER, combined, leaving, parting, projection, scaled, spin, subtract
 from .graph import Form, Graph, Relation, Rule
 from .plan import Plan, Speeds
 from .planning import plan_of
@@ -79,16 +79,21 @@ class Loosened:
     parting: Speeds
 
 
+Share = tuple[Product, Load]
+"""A load by how much of it there is for a unit of the free load that it is tied to."""
+
+
 def loosened(
-    pose: Pose, bond: Bond, along: Angle, held: Iterable[Load], taken: frozenset[str]
+    pose: Pose, bond: Bond, along: Angle, held: Iterable[Sequence[Share]], taken: frozenset[str]
 ) -> Loosened | None:
     """Return the motions that are left with a bond let go along a direction.
 
-    The loads in ``held`` do no work in them. None where nothing moves: then other bonds do
-    the same as this one. Long sums get names that are not ``taken``.
+    Each free load in ``held`` does no work in them, with all that are tied to it. None where
+    nothing moves: then other bonds do the same as this one. Long sums get names that are not
+    ``taken``.
     """
     let_go = _released(pose, bond, along)
-    measures = [*let_go.holding, *(work_of(load) for load in held)]
+    measures = [*let_go.holding, *map(work_of, held)]
     graph = _held_still(Builder(let_go.pose).graph(), measures, pose.mechanism.span)
     try:
         plan = plan_of(graph, Report(Source("", "")), taken)
@@ -97,8 +102,15 @@ def loosened(
     return Loosened(plan, plan.value(let_go.parting(graph)))
 
 
-def work_of(load: Load) -> Measure:
-    """Return the speed with which a load does its work."""
+def work_of(shares: Sequence[Share]) -> Measure:
+    """Return the speed with which a free load does its work, with all that are tied to it."""
+    if len(shares) == 1:
+        return _speed_of(shares[0][1])
+    measures = [(part, _speed_of(load)) for part, load in shares]
+    return lambda graph: combined((part, measure(graph)) for part, measure in measures)
+
+
+def _speed_of(load: Load) -> Measure:
     match load:
         case Force(name, point):
             return lambda graph: projection(graph.velocities[point], graph.pose.lines[name])

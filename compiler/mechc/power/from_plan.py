@@ -28,6 +28,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Definition, Result
+from ..source import Span
 from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
 from .definitions import intermediates, let_results, resting_on
@@ -60,6 +61,7 @@ class _Asked:
         self._equations = Equations(self._terms)
         self._loads = {load.name: load for load in self._mechanism.loads}
         self._solved_so_far: list[Solved] = []
+        self._without_lengths: set[Span] = set()
 
     def balance(self) -> Balance:
         """Return the whole."""
@@ -180,7 +182,10 @@ class _Asked:
     def _rubbing(self, find: Find, of: Target) -> Solved | None:
         ideal = next((s.result for s in self._solved_so_far if s.result.target == of), None)
         result = self._friction.find(find, ideal) if ideal else None
-        return Solved(result) if result else None
+        if result is None:
+            return None
+        self._check_lengths(find, [result.formula, *(d.formula for d in result.where)])
+        return Solved(result)
 
     @cached_property
     def _friction(self) -> "FrictionResults":
@@ -274,7 +279,9 @@ class _Asked:
         missing = [n for n in self._plan.graph.pose.placeholders if n in used]
         if missing:
             names = [n.removeprefix("len_") for n in missing]
-            self._report.add(words.length_not_given(find.span, find.name, names))
+            if find.span not in self._without_lengths:
+                self._report.add(words.length_not_given(find.span, find.name, names))
+            self._without_lengths.add(find.span)
 
 
 def _rate(wanted: Speed) -> Dimension:

@@ -15,8 +15,11 @@ from ..kinematics.release import Bond, held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
 from ..pose.pose import Pose
 from .balance import Release
+from .numbers import pose_values
 from .reactions import Reactions, Transmitted
 from .speeds import magnitude, root
+
+HALF_TURN = Angle.constant(180)
 
 Amounts = Mapping[str, Product]
 
@@ -77,6 +80,11 @@ def holding(point: str, pose: Pose) -> Bond:
     """Return what presses on a point across a line: a slot, a contact, a guide."""
     if any(touch.point == point for touch in pose.touches):
         return Bond("touch", point)
+    return guiding(point, pose)
+
+
+def guiding(point: str, pose: Pose) -> Bond:
+    """Return what the guide of a point holds: the point, or the body that it belongs to."""
     slides = (slide.name for slide in pose.mechanism.slides if point in slide.points)
     name = next(slides, "")
     return Bond("slide", point, name) if name else Bond("ground", point)
@@ -89,11 +97,21 @@ def line_of(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
             return QUARTER if part == "y" else Angle()
         case Axial(link, tail, head):
             end = bond_of(target, pose).point
-            return pose.vector(link, *((tail, head) if end == head else (head, tail)))[0].angle
+            return _outwards(link, *((tail, head) if end == head else (head, tail)), pose)
         case Normal(point):
             touch = next((t for t in pose.touches if t.point == point), None)
             guide = pose.guide_of(point) or Angle()
             return touch.normal if touch else guide + QUARTER
+
+
+def _outwards(link: str, tail: str, head: str, pose: Pose) -> Angle:
+    """Return the direction of a rod; its length may be a difference such as (m − 1)·a."""
+    arm = pose.vector(link, tail, head)[0]
+    try:
+        turned = arm.length.evaluate(pose_values(pose)) < 0
+    except KeyError:
+        turned = False
+    return arm.angle + HALF_TURN if turned else arm.angle
 
 
 def _linear(transmitted: Transmitted, amounts: Amounts) -> Found:

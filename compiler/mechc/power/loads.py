@@ -40,6 +40,20 @@ def _tie(formula: Formula, names: set[str]) -> tuple[str, Product] | None:
     return None
 
 
+def shares(mechanism: Mechanism, owner: str) -> tuple[tuple[Product, Load], ...]:
+    """Return a free load and those tied to it, each by how much of it a unit of the first means."""
+    names = {load.name for load in mechanism.loads}
+    ties = {k.name: _tie(k.tie, names) if k.tie is not None else None for k in mechanism.loads}
+    found = []
+    for load in mechanism.loads:
+        name, part = load.name, Product(rational(load.times * occurrences(mechanism, load)))
+        while (tie := ties[name]) is not None:
+            name, part = tie[0], part * tie[1]
+        if name == owner:
+            found.append((part, load))
+    return tuple(found)
+
+
 def occurrences(mechanism: Mechanism, load: Load) -> Fraction:
     """Return how often a load acts: once on what is shared, else on each half or branch."""
     return repeated(mechanism, _points(mechanism, load))

@@ -16,6 +16,7 @@ from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Find, Force, LoadRatio
 from ..model.result import Result
 from ..model.values import Chain, completed, defaults, dependent
+from ..pose.pose import Pose
 from .balance import Balance, Solved, Term
 
 NIL = 1e-12
@@ -39,7 +40,11 @@ def check_numbers(balance: Balance, report: Report) -> Balance:
 
 def default_values(plan: Plan) -> dict[str, float]:
     """Return the values of parameters, intermediates, and bound sums at the default pose."""
-    pose = plan.graph.pose
+    return pose_values(plan.graph.pose)
+
+
+def pose_values(pose: Pose) -> dict[str, float]:
+    """Return the values that a pose has by default."""
     chain = Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
     open_lengths = dict.fromkeys(pose.placeholders, 1.0)
     return chain.complete({**defaults(pose.mechanism), **open_lengths})

@@ -20,7 +20,7 @@ from ..model.mechanism import Absolute, Force
 from ..pose.pose import Pose
 from .balance import Release, Term
 from .equations import Equations
-from .loads import repeated, terms
+from .loads import repeated, shares, terms
 
 HERE = "reaction"
 """What the force of a bond is called while it is a load; no name of a description."""
@@ -72,7 +72,7 @@ class Reactions:
     def __init__(self, pose: Pose, driving: Iterable[str], more: More = lambda plan: ()) -> None:
         self._pose, self._more = pose, more
         self._driving = tuple(driving)
-        self._held = [k for k in pose.mechanism.loads if k.name in self._driving]
+        self._held = [shares(pose.mechanism, name) for name in self._driving]
         self._known: dict[Bond, Transmitted | None] = {}
         self._taken: frozenset[str] = frozenset()
 

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Mapping
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from ..frozen import frozen
 
@@ -94,6 +94,19 @@ class Wrench(NamedTuple):
 
 
 Action = Push | Couple | Wrench
+
+
+def scaled(action: Action, factor: float) -> Action:
+    """Return an action times a number."""
+    match action:
+        case Push(point, force):
+            return Push(point, force.times(factor))
+        case Couple(body, moment):
+            return Couple(body, moment * factor)
+        case Wrench(body, force, moment):
+            return Wrench(body, force.times(factor), moment * factor)
+        case _:
+            assert_never(action)
 
 
 @frozen

@@ -23,8 +23,8 @@ from ..model.mechanism import (
     RubbingThread,
     WithFriction,
 )
-from .answers import INCONSISTENT, Answer, Row, gather, ties, with_loads
-from .assembly import Action, direction
+from .answers import INCONSISTENT, Answer, Row, Tie, gather, ties, with_loads
+from .assembly import Action, direction, scaled
 from .free_bodies import System, equilibrium
 from .joint_forces import Weights, wanted_of
 from .solve import Factors, factor
@@ -88,7 +88,7 @@ def with_friction(
     if question.factors.gap(ideal, right) > INCONSISTENT:
         return Answer(math.nan, math.inf, "no forces at the joints balance the loads")
     sense = 1.0 if target.sense == "tightening" else -1.0
-    reference = unfolding.assembly().loads[drive.base]
+    reference = tuple(_drive(unfolding, tied, drive.base))
     loads = [_resisting(question, unfolding, p, reference, sense) for p in pairs]
     responses = [question.factors.solve(load) for load in loads]
     frictions = _repeated(question, pairs, ideal, responses)
@@ -97,6 +97,13 @@ def with_friction(
     parts = [(right, 1.0), *zip(loads, frictions, strict=True)]
     weights = _weights(target, unfolding, question, drive.factor)
     return _combined([_answer(question, w, parts) for w in weights])
+
+
+def _drive(unfolding: Unfolding, tied: Mapping[str, Tie], base: str) -> Iterator[Action]:
+    """Yield what a unit of the driving load does, with the loads that are tied to it."""
+    for name, actions in unfolding.assembly().loads.items():
+        if tied[name].base == base:
+            yield from (scaled(action, tied[name].factor) for action in actions)
 
 
 def _weights(

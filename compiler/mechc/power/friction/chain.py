@@ -148,7 +148,7 @@ class Chain:
         self._settle(unknown, size)
         if surface:
             pressing = add(p.across(guide) for p in (*known, unknown.scaled(size)))
-            self.conditions.append(Condition(side, pressing))
+            self._keep(side, pressing)
 
     def _pin(self, body: str, unknown: Sequence[Pull], known: Sequence[Pull]) -> None:
         for one, other in (unknown, unknown[::-1]):
@@ -173,8 +173,15 @@ class Chain:
             size = self._signs.named(pull.name, size)
         self.sizes[pull.name] = size
         if rod and self._surfaces(rod):
-            self.conditions.append(Condition(self._pressed(rod), self.sizes[pull.name]))
+            self._keep(self._pressed(rod), self.sizes[pull.name])
         touch = self._bodies.touch(pull.name)
         if touch and (surface := self._bodies.face(touch)):
             side = self._signs.of(f"s_{touch.point}", surface.pressed)
-            self.conditions.append(Condition(side, self.sizes[pull.name]))
+            self._keep(side, self.sizes[pull.name])
+
+    def _keep(self, sign: Product, force: Product) -> None:
+        """Note that a force keeps its ideal sign; one that only friction brings about has none."""
+        if force and not sign:
+            raise Entangled
+        if force:
+            self.conditions.append(Condition(sign, force))

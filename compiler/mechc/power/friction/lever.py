@@ -57,6 +57,10 @@ def on_lever(
     unknown: Pull, known: Sequence[Pull], arms: Arms, bearing: Bearing | None, signs: Signs
 ) -> Balanced:
     """Return the size of the unknown pull on a lever that is in balance."""
+    if unknown.line is not None and unknown.size != ONE:
+        part = ONE / unknown.size
+        found = on_lever(unknown.scaled(part), known, arms, bearing, signs)
+        return found._replace(size=found.size * part)
     arm = moment(unknown, arms)
     rest = add(moment(p, arms) for p in known)
     if bearing is None:

@@ -147,10 +147,10 @@ class FrictionResults:
         yield lambda signs: Straight(ideal, pressed, signs, sense)
 
     def _printed(self, way: Callable[[Signs], Way], factor: Product) -> Printed | None:
-        """Return the closed form for the default pose; None where something has no value."""
+        """Return the closed form for the default pose; None where a value or a sign is missing."""
         try:
             return printed_form(way, factor, self._values())
-        except KeyError:
+        except (KeyError, Entangled):
             return None
 
     def _values(self) -> dict[str, float]:

@@ -24,7 +24,7 @@ from ...model.mechanism import (
     RubbingThread,
 )
 from ...pose.pose import Pose, Touch
-from ..joint_forces import holding
+from ..joint_forces import guiding
 from ..loads import repeated
 
 
@@ -61,7 +61,7 @@ def _of(rubbing: Rubbing, pose: Pose) -> Iterator[Rub]:
         case RubbingPin():
             yield from _pin(rubbing, pose)
         case RubbingGuide(point, factor):
-            bond = holding(point, pose)
+            bond = guiding(point, pose)
             guide = pose.guide_of(point)
             if guide is not None and not _is_shared(bond, pose):
                 along = guide
