@@ -233,9 +233,12 @@ class Assembly:
     lengths: dict[tuple[str, str], float]
 
 
-def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
-    """Return the mechanism as numbers, unfolded where it is mirrored."""
-    whole = _as_described(file, values, seed)
+def assemble(file: ast.File, values: Values, seed: int = 1, arms: Arms | None = None) -> Assembly:
+    """Return the mechanism as numbers, unfolded where it is mirrored.
+
+    ``arms`` are the vectors between its points where loops have to be closed for them.
+    """
+    whole = _as_described(file, values, seed, arms)
     for axis, shared in _mirrors(file, values):
         _unfold(whole, axis, shared)
     for c in every(file, ast.Copies):
@@ -243,9 +246,11 @@ def assemble(file: ast.File, values: Values, seed: int = 1) -> Assembly:
     return whole
 
 
-def assemble_half(file: ast.File, values: Values, seed: int = 1) -> Assembly:
+def assemble_half(
+    file: ast.File, values: Values, seed: int = 1, arms: Arms | None = None
+) -> Assembly:
     """Return what is described: one half or one branch, the mirror guiding what is shared."""
-    half = _as_described(file, values, seed)
+    half = _as_described(file, values, seed, arms)
     for axis, shared in _mirrors(file, values):
         half.guides |= dict.fromkeys(shared - half.pivots - half.guides.keys(), axis)
     return half
@@ -257,8 +262,8 @@ def _mirrors(file: ast.File, values: Values) -> Iterator[tuple[complex, set[str]
         yield cmath.rect(1, angle_of(m.across, values, arms)), {name.text for name in m.sharing}
 
 
-def _as_described(file: ast.File, values: Values, seed: int) -> Assembly:
-    arms, guess = arms_of(file, values), random.Random(seed)
+def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None = None) -> Assembly:
+    arms, guess = arms or arms_of(file, values), random.Random(seed)
     links = {
         s.points.text: frame(points_of(s.points.text), arms, guess) for s in every(file, ast.Link)
     }

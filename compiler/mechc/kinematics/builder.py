@@ -54,6 +54,7 @@ class Builder:
         self._guide_sliders()
         rods = self._carry_bodies(floating)
         self._carry_free_pins(rods)
+        self._carry_loose_pins()
         for rod in rods:
             self._relate_rod(rod)
         self._relations.extend(relations(self._pose, self._velocities, self._spins))
@@ -167,6 +168,12 @@ class Builder:
                 if point not in self._velocities:
                     first, second = self._two_directions(point)
                     self._free(point, first, second)
+
+    def _carry_loose_pins(self) -> None:
+        """Let a pin that has left its guide, and that no body has, move in its slot and off it."""
+        for touch in self._pose.touches:
+            if touch.point not in self._velocities:
+                self._free(touch.point, touch.normal, touch.normal + QUARTER)
 
     def _two_directions(self, point: str) -> tuple[Angle, Angle]:
         """Return the directions of two rods at a point that are not always parallel."""

@@ -1,0 +1,406 @@
+"""Forces at joints from coordinates, for tests only: every body by itself, in equilibrium.
+
+Each body has three equations and each pin two; what stands on a pin, links, ground, guide
+and loads, meets there. All of them are one dense matrix, solved by least squares. Friction
+makes the equations nonlinear: couples and forces of the size of what presses, against slips
+whose signs are those of the motion by singular values. Newton's method takes the friction
+up from nothing, step by step. Nothing is shared with the compiler but the syntax tree.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from mechc.syntax import ast
+from reference_geometry import (
+    Action,
+    Arms,
+    Values,
+    angle_of,
+    arms_of,
+    assemble,
+    assemble_half,
+    evaluate,
+    every,
+    points_of,
+)
+from reference_kinematics import GRAVITY, Array, Motion, null_space
+
+Weights = Mapping[tuple[str, ...], float]
+"""A force at a joint as a combination of unknowns."""
+
+
+def arms_at(places: Mapping[str, Sequence[float]]) -> Arms:
+    """Return all vectors between points whose places are known."""
+    arms = Arms({}, {})
+    for tail, start in places.items():
+        for head, end in places.items():
+            x, y = end[0] - start[0], end[1] - start[1]
+            if (x or y) and (head, tail) not in arms.angles:
+                arms.set_length(tail, head, math.hypot(x, y))
+                arms.set_angle(tail, head, math.atan2(y, x))
+    return arms
+
+
+class Rub(NamedTuple):
+    """Two surfaces: what presses them, and the loads of a friction of 1 with the motion."""
+
+    factor: float
+    pressing: tuple[int, ...]
+    dragged: Array
+
+
+class Forces:
+    """The equilibrium of a description at given values."""
+
+    def __init__(self, tree: ast.File, values: Values, arms: Arms | None = None) -> None:
+        self.tree, self.values = tree, values
+        self.arms = arms or arms_of(tree, values)
+        self.assembly = assemble(tree, values, arms=arms)
+        self.half = assemble_half(tree, values, arms=arms)
+        self.shared = {n.text for m in every(tree, ast.Mirror) for n in m.sharing}
+        self.copies = [evaluate(c.number, values) for c in every(tree, ast.Copies)]
+        bodies = self.assembly.links
+        carried = dict.fromkeys(p for places in bodies.values() for p in places)
+        points = dict.fromkeys([*carried, *sorted(self.assembly.pivots)])
+        self.rows = {name: 3 * i for i, name in enumerate(bodies)}
+        self.points = {p: 3 * len(bodies) + 2 * i for i, p in enumerate(points)}
+        self.height = 3 * len(bodies) + 2 * len(points)
+        self.columns: dict[tuple[str, ...], int] = {}
+        self.matrix = np.array([self._column(*u) for u in self._unknowns()]).T
+        self.loads = self._loads()
+
+    # ---------------------------------------------------------------- free bodies
+
+    def _column(self, key: tuple[str, ...], effect: Array) -> Array:
+        self.columns[key] = len(self.columns)
+        return effect
+
+    def on_point(self, point: str, force: complex) -> Array:
+        """Return what a force on a pin puts into the equations."""
+        effect = np.zeros(self.height)
+        at = self.points[point]
+        effect[at : at + 2] = force.real, force.imag
+        return effect
+
+    def on_body(self, body: str, force: complex, arm: complex, couple: float = 0.0) -> Array:
+        """Return what a force and a couple on a body put into the equations."""
+        effect = np.zeros(self.height)
+        moment = (arm.conjugate() * force).imag + couple
+        at = self.rows[body]
+        effect[at : at + 3] = force.real, force.imag, moment
+        return effect
+
+    def _unknowns(self) -> Iterator[tuple[tuple[str, ...], Array]]:
+        whole = self.assembly
+        for body, places in whole.links.items():
+            for point, arm in places.items():
+                for axis, unit in (("x", 1), ("y", 1j)):
+                    effect = self.on_body(body, unit, arm) - self.on_point(point, unit)
+                    yield ("pin", body, point, axis), effect
+        for point in sorted(whole.pivots):
+            for axis, unit in (("x", 1), ("y", 1j)):
+                yield ("ground", point, axis), self.on_point(point, unit)
+        for point, along in whole.guides.items():
+            if point not in whole.slides:
+                yield ("guide", point), self.on_point(point, 1j * along)
+        for body, along in whole.slides.items():
+            yield ("slide", body), self.on_body(body, 1j * along, 0)
+            yield ("couple", body), self.on_body(body, 0, 0, 1)
+        for pin, body, normal, place in whole.touches:
+            effect = self.on_point(pin, normal) - self.on_body(body, normal, place)
+            yield ("touch", pin, body), effect
+        for i, (first, at, second, there, along) in enumerate(whole.rollings):
+            effect = self.on_body(first, along, at) - self.on_body(second, along, there)
+            yield ("roll", str(i)), effect
+
+    # ---------------------------------------------------------------------- loads
+
+    def _loads(self) -> dict[str, Array]:
+        """Return what a unit of each load does, those tied to others taken apart."""
+        part = 1 / self.copies[0] if self.copies else 1.0
+        effects: dict[str, Array] = {}
+        for load in (*self.assembly.actions, *self._thrusts()):
+            effect = part * load.times * self._effect(load)
+            effects[load.name] = effects.get(load.name, np.zeros(self.height)) + effect
+        for s in (*every(self.tree, ast.Force), *every(self.tree, ast.Torque)):
+            if s.tie is not None:
+                owner, factor = self._owner(s.tie, effects)
+                effects[owner] = effects[owner] + factor * effects.pop(s.name.text)
+        return effects
+
+    def _effect(self, load: Action) -> Array:
+        if load.direction is None:
+            return self.on_body(load.at, 0, 0, 1)
+        return self.on_point(load.at, load.direction)
+
+    def _owner(self, tie: ast.Expr, loads: Mapping[str, Array]) -> tuple[str, float]:
+        known = {**self.values, **dict.fromkeys(loads, 0.0)}
+        parts = {n: evaluate(tie, {**known, n: 1.0}) for n in loads}
+        return next((n, part) for n, part in parts.items() if part)
+
+    def _thrusts(self) -> Iterator[Action]:
+        for s in (*every(self.tree, ast.Actuator), *every(self.tree, ast.Spring)):
+            first, second = s.first.text, s.second.text
+            name = s.name.text if isinstance(s, ast.Actuator) else f"S_{first}{second}"
+            times = evaluate(s.times, self.values) if s.times else 1.0
+            times *= self.copies[0] if self.copies else 1.0
+            if second == first + "'":
+                apart = self._across(first)
+            else:
+                apart = self.arms.between(first, second)
+            apart /= abs(apart)
+            pushes = [(second, apart), (first, -apart)]
+            if self.shared and second != first + "'":
+                axis = self._axis()
+                twin = {p: p if p in self.shared else p + "'" for p in (first, second)}
+                if twin[first] != first or twin[second] != second:
+                    pushes += [(twin[p], axis * axis * v.conjugate()) for p, v in pushes]
+            yield from (Action(name, point, push, times) for point, push in pushes)
+
+    def _axis(self) -> complex:
+        (mirror,) = every(self.tree, ast.Mirror)
+        angle = angle_of(mirror.across, self.values, self.arms)
+        return complex(math.cos(angle), math.sin(angle))
+
+    def _across(self, point: str) -> complex:
+        """Return the vector from a point to its twin."""
+        axis = self._axis()
+        from_line = self.arms.between(next(iter(self.shared)), point)
+        return axis * axis * from_line.conjugate() - from_line
+
+    def known(self) -> Values:
+        """Return the sizes of weights and springs."""
+        g = self.values.get("g", GRAVITY)
+        found = {
+            w.name.text: evaluate(w.mass, self.values) * g for w in every(self.tree, ast.Weight)
+        }
+        for s in every(self.tree, ast.Spring):
+            first, second = s.first.text, s.second.text
+            free, rate = (evaluate(x, self.values) for x in (s.free, s.rate))
+            apart = self._across if second == first + "'" else self.arms.between
+            length = abs(apart(first) if second == first + "'" else apart(first, second))
+            found[f"S_{first}{second}"] = rate * (free - length)
+        return found
+
+    # ------------------------------------------------------------------ what is asked
+
+    def weights(self, name: str, on: str = "") -> list[Weights]:
+        """Return the force of ``R_O``, ``R_B`` on AB, ``N_AB``, ``N_K`` by unknowns."""
+        kind, points = name.split("_", 1)
+        if kind == "R" and on:
+            return [{("pin", self.link(on), points, axis): 1.0} for axis in "xy"]
+        if kind == "R":
+            return self._ground(points)
+        ends = points_of(points)
+        if len(ends) == 1:
+            return [self._normal(points)]
+        link = self.link(points)
+        arm = self.half.links[link][ends[1]] - self.half.links[link][ends[0]]
+        unit = arm / abs(arm)
+        parts = (("x", unit.real), ("y", unit.imag))
+        return [{("pin", link, ends[1], axis): part for axis, part in parts}]
+
+    def link(self, part: str) -> str:
+        """Return the link that has these points."""
+        wanted = set(points_of(part))
+        return next(n for n in self.half.links if wanted <= set(points_of(n)))
+
+    def _ground(self, point: str) -> list[Weights]:
+        if point in self.assembly.pivots:
+            return [{("ground", point, axis): 1.0} for axis in "xy"]
+        normal = 1j * self.assembly.guides[point]
+        column = ("guide", point) if ("guide", point) in self.columns else ("slide", point)
+        return [{column: normal.real}, {column: normal.imag}]
+
+    def _normal(self, point: str) -> Weights:
+        bodies = [n for n in self.assembly.slides if point in points_of(n)]
+        choices = [("touch", *t[:2]) for t in self.half.touches if t.pin == point]
+        choices += [("guide", point), *(("slide", b) for b in bodies)]
+        return {next(c for c in choices if c in self.columns): 1.0}
+
+    # ------------------------------------------------------------------- friction
+
+    def rubs(self, drive: str) -> list[Rub]:
+        """Return all surfaces that rub, in both halves, where a load drives along its arrow."""
+        return [rub for rub in self._rubs(self._motion(drive)) if rub.factor]
+
+    def _motion(self, drive: str) -> tuple[Motion, Array]:
+        motion = Motion(self.half)
+        assert motion.basis.shape[1] == 1, "friction is asked of one motion"
+        move = motion.basis[:, 0]
+        power = self.loads[drive] @ self._spread(motion, move)
+        assert abs(power) > 1e-9, "the drive does no work"
+        return motion, move * math.copysign(1.0, power)
+
+    def _spread(self, motion: Motion, move: Array) -> Array:
+        """Return the velocities of all rows, in the half that is described."""
+        rows = np.zeros(self.height)
+        for body, places in self.half.links.items():
+            at = self.rows[body]
+            rows[at + 2] = motion.turning(body) @ move
+            for point in places:
+                at = self.points[point]
+                rows[at : at + 2] = motion.velocity(point, body) @ move
+        return rows
+
+    def _rubs(self, moving: tuple[Motion, Array]) -> Iterator[Rub]:
+        named = {s.point.text for s in every(self.tree, ast.PinFriction) if s.point}
+        for s in self.tree.statements:
+            match s:
+                case ast.PinFriction(point=None):
+                    for point in self._pins() - named:
+                        yield from self._pin(point, "", s, moving)
+                case ast.PinFriction(point=point):
+                    on = self.link(s.link.text) if s.link else ""
+                    yield from self._pin(point.text, on, s, moving)
+                case ast.GuideFriction(point=point) | ast.RollerFriction(point=point):
+                    yield from self._guide(point.text, self._resistance(s), moving)
+                case ast.ContactFriction(point=point, coefficient=f):
+                    yield from self._face(point.text, evaluate(f, self.values), moving)
+
+    def _pins(self) -> set[str]:
+        links = [points_of(s.points.text) for s in every(self.tree, ast.Link)]
+        often = [p for points in links for p in points]
+        return {p for p in often if often.count(p) > 1 or p in self._carried_by_ground()}
+
+    def _carried_by_ground(self) -> set[str]:
+        slides = {p for n in self.half.slides for p in self.half.links[n]}
+        fixed = {s.point.text for s in every(self.tree, ast.Pivot)}
+        return fixed | {s.point.text for s in every(self.tree, ast.Slider)} | slides
+
+    def _pin(
+        self, point: str, on: str, s: ast.PinFriction, moving: tuple[Motion, Array]
+    ) -> Iterator[Rub]:
+        motion, move = moving
+        f, d = (evaluate(x, self.values) for x in (s.coefficient, s.diameter))
+        radius = d / 2 * (math.sin(math.atan(f)) if s.law == "coulomb" else f)
+        links = [k.points.text for k in every(self.tree, ast.Link)]
+        links = [k for k in links if point in points_of(k)]
+        carrier = on or ("" if point in self._carried_by_ground() else links[0])
+        for link in links:
+            if link == carrier:
+                continue
+            slip = motion.turning(link) - (motion.turning(carrier) if carrier else 0)
+            sense = sign(slip @ move)
+            for twin, turn in (("", 1), ("'", -1)):
+                body = link + twin
+                if body in self.rows:
+                    effect = self.on_body(body, 0, 0, sense * turn)
+                    if carrier:
+                        other = carrier + twin if carrier + twin in self.rows else carrier
+                        effect = effect - self.on_body(other, 0, 0, sense * turn)
+                    at = point if not twin or point in self.shared else point + "'"
+                    pressing = (self.columns["pin", body, at, axis] for axis in "xy")
+                    yield Rub(radius, tuple(pressing), effect)
+
+    def _resistance(self, s: ast.GuideFriction | ast.RollerFriction) -> float:
+        f = evaluate(s.coefficient, self.values)
+        if isinstance(s, ast.RollerFriction):
+            return f * evaluate(s.axle, self.values) / evaluate(s.wheel, self.values)
+        if s.length is None or s.overhang is None:
+            return f
+        out, long = (evaluate(x, self.values) for x in (s.overhang, s.length))
+        match s.law:
+            case "linear":
+                return f * (3 * out / long + long / (12 * out) if out > long / 6 else 1)
+            case "edges":
+                return f * max(2 * out / long, 1)
+            case _:
+                return f * 3 * out / long
+
+    def _guide(self, point: str, factor: float, moving: tuple[Motion, Array]) -> Iterator[Rub]:
+        motion, move = moving
+        shared = self.shared | {n.text for c in every(self.tree, ast.Copies) for n in c.sharing}
+        body = next((n for n in self.half.slides if point in self.half.links[n]), "")
+        if (set(self.half.links[body]) if body else {point}) <= shared:
+            return
+        along = self.half.slides[body] if body else self.half.guides[point]
+        sense = sign(np.array([along.real, along.imag]) @ motion.velocity(point) @ move)
+        for twin in ("", "'"):
+            name, other = point + twin, body + twin
+            if body and other in self.rows:
+                line = self.assembly.slides[other]
+                effect = self.on_body(other, sense * line, 0)
+                yield Rub(factor, (self.columns["slide", other],), effect)
+            elif not body and name in self.points:
+                line = self.assembly.guides[name]
+                effect = self.on_point(name, sense * line)
+                yield Rub(factor, (self.columns["guide", name],), effect)
+
+    def _face(self, point: str, factor: float, moving: tuple[Motion, Array]) -> Iterator[Rub]:
+        motion, move = moving
+        touch = next(t for t in self.half.touches if t.pin == point)
+        slip = motion.velocity(point) - motion._velocity_at(touch.body, touch.place)
+        face = 1j * touch.normal
+        sense = sign(np.array([face.real, face.imag]) @ slip @ move)
+        for pin, body, normal, place in self.assembly.touches:
+            if pin in (point, point + "'"):
+                line = 1j * normal * sense * (1 if (pin, body) == touch[:2] else -1)
+                effect = self.on_point(pin, line) - self.on_body(body, line, place)
+                yield Rub(factor, (self.columns["touch", pin, body],), effect)
+
+    # -------------------------------------------------------------------- solving
+
+    def solve(
+        self, drive: str, given: Values, sense: int = 0, steps: int = 8
+    ) -> tuple[Array, float]:
+        """Return all unknowns, the driving load last, and the condition of the equations.
+
+        ``sense`` is 1 where the drive moves along its arrow, -1 against it, 0 without friction.
+        """
+        matrix = np.column_stack([self.matrix, self.loads[drive]])
+        right = -sum((size * self.loads[n] for n, size in given.items()), np.zeros(self.height))
+        rubs = self.rubs(drive) if sense else []
+        found = np.linalg.lstsq(matrix, right, rcond=1e-11)[0]
+        jacobian = matrix
+        for part in np.linspace(1 / steps, 1, steps) if rubs else ():
+            for _ in range(40):
+                gap = matrix @ found - right
+                jacobian = matrix.copy()
+                for rub in rubs:
+                    pressed = found[list(rub.pressing)]
+                    size = float(np.linalg.norm(pressed))
+                    against = -sense * part * rub.factor * rub.dragged
+                    gap = gap + against * size
+                    slope = pressed / size if size else 0 * pressed
+                    for column, each in zip(rub.pressing, slope, strict=True):
+                        jacobian[:, column] += against * each
+                step = np.linalg.lstsq(jacobian, -gap, rcond=1e-11)[0]
+                found = found + step
+                if np.abs(step).max() <= 1e-14 * np.abs(found).max():
+                    break
+        self._check(found, matrix, right, rubs, sense)
+        sizes = np.linalg.svd(jacobian, compute_uv=False)
+        return found, float(sizes[0] / min(s for s in sizes if s > 1e-10 * sizes[0]))
+
+    def _check(
+        self, found: Array, matrix: Array, right: Array, rubs: Sequence[Rub], sense: int
+    ) -> None:
+        """Put the solution into the equilibrium of every body once more."""
+        gap = matrix @ found - right
+        for rub in rubs:
+            gap = gap - sense * rub.factor * rub.dragged * np.linalg.norm(found[list(rub.pressing)])
+        if np.abs(gap).max() > 1e-11 * np.abs(found).max():
+            raise NoBalance(f"gap of {np.abs(gap).max()}")
+
+    def value(self, found: Array, weights: Weights) -> float:
+        """Return a force at a joint."""
+        return math.fsum(found[self.columns[key]] * part for key, part in weights.items())
+
+    def is_open(self, drive: str, weights: Weights) -> bool:
+        """Tell whether equilibrium leaves a force at a joint open."""
+        modes = null_space(np.column_stack([self.matrix, self.loads[drive]]))
+        row = sum(modes[self.columns[key]] * part for key, part in weights.items())
+        return bool(np.abs(row).max() > 1e-7) if modes.size else False
+
+
+class NoBalance(Exception):
+    """The equations have no solution there: locked, or too much friction."""
+
+
+def sign(value: float) -> float:
+    """Return the sign of a slip; 0 for what is only rounding."""
+    return math.copysign(1.0, value) if abs(value) > 1e-9 else 0.0

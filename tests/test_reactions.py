@@ -1,0 +1,166 @@
+"""Forces at joints of random mechanisms, against a dense equilibrium, and by their laws."""
+
+import math
+from random import Random
+
+import numpy as np
+import pytest
+
+import force_mechanisms
+from force_samples import (
+    LARGEST_CONDITION,
+    Compiled,
+    compiled,
+    reference,
+    samples,
+    sizes_of,
+)
+from mechc.formula.walk import evaluate
+from mechc.model.mechanism import Thrust
+from reference_forces import Forces
+
+ENOUGH = 1e-9
+"""What a force may be off, as a part of the largest one in the mechanism."""
+
+
+def known_of(forces: Forces, asked: str, found: np.ndarray) -> dict[str, float]:
+    """Return what one ``find`` asks for, by the names that its results have."""
+    name, _, link = asked.partition(" on ")
+    values = [forces.value(found, w) for w in forces.weights(name, link)]
+    result = f"{name}_on_{link}" if link else name
+    if len(values) == 1:
+        return {result: values[0]}
+    return {f"{result}_x": values[0], f"{result}_y": values[1], result: math.hypot(*values)}
+
+
+def compare(sample: force_mechanisms.Sample, made: Compiled, values: dict[str, float]) -> float:
+    """Return the largest error among all forces at joints at a pose, 0 near singular ones."""
+    forces = reference(sample, made.tree, values)
+    sizes = sizes_of(sample, forces, 1.3)
+    found, condition = forces.solve(sample.drive, sizes)
+    if condition > LARGEST_CONDITION:
+        return 0.0
+    results = made.results({**values, **sizes, sample.drive: float(found[-1])})
+    scale = float(np.abs(found[:-1]).max())
+    errors = [
+        abs(results[name] - value)
+        for asked in sample.asked
+        for name, value in known_of(forces, asked, found).items()
+    ]
+    return max(errors) / scale
+
+
+def against_coordinates(seeds: range, ratio: bool) -> list[float]:
+    errors = []
+    for seed, sample in samples(seeds, ratio):
+        made = compiled(sample.finding(), f"reactions_{seed}.mech")
+        for values in (made.values(), made.nearby(Random(seed))):
+            errors.append(compare(sample, made, values))
+            assert errors[-1] < ENOUGH, f"seed {seed}: {errors[-1]}"
+    return errors
+
+
+@pytest.mark.parametrize("ratio", [True, False])
+def test_random_mechanisms(ratio):
+    assert len(against_coordinates(range(20), ratio)) > 30
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("ratio", [True, False])
+def test_many_random_mechanisms(ratio, record_property):
+    errors = against_coordinates(range(20, 270), ratio)
+    record_property("worst error", max(errors))
+    assert len(errors) > 400
+
+
+# ------------------------------------------------------------------------------ laws
+
+NOT_PLAIN = {"mirror", "copies", "slide", "M"}
+"""Words of samples in which more than pins and guides of one plane presses on the ground."""
+
+PLAIN = [
+    seed for seed in range(60) if not NOT_PLAIN & set(force_mechanisms.given(seed).text.split())
+][:12]
+
+
+@pytest.fixture(params=PLAIN)
+def plain(request):
+    (case,) = list(samples(range(request.param, request.param + 1))) or [None]
+    if case is None:
+        pytest.skip("near a singular pose")
+    seed, sample = case
+    return sample, compiled(sample.finding(), f"law_{seed}.mech")
+
+
+def evaluated(sample, made, turned=0.0, size=1.0):
+    """Return values and results with P in balance, the drawing turned, loads times a size."""
+    values = {
+        n: v + turned if n.startswith("t") and n[1:].isdigit() else v
+        for n, v in made.values().items()
+    }
+    loads = {"F": size, "P": made.results(values)["k"] * size}
+    return {**values, **loads}, made.results({**values, **loads})
+
+
+def test_turning_the_drawing_turns_the_forces(plain):
+    sample, made = plain
+    (_, before), (_, after) = evaluated(sample, made), evaluated(sample, made, turned=0.7)
+    size = max(abs(v) for n, v in before.items() if n[0] in "RN" and "direction" not in n)
+    for name, value in before.items():
+        if name.endswith("_x"):
+            pin = name.removesuffix("_x")
+            force, turned = (complex(r[f"{pin}_x"], r[f"{pin}_y"]) for r in (before, after))
+            assert abs(turned - force * np.exp(0.7j)) < 1e-9 * size
+        elif name[0] == "N" or (name[0] == "R" and f"{name}_x" in before):
+            assert after[name] == pytest.approx(value, rel=1e-9, abs=1e-9 * size)
+
+
+def test_loads_and_forces_grow_together(plain):
+    """Three times the loads turned round: components and N turn too, sizes stay positive."""
+    sample, made = plain
+    (_, once), (_, thrice) = evaluated(sample, made), evaluated(sample, made, size=-3.0)
+    for name, value in once.items():
+        if name[0] in "RN" and not name.endswith("direction"):
+            turns = name[0] == "N" or name.endswith(("_x", "_y"))
+            assert thrice[name] == pytest.approx((-3 if turns else 3) * value, rel=1e-12)
+
+
+def loads_on(made, values):
+    """Return the forces of the loads on each point."""
+    found: dict[str, complex] = {}
+    for load in made.compilation.mechanism.loads:
+        line = made.compilation.pose.lines.get(load.name)
+        if line is not None:
+            size = values[load.name] if load.tie is None else evaluate(load.tie, values)
+            push = float(load.times) * size * np.exp(1j * line.evaluate(values))
+            pair = isinstance(load, Thrust)
+            ends = [(load.second, 1), (load.first, -1)] if pair else [(load.point, 1)]
+            for point, sign in ends:
+                found[point] = found.get(point, 0) + sign * push
+    return found
+
+
+def test_what_acts_on_links_at_a_pin_adds_up_to_what_acts_on_the_pin(plain):
+    """Action is reaction: forces on links at a pin, ground, loads."""
+    sample, made = plain
+    values, results = evaluated(sample, made)
+    loads, size = loads_on(made, values), max(abs(v) for v in results.values())
+    pins = {name.split("_")[1] for name in results if "_on_" in name}
+    touched = {t.point for t in made.compilation.pose.touches}
+    for pin in pins - touched:
+        names = [n for n in results if n.startswith(f"R_{pin}_on_") and n.endswith("_x")]
+        links = [k for k in made.compilation.mechanism.links if pin in k.points]
+        if len(names) < len(links):
+            continue
+        on_links = sum(complex(results[n], results[f"{n[:-1]}y"]) for n in names)
+        ground = complex(results.get(f"R_{pin}_x", 0.0), results.get(f"R_{pin}_y", 0.0))
+        assert abs(on_links - ground - loads.get(pin, 0)) < 1e-9 * size
+
+
+def test_the_ground_carries_all_loads(plain):
+    sample, made = plain
+    values, results = evaluated(sample, made)
+    ground = [n for n in results if n.startswith("R_") and n.endswith("_x") and "_on_" not in n]
+    held = sum(complex(results[n], results[f"{n[:-1]}y"]) for n in ground)
+    size = max(abs(v) for v in results.values())
+    assert abs(held + sum(loads_on(made, values).values())) < 1e-9 * size
