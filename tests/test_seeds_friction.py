@@ -15,6 +15,8 @@ import pytest
 
 import mechc
 from mechc.api import SolvedMechanism
+from mechc.formula.walk import evaluate, symbols
+from mechc.model.result import Result
 from seed_friction import entries
 
 RIGHT = math.pi / 2
@@ -249,3 +251,47 @@ def test_plunger_of_the_other_ratio() -> None:
     assert 1 / found["i_f"] == pytest.approx(case["k_real"], rel=1e-10)
     assert found["eta_i"] == pytest.approx(case["eta"], rel=1e-10)
     assert CASES.keys() | {"F-G004-2ab"} == entries("friction.json").keys()
+
+
+# ------------------------------------------------------------------- what is printed
+
+WITH_FRICTION = sorted(p.stem for p in LIBRARY.glob("*_with_friction.mech"))
+
+
+def moved(values: Inputs, step: float) -> dict[str, float]:
+    """Return a pose nearby, every quantity moved by a step of its own."""
+    return {n: v * (1 + step * math.sin(i + 1)) for i, (n, v) in enumerate(values.items())}
+
+
+@pytest.mark.parametrize("name", WITH_FRICTION)
+@pytest.mark.parametrize("step", [0.0, 0.02, -0.02])
+def test_what_is_printed_is_what_code_gives(name: str, step: float) -> None:
+    """A printed case holds wherever its conditions do, not at the default pose alone."""
+    solved = mechanism(name)
+    dependent = {p.name for p in solved._compilation.mechanism.parameters if p.dependent}
+    free = {n: v for n, v in solved.defaults.items() if n not in dependent}
+    values = moved(free, step)
+    found, compared = solved.evaluate(**reaching(solved, values)), 0
+    for result in solved._compilation.results:
+        known = dict(values)
+        for named in result.where:
+            if symbols(named.formula) <= known.keys():
+                known[named.name] = evaluate(named.formula, known)
+        if symbols(result.formula) <= known.keys() and holds_there(result, known):
+            printed = evaluate(result.formula, known)
+            assert printed == pytest.approx(found[result.name], rel=1e-12), result.name
+            compared += 1
+    assert compared >= 4
+
+
+def reaching(solved: SolvedMechanism, values: Inputs) -> dict[str, float]:
+    """Return the values that a result depends on."""
+    wanted = {i.name for f in solved._compilation.routine.functions for i in f.inputs}
+    return {name: value for name, value in values.items() if name in wanted}
+
+
+def holds_there(result: Result, values: Inputs) -> bool:
+    return all(
+        math.copysign(1, evaluate(h.left, values)) == (1 if h.operator == ">" else -1)
+        for h in result.holds
+    )
