@@ -5,7 +5,7 @@ import pytest
 from mechc.derivation.steps import Saying
 from mechc.derivation.to_text import render
 from mechc.driver import compile_source
-from mechc.files import find, read
+from mechc.files import find, library, read
 from mechc.formula.tree import Power, Product, Symbol
 from mechc.formula.walk import evaluate, symbols
 from mechc.power.numbers import default_values
@@ -118,3 +118,43 @@ def test_results_mention_nothing_that_is_not_told():
     for result in compilation.results:
         told = known | {d.name for d in result.where}
         assert symbols(result.formula) <= told
+
+
+# ------------------------------------------------------------------------ friction
+
+CASES = [name for name, path in library().items() if "\nfriction " in path.read_text("utf-8")]
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_what_is_told_of_friction_is_true(case):
+    """Every equation holds at the default pose, with what the equations before it define."""
+    compilation = compile_source(read(find(case)))
+    values = default_values(compilation.plan)
+    values |= {load.name: 1.0 for load in compilation.mechanism.loads}
+    results = {r.name: r for r in compilation.results}
+    values |= {name: r.default for name, r in results.items() if r.default is not None}
+    told = 0
+    for account in compilation.derivation.accounts:
+        of = results[account.results[0]].target.of
+        values[of.above] = results[account.results[0]].default
+        equations = [e for passage in account.passages for e in passage.equations]
+        for definition in (d for name in account.results for d in results[name].where):
+            values[definition.name] = evaluate(definition.formula, values)
+        defined = [e for e in equations if isinstance(e.left, Symbol)]
+        for equation in defined:
+            values[equation.left.name] = evaluate(equation.right, values)
+        for left, right in equations:
+            assert evaluate(left, values) == pytest.approx(evaluate(right, values), abs=1e-9)
+        for name in account.results:
+            found = evaluate(results[name].formula, values)
+            assert found == pytest.approx(results[name].default, rel=1e-9)
+        told += len(equations)
+    assert told or not compilation.derivation.accounts
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_no_sign_function_is_printed(case):
+    compilation = compile_source(read(find(case)))
+    shown = render(compilation.derivation, compilation.mechanism)
+    assert "sign(" not in shown
+    assert "sigma" not in shown

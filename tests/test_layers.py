@@ -24,6 +24,7 @@ DATA = {
     "kinematics.graph",
     "kinematics.plan",
     "power.balance",
+    "power.friction.steps",
     "model.result",
     "statics.verdict",
     "stroke.stroke",

@@ -76,7 +76,7 @@ def test_other_targets_are_not_imported(target: str) -> None:
 
 
 LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
-OWN, ALL = 216, 386
+OWN, ALL = 222, 392
 """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
 
 

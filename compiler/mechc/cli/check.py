@@ -14,7 +14,8 @@ from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
 from ..formula.to_text import text
 from ..formula.tree import Number
-from ..model.mechanism import GRAVITY
+from ..formula.walk import symbols
+from ..model.mechanism import GRAVITY, Efficiency
 from ..model.result import Definition, Result
 from ..source import Source
 from ..statics.to_text import to_text
@@ -87,10 +88,12 @@ def _of_result(result: Result, where: Iterable[Definition]) -> Iterator[str]:
     yield f"  {result.name} = {text(result.formula)}"
     for group in grouped((name, by_letter(formula)) for name, formula in where):
         yield from _of_definition(group)
+    if sizes := sorted(symbols(result.formula) & result.inside):
+        yield f"    where {', '.join(sizes)} press the joints: n = |r + D*n| by Newton's method"
     if result.default is not None:
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
-    if result.holds:
+    if result.holds and not isinstance(result.target, Efficiency):
         holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in result.holds)
         yield f"    holds while {', '.join(holds)}"
     if result.independent:

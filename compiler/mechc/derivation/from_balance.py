@@ -14,6 +14,7 @@ from ..model.mechanism import Force, Speed, SpeedRatio, Thrust, Torque
 from ..model.result import Result
 from ..power.balance import Balance, Term
 from .forces import of_forces
+from .friction import of_friction
 from .notation import Named, Notation
 from .outputs import acting_on
 from .steps import Derivation, Equation, PowerTerm, Rule, Step
@@ -27,7 +28,7 @@ def derive(balance: Balance, results: Sequence[Result]) -> Derivation:
     writer = _Writer(balance)
     steps = tuple(writer.steps())
     terms = tuple(writer.term(t) for t in balance.terms if any(t.power))
-    accounts = tuple(of_forces(balance))
+    accounts = (*of_forces(balance), *of_friction(balance))
     return Derivation(steps, terms, tuple(writer.balances()), tuple(results), accounts)
 
 

@@ -81,9 +81,21 @@ def asked(result: Result) -> Formula:
 
 def called(result: Result) -> str:
     """Return a result's name in print; the direction of a force has an angle's letter."""
-    if isinstance(result.target, Reaction) and result.target.part == "direction":
-        return f"phi_{result.name.removesuffix('_direction')}"
+    force = reaction(result)
+    if force and force.part == "direction":
+        return f"phi_{result.name.replace('_direction', '')}"
     return result.name
+
+
+def reaction(result: Result) -> Reaction | None:
+    """Return the force that a result is a part of, with friction or without it."""
+    match result.target:
+        case Reaction() as force:
+            return force
+        case WithFriction(Reaction() as force):
+            return force
+        case _:
+            return None
 
 
 def is_nameless(result: Result) -> bool:
@@ -94,7 +106,8 @@ def is_nameless(result: Result) -> bool:
 def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
     """Return what follows from a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
-    said = [_limit(words.zero, symbol, v, words, spell) for v in result.zeros]
+    said = _holds(result, words, spell)
+    said += [_limit(words.zero, symbol, v, words, spell) for v in result.zeros]
     said += [_limit(words.pole, symbol, v, words, spell) for v in result.poles]
     said += _proportions(result, words, spell)
     if result.independent:
@@ -105,6 +118,13 @@ def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
         said.append(words.swaps.format(result=symbol, first=one, second=other))
     said += _trends(result, symbol, words, spell)
     return (*said, *friction_remarks(result, words, spell))
+
+
+def _holds(result: Result, words: Words, spell: Speller) -> list[str]:
+    """Return the conditions of a case; an efficiency has those of what it is made of."""
+    if not result.holds or isinstance(result.target, Efficiency):
+        return []
+    return [words.holds.format(conditions=conditions(result.holds, spell))]
 
 
 def _spelled(formula: Formula, spell: Speller) -> str:

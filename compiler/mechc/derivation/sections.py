@@ -6,9 +6,9 @@ from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Implicit, Symbol, System
 from ..formula.walk import symbols
 from ..frozen import frozen, replace
-from ..model.mechanism import Reaction
 from ..model.result import Definition, Result
 from .definitions import by_letter
+from .remarks import reaction
 from .steps import Account, Derivation, Passage
 
 LONG = 24
@@ -44,7 +44,8 @@ class Told:
 
     def of(self, result: Result) -> list[Definition]:
         """Return what is new in a result's definitions, and note it."""
-        fresh = self.untold([result.formula], result.where)
+        where = [d for d in result.where if d.name not in result.inside]
+        fresh = self.untold([result.formula], where)
         self._results.add(result.name)
         return fresh
 
@@ -101,7 +102,8 @@ def _in_short(result: Result, results: Sequence[Result]) -> Result:
 
 
 def _part(result: Result) -> str:
-    return result.target.part if isinstance(result.target, Reaction) else ""
+    force = reaction(result)
+    return force.part if force else ""
 
 
 def _components(results: Sequence[Result]) -> tuple[Formula, ...]:

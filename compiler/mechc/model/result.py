@@ -64,7 +64,9 @@ class Result:
     ``guards`` are conditions without which the formula has no meaning. ``case`` is what is
     printed instead of a formula that takes its signs from the pose; ``holds`` are the
     conditions of a result that is such a case. ``locking`` tells of a ratio with friction
-    where nothing moves, ``courses`` of an efficiency what it runs through.
+    where nothing moves, ``courses`` of an efficiency what it runs through. Names of ``where``
+    that are ``inside`` a system are its many coefficients, of which people read the structure
+    only.
     """
 
     name: str
@@ -86,6 +88,7 @@ class Result:
     holds: tuple[Require, ...] = ()
     locking: Locking | None = None
     courses: tuple[Course, ...] = ()
+    inside: frozenset[str] = frozenset()
 
     def printed(self) -> "Result":
         """Return the case that is printed, where the formula takes its signs from the pose."""

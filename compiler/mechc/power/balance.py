@@ -8,6 +8,7 @@ from ..frozen import frozen
 from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Load
 from ..model.result import Result
+from .friction.steps import Step
 
 
 @frozen
@@ -55,7 +56,8 @@ class Solved:
     """A result as algebra, before it is turned into a formula.
 
     ``value`` is None for a let. ``above`` and ``below`` are the loads of a ratio,
-    ``releases`` those by which a force at a joint was found.
+    ``releases`` those by which a force at a joint was found, ``steps`` those by which friction
+    was.
     """
 
     result: Result
@@ -63,6 +65,7 @@ class Solved:
     above: str = ""
     below: str = ""
     releases: tuple[Release, ...] = ()
+    steps: tuple[Step, ...] = ()
 
 
 @frozen

@@ -181,11 +181,11 @@ class _Asked:
 
     def _rubbing(self, find: Find, of: Target) -> Solved | None:
         ideal = next((s.result for s in self._solved_so_far if s.result.target == of), None)
-        result = self._friction.find(find, ideal) if ideal else None
-        if result is None:
-            return None
-        self._check_lengths(find, [result.formula, *(d.formula for d in result.where)])
-        return Solved(result)
+        solved = self._friction.find(find, ideal) if ideal else None
+        if solved:
+            result = solved.result
+            self._check_lengths(find, [result.formula, *(d.formula for d in result.where)])
+        return solved
 
     @cached_property
     def _friction(self) -> "FrictionResults":

@@ -1,9 +1,11 @@
 """What was asked of the forces at joints: components, sizes, directions."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import partial
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
+from ..algebra.factors import Opaque
 from ..algebra.product import ZERO as NONE
 from ..algebra.product import Product
 from ..algebra.sums import add
@@ -131,8 +133,11 @@ def _whole(part: Part, transmitted: Transmitted, mechanism: Mechanism) -> Found:
     elif len(loads) > 1:
         formula = Call("hypot", (_form(x), _form(y)))
     else:
-        sizes = {n: size_of(x.get(n, NONE), y.get(n, NONE), mechanism) for n in loads}
-        formula = total(product([(s, 1), (Call("abs", (Symbol(n),)), 1)]) for n, s in sizes.items())
+        positive = partial(magnitude, mechanism=mechanism)
+        sizes = {n: size_of(x.get(n, NONE), y.get(n, NONE), positive) for n in loads}
+        formula = total(
+            product([(s.formula(), 1), (Call("abs", (Symbol(n),)), 1)]) for n, s in sizes.items()
+        )
     return Found(formula, None, (*x.values(), *y.values()), transmitted.releases)
 
 
@@ -140,18 +145,19 @@ def _kept(amounts: Amounts) -> Amounts:
     return {load: amount for load, amount in amounts.items() if amount}
 
 
-def size_of(x: Product, y: Product, mechanism: Mechanism) -> Formula:
+def size_of(x: Product, y: Product, positive: Callable[[Product], Product]) -> Product:
     """Return the size of a vector in the shorter form: squares merged, or what is common outside.
 
-    Squares merge where the force has one line: (N cos)² + (N sin)² = N².
+    Squares merge where the force has one line: (N cos)² + (N sin)² = N². ``positive`` gives
+    absolute values.
     """
-    merged = magnitude(root(add((x * x, y * y))), mechanism).formula()
+    merged = positive(root(add((x * x, y * y))))
     if not x or not y:
         return merged
     shared = _common(x, y)
-    outside = magnitude(shared, mechanism).formula()
-    apart = product([(outside, 1), (Call("hypot", tuple(_bare(p / shared) for p in (x, y))), 1)])
-    return min(merged, apart, key=count_operations)
+    sides = tuple(_bare(part / shared) for part in (x, y))
+    apart = positive(shared) * Product.of(Opaque(Call("hypot", sides)))
+    return min(merged, apart, key=lambda size: count_operations(size.formula()))
 
 
 def _common(x: Product, y: Product) -> Product:

@@ -93,6 +93,36 @@ WORDS = Words(
         "line.",
         "smooth": "The guide of {point} presses across itself only.",
         "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
+        "tightening": "The drive moves along its force, and friction acts against every slip: a "
+        "pin with a couple, the force times the radius {radius} of its friction circle; a guide "
+        "with its factor times the force across it. {force} is the force that presses a rod.",
+        "releasing": "The drive yields and moves against its force; all frictions act the other "
+        "way.",
+        "unit": "Forces are given per unit of {load}.",
+        "pressed": "The rod {link} is pressed.",
+        "pulled": "The rod {link} is pulled.",
+        "crossed": "The force in {link} acts along the crossed tangent of the friction circles at "
+        "its ends, as it turns the same way on both pins.",
+        "outer": "The force in {link} acts along an outer tangent of the friction circles at its "
+        "ends, as it turns on its pins in opposite ways.",
+        "parallel": "The force in {link} keeps its direction: the outer tangent of equal friction "
+        "circles is parallel to it.",
+        "single": "The force in {link} goes through the pin at one end and touches the friction "
+        "circle at the other.",
+        "face": "The force on {point} is turned from the normal by the angle of friction.",
+        "moments": "Moments about {point} of the forces on {link}.",
+        "turns left": "The link {link} turns counter-clockwise. Moments about {point}, on the "
+        "right that of the friction in the pivot:",
+        "turns right": "The link {link} turns clockwise. Moments about {point}, on the right that "
+        "of the friction in the pivot:",
+        "along": "Forces on {point} along its guide, on the right its friction:",
+        "knee": "Forces on the pin {point}, across each of the rods:",
+        "first order": "To first order the joints are pressed as without friction. Each adds its "
+        "factor times the force {force} times the slip, per unit of the drive’s velocity: the "
+        "rotation {turn} of a pin, the speed {speed} along a face.",
+        "iterated": "Here each friction depends on the others. With {sizes} the forces that press "
+        "the joints, {parts} their components without friction and {changes} what all frictions "
+        "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
     },
     held="The drive ({loads}) is held still.",
     hence="hence",
@@ -144,6 +174,7 @@ WORDS = Words(
     unusual="it is nowhere between 0.9 and 0.95",
     derivatives="Sensitivities (partial derivatives)",
     slope="Derivative along the stroke",
+    holds="This holds while {conditions}.",
     requirements="The result holds for",
     numbers="Numerical values",
     at_default="At the values given",

@@ -86,6 +86,7 @@ class Words(NamedTuple):
     derivatives: str
     slope: str
 
+    holds: str
     requirements: str
     numbers: str
     at_default: str

@@ -72,16 +72,16 @@ def of_force(symbol: str, force: Reaction, style: Notation) -> str:
     r"""Return a force on a link with the link above, a direction as an angle.
 
     >>> of_force("R_B_on_BC_x", Reaction("B", "BC", "x"), notation("en"))
-    'R_{B,x}^{BC}'
+    '{R_{B,x}^{BC}}'
     >>> of_force("R_O_direction", Reaction("O", "", "direction"), notation("en"))
     '\\phi_{R_O}'
     """
     if force.part == "direction":
         size = Reaction(force.point, force.link, "size")
-        return f"{style.phi}_{{{of_force(symbol.removesuffix('_direction'), size, style)}}}"
+        return f"{style.phi}_{{{of_force(symbol.replace('_direction', ''), size, style)}}}"
     base, on, rest = symbol.partition(f"_on_{force.link}")
     whole = name(base + rest, style)
-    return f"{whole}^{{{points(force.link)}}}" if force.link and on else whole
+    return f"{{{whole}^{{{points(force.link)}}}}}" if force.link and on else whole
 
 
 def _by_rule(symbol: str, style: Notation) -> str:

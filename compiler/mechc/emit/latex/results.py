@@ -1,6 +1,6 @@
 """The report's last part: what was found and what follows from it."""
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from math import isfinite
 from typing import NamedTuple
@@ -8,17 +8,20 @@ from typing import NamedTuple
 from ...derivation.definitions import Solved, grouped
 from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks, said
 from ...derivation.sections import Section
-from ...derivation.steps import Passage
+from ...derivation.steps import Equation, Passage
 from ...formula.layout import is_angle
-from ...formula.tree import ZERO, Formula, Symbol, product, total
+from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition, Result
 from ...statics.verdict import Verdict
 from ...words.table import Words
-from .display import LINE, Line, display
+from .display import LINE, Line, display, vanishing
 from .notation import Notation, name, points
 from .printer import Box, box, latex, plain
 from .quantity import decimal, measured
+
+_WIDE = 9.0
+"""Em beyond which a left side is no mere name or ratio of speeds."""
 
 
 class PassageBlock(NamedTuple):
@@ -65,12 +68,32 @@ def _together(results: Sequence[Result], style: Notation, words: Words) -> tuple
 
 
 def _passage(passage: Passage, words: Words, style: Notation) -> PassageBlock:
-    lines = tuple(
-        Line(box(left, style), right, is_angle(right, style.angles))
-        for left, right in passage.equations
-    )
-    shown = display(lines, style, words.where) if lines else ""
+    shown = "\n".join(_displays(passage.equations, words, style))
     return PassageBlock(said(passage, words, Speller(style)), shown)
+
+
+def _displays(equations: Iterable[Equation], words: Words, style: Notation) -> Iterator[str]:
+    """Yield displays of equations; one with a wide left side stands alone."""
+    for _, group in groupby(equations, lambda e: e if _is_wide(e, style) else None):
+        part = tuple(group)
+        line = Line(box(part[0].left, style), part[0].right)
+        if _is_wide(part[0], style) and line.left.width + box(line.right, style).width > LINE:
+            yield vanishing(_difference(part[0]), style, words.where)
+        else:
+            yield _display(part, words, style)
+
+
+def _is_wide(equation: Equation, style: Notation) -> bool:
+    return box(equation.left, style).width > _WIDE
+
+
+def _display(equations: Iterable[Equation], words: Words, style: Notation) -> str:
+    lines = [Line(box(e.left, style), e.right, is_angle(e.right, style.angles)) for e in equations]
+    return display(tuple(lines), style, words.where)
+
+
+def _difference(equation: Equation) -> Formula:
+    return total([equation.left, negative(equation.right)])
 
 
 def _findings(result: Result, words: Words, style: Notation) -> Findings:

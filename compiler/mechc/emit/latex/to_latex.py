@@ -10,14 +10,14 @@ from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-from ...derivation.remarks import called, conditions
+from ...derivation.remarks import called, conditions, reaction
 from ...derivation.sections import sections
 from ...derivation.steps import Derivation, Equation, Step
 from ...derivation.wording import Sides, lines, sentence
 from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
-from ...model.mechanism import Parameter, Reaction
+from ...model.mechanism import Parameter
 from ...units import ANGLE
 from ...words import en, ru, uk
 from ...words.table import Words
@@ -115,9 +115,9 @@ def _style(compiled: Compiled, style: Notation) -> Notation:
     known = replace(style, angles=frozenset(angles))
     known = replace(known, spellings=spellings(_names(compiled), known))
     forces = {
-        called(r): of_force(r.name, r.target, known)
+        called(r): of_force(r.name, force, known)
         for r in compiled.derivation.results
-        if isinstance(r.target, Reaction)
+        if (force := reaction(r))
     }
     return replace(known, spellings={**known.spellings, **forces})
 

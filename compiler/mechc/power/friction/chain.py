@@ -23,10 +23,13 @@ from ...algebra.product import ONE, ZERO, Product
 from ...algebra.sums import add, canonical
 from ...model.mechanism import Link
 from ...pose.pose import Touch
-from .bodies import HALF_TURN, Bodies, Entangled, Pull, Surface, Task, under
+from .bodies import HALF_TURN, Bodies, Entangled, Kind, Pull, Surface, Task, under
 from .closed import Condition
 from .lever import Bearing, on_lever
+from .notes import Notes
+from .rubs import radii
 from .signs import Signs
+from .steps import Step
 
 
 class Chain:
@@ -37,7 +40,15 @@ class Chain:
         self._driving, self._signs, self._sense = task.driving, signs, sense
         self.sizes: dict[str, Product] = dict(task.given)
         self.conditions: list[Condition] = []
+        self._notes = Notes(self._bodies, signs)
+        self._given = task.given
+        self._radii = radii(p.rub for p in task.pressed)
         self._lines: dict[str, Angle] = {}
+
+    @property
+    def steps(self) -> list[Step]:
+        """Return the steps taken so far."""
+        return self._notes.steps
 
     def solve(self) -> Product:
         """Return the driving load. Raises :class:`Entangled` where the chain ends."""
@@ -57,16 +68,26 @@ class Chain:
         if len(unknown) != (2 if kind == "pin" else 1):
             return False
         known = [p.scaled(self.sizes[p.name]) for p in pulls if p.name in self.sizes]
+        friction = self._balance(kind, body, unknown, known)
+        if self._signs.is_read:
+            free = [p.scaled(self._given.get(p.name) or Product.symbol(p.name)) for p in pulls]
+            found = {p.name: self.sizes[p.name] for p in unknown}
+            self._notes.balance(kind, body, free, friction, found)
+        return True
+
+    def _balance(
+        self, kind: Kind, body: str, unknown: Sequence[Pull], known: Sequence[Pull]
+    ) -> Product:
+        """Find the unknown sizes; return friction per unit of what presses, with its sign."""
         match kind:
             case "lever":
-                self._lever(body, unknown[0], known)
+                return self._lever(body, unknown[0], known)
             case "slider":
-                self._slider(body, unknown[0], known)
+                return self._slider(body, unknown[0], known)
             case "pin":
-                self._pin(body, unknown, known)
+                return self._pin(body, unknown, known)
             case _:
                 assert_never(kind)
-        return True
 
     # ---------------------------------------------------------------------------- rods
 
@@ -95,6 +116,9 @@ class Chain:
             offset = add(map(self._resistance, surfaces))
             turn = -(self._pressed(rod) * offset) / length if offset else ZERO
             self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, "asin", turn)
+            if surfaces and self._signs.is_read:
+                resistances = [self._resistance(s) for s in surfaces]
+                self._notes.rod(rod, self._pressed(rod), resistances, turn)
         return self._lines[rod.name]
 
     def _face(self, touch: Touch) -> Angle:
@@ -105,6 +129,8 @@ class Chain:
             turn = -(self._resistance(surface) * side)
             label = f"phi_{touch.point}"
             self._lines[name] = self._signs.turned(label, touch.normal, "atan", turn)
+            if self._signs.is_read:
+                self._notes.face(touch.point)
         return self._lines.get(name, touch.normal)
 
     def _surfaces(self, rod: Link) -> list[Surface]:
@@ -116,7 +142,12 @@ class Chain:
 
     def _resistance(self, surface: Surface) -> Product:
         """Return the factor of friction with the sign of the slip."""
-        return surface.factor * self._turn(surface)
+        return self._factor(surface) * self._turn(surface)
+
+    def _factor(self, surface: Surface) -> Product:
+        """Return the factor of friction, the radius of a friction circle by its name."""
+        label = self._radii.get(surface.name)
+        return self._signs.radius(label, surface.factor) if label else surface.factor
 
     def _turn(self, surface: Surface) -> Product:
         """Return the sign of the slip in the motion that is meant."""
@@ -125,15 +156,16 @@ class Chain:
 
     # -------------------------------------------------------------------------- bodies
 
-    def _lever(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
+    def _lever(self, body: str, unknown: Pull, known: Sequence[Pull]) -> Product:
         surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
-        bearing = Bearing(pivot, surface.factor, self._turn(surface)) if surface else None
+        bearing = Bearing(pivot, self._factor(surface), self._turn(surface)) if surface else None
         size, turns = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
         self._settle(unknown, size)
         if turns.factors:
             self.conditions.append(Condition(ONE, turns))
+        return self._resistance(surface) if surface else ZERO
 
-    def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> None:
+    def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> Product:
         """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed."""
         guide, surface = self._bodies.guide(body), self._bodies.sliding(body)
         against, side = ZERO, ZERO
@@ -149,8 +181,9 @@ class Chain:
         if surface:
             pressing = add(p.across(guide) for p in (*known, unknown.scaled(size)))
             self._keep(side, pressing)
+        return against
 
-    def _pin(self, body: str, unknown: Sequence[Pull], known: Sequence[Pull]) -> None:
+    def _pin(self, body: str, unknown: Sequence[Pull], known: Sequence[Pull]) -> Product:
         for one, other in (unknown, unknown[::-1]):
             if one.line is None or other.line is None or not one.across(other.line):
                 raise Entangled
@@ -158,6 +191,7 @@ class Chain:
             self._settle(one, -(parts / one.across(other.line)))
         if self._bodies.is_rubbing(body) and not self._are_alike(body):
             raise Entangled
+        return ZERO
 
     def _are_alike(self, body: str) -> bool:
         """Tell whether both rods at a pin carry the same force, whatever the pose."""

@@ -1,6 +1,6 @@
 """A closed form: as code takes it, and as it is printed."""
 
-from collections.abc import Callable, Iterator, Mapping, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
 from typing import Literal, NamedTuple, Protocol
 
 from ...algebra.factors import Factor, Trig
@@ -11,6 +11,9 @@ from ...formula.tree import Formula, product, total
 from ...frozen import frozen
 from ...model.result import Definition
 from .signs import AtAnyPose, AtOnePose, Signs
+from .steps import Step
+
+Operator = Literal["<", ">", "="]
 
 
 @frozen
@@ -19,7 +22,8 @@ class Printed:
 
     formula: Formula
     where: tuple[Definition, ...]
-    holds: tuple[tuple[Formula, Literal["<", ">", "="]], ...]
+    holds: tuple[tuple[Formula, Operator], ...]
+    steps: tuple[Step, ...] = ()
 
 
 @frozen
@@ -27,13 +31,16 @@ class Named:
     """A formula and what it rests on, each definition after those it needs.
 
     What is ``positive`` must stay so, or the formula has no meaning. ``case`` is the same
-    as it is printed.
+    as it is printed; ``steps`` tell how it was found where there is none. Names ``inside``
+    are the coefficients of a system, of which people read the structure only.
     """
 
     formula: Formula
     where: tuple[Definition, ...] = ()
     positive: tuple[Formula, ...] = ()
     case: Printed | None = None
+    steps: tuple[Step, ...] = ()
+    inside: frozenset[str] = frozenset()
 
 
 class Condition(NamedTuple):
@@ -47,6 +54,11 @@ class Way(Protocol):
     """A way to solve for the driving load, and what its formula takes for granted then."""
 
     conditions: list[Condition]
+
+    @property
+    def steps(self) -> Sequence[Step]:
+        """Return the steps taken so far."""
+        ...
 
     def solve(self) -> Product:
         """Return the driving load. Raises :class:`~.bodies.Entangled` where it cannot."""
@@ -63,15 +75,17 @@ def closed_form(way: Callable[[Signs], Way], factor: Product, taken: Set[str]) -
     return Named(formula, tuple(signs.definitions), tuple(positive))
 
 
-def printed_form(
-    way: Callable[[Signs], Way], factor: Product, values: Mapping[str, float]
-) -> Printed:
-    """Return the driving load times a factor, for the signs at given values."""
-    signs = AtOnePose(values.keys(), values)
-    formula = readable(canonical(way(signs).solve() * factor))
-    operators: Mapping[int, Literal["<", ">", "="]] = {-1: "<", 0: "=", 1: ">"}
-    holds = tuple((value, operators[sign]) for value, sign in signs.conditions.items())
-    return Printed(formula, tuple(signs.definitions), holds)
+def printed_form(way: Callable[[Signs], Way], factor: Product, signs: AtOnePose) -> Printed:
+    """Return the driving load times a factor, for the signs of one pose."""
+    solver = way(signs)
+    formula = readable(canonical(solver.solve() * factor))
+    return Printed(formula, tuple(signs.definitions), conditions(signs), tuple(solver.steps))
+
+
+def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
+    """Return the conditions under which signs stay what they are."""
+    operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
+    return tuple((value, operators[sign]) for value, sign in signs.conditions.items())
 
 
 def readable(value: Product) -> Formula:

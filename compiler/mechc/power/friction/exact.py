@@ -6,10 +6,11 @@ by what they press altogether, so that the way has the same length however large
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
-from ...algebra.from_formula import to_product
+from ...algebra.product import ZERO, Product
 from ...algebra.sums import add
 from ...formula.tree import (
     Call,
@@ -25,11 +26,14 @@ from ...formula.tree import (
 )
 from ...frozen import frozen
 from ...model.mechanism import Mechanism
-from ...model.result import Definition
+from ...model.result import Definition, Result
 from ..joint_forces import size_of
 from ..speeds import even, magnitude
-from .closed import Named, readable
+from .closed import Named, Printed, conditions, readable
 from .pressing import Component, Pressed
+from .rubs import Rub, radii
+from .signs import AtOnePose
+from .steps import Step
 
 
 def first_order(
@@ -39,17 +43,73 @@ def first_order(
 
     The power of friction with ideal instead of true forces: the error is of second order.
     """
-    alone, paired = [], []
+    parts = _powers(pressed, partial(magnitude, mechanism=mechanism))
+    return Named(_with(ideal, parts, sense))
+
+
+def first_order_case(
+    name: str, ideal: Result, pressed: Sequence[Pressed], sense: int, signs: AtOnePose
+) -> Printed:
+    """Return the same for the signs of a pose, and the forces and slips that it sums up."""
+    parts = _powers(pressed, positive_at(signs))
+    labels = radii(part.rub for part in parts)
+    terms: list[Formula] = [Symbol(ideal.name)]
+    for part in parts:
+        label = part.rub.name
+        names = (
+            signs.define(f"r_{label}", part.force.formula()),
+            signs.define(_slip_name(part.rub), part.slip.formula()),
+        )
+        factor = named_factor(part.rub, labels, signs)
+        pair = ((Symbol(n), 1) for n in names)
+        terms.append(product([(number(sense), 1), (factor.formula(), 1), *pair]))
+    step = Step(
+        "first order",
+        equations=((Symbol(name), total(terms)),),
+        defined=tuple(signs.definitions),
+    )
+    formula = _with(ideal.formula, parts, sense)
+    return Printed(formula, (), conditions(signs), (step,))
+
+
+def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
+    """Return what gives absolute values, by the signs of a pose."""
+    return lambda value: value * signs.of("", value)
+
+
+def _slip_name(rub: Rub) -> str:
+    return f"{'Omega' if rub.bond.kind == 'pin' else 'v'}_{rub.name}"
+
+
+def named_factor(rub: Rub, labels: Mapping[str, str], signs: AtOnePose) -> Product:
+    """Return the factor of friction, the radius of a friction circle by its name."""
+    return signs.radius(labels[rub.name], rub.factor) if rub.name in labels else rub.factor
+
+
+class Power(NamedTuple):
+    """The power of one friction: the ideal force, on one line or not, and the slip."""
+
+    rub: Rub
+    force: Product
+    slip: Product
+    is_on_line: bool
+
+    @property
+    def size(self) -> Product:
+        """Return the power itself."""
+        return self.rub.factor * self.force * self.slip
+
+
+def _powers(pressed: Sequence[Pressed], positive: Callable[[Product], Product]) -> list[Power]:
+    """Return the powers of frictions under ideal forces, but for those that are zero."""
+    found = []
     for p in pressed:
         parts = [c.ideal for c in p.components if c.ideal]
-        if len(parts) == 1:
-            alone.append(p.rub.factor * magnitude(parts[0] * p.slip, mechanism))
-        elif parts:
-            x, y = parts
-            size = to_product(size_of(x, y, mechanism))
-            paired.append(even(p.rub.factor * size * magnitude(p.slip, mechanism)).formula())
-    added = total([readable(add(alone)), *paired])
-    return Named(total([ideal, added if sense > 0 else negative(added)]))
+        if parts and p.slip:
+            x, y = (*parts, ZERO)[:2]
+            force = size_of(x, y, positive) if y else positive(x)
+            found.append(Power(p.rub, force, positive(p.slip), not y))
+    return found
 
 
 @frozen
@@ -60,6 +120,11 @@ class Sizes:
     definitions: tuple[Definition, ...]
     sense: int
 
+    @property
+    def inside(self) -> frozenset[str]:
+        """Return all names of the system, its many coefficients among them."""
+        return frozenset(definition.name for definition in self.definitions)
+
 
 def true_sizes(pressed: Sequence[Pressed], sense: int, taken: set[str]) -> Sizes:
     """Return the sizes of the pressing forces that solve the exact equations."""
@@ -68,16 +133,50 @@ def true_sizes(pressed: Sequence[Pressed], sense: int, taken: set[str]) -> Sizes
     return Sizes(names, tuple(system.definitions()), sense)
 
 
-def exact(ideal: Formula, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
-    """Return the driving load where every friction follows from its true pressing force."""
-    parts = [_added(p, Symbol(sizes.names[p.rub.name]), sizes.sense) for p in pressed]
-    return Named(total([ideal, *parts]), sizes.definitions)
+def _with(ideal: Formula, parts: Sequence[Power], sense: int) -> Formula:
+    """Return the driving load with the powers of friction added."""
+    alone = readable(add(p.size for p in parts if p.is_on_line))
+    added = total([alone, *(even(p.size).formula() for p in parts if not p.is_on_line)])
+    return total([ideal, added if sense > 0 else negative(added)])
 
 
-def _added(pressed: Pressed, size: Formula, sense: int) -> Formula:
-    """Return what a friction adds to the driving load."""
-    factor, slip = pressed.rub.factor.formula(), Call("abs", (pressed.slip.formula(),))
-    return product([(number(sense), 1), (factor, 1), (size, 1), (slip, 1)])
+def exact(
+    ideal: Formula,
+    pressed: Sequence[Pressed],
+    sizes: Sizes,
+    positive: Callable[[Product], Product],
+) -> Named:
+    """Return the driving load where every friction follows from its true pressing force.
+
+    ``positive`` gives absolute values.
+    """
+    parts = [(p.rub, p.rub.factor.formula(), positive(p.slip).formula()) for p in pressed]
+    steps = (Step("iterated"),)
+    return Named(_sum(ideal, parts, sizes), sizes.definitions, steps=steps, inside=sizes.inside)
+
+
+def exact_case(
+    ideal: Formula, pressed: Sequence[Pressed], sizes: Sizes, signs: AtOnePose
+) -> Printed:
+    """Return the same with a name for each slip, its sign that of a pose."""
+    labels, positive = radii(p.rub for p in pressed), positive_at(signs)
+    parts = []
+    for p in pressed:
+        slip = Symbol(signs.define(_slip_name(p.rub), positive(p.slip).formula()))
+        parts.append((p.rub, named_factor(p.rub, labels, signs).formula(), slip))
+    where = (*signs.definitions, *sizes.definitions)
+    steps = (Step("iterated"),)
+    return Printed(_sum(ideal, parts, sizes), where, conditions(signs), steps)
+
+
+def _sum(ideal: Formula, parts: Iterable[tuple[Rub, Formula, Formula]], sizes: Sizes) -> Formula:
+    """Return the driving load with the powers of friction: factor, true size and slip of each."""
+    sense = number(sizes.sense)
+    added = (
+        product([(sense, 1), (factor, 1), (Symbol(sizes.names[rub.name]), 1), (slip, 1)])
+        for rub, factor, slip in parts
+    )
+    return total([ideal, *added])
 
 
 def _size(components: Sequence[Formula]) -> Formula:

@@ -1,6 +1,7 @@
 """Forces at joints with friction: as they are without it, and what each friction adds."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
@@ -8,49 +9,81 @@ from ...formula.tree import Call, Formula, Symbol, number, product, total
 from ...kinematics.forms import QUARTER
 from ...kinematics.plan import Plan
 from ...model.mechanism import Axial, Normal, Reaction
+from ..balance import Term
 from ..joint_forces import bond_of, line_of
-from ..reactions import Reactions, Transmitted
-from .closed import Named
-from .exact import Sizes
+from ..reactions import Reactions
+from .closed import Named, Printed, conditions
+from .exact import Sizes, named_factor
 from .pressing import Pressed, load_of, term_of
+from .rubs import Rub, radii
+from .signs import AtOnePose
+from .steps import Step
 
 
-def force_with_friction(
-    target: Reaction | Axial | Normal,
-    plan: Plan,
-    driving: str,
-    pressed: Sequence[Pressed],
-    sizes: Sizes,
-) -> tuple[Named, Transmitted] | None:
-    """Return a force at a joint, every friction as large as ``sizes`` says.
+class ForceWithFriction:
+    """A force at a joint, every friction as large as ``sizes`` says."""
 
-    None where equilibrium leaves it open.
-    """
-    pose, rubs = plan.graph.pose, [p.rub for p in pressed]
-    reactions = Reactions(pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs])
-    transmitted = reactions.of(bond_of(target, pose))
-    if transmitted is None:
-        return None
-    frictions = {load_of(p.rub): _resisting(p, sizes) for p in pressed}
+    def __init__(
+        self,
+        target: Reaction | Axial | Normal,
+        plan: Plan,
+        driving: str,
+        pressed: Sequence[Pressed],
+        sizes: Sizes,
+    ) -> None:
+        self._target, self._pose = target, plan.graph.pose
+        self._pressed, self._sizes = pressed, sizes
+        rubs = [p.rub for p in pressed]
+        more = partial(_terms, rubs)
+        reactions = Reactions(self._pose, (driving,), more)
+        self.transmitted = reactions.of(bond_of(target, self._pose))
 
-    def along(direction: Angle) -> Formula:
-        return _form(transmitted.along(direction), frictions)
+    def at_any_pose(self) -> Named:
+        """Return the force with signs that follow from the pose."""
+        formula = self._formula(
+            lambda rub: rub.factor, lambda slip: Call("sign", (slip.formula(),))
+        )
+        return Named(formula, self._sizes.definitions, inside=self._sizes.inside)
 
-    match target:
-        case Reaction(part="size"):
-            formula: Formula = Call("hypot", (along(Angle()), along(QUARTER)))
-        case Reaction(part="direction"):
-            formula = Call("atan2", (along(QUARTER), along(Angle())))
-        case _:
-            formula = along(line_of(target, pose))
-    return Named(formula, sizes.definitions), transmitted
+    def at_one_pose(self, signs: AtOnePose) -> Printed:
+        """Return the force as it is printed, for the signs of one pose."""
+        labels = radii(p.rub for p in self._pressed)
+        formula = self._formula(
+            lambda rub: named_factor(rub, labels, signs),
+            lambda slip: signs.of("", slip).formula(),
+        )
+        where = (*signs.definitions, *self._sizes.definitions)
+        return Printed(formula, where, conditions(signs), (Step("iterated"),))
+
+    def _formula(
+        self, factor: Callable[[Rub], Product], sign: Callable[[Product], Formula]
+    ) -> Formula:
+        frictions = {
+            load_of(p.rub): self._resisting(p, factor(p.rub), sign(p.slip)) for p in self._pressed
+        }
+
+        def along(direction: Angle) -> Formula:
+            assert self.transmitted is not None
+            return _form(self.transmitted.along(direction), frictions)
+
+        match self._target:
+            case Reaction(part="size"):
+                return Call("hypot", (along(Angle()), along(QUARTER)))
+            case Reaction(part="direction"):
+                return Call("atan2", (along(QUARTER), along(Angle())))
+            case _:
+                return along(line_of(self._target, self._pose))
+
+    def _resisting(self, pressed: Pressed, factor: Product, sign: Formula) -> Formula:
+        """Return a friction as a load on its slip: its size, against the sign of the slip."""
+        size = Symbol(self._sizes.names[pressed.rub.name])
+        return product(
+            [(number(-self._sizes.sense), 1), (factor.formula(), 1), (size, 1), (sign, 1)]
+        )
 
 
-def _resisting(pressed: Pressed, sizes: Sizes) -> Formula:
-    """Return a friction as a load on its slip: its size, against the sign of the slip."""
-    factor, slip = pressed.rub.factor.formula(), Call("sign", (pressed.slip.formula(),))
-    size = Symbol(sizes.names[pressed.rub.name])
-    return product([(number(-sizes.sense), 1), (factor, 1), (size, 1), (slip, 1)])
+def _terms(rubs: Sequence[Rub], loose: Plan) -> list[Term]:
+    return [term_of(rub, loose) for rub in rubs]
 
 
 def _form(amounts: Mapping[str, Product], frictions: Mapping[str, Formula]) -> Formula:

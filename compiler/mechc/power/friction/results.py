@@ -1,6 +1,7 @@
 """Ratios and loads with friction in them, and their efficiency."""
 
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
 from typing import NamedTuple
 
 from ...algebra.from_formula import to_product
@@ -29,17 +30,21 @@ from ...model.mechanism import (
 from ...model.result import Case as PrintedCase
 from ...model.result import Definition, Result
 from ...units import NUMBER
+from ..balance import Solved
 from ..definitions import bound_sums, intermediates
 from ..equations import Equations
 from ..numbers import default_values, value_of
+from ..speeds import magnitude
+from ..trends import allowed
 from .bodies import Entangled, Task
 from .chain import Chain
 from .closed import Named, Printed, Way, closed_form, printed_form
-from .exact import exact, first_order, true_sizes
-from .forces import force_with_friction
+from .exact import Sizes, exact, exact_case, first_order, first_order_case, true_sizes
+from .forces import ForceWithFriction
 from .pressing import Idle, Pressed, PressedByAnother, Undetermined, press
 from .rubs import Rub, rubs
-from .signs import Signs
+from .signs import AtOnePose, Signs
+from .steps import Step
 from .straight import Straight
 
 SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
@@ -77,16 +82,20 @@ class FrictionResults:
         self._pressed: dict[str, tuple[Pressed, ...] | None] = {}
         self._known: dict[object, tuple[Pressed, ...] | None] = {}
 
-    def find(self, find: Find, ideal: Result) -> Result | None:
+    def find(self, find: Find, ideal: Result) -> Solved | None:
         """Return the result with friction; None where an error was reported."""
         match find.target:
             case WithFriction(Reaction() | Axial() | Normal() as force, sense):
                 return self._force(find, ideal, force, sense)
             case WithFriction(LoadRatio() | LoadForm() as of, sense, order):
                 named = self._solve(find, self._case(of, ideal), sense, order)
-                return self._result(find, ideal, named) if named else None
+                if named is None:
+                    return None
+                steps = named.case.steps if named.case else named.steps
+                return Solved(self._result(find, ideal, named), steps=steps)
             case Efficiency(of, sense):
-                return self._efficiency(find, ideal, of, sense)
+                found = self._efficiency(find, ideal, of, sense)
+                return Solved(found) if found else None
             case _:
                 return None
 
@@ -116,12 +125,16 @@ class FrictionResults:
             return None
         scaled = _scaled(pressed, case.factor)
         if order == "first":
-            return first_order(
-                case.ideal.formula, _scaled(pressed, case.factor), sign, self._mechanism
+            return replace(
+                first_order(case.ideal.formula, scaled, sign, self._mechanism),
+                case=self._at_default(
+                    partial(first_order_case, find.name, case.ideal, scaled, sign)
+                ),
             )
         closed = self._closed(case, pressed, sign)
-        scaled = _scaled(pressed, case.factor)
-        return closed or exact(case.ideal.formula, scaled, true_sizes(pressed, sign, self._taken()))
+        if closed:
+            return closed
+        return self._iterated(case.ideal, scaled, true_sizes(pressed, sign, self._taken()))
 
     def _closed(self, case: Case, pressed: Sequence[Pressed], sense: int) -> Named | None:
         """Return the first closed form that there is; None where all equations hang together."""
@@ -130,7 +143,8 @@ class FrictionResults:
                 found = closed_form(way, case.factor, self._taken())
             except Entangled:
                 continue
-            return replace(found, case=self._printed(way, case.factor))
+            printed = partial(printed_form, way, case.factor)
+            return replace(found, case=self._at_default(printed))
         return None
 
     def _ways(
@@ -146,10 +160,12 @@ class FrictionResults:
         ideal = canonical(-(add(works) / columns[case.driving][0]))
         yield lambda signs: Straight(ideal, pressed, signs, sense)
 
-    def _printed(self, way: Callable[[Signs], Way], factor: Product) -> Printed | None:
-        """Return the closed form for the default pose; None where a value or a sign is missing."""
+    def _at_default(self, printed: Callable[[AtOnePose], Printed]) -> Printed | None:
+        """Return what is printed for the default pose; None where a value or a sign is missing."""
+        values = self._values()
+        taken = values.keys() | self._taken()
         try:
-            return printed_form(way, factor, self._values())
+            return printed(AtOnePose(taken, values, allowed(self._mechanism)))
         except (KeyError, Entangled):
             return None
 
@@ -161,6 +177,13 @@ class FrictionResults:
             if symbols(formula) <= values.keys():
                 values[name] = evaluate(formula, values)
         return values
+
+    def _iterated(self, ideal: Result, scaled: Sequence[Pressed], sizes: Sizes) -> Named:
+        """Return the load by Newton's method, as it is printed for the default pose."""
+        positive = partial(magnitude, mechanism=self._mechanism)
+        found = exact(ideal.formula, scaled, sizes, positive)
+        case = self._at_default(partial(exact_case, ideal.formula, scaled, sizes))
+        return replace(found, case=case)
 
     def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
         """Return how the pairs are pressed under the loads of a case, found once for each."""
@@ -208,51 +231,57 @@ class FrictionResults:
 
     def _force(
         self, find: Find, ideal: Result, force: Reaction | Axial | Normal, sense: Sense
-    ) -> Result | None:
+    ) -> Solved | None:
         """Return a force at a joint, as large as friction everywhere makes it."""
         case = Case(ideal, self._driving, ONE, self._others(self._driving))
         pressed = self._press(find, case)
         if pressed is None:
             return None
         sizes = true_sizes(pressed, SIGNS[sense], self._taken())
-        found = force_with_friction(force, self._plan, self._driving, pressed, sizes)
-        if found is None:
+        found = ForceWithFriction(force, self._plan, self._driving, pressed, sizes)
+        if found.transmitted is None:
             return None
-        named, transmitted = found
+        named = replace(found.at_any_pose(), case=self._at_default(found.at_one_pose))
         result = self._result(find, ideal, named)
         sums = [
             d
-            for plan, push in zip(transmitted.plans, transmitted.pushes, strict=True)
+            for plan, push in zip(found.transmitted.plans, found.transmitted.pushes, strict=True)
             for d in bound_sums(plan, list(push.amounts.values()))
         ]
-        return replace(result, where=tuple(dict.fromkeys((*sums, *result.where))))
+        result = replace(result, where=tuple(dict.fromkeys((*sums, *result.where))))
+        return Solved(result, steps=(Step("iterated"),))
 
     # ------------------------------------------------------------------------- results
 
     def _result(self, find: Find, ideal: Result, named: Named) -> Result:
         pressed = self._pressed.get(ideal.name) or ()
-        formulas = [named.formula, *(d.formula for d in named.where)]
-        used = {name for f in formulas for name in symbols(f)}
-        weights = [Definition(n, f) for n, f in self._valued.items() if n in used]
-        known = [*weights, *intermediates(self._plan, formulas), *self._sums(pressed), *ideal.where]
-        where = tuple(dict.fromkeys((*known, *named.where)))
+        sums = list(self._sums(pressed))
         return Result(
             find.name,
             find.target,
             ideal.dimension,
             named.formula,
-            where,
+            self._where(ideal, named.formula, (*sums, *named.where)),
             ideal.coefficients,
             guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
             case=self._case_of(find, ideal, named.case) if named.case else None,
+            inside=named.inside,
         )
 
     def _case_of(self, find: Find, ideal: Result, printed: Printed) -> PrintedCase:
-        formulas = [printed.formula, *(d.formula for d in printed.where)]
-        known = [*intermediates(self._plan, formulas), *ideal.where]
-        where = tuple(dict.fromkeys((*known, *printed.where)))
+        where = self._where(ideal, printed.formula, printed.where)
         holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
         return PrintedCase(printed.formula, where, tuple(holds))
+
+    def _where(
+        self, ideal: Result, formula: Formula, own: Sequence[Definition]
+    ) -> tuple[Definition, ...]:
+        """Return definitions with those that they rest on: of the pose, of weights."""
+        formulas = [formula, *(d.formula for d in own)]
+        used = {name for f in formulas for name in symbols(f)}
+        weights = [Definition(n, f) for n, f in self._valued.items() if n in used]
+        known = [*weights, *intermediates(self._plan, formulas), *ideal.where]
+        return tuple(dict.fromkeys((*known, *own)))
 
     def _sums(self, pressed: Sequence[Pressed]) -> Iterable[Definition]:
         """Return the named sums that slips and pressing forces rest on."""

@@ -3,7 +3,7 @@
 A pin of several links rubs in each of them but the one that carries it.
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -132,6 +132,13 @@ def _along_thread(thread: RubbingThread, pose: Pose) -> Measure:
         return subtract(scaled(ahead, slope), round_)
 
     return slip
+
+
+def radii(rubs: Iterable[Rub]) -> dict[str, str]:
+    """Return what the radius of each pin's friction circle is called: rho where all are alike."""
+    pins = [rub for rub in rubs if rub.bond.kind == "pin"]
+    alike = len({rub.factor.formula() for rub in pins}) == 1
+    return {rub.name: "rho" if alike else f"rho_{rub.name}" for rub in pins}
 
 
 def _guide(point: str, pose: Pose) -> Angle:

@@ -10,21 +10,30 @@ from collections.abc import Mapping, Set
 from typing import Literal, Protocol
 
 from ...algebra.angle import Angle, Rational
-from ...algebra.factors import Length, Trig
+from ...algebra.factors import Length, Opaque, Trig
 from ...algebra.product import Product
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula
 from ...formula.walk import evaluate
 from ...model.result import Definition
+from ..intervals import Box, sign
 
 Inverse = Literal["asin", "atan"]
 """The function that gives a turn."""
 
 
 class Signs(Protocol):
-    """A way to write signs down, and what it had to name so far."""
+    """A way to write signs down, and what it had to name so far.
+
+    ``is_read`` tells that people read the formula, so that its steps are noted.
+    """
 
     definitions: list[Definition]
+    is_read: bool
+
+    def radius(self, name: str, factor: Product) -> Product:
+        """Return the radius of a friction circle, which may be called ``name``."""
+        ...
 
     def of(self, name: str, value: Product) -> Product:
         """Return the sign of a value, which may be called ``name``."""
@@ -78,6 +87,12 @@ class _Names:
 class AtAnyPose(_Names):
     """Signs and turns as names with formulas of their own."""
 
+    is_read = False
+
+    def radius(self, name: str, factor: Product) -> Product:
+        """Return the radius as it is."""
+        return factor
+
     def of(self, name: str, value: Product) -> Product:
         """Return the name of the sign, with a minus for that of the opposite."""
         telling = bare(value)
@@ -93,22 +108,39 @@ class AtAnyPose(_Names):
 
 
 class AtOnePose(_Names):
-    """Signs as numbers, and turns as positive angles, as they are at one pose."""
+    """Signs as numbers, and turns as positive angles, as they are at one pose.
 
-    def __init__(self, taken: Set[str], values: Mapping[str, float]) -> None:
+    ``box`` are ranges that parameters keep to, so that what has one sign in it needs no
+    condition.
+    """
+
+    is_read = True
+
+    def __init__(self, taken: Set[str], values: Mapping[str, float], box: Box) -> None:
         super().__init__(taken)
-        self._values = dict(values)
+        self._values, self._box = dict(values), box
         self.conditions: dict[Formula, int] = {}
+
+    def radius(self, name: str, factor: Product) -> Product:
+        """Return the name of the radius."""
+        return Product.symbol(self.define(name, factor.formula())) if factor.factors else factor
 
     def of(self, name: str, value: Product) -> Product:
         """Return 1, 0 or -1, and note what the sign was taken of."""
         telling = bare(value)
         if not telling.factors:
             return telling
-        positive = Product(1, telling.factors)
-        sign = _sign(positive.evaluate(self._values))
-        self.conditions[positive.formula()] = sign
-        return Product(sign).scaled(telling.coefficient)
+        parts = (self._sign_of(Product.of(factor)) for factor in telling.factors)
+        return Product(math.prod(parts)).scaled(telling.coefficient)
+
+    def _sign_of(self, factor: Product) -> int:
+        """Return the sign of a factor; note it where other values would change it."""
+        known = 1 if is_root(factor) else sign(factor, self._box)
+        if known is not None:
+            return known
+        here = _sign(factor.evaluate(self._values))
+        self.conditions[factor.formula()] = here
+        return here
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a positive angle, one way or the other.
@@ -137,6 +169,15 @@ def _angle_of(tangent: Product) -> Angle | None:
     """Return the angle where a value is written as the tangent of one."""
     sines = (f.angle for f in tangent.factors if isinstance(f, Trig) and f.function == "sin")
     return next((a for a in sines if tangent == sine(a) / cosine(a)), None)
+
+
+def is_root(value: Product) -> bool:
+    """Tell whether a product is a single square root."""
+    match list(value.factors.items()):
+        case [(Opaque(Call("sqrt" | "hypot")), 1)]:
+            return True
+        case _:
+            return False
 
 
 def _is_single(value: Product) -> bool:

@@ -13,6 +13,7 @@ from .bodies import Entangled
 from .closed import Condition
 from .pressing import Pressed
 from .signs import Signs
+from .steps import Step
 
 MOST = 3
 """More pairs than this make a formula that nobody reads."""
@@ -28,6 +29,7 @@ class Straight:
             raise Entangled
         self._ideal, self._pressed, self._signs, self._sense = ideal, pressed, signs, sense
         self.conditions: list[Condition] = []
+        self.steps: tuple[Step, ...] = ()
 
     def solve(self) -> Product:
         """Return the driving load."""
