@@ -315,3 +315,59 @@ def test_the_table_of_the_stroke_tells_it_in_words(tmp_path, capsys):
     out = told(KNEE.format(low=0.1, more="drive alpha"), tmp_path, capsys, "stroke")
     assert "k_hold: self-locking, the load alone moves nothing, from alpha = 0.1 deg" in out
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 from alpha" in out
+
+
+# ------------------------------------------------------------------- constant efficiency
+
+
+def warned(description: str) -> list[str]:
+    return [f"{d.code} {d.message}" for d in mechc.loads(description).warnings]
+
+
+def test_a_constant_efficiency_is_held_against_friction():
+    """δ = asin(f·d/l) turns the rods: η = tan α/tan(α + δ)."""
+    description = KNEE.format(low=1, more="efficiency 0.9").replace("d = 10", "d = 12")
+    (message,) = warned(description)
+    assert message.startswith("W511 the efficiency is given as 0.9, but friction makes it 0.59")
+    low, high = (
+        math.radians(float(part.split(" deg")[0]))
+        for part in (message.split(" .. ")[1], message.split("for alpha = ")[2])
+    )
+    for place, eta in ((low, 0.85), (high, 0.95)):
+        assert math.tan(place) / math.tan(place + math.asin(0.012)) == pytest.approx(eta, abs=1e-4)
+
+
+def test_a_constant_efficiency_near_the_truth_passes():
+    description = KNEE.format(low=1, more="efficiency 0.93").replace("1 deg .. 45", "7 deg .. 20")
+    assert not warned(description)
+
+
+@pytest.mark.parametrize(("low", "high", "seen"), [(1, 45, True), (7.3, 45, False)])
+def test_a_constant_efficiency_is_doubted_near_a_dead_centre(low, high, seen):
+    """d ln tan α/dα = 2/sin 2α is 8 at 7.239°."""
+    description = KNEE.format(low=low, more="efficiency 0.9").replace("friction pins 0.1", "#")
+    found = [w for w in warned(description) if w.startswith("W512")]
+    assert bool(found) == seen
+    if seen:
+        assert f"alpha = 1 deg .. {math.degrees(math.asin(0.25)) / 2:.4g} deg" in found[0]
+
+
+@pytest.mark.parametrize("name", ["d45_12_worm_sectors", "table_4_4_gear", "d45_10_two_screws"])
+def test_an_efficiency_away_from_dead_centres_is_not_doubted(name):
+    found = mechc.load(f"{name}_with_efficiency").warnings
+    assert not [w for w in found if w.code in ("W511", "W512")]
+
+
+@pytest.mark.parametrize(("along", "k_f"), [("-x", 1 / 0.8), ("x", 0.8)])
+def test_an_efficiency_takes_from_the_load_that_drives(along, k_f):
+    """With P's arrow turned round k is negative, and F drives."""
+    description = KNEE.format(low=8, more="efficiency 0.8").replace("friction pins 0.1", "#")
+    found = mechc.loads(description.replace("B along -x", f"B along {along}")).evaluate()
+    assert found["k_f"] / found["k"] == pytest.approx(k_f)
+
+
+def test_what_jams_as_given_has_no_value_and_a_warning():
+    mechanism = mechc.loads(CRANK.format(more="").replace("alpha = 60", "alpha = 10"))
+    assert [w.code for w in mechanism.warnings] == ["W513"]
+    assert math.isnan(mechanism.evaluate()["k_f"])
+    assert mechanism.evaluate()["i_hold"] <= 0 or math.isnan(mechanism.evaluate()["i_hold"])

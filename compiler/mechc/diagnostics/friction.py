@@ -1,4 +1,6 @@
-"""Words for friction in the balance of power (E510, E511, E513, E514)."""
+"""Words for friction in the balance of power (E510 … E514, W511 … W513)."""
+
+from collections.abc import Sequence
 
 from ..source import Span
 from .diagnostic import Words, coded
@@ -51,3 +53,47 @@ def slips_either_way(span: Span, point: str) -> Words:
     """
     message = f"the joint at {point} can slip while no load moves, so nothing tells which way"
     return Words(span, message, "hold what moves idly, or give that joint no friction")
+
+
+@coded("W511")
+def efficiency_beside_friction(span: Span, given: float, found: Sequence[str]) -> Words:
+    """A constant efficiency stands beside friction that makes another one.
+
+    An efficiency overrides friction. It is no property of the joints: near a dead centre
+    friction takes ever more. Where both are given they are compared, at the default pose
+    and over the ranges, and a difference of more than 0.05 is remarked on::
+
+        friction pins 0.1 diameter 10 mm
+        efficiency 0.9          # wrong near the dead centre: leave it out
+    """
+    message = f"the efficiency is given as {given:.3g}, but friction makes it {', '.join(found)}"
+    return Words(span, message, "leave the efficiency out, or narrow the ranges")
+
+
+@coded("W512")
+def efficiency_near_dead_centre(span: Span, name: str, where: Sequence[str]) -> Words:
+    """A constant efficiency is used near a dead centre, where it is far from the truth.
+
+    Friction in pins turns a rod's line of force by an angle δ, and the efficiency is about
+    1/(1 + |d ln k/dφ|·δ). Pins of an eighth of a rod's length with f = 0.1 make δ = 0.0125;
+    where |d ln k/dφ| is above 8 they take a tenth, and near a dead centre everything::
+
+        param alpha = 10 deg in 1 deg .. 45 deg
+        efficiency 0.9                            # wrong: near alpha = 1 deg it is about 0.5
+        friction pins 0.1 diameter 10 mm          # right
+    """
+    message = f"near a dead centre of {name} no constant efficiency is true, {', '.join(where)}"
+    hint = "give the joints friction, as in 'friction pins 0.1 diameter 10 mm', or narrow the range"
+    return Words(span, message, hint)
+
+
+@coded("W513")
+def drive_jams(span: Span, name: str, drive: str) -> Words:
+    """Friction is so large at the default pose that no force of the drive moves anything.
+
+    The drive's line of force passes the friction circle of a pivot, or stands within the
+    angle of friction: with the drive grows friction, and faster. There is no balance, so
+    the result has no value there, and the code gives NaN.
+    """
+    message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
+    return Words(span, message, "move the default values away from the dead centre")

@@ -1,5 +1,6 @@
 """What may be asked for with ``find``."""
 
+from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
 from ..frozen import frozen
@@ -72,6 +73,9 @@ class Normal:
 
 
 Sense = Literal["tightening", "releasing"]
+
+SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
+"""The sign with which friction adds to the driving load."""
 
 
 @frozen

@@ -74,7 +74,13 @@ class _Asked:
         results = [s.result for s in solved]
         solved.extend(Solved(r) for r in let_results(self._plan, results))
         done = Balance(self._plan, self._terms, tuple(solved))
-        return check_numbers(done, self._report)
+        done = check_numbers(done, self._report)
+        if self._mechanism.friction.efficiency is not None:
+            from .friction.constant import remark_on_constant
+
+            silent = Report(self._report.source)
+            remark_on_constant(done, self._friction_results(silent), self._report)
+        return done
 
     def _remark(self) -> None:
         idle = () if self._mechanism.friction.rubbing else self._equations.idle_loads
@@ -189,12 +195,15 @@ class _Asked:
 
     @cached_property
     def _friction(self) -> "FrictionResults":
+        return self._friction_results(self._report)
+
+    def _friction_results(self, report: Report) -> "FrictionResults":
         from .friction.results import FrictionResults
 
         driving = next(iter(self._driving()), "")
         valued = {n: f for n in self._loads if (f := self._given(n)) is not None}
         free = {n: f for n, f in valued.items() if self._equations.owner(n)[0] == n}
-        return FrictionResults(self._plan, self._equations, driving, free, self._report)
+        return FrictionResults(self._plan, self._equations, driving, free, report)
 
     # ------------------------------------------------------------------------- forces
 

@@ -7,15 +7,17 @@ from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
+from ..diagnostics import friction as friction_words
 from ..diagnostics import power as words
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import Find, Force, LoadRatio
+from ..model.mechanism import Efficiency, Find, Force, LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
-from ..model.values import Chain, completed, defaults, dependent
+from ..model.targets import SIGNS
+from ..model.values import Chain, completed, defaults, dependent, holds
 from ..pose.pose import Pose
 from .balance import Balance, Solved, Term
 
@@ -28,14 +30,31 @@ def check_numbers(balance: Balance, report: Report) -> Balance:
     values = default_values(balance.plan)
     spans = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     _check_branch(balance.plan, values, report)
-    solved = []
+    solved: list[Solved] = []
     for item in balance.solved:
-        number = value_of(item.result, values)
-        if item.result.name in spans and number is not None:
-            _remark(item, number, values, spans[item.result.name], balance, report)
+        number, find = value_of(item.result, values), spans.get(item.result.name)
+        if find and number is not None and isinstance(find.target, WithFriction | Efficiency):
+            number = _with_friction(find, number, [s.result for s in solved], report)
+        elif find and number is not None:
+            _remark(item, number, values, find, balance, report)
         finite = number if number is not None and math.isfinite(number) else None
         solved.append(replace(item, result=replace(item.result, default=finite)))
     return replace(balance, solved=tuple(solved))
+
+
+def _with_friction(find: Find, number: float, found: Sequence[Result], report: Report) -> float:
+    """Return a result with friction, NaN where no force of the drive moves anything."""
+    if not isinstance(find.target, WithFriction) or find.target.order == "first":
+        return number
+    of, ideal = find.target.of, 0.0
+    if isinstance(of, LoadRatio | LoadForm):
+        ideal = next((r.default or 0.0 for r in found if r.target == of), 0.0)
+    follows = SIGNS[find.target.sense] * ideal < 0
+    if follows or (math.isfinite(number) and number * ideal >= 0):
+        return number
+    drive = of.above if isinstance(of, LoadRatio) else getattr(of, "load", "of the drive")
+    report.add(friction_words.drive_jams(find.span, find.name, drive))
+    return math.nan
 
 
 def default_values(plan: Plan) -> dict[str, float]:
@@ -51,10 +70,15 @@ def pose_values(pose: Pose) -> dict[str, float]:
 
 
 def value_of(result: Result, values: Mapping[str, float]) -> float | None:
-    """Return a result at given values; None where something it needs has none."""
+    """Return a result at given values; None where something it needs has none.
+
+    NaN where a condition of the result is broken.
+    """
     known = completed(values, result.where)
     if not symbols(result.formula) <= known.keys():
         return None
+    if not all(holds(guard, known) for guard in result.guards):
+        return math.nan
     return evaluate(result.formula, known)
 
 

@@ -3,14 +3,14 @@
 import math
 from collections.abc import Iterator
 
-from ...formula.roots import halved, lowest
-from ...model.locking import USUAL, Course, Range
+from ...formula.roots import lowest
+from ...model.locking import USUAL, Course
 from ...model.mechanism import Efficiency, WithFriction
 from ...model.result import Result
 from ..balance import Balance
 from .locking import sizes
 from .places import Places
-from .ranges import range_of, unit_of, varying
+from .ranges import range_of, spaced, spans, unit_of, varying
 from .states import Moving
 
 PLACES, ITERATED = 48, 12
@@ -38,7 +38,7 @@ class _Run:
     def __init__(self, moving: Moving, low: float, high: float) -> None:
         self._moving, self._low, self._high = moving, low, high
         number = ITERATED if moving.is_iterated else PLACES
-        self._places = [low + (high - low) * i / number for i in range(number)] + [high]
+        self._places = spaced((low, high), number)
 
     def course(self, name: str, unit: str) -> Course | None:
         """Return the whole, None where there is no efficiency anywhere."""
@@ -46,7 +46,7 @@ class _Run:
         if not values:
             return None
         least, greatest = self._extreme(min(values), 1), self._extreme(max(values), -1)
-        usual = tuple(self._usual())
+        usual = tuple(spans(self._places, self._is_usual))
         return Course(name, unit, (self._low, self._high), least, greatest, usual)
 
     def _extreme(self, found: tuple[float, float], sense: int) -> float:
@@ -61,20 +61,5 @@ class _Run:
         )
         return near if sense * near < sense * value else value
 
-    def _usual(self) -> Iterator[Range]:
-        """Yield the stretches with a usual efficiency."""
-        places, start = self._places, None
-        for i, place in enumerate(places):
-            if self._is_usual(place) and start is None:
-                start = self._edge(place, places[i - 1]) if i else place
-            elif start is not None and not self._is_usual(place):
-                yield start, self._edge(places[i - 1], place)
-                start = None
-        if start is not None:
-            yield start, places[-1]
-
     def _is_usual(self, place: float) -> bool:
         return USUAL[0] <= self._moving.efficiency(place) <= USUAL[1]
-
-    def _edge(self, good: float, bad: float) -> float:
-        return halved(lambda x: 1.0 if self._is_usual(x) else -1.0, good, bad).place

@@ -1,12 +1,15 @@
 """What results are followed along: the drive and the angles that they depend on."""
 
-from collections.abc import Iterator, Sequence
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
 
+from ...formula.roots import halved
 from ...formula.walk import evaluate, symbols
 from ...model.locking import Range
 from ...model.mechanism import Mechanism
 from ...model.result import Result
-from ...units import ANGLE, LENGTH
+from ...units import ANGLE, LENGTH, UNITS
 
 
 def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
@@ -51,3 +54,35 @@ def unit_of(name: str, mechanism: Mechanism) -> str:
     """Return the unit of a length, "" for what is none."""
     parameter = next(p for p in mechanism.parameters if p.name == name)
     return (parameter.unit or "m") if parameter.dimension == LENGTH else ""
+
+
+def spaced(ends: Range, parts: int) -> list[float]:
+    """Return places from one end of a range to the other."""
+    low, high = ends
+    return [low + (high - low) * i / parts for i in range(parts)] + [high]
+
+
+def spans(places: Sequence[float], holds: Callable[[float], bool]) -> Iterator[Range]:
+    """Yield the stretches on which something holds, their ends to the last bit."""
+
+    def end(good: float, bad: float) -> float:
+        return halved(lambda x: 1.0 if holds(x) else -1.0, good, bad).place
+
+    first = 0
+    for so, group in groupby(places, holds):
+        last = first + len(list(group)) - 1
+        if so:
+            low = end(places[first], places[first - 1]) if first else places[0]
+            high = end(places[last], places[last + 1]) if last + 1 < len(places) else places[-1]
+            yield low, high
+        first = last + 1
+
+
+def shown(name: str, ends: Range, mechanism: Mechanism) -> str:
+    """Return a stretch as a message says it: ``alpha = 1 deg .. 7.1 deg``."""
+    parameter = next(p for p in mechanism.parameters if p.name == name)
+    unit = parameter.unit or ("rad" if parameter.dimension == ANGLE else "")
+    known = UNITS.get(unit)
+    factor = float(known.factor) * (math.pi if known.pi else 1.0) if known else 1.0
+    low, high = (f"{end / factor:.4g}{' ' if unit else ''}{unit}" for end in ends)
+    return f"{name} = {low} .. {high}"

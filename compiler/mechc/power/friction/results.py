@@ -29,6 +29,7 @@ from ...model.mechanism import (
 )
 from ...model.result import Case as PrintedCase
 from ...model.result import Definition, Result
+from ...model.targets import SIGNS
 from ...units import NUMBER
 from ..balance import Solved
 from ..definitions import bound_sums, intermediates
@@ -46,9 +47,6 @@ from .rubs import Rub, rubs
 from .signs import AtOnePose, Signs
 from .steps import Step
 from .straight import Straight
-
-SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
-"""The sign with which friction adds to the driving load."""
 
 
 class Case(NamedTuple):
@@ -99,6 +97,15 @@ class FrictionResults:
             case _:
                 return None
 
+    def by_rubbing(self, find: Find, ideal: Result) -> Result | None:
+        """Return the result that friction alone makes, whatever efficiency overrides it."""
+        match find.target:
+            case WithFriction(LoadRatio() | LoadForm() as of, sense):
+                named = self._rubbing(find, self._case(of, ideal), sense, "exact")
+                return self._result(find, ideal, named) if named else None
+            case _:
+                return None
+
     def _case(self, of: LoadRatio | LoadForm, ideal: Result) -> Case:
         match of:
             case LoadRatio(above, below):
@@ -116,10 +123,14 @@ class FrictionResults:
     # ------------------------------------------------------------------------- solving
 
     def _solve(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
-        sign, efficiency = SIGNS[sense], self._mechanism.friction.efficiency
+        efficiency = self._mechanism.friction.efficiency
         if efficiency is not None:
             exponent = -1 if self._drives(case.ideal, sense) else 1
             return Named(product([(case.ideal.formula, 1), (efficiency, exponent)]))
+        return self._rubbing(find, case, sense, order)
+
+    def _rubbing(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
+        sign = SIGNS[sense]
         pressed = self._press(find, case)
         if pressed is None:
             return None

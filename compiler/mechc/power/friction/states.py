@@ -13,10 +13,9 @@ from ...formula.tree import Implicit
 from ...formula.walk import walk
 from ...model.locking import State
 from ...model.result import Result
-from ...model.targets import Sense
+from ...model.targets import SIGNS, Sense
 from ...model.values import holds
 from .places import Places, named, value
-from .results import SIGNS
 
 
 class Found(NamedTuple):
