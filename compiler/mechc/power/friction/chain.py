@@ -166,11 +166,19 @@ class Chain:
         return self._resistance(surface) if surface else ZERO
 
     def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> Product:
-        """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed."""
+        """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed.
+
+        Which side that is does not depend on the guide's own friction, so it follows from
+        the balance without that, in which the lines of rods and faces are turned already.
+        """
         guide, surface = self._bodies.guide(body), self._bodies.sliding(body)
         against, side = ZERO, ZERO
+        if not unknown.along(guide):
+            raise Entangled
         if surface:
-            side = self._signs.of(f"s_{body}", surface.pressed)
+            free = -(add(p.along(guide) for p in known) / unknown.along(guide))
+            pushed = add(p.across(guide) for p in (*known, unknown.scaled(free)))
+            side = self._signs.of(f"s_{body}", canonical(pushed))
             against = self._resistance(surface) * side
 
         def along(pull: Pull) -> Product:

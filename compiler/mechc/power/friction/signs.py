@@ -22,6 +22,10 @@ Inverse = Literal["asin", "atan"]
 """The function that gives a turn."""
 
 
+NIL = 1e-12
+"""What is smaller than this has no sign: forces and slips are of order one, per length."""
+
+
 class Signs(Protocol):
     """A way to write signs down, and what it had to name so far.
 
@@ -192,4 +196,4 @@ def bare(value: Product) -> Product:
 
 
 def _sign(value: float | Rational) -> int:
-    return (value > 0) - (value < 0)
+    return (value > NIL) - (value < -NIL)

@@ -44,7 +44,10 @@ class Straight:
 
     def _side(self, pressed: Pressed) -> Product:
         """Return the sign of a pressing force in the ideal mechanism."""
-        return self._signs.of(f"s_{pressed.rub.name}", pressed.components[0].ideal)
+        sign = self._signs.of(f"s_{pressed.rub.name}", pressed.components[0].ideal)
+        if not sign:
+            raise Entangled
+        return sign
 
     def _slip(self, pressed: Pressed) -> Product:
         return self._signs.of(f"sigma_{pressed.rub.name}", pressed.slip)
