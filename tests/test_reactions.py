@@ -47,7 +47,7 @@ def compare(sample: force_mechanisms.Sample, made: Compiled, values: dict[str, f
         for asked in sample.asked
         for name, value in known_of(forces, asked, found).items()
     ]
-    return max(errors) / scale
+    return max(errors, default=0.0) / scale
 
 
 def against_coordinates(seeds: range, ratio: bool) -> list[float]:

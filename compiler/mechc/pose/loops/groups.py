@@ -159,13 +159,14 @@ def _solutions(rows: Sequence[Row], names: Sequence[str], state: State) -> list[
     """Return the solutions that random starts lead to, each once."""
     dice = Random(state.mechanism.name)
     size = size_of(rows, names, state.base)
+    slopes = [[_slope(arms, n) for n in names] for arms, _ in rows]
     found: list[tuple[float, ...]] = []
     vain = 0
     for _ in range(STARTS):
         if vain > VAIN:
             break
         start = {n: draw(n in state.angles, size, dice) for n in names}
-        end = _newton(rows, names, {**state.base, **start}, size)
+        end = _newton(rows, slopes, names, {**state.base, **start}, size)
         if end is None:
             continue
         folded = tuple(
@@ -200,14 +201,21 @@ def _sizes(rows: Sequence[Row], names: Sequence[str], values: Values) -> Iterato
 
 
 def _newton(
-    rows: Sequence[Row], names: Sequence[str], values: Values, size: float
+    rows: Sequence[Row],
+    slopes: Sequence[Sequence[Vector]],
+    names: Sequence[str],
+    values: Values,
+    size: float,
 ) -> Values | None:
     """Return values at which all rows vanish, None where the start leads nowhere."""
     for _ in range(STEPS):
         gaps = [_component(arms, part, values) for arms, part in rows]
         if max(map(abs, gaps)) < CLOSED * size:
             return values
-        matrix = [[_slope(arms, part, n, values) for n in names] for arms, part in rows]
+        matrix = [
+            [_component(arms, part, values) for arms in slope]
+            for slope, (_, part) in zip(slopes, rows, strict=True)
+        ]
         step = eliminate(matrix, gaps)
         if step is None or not all(map(math.isfinite, step)):
             return None
@@ -222,8 +230,8 @@ def _component(arms: Vector, part: int, values: Values) -> float:
     )
 
 
-def _slope(arms: Vector, part: int, name: str, values: Values) -> float:
-    """Return the derivative of a component by an unknown angle or length."""
+def _slope(arms: Vector, name: str) -> Vector:
+    """Return the derivative of a vector by an unknown angle or length."""
     turned: list[Arm] = []
     for length, angle in arms:
         sense = dict(angle.terms).get(name, 0)
@@ -231,7 +239,7 @@ def _slope(arms: Vector, part: int, name: str, values: Values) -> float:
             turned.append(Arm(length.scaled(sense), angle + Angle.constant(90)))
         if Length(name) in length.factors:
             turned.append(Arm(length / Product.symbol(name), angle))
-    return _component(tuple(turned), part, values)
+    return tuple(turned)
 
 
 def eliminate(matrix: Sequence[Sequence[float]], right: Sequence[float]) -> list[float] | None:
