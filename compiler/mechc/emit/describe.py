@@ -4,14 +4,15 @@ Text of the user's goes through :func:`one_line` first: it may hold anything.
 """
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from unicodedata import category
 
 from ..derivation.definitions import Solved, grouped
 from ..formula.to_text import text
+from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Definition
-from ..routine.steps import Function, Input
+from ..routine.steps import Function, Guard, Input
 from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension
 
 _SI = {
@@ -103,7 +104,18 @@ def formula_lines(function: Function) -> list[str]:
     """Return the result as a reader writes it: ``k = …`` and the intermediates it mentions."""
     pairs = ((step.name, step.formula) for step in function.where)
     where = (line for group in grouped(pairs) for line in _group_lines(group))
-    return [f"{function.name} = {text(function.formula)}", *where]
+    return [f"{function.name} = {text(function.formula)}", *where, *_case_lines(function)]
+
+
+def _case_lines(function: Function) -> Iterator[str]:
+    """Yield what a printed case leaves out: other signs, the coefficients of a system."""
+    if function.iterated:
+        yield f"where {', '.join(function.iterated)} press the joints: n = |r + D*n|,"
+        yield "    by Newton's method"
+    if function.holds:
+        yield "while"
+        yield from (f"    {_condition(g)}" for g in function.holds)
+        yield "and elsewhere with the signs of the pose"
 
 
 def _group_lines(group: Definition | Solved) -> list[str]:
@@ -115,7 +127,16 @@ def _group_lines(group: Definition | Solved) -> list[str]:
 
 def condition_lines(function: Function) -> list[str]:
     """Return the conditions outside which the function gives NaN."""
-    return [f"{text(g.left)} {g.operator} {text(g.right)}" for g in function.guards]
+    known = {i.name for i in function.inputs} | {step.name for step in function.where}
+    told = [g for g in function.guards if symbols(g.left) | symbols(g.right) <= known]
+    lines = [_condition(guard) for guard in told]
+    if len(told) < len(function.guards):
+        lines.append("every force keeps the sense that it has without friction")
+    return lines
+
+
+def _condition(guard: Guard) -> str:
+    return f"{text(guard.left)} {guard.operator} {text(guard.right)}"
 
 
 def unchecked(mechanism: Mechanism, functions: Iterable[Function]) -> list[str]:

@@ -1,7 +1,7 @@
 """From results to straight-line programs, one function per ``find`` and ``let``."""
 
 from collections.abc import Iterable, Iterator, Mapping
-from typing import assert_never
+from typing import NamedTuple, assert_never
 
 from ..formula.operations import count_operations
 from ..formula.tree import Formula
@@ -74,6 +74,7 @@ def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Func
     taken = {*inputs, *scope.results, *(name for name, _ in definitions.formulas)}
     carried, formulas = in_unit_vectors(definitions.formulas, [formula], asked, taken)
     steps, (output,) = share(carried, formulas, [*inputs, *scope.results])
+    read = _read(result, formula, definitions.formulas)
     return Function(
         name=result.name,
         title=title(result.target),
@@ -81,11 +82,38 @@ def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Func
         guards=guards,
         steps=steps,
         output=output,
-        formula=formula,
-        where=tuple(Step(name, f) for name, f in definitions.formulas),
+        formula=read.formula,
+        where=read.where,
         dimension=result.dimension,
         operations=sum(map(count_operations, _computed(steps))) + count_operations(output),
+        holds=read.holds,
+        iterated=read.iterated,
     )
+
+
+class _Read(NamedTuple):
+    """A result for readers."""
+
+    formula: Formula
+    where: tuple[Step, ...]
+    holds: tuple[Guard, ...] = ()
+    iterated: tuple[str, ...] = ()
+
+
+def _read(result: Result, formula: Formula, known: Iterable[tuple[str, Formula]]) -> _Read:
+    """Return a result as people read it: a case where there is one, no system's coefficients."""
+    if result.case is None and not result.inside:
+        return _Read(formula, tuple(Step(name, f) for name, f in known))
+    printed = result.printed()
+    used, where = set(symbols(printed.formula)), []
+    named = {d.name for d in printed.where}
+    for name, found in reversed([*(k for k in known if k[0] not in named), *printed.where]):
+        if name in used - result.inside:
+            where.append(Step(name, found))
+            used |= symbols(found)
+    holds = tuple(Guard(h.left, h.operator, h.right) for h in printed.holds)
+    iterated = tuple(d.name for d in printed.where if d.name in used & result.inside)
+    return _Read(printed.formula, tuple(where[::-1]), holds, iterated)
 
 
 def _pose(scope: Scope, inputs: Mapping[str, Input]) -> Pose | None:

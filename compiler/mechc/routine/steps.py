@@ -103,7 +103,8 @@ class Function:
     """One result: inputs in declared order, only those it depends on.
 
     ``formula`` is the result as a reader sees it, with ``where`` defining the named
-    intermediates it mentions, in order; ``steps`` compute the same, shared parts once,
+    intermediates it mentions, in order; where it is a case, it ``holds`` under conditions,
+    and ``iterated`` are names that a system defines. ``steps`` compute the same, shared parts once,
     and ``output`` is the formula of the last line (usually one symbol or a short
     product). ``operations`` counts ``steps`` and ``output``, one correction of each solver.
     """
@@ -118,6 +119,8 @@ class Function:
     where: tuple[Step, ...]
     dimension: Dimension
     operations: int
+    holds: tuple[Guard, ...] = ()
+    iterated: tuple[str, ...] = ()
 
 
 @frozen
