@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from mechc.formula.walk import evaluate as number
+from mechc.pose.places import placed
 from mechc.statics import closure
 from mechc.syntax import ast
 from mechc.syntax.words import points_of
@@ -194,7 +195,7 @@ def places(compilation, values):
         full.setdefault(name, 0.1)
     pose = compilation.pose
     edges = [*closure._links(pose, full), *closure._vectors(pose, full)]
-    found = closure._places(edges)
+    found = placed(edges)
     starts = {p: tuple(place.at) for p, place in found.items() if p}
     for slot in pose.mechanism.slots:
         starts.setdefault(slot.head, starts[slot.point])

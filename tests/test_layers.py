@@ -9,7 +9,7 @@ import pytest
 PACKAGE = Path(__file__).parents[1] / "compiler" / "mechc"
 
 BASE = ["frozen", "source", "units", "diagnostics", "data", "files", "words", "formula", "algebra"]
-STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check", "stroke"]
+STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check", "stroke", "figure"]
 OUTPUT = ["derivation", "routine", "emit"]
 TOP = ["driver", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
@@ -28,6 +28,7 @@ DATA = {
     "model.result",
     "statics.verdict",
     "stroke.stroke",
+    "figure.figure",
     "derivation.steps",
     "routine.steps",
     "emit.target",
@@ -43,6 +44,7 @@ VOCABULARY = {
     "model.forms",
     "model.to_text",
     "model.values",
+    "pose.places",
     "pose.to_text",
     "power.definitions",
     "power.numbers",
@@ -55,6 +57,7 @@ AGAIN = {"kinematics.release"}
 """A stage that is run once more, on a mechanism that was changed for it."""
 
 LATE = {
+    ("driver.py", "figure.from_pose"),
     ("api.py", "routine.evaluate"),
     ("api.py", "sympy"),
     ("formula/to_sympy.py", "sympy"),

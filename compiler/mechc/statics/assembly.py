@@ -1,29 +1,11 @@
 """What equilibrium is written of, in numbers: bodies, joints, and what acts on them."""
 
-import math
 from collections.abc import Mapping
 from typing import NamedTuple, assert_never
 
 from ..frozen import frozen
-
-
-class Plane(NamedTuple):
-    """A planar vector in numbers: metres, newtons, or a unit direction."""
-
-    x: float
-    y: float
-
-    def turned(self) -> "Plane":
-        """Return the vector turned by +90°."""
-        return Plane(-self.y, self.x)
-
-    def times(self, factor: float) -> "Plane":
-        """Return the vector times a number."""
-        return Plane(self.x * factor, self.y * factor)
-
-    def dot(self, other: "Plane") -> float:
-        """Return the scalar product."""
-        return self.x * other.x + self.y * other.y
+from ..pose.places import Plane as Plane
+from ..pose.places import direction as direction
 
 
 class Body(NamedTuple):
@@ -120,8 +102,3 @@ class Assembly:
     rubbings: tuple[Rubbing, ...]
     transfers: tuple[Transfer, ...]
     loads: Mapping[str, tuple[Action, ...]]
-
-
-def direction(angle: float) -> Plane:
-    """Return the unit vector at an angle in radians."""
-    return Plane(math.cos(angle), math.sin(angle))

@@ -13,8 +13,8 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
+from ..pose.places import Edge, Places, Plane, between, direction, placed
 from ..pose.pose import Pose, evaluate_vector
-from .assembly import Plane, direction
 
 CLOSED = 1e-6
 """A gap below this part of the largest length is rounding: arc cosines lose half the digits."""
@@ -27,25 +27,10 @@ class Gap(NamedTuple):
     size: float
 
 
-class Edge(NamedTuple):
-    """A vector that is known in full."""
-
-    tail: str
-    head: str
-    vector: Plane
-
-
-class Place(NamedTuple):
-    """Where a point is, in the part of the drawing that hangs together with ``start``."""
-
-    start: str
-    at: Plane
-
-
 def worst_gap(pose: Pose, values: Mapping[str, float]) -> Gap | None:
     """Return the largest gap of the pose at these values, None where all fits."""
     edges = [*_links(pose, values), *_vectors(pose, values)]
-    drawing = Drawing(_places(edges), values)
+    drawing = Drawing(placed(edges), values)
     gaps = [drawing.loop(edge) for edge in edges]
     gaps += [drawing.entry(entry) for entry in pose.mechanism.geometry]
     gaps += [drawing.guide(slider) for slider in pose.mechanism.sliders]
@@ -84,46 +69,19 @@ def _known(values: Mapping[str, float], *formulas: Formula) -> bool:
     return all(symbols(formula) <= values.keys() for formula in formulas)
 
 
-def _places(edges: list[Edge]) -> dict[str, Place]:
-    """Put every point in its place, part by part, along the first way that leads there."""
-    ways: dict[str, list[tuple[str, Plane]]] = {}
-    for tail, head, vector in edges:
-        ways.setdefault(tail, []).append((head, vector))
-        ways.setdefault(head, []).append((tail, vector.times(-1)))
-    places: dict[str, Place] = {}
-    for start in ways:
-        places.setdefault(start, Place(start, Plane(0.0, 0.0)))
-        waiting = [start]
-        while waiting:
-            here = waiting.pop()
-            root, at = places[here]
-            for there, (x, y) in ways[here]:
-                if there not in places:
-                    places[there] = Place(root, Plane(at.x + x, at.y + y))
-                    waiting.append(there)
-    return places
-
-
 @frozen
 class Drawing:
     """Points in their places, and what can be measured between them."""
 
-    places: Mapping[str, Place]
+    places: Places
     values: Mapping[str, float]
-
-    def between(self, tail: str, head: str) -> Plane | None:
-        """Return the vector between two points, None where they do not hang together."""
-        a, b = self.places.get(tail), self.places.get(head)
-        if a is None or b is None or a.start != b.start:
-            return None
-        return Plane(b.at.x - a.at.x, b.at.y - a.at.y)
 
     def loop(self, edge: Edge) -> Gap | None:
         """Return the gap that opens at a vector when all others are in place."""
-        found = self.between(edge.tail, edge.head)
+        found = between(self.places, edge.tail, edge.head)
         if found is None:
             return None
-        gap = math.hypot(found.x - edge.vector.x, found.y - edge.vector.y)
+        gap = math.hypot(*found.minus(edge.vector))
         return Gap(f"the loop through {edge.tail} and {edge.head}", gap)
 
     def entry(self, entry: Geometry) -> Gap | None:
@@ -132,7 +90,7 @@ class Drawing:
             case Offset():
                 return None
             case Arrow(tail, head, length, line):
-                found = self.between(tail, head)
+                found = between(self.places, tail, head)
                 if found is None:
                     return None
                 gap = max(self._length(found, length), self._line(found, line))
@@ -144,7 +102,7 @@ class Drawing:
 
     def guide(self, slider: Slider) -> Gap | None:
         """Return how far a slider is from its guide's line, where that has a place."""
-        found = self.between(slider.through, slider.point) if slider.through else None
+        found = between(self.places, slider.through, slider.point) if slider.through else None
         if found is None:
             return None
         return Gap(f"the guide of {slider.point}", self._line(found, slider.along))
@@ -165,7 +123,7 @@ class Drawing:
                 known = _known(self.values, angle)
                 return direction(evaluate(angle, self.values)) if known else None
             case Along(tail, head, quarter):
-                vector = self.between(tail, head)
+                vector = between(self.places, tail, head)
                 if vector is None:
                     return None
                 return direction(math.atan2(vector.y, vector.x) + quarter * math.pi / 2)
@@ -173,7 +131,7 @@ class Drawing:
                 assert_never(line)
 
     def _turn(self, turn: Turn) -> Gap | None:
-        first, second = (self.between(turn.vertex, p) for p in (turn.first, turn.second))
+        first, second = (between(self.places, turn.vertex, p) for p in (turn.first, turn.second))
         if first is None or second is None or not _known(self.values, turn.angle):
             return None
         angle = math.atan2(first.y, first.x) + evaluate(turn.angle, self.values)

@@ -64,8 +64,7 @@ class Unfolding:
     def _reflected(self, vector: Plane) -> Plane:
         axis = self._axis
         assert axis is not None
-        along, across = axis.times(axis.dot(vector)), axis.turned().times(axis.turned().dot(vector))
-        return Plane(along.x - across.x, along.y - across.y)
+        return vector.reflected(axis)
 
     def _twin(self, point: str) -> str:
         return point if self._shared(point) else f"{point}'"
