@@ -7,7 +7,7 @@ the pose. A stage that finds errors ends the compilation with :class:`MechcError
 
 from collections.abc import Mapping
 from functools import cached_property
-from typing import TypeVar
+from typing import TYPE_CHECKING, TypeVar
 
 from . import __version__
 from .check.expectations import Finding, compare
@@ -35,6 +35,9 @@ from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, put_in
 
+if TYPE_CHECKING:
+    from .figure.figure import Figure
+
 T = TypeVar("T")
 
 STAGES: Mapping[str, str] = {
@@ -48,6 +51,9 @@ STAGES: Mapping[str, str] = {
     "routine": "routine",
 }
 """The stages in order, and the attribute of :class:`Compilation` that holds each one's value."""
+
+VIEWS: Mapping[str, str] = {**STAGES, "figure": "figure"}
+"""The stages, and what is made only when it is asked for: nothing rests on it."""
 
 SECOND_OPINIONS = ("verdict", "findings", "out_of_step")
 """The attributes that hold what statics, the user's ``expect`` lines and the drive say of it."""
@@ -121,6 +127,17 @@ class Compilation:
         return self._sound(
             program(self.pose.mechanism, self.balance.results, dict(self.pose.definitions))
         )
+
+    @cached_property
+    def figure(self) -> "Figure | None":
+        """The mechanism drawn at the default pose; None where it cannot be assembled."""
+        return self.drawn({})
+
+    def drawn(self, values: Mapping[str, float]) -> "Figure | None":
+        """Return the mechanism drawn at given values, in SI and radians."""
+        from .figure.from_pose import draw
+
+        return draw(self.pose, values)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

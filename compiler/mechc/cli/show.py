@@ -3,7 +3,8 @@
 import click
 
 from ..derivation.to_text import render
-from ..driver import STAGES, Compilation
+from ..driver import VIEWS, Compilation
+from ..figure import to_text as figure
 from ..kinematics import to_text as kinematics
 from ..model import to_text as model
 from ..pose import to_text as pose
@@ -18,7 +19,7 @@ from .session import Command, session_options
 
 
 @click.command("show", cls=Command)
-@click.argument("stage", type=click.Choice(list(STAGES)), metavar="STAGE")
+@click.argument("stage", type=click.Choice(list(VIEWS)), metavar="STAGE")
 @description_argument
 @settings_option
 @stdin_option
@@ -28,7 +29,7 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
 
     The stages, in order: syntax, model, pose, kinematics, power, statics, derivation,
     routine. Later stages are not run. Formulas are printed in the notation of the
-    language, quantities in SI.
+    language, quantities in SI. "figure" is what a drawing of the default pose shows.
 
     \b
     mechc show kinematics clamp.mech
@@ -54,5 +55,7 @@ def _text(stage: str, compilation: Compilation) -> str:
             return render(compilation.derivation, compilation.mechanism)
         case "routine":
             return routine.to_text(compilation.routine)
+        case "figure":
+            return figure.describe(compilation.figure)
         case _:
-            return pretty(getattr(compilation, STAGES[stage]))
+            return pretty(getattr(compilation, VIEWS[stage]))

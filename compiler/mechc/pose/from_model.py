@@ -59,6 +59,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         radii={radius: terms.length(radius) for radius in radii(mechanism)},
         limits=limits,
         closing=tuple(terms.definitions),
+        vectors=vectors.given(),
     )
     survey.close_loops(pose)
     survey.report_unfound(pose, found)

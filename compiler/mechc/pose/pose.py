@@ -104,7 +104,8 @@ class Pose:
     direction in which a pair of forces pushes its second point, or its first one where the
     second is the twin of it. ``radii`` is what each radius and pitch comes to.
     ``limits`` are where the closures of the loops meet, in names that ``closing`` defines,
-    those among them that nothing else needs.
+    those among them that nothing else needs. ``vectors`` are those between two points that
+    the description gives, or that a loop gives it a place by, whatever bodies they are on.
     """
 
     mechanism: Mechanism
@@ -121,6 +122,7 @@ class Pose:
     radii: Mapping[Formula, Product] = MappingProxyType({})
     limits: tuple[Limit, ...] = ()
     closing: tuple[Definition, ...] = ()
+    vectors: Mapping[tuple[str, str], Vector] = MappingProxyType({})
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""

@@ -81,6 +81,11 @@ class Vectors:
         made_up = set(self.placeholders)
         return any(not made_up.isdisjoint(symbols(arm.length.formula())) for arm in vector)
 
+    def given(self) -> Mapping[tuple[str, str], Vector]:
+        """Return every vector once, by its two points; the origin's name is empty."""
+        ways = ((a, b, arms) for a, heads in self._edges.items() for b, arms in heads.items())
+        return {(a, b): arms for a, b, arms in ways if a < b}
+
     def chain(
         self, tail: str, head: str, within: Collection[str] | None = None
     ) -> list[str] | None:

@@ -1,0 +1,253 @@
+"""The figure as data: points in metres, and the parts that a drawing shows.
+
+Parts are called as in the description and name their points as it does; the twin of A is
+``A'``, that of the link OA is ``OA'``. Directions are unit vectors, angles radians,
+counter-clockwise from +x.
+"""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from ..frozen import frozen
+from ..pose.places import Plane as Plane
+
+
+class Segment(NamedTuple):
+    """A stretch of a line: a guide, a face, a groove."""
+
+    start: Plane
+    end: Plane
+
+
+# ------------------------------------------------------------------ bodies, joints
+
+
+@frozen
+class Link:
+    """A rigid body.
+
+    ``rods`` are the pairs of points between which it is drawn as bars; ``outline`` are the
+    points at its corners, counter-clockwise: two where it is straight.
+    """
+
+    name: str
+    points: tuple[str, ...]
+    outline: tuple[str, ...]
+    rods: tuple[tuple[str, str], ...]
+    label: str
+
+
+@frozen
+class Slide:
+    """A body that only translates along ``along``; ``guide`` is the line on which it does."""
+
+    name: str
+    points: tuple[str, ...]
+    outline: tuple[str, ...]
+    along: Plane
+    guide: Segment
+
+
+@frozen
+class Telescope:
+    """A link of variable length between two points."""
+
+    name: str
+    points: tuple[str, str]
+
+
+@frozen
+class Pivot:
+    """A pin on the ground, whose hatch lies in the direction ``ground`` of it."""
+
+    point: str
+    ground: Plane
+
+
+@frozen
+class Slider:
+    """A point that the ground guides; ``through`` is a point of its line, or empty."""
+
+    point: str
+    along: Plane
+    guide: Segment
+    through: str
+
+
+@frozen
+class Slot:
+    """A pin in a groove of a body; ``along`` is the direction from ``tail`` to ``head``."""
+
+    point: str
+    body: str
+    tail: str
+    head: str
+    along: Plane
+    groove: Segment
+
+
+@frozen
+class Contact:
+    """A point that touches the face of a body, which pushes it along ``normal``."""
+
+    point: str
+    body: str
+    normal: Plane
+    face: Segment
+
+
+@frozen
+class Gears:
+    """Two gears, fixed to the links on their pivots; one is inside the other where ``inner``."""
+
+    first: str
+    first_link: str
+    first_radius: float
+    second: str
+    second_link: str
+    second_radius: float
+    inner: bool
+
+
+@frozen
+class Belt:
+    """A belt or chain about two wheels, fixed to the links on their pivots."""
+
+    first: str
+    first_link: str
+    first_radius: float
+    second: str
+    second_link: str
+    second_radius: float
+    crossed: bool
+
+
+@frozen
+class Rack:
+    """A rack on a guided point, driven by a gear on ``pivot``.
+
+    ``line`` is its pitch line; the wheel is on the left of ``along`` where ``radius`` is
+    positive, else on the right.
+    """
+
+    point: str
+    pivot: str
+    link: str
+    radius: float
+    along: Plane
+    line: Segment
+
+
+@frozen
+class Screw:
+    """A screw that moves ``point`` by ``pitch`` along ``axis`` for each turn of ``link``."""
+
+    point: str
+    link: str
+    pitch: float
+    along: Plane
+    axis: Segment
+
+
+# --------------------------------------------------------------------------- loads
+
+
+@frozen
+class Force:
+    """A force on a point, or a weight; it counts ``times`` over."""
+
+    name: str
+    point: str
+    along: Plane
+    weight: bool
+    times: float
+
+
+@frozen
+class Torque:
+    """A couple on a link, drawn ``at`` a place; it counts ``times`` over."""
+
+    name: str
+    link: str
+    at: Plane
+    counterclockwise: bool
+    times: float
+
+
+@frozen
+class Actuator:
+    """A pair of forces that pushes two points apart."""
+
+    name: str
+    first: str
+    second: str
+
+
+@frozen
+class Spring:
+    """A spring between two points."""
+
+    name: str
+    first: str
+    second: str
+
+
+# -------------------------------------------------------------------- measurements
+
+
+@frozen
+class Dimension:
+    """What measures a distance along ``along``, as a formula of parameters, and its value."""
+
+    tail: str
+    head: str
+    along: Plane
+    text: str
+    value: float
+
+
+@frozen
+class AngleMark:
+    """What measures an angle at ``vertex``, from the direction ``start`` on by ``sweep``."""
+
+    vertex: str
+    start: float
+    sweep: float
+    text: str
+
+
+Joint = (
+    Link | Slide | Telescope | Pivot | Slider | Slot | Contact | Gears | Belt | Rack | Screw
+)  # fmt: skip
+Load = Force | Torque | Actuator | Spring
+Measure = Dimension | AngleMark
+Part = Joint | Load | Measure
+
+
+@frozen
+class MirrorLine:
+    """The line between the halves, through a point of it."""
+
+    at: Plane
+    along: Plane
+
+
+@frozen
+class Figure:
+    """A mechanism drawn at one pose: both mirrored halves, one branch of copies.
+
+    ``values`` are those of the pose, in SI and radians: parameters, what loops give, and
+    the lengths that were chosen, as nothing gives them. ``chosen`` names these, and the
+    parameters without a value. ``copies`` tells how many branches there are. ``size`` is the
+    length of a usual vector, by which symbols can be scaled.
+    """
+
+    name: str
+    title: str
+    points: Mapping[str, Plane]
+    parts: tuple[Part, ...]
+    mirror: MirrorLine | None
+    copies: int
+    size: float
+    values: Mapping[str, float]
+    chosen: tuple[str, ...]

@@ -1,0 +1,113 @@
+"""From a pose and numbers to the figure."""
+
+import math
+from collections.abc import Iterator, Mapping
+
+from ..frozen import fields, replace
+from ..model.mechanism import Mechanism, Parameter
+from ..model.values import Chain, bounds, completed, defaults, dependent, independent
+from ..pose.places import Plane
+from ..pose.pose import Pose
+from .figure import Figure, MirrorLine, Part
+from .layout import Layout, lay_out
+from .marks import marks
+from .parts import Half
+from .ways import Ways
+
+
+def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
+    """Return the mechanism drawn at given values, None where it cannot be assembled.
+
+    Values are SI and radians; the description gives those that are missing. A parameter to
+    which it gives none is drawn in the middle of its range.
+    """
+    known = {**defaults(pose.mechanism), **(given or {})}
+    chosen = {p.name: _middle(p) for p in _open(pose, known)}
+    values = _settled(pose, {**chosen, **known})
+    layout = None if values is None else _laid_out(pose, values)
+    if values is None or layout is None:
+        return None
+    points = _both(layout, pose.mechanism)
+    values |= layout.lengths
+    copies = pose.mechanism.copies
+    return Figure(
+        pose.mechanism.name,
+        pose.mechanism.title,
+        points,
+        tuple(_parts(Ways(pose, values), layout, points)),
+        layout.mirror,
+        int(copies.number) if copies else 1,
+        layout.size,
+        values,
+        (*chosen, *layout.lengths),
+    )
+
+
+def _open(pose: Pose, known: Mapping[str, float]) -> list[Parameter]:
+    return [p for p in independent(pose.mechanism) if p.name not in known]
+
+
+def _middle(parameter: Parameter) -> float:
+    return sum(bounds(parameter)) / 2
+
+
+def _settled(pose: Pose, given: Mapping[str, float]) -> dict[str, float] | None:
+    """Return all that has a value; None where a loop does not close.
+
+    What closing found and nothing needs may well have none where the loop lies flat.
+    """
+    values = Chain({**dependent(pose.mechanism), **dict(pose.definitions)}).complete(given)
+    if not all(map(math.isfinite, values.values())):
+        return None
+    spare = completed(values, (d for d in pose.closing if d.name not in values))
+    return {name: value for name, value in spare.items() if math.isfinite(value)}
+
+
+def _laid_out(pose: Pose, values: Mapping[str, float]) -> Layout | None:
+    """Return the layout, None at a pose where some vector has no value."""
+    try:
+        layout = lay_out(Ways(pose, values))
+    except ZeroDivisionError:
+        return None
+    return layout if all(math.isfinite(c) for at in layout.points.values() for c in at) else None
+
+
+def _both(layout: Layout, mechanism: Mechanism) -> dict[str, Plane]:
+    """Return the points of both halves; those that are shared, once."""
+    points = dict(layout.points)
+    if layout.mirror is not None and mechanism.mirror is not None:
+        own = [name for name in layout.points if name not in mechanism.mirror.sharing]
+        points |= {f"{name}'": _image(layout.points[name], layout.mirror) for name in own}
+    return points
+
+
+def _image(at: Plane, mirror: MirrorLine) -> Plane:
+    return mirror.at.plus(at.minus(mirror.at).reflected(mirror.along))
+
+
+def _parts(ways: Ways, layout: Layout, points: Mapping[str, Plane]) -> Iterator[Part]:
+    """Yield the parts of the described half, its measurements, then what the twin has of its own.
+
+    What joins points that both halves share, or a point and its twin, is there once.
+    """
+    mirror = ways.pose.mechanism.mirror
+    shared = frozenset(mirror.sharing if mirror else ())
+    half = Half(ways, points, layout.size, shared, layout.mirror)
+    yield from half.parts()
+    yield from marks(half)
+    if mirror is not None:
+        twins = zip(half.parts(), replace(half, sense=-1).parts(), strict=True)
+        yield from (twin for part, twin in twins if _names(twin) != _names(part))
+
+
+def _names(part: Part) -> frozenset[str]:
+    """Return every name in a part."""
+    return frozenset(name for field in fields(part) for name in _texts(getattr(part, field.name)))
+
+
+def _texts(value: object) -> Iterator[str]:
+    if isinstance(value, str):
+        yield value
+    elif isinstance(value, tuple):
+        for item in value:
+            yield from _texts(item)

@@ -1,0 +1,126 @@
+"""Every point in its place: what hangs together as it must, the rest side by side."""
+
+import math
+from collections.abc import Iterable, Mapping, Sequence
+from typing import NamedTuple
+
+from ..frozen import frozen
+from ..model.mechanism import Force, Mechanism
+from ..pose.places import NOWHERE, Edge, Plane, between, placed
+from .figure import MirrorLine
+from .lengths import choose
+from .parts import bodies
+from .ways import Ways, usual
+
+ORIGIN = ""
+"""The name of the plane's origin in the geometry."""
+
+ROOM = 0.5
+"""How far apart unconnected parts are drawn, in usual lengths."""
+
+Points = dict[str, Plane]
+
+
+class Layout(NamedTuple):
+    """The points of the described half, the mirror line, and what was chosen for it."""
+
+    points: Mapping[str, Plane]
+    mirror: MirrorLine | None
+    lengths: Mapping[str, float]
+    size: float
+
+
+def lay_out(ways: Ways) -> Layout:
+    """Return where every point of the description is; the first pivot is at the origin.
+
+    Where pivots have places the origin is that of the description.
+    """
+    pose, firm = ways.pose, list(ways.firm())
+    size = usual(firm)
+    lengths = choose(firm, pose.placeholders, size)
+    names = [*dict.fromkeys(points_of(pose.mechanism))]
+    edges = [Edge(w.tail, w.head, w.vector.at(lengths)) for w in firm]
+    places = placed(_connected([*(Edge(n, n, NOWHERE) for n in names), *edges], ways, size))
+    groups: dict[str, Points] = {}
+    for name, place in places.items():
+        groups.setdefault(place.start, {})[name] = place.at
+    table = _Table(ways.unit(pose.axis) if pose.axis else None, size)
+    sharing = pose.mechanism.mirror.sharing if pose.mechanism.mirror else ()
+    points, mirror = table.spread(list(groups.values()), sharing)
+    found = {name: lengths[name] for name in pose.placeholders}
+    return Layout({n: points[n] for n in names}, mirror, found, size)
+
+
+def points_of(mechanism: Mechanism) -> Iterable[str]:
+    """Yield the points of a mechanism, those on the ground first, some of them repeatedly."""
+    yield from (pivot.point for pivot in mechanism.pivots)
+    yield from (slider.point for slider in mechanism.sliders)
+    for body in bodies(mechanism):
+        yield from body.points
+    yield from (slot.point for slot in mechanism.slots)
+    yield from (contact.point for contact in mechanism.contacts)
+    yield from (load.point for load in mechanism.loads if isinstance(load, Force))
+
+
+def _connected(edges: list[Edge], ways: Ways, size: float) -> list[Edge]:
+    """Return the edges with loose ones, as long as they connect what is not connected yet."""
+    for tail, head, vector in ways.loose():
+        if between(placed(edges), tail, head) is None:
+            edges.append(Edge(tail, head, vector.at(dict.fromkeys(vector.parts, size))))
+    return edges
+
+
+@frozen
+class _Table:
+    """Where groups of points are laid side by side, away from the mirror line if there is one."""
+
+    axis: Plane | None
+    size: float
+
+    def spread(
+        self, groups: Sequence[Points], sharing: Sequence[str]
+    ) -> tuple[Points, MirrorLine | None]:
+        """Return all points in one plane, and the mirror line."""
+        first, *others = sorted(groups, key=lambda g: (not _holds(g, sharing), ORIGIN not in g))
+        start = first[ORIGIN] if ORIGIN in first else next(iter(first.values()))
+        points = {name: at.minus(start) for name, at in first.items()}
+        mirror = self._line(points, sharing)
+        side = self._side(points, mirror)
+        for group in others:
+            step = self._beside(points, group, side)
+            points |= {name: at.plus(step) for name, at in group.items()}
+        return points, mirror
+
+    def _line(self, points: Points, sharing: Sequence[str]) -> MirrorLine | None:
+        if self.axis is None:
+            return None
+        if sharing:
+            return MirrorLine(points[sharing[0]], self.axis)
+        left = self.axis.turned()
+        reach = max(left.dot(at) for at in points.values()) + ROOM * self.size
+        return MirrorLine(left.times(reach), self.axis)
+
+    def _side(self, points: Points, mirror: MirrorLine | None) -> Plane:
+        """Return the direction in which to go on: that in which the half is from its line."""
+        if mirror is None:
+            return Plane(1.0, 0.0)
+        right = mirror.along.turned().times(-1)
+        lean = math.fsum(right.dot(at.minus(mirror.at)) for at in points.values())
+        return right if lean >= 0 else right.times(-1)
+
+    def _beside(self, points: Points, group: Points, side: Plane) -> Plane:
+        """Return the step that takes a group beyond the points placed so far."""
+        up = side.turned()
+        far = max(side.dot(at) for at in points.values())
+        near = min(side.dot(at) for at in group.values())
+        rise = _middle(points, up) - _middle(group, up)
+        return side.times(far + ROOM * self.size - near).plus(up.times(rise))
+
+
+def _holds(group: Points, sharing: Sequence[str]) -> bool:
+    return any(point in group for point in sharing)
+
+
+def _middle(points: Points, line: Plane) -> float:
+    heights = [line.dot(at) for at in points.values()]
+    return (min(heights) + max(heights)) / 2

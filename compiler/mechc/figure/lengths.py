@@ -1,0 +1,104 @@
+"""The lengths that nothing gives: chosen so that all loops close, positive where it can be.
+
+Closure is linear in them. Among all choices that close the loops the one is wanted in
+which every length is as near to a usual one as can be, and none is turned round.
+"""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple
+
+from .ways import Linear, Way
+
+SHORTEST = 0.2
+"""No rod is to be drawn shorter than this part of a usual length, where loops allow it."""
+
+ROUNDS = 400
+"""How often the choice goes from closed loops to positive lengths and back, at most."""
+
+NIL = 1e-9
+"""An equation whose coefficients are below this follows from the others."""
+
+Lengths = dict[str, float]
+
+
+class Row(NamedTuple):
+    """Σ ``factors[name]`` · length = ``value``."""
+
+    factors: Mapping[str, float]
+    value: float
+
+    def miss(self, lengths: Mapping[str, float]) -> float:
+        """Return by how much lengths miss the equation."""
+        return self.value - sum(f * lengths[name] for name, f in self.factors.items())
+
+
+def choose(ways: Sequence[Way], rods: Iterable[str], usual: float) -> Lengths:
+    """Return all open lengths of the ways; those of ``rods`` are to be positive."""
+    rows = _independent(_equations(ways))
+    names = dict.fromkeys(name for way in ways for name in way.vector.parts)
+    lengths = {**dict.fromkeys(names, usual), **dict.fromkeys(rods, usual)}
+    lengths = _closed(lengths, rows)
+    for _ in range(ROUNDS):
+        short = [name for name in rods if lengths[name] < SHORTEST * usual * (1 - NIL)]
+        if not short:
+            break
+        lengths = _closed({**lengths, **dict.fromkeys(short, SHORTEST * usual)}, rows)
+    return lengths
+
+
+def _equations(ways: Sequence[Way]) -> Iterator[Row]:
+    """Yield what closes each loop, along x and y."""
+    at: dict[str, Linear] = {}
+    neighbours: dict[str, list[tuple[str, Linear]]] = {}
+    for tail, head, vector in ways:
+        neighbours.setdefault(tail, []).append((head, vector))
+        neighbours.setdefault(head, []).append((tail, Linear().plus(vector, -1)))
+    for start in neighbours:
+        at.setdefault(start, Linear())
+        waiting = [start]
+        while waiting:
+            here = waiting.pop()
+            for there, vector in neighbours[here]:
+                if there not in at:
+                    at[there] = at[here].plus(vector)
+                    waiting.append(there)
+    for tail, head, vector in ways:
+        gap = at[tail].plus(vector).plus(at[head], -1)
+        yield Row({name: part.x for name, part in gap.parts.items()}, -gap.base.x)
+        yield Row({name: part.y for name, part in gap.parts.items()}, -gap.base.y)
+
+
+def _independent(rows: Iterable[Row]) -> list[Row]:
+    """Return the equations made orthogonal to one another and of unit size."""
+    found: list[Row] = []
+    for row in rows:
+        if any(abs(factor) > NIL for factor in row.factors.values()):
+            rest = _across(_across(row, found), found)
+            size = math.hypot(*rest.factors.values())
+            if size > NIL:
+                factors = {n: f / size for n, f in rest.factors.items() if f}
+                found.append(Row(factors, rest.value / size))
+    return found
+
+
+def _across(row: Row, others: Iterable[Row]) -> Row:
+    """Return what of an equation is orthogonal to the others."""
+    factors, value = dict(row.factors), row.value
+    for other in others:
+        shared = sum(f * factors.get(name, 0.0) for name, f in other.factors.items())
+        if shared:
+            for name, f in other.factors.items():
+                factors[name] = factors.get(name, 0.0) - shared * f
+            value -= shared * other.value
+    return Row(factors, value)
+
+
+def _closed(lengths: Lengths, rows: Iterable[Row]) -> Lengths:
+    """Return the nearest lengths that close all loops."""
+    found = dict(lengths)
+    for row in rows:
+        miss = row.miss(found)
+        for name, factor in row.factors.items():
+            found[name] += miss * factor
+    return found

@@ -1,0 +1,254 @@
+"""The parts of a figure: what is drawn of each joint, body and load, in one half or its twin."""
+
+from collections.abc import Iterable, Iterator, Mapping
+from typing import assert_never
+
+from ..algebra.angle import Angle
+from ..formula.tree import Formula
+from ..frozen import frozen
+from ..model import mechanism as model
+from ..pose.places import NOWHERE, Plane, direction
+from ..pose.pose import Touch
+from . import figure as drawn
+from .figure import MirrorLine, Part, Segment
+from .outline import outline, rods
+from .ways import Ways
+
+DOWN = Plane(0.0, -1.0)
+"""Where the ground is, seen from a pivot."""
+
+REACH = 0.4
+"""How far a guide or a face is drawn to either side of its pin, in usual lengths."""
+
+Body = model.Link | model.Slide | model.Telescope
+Joint = (
+    model.Pivot
+    | model.Slider
+    | model.Slot
+    | model.Contact
+    | model.Mesh
+    | model.Rack
+    | model.Screw
+)  # fmt: skip
+
+
+@frozen
+class Half:
+    """One half of the drawing: the described one, or its mirror image.
+
+    ``points`` are those of both halves. Lines are given by their directions in the described
+    half; ``sense`` is −1 in the twin, where what turned left turns right.
+    """
+
+    ways: Ways
+    points: Mapping[str, Plane]
+    size: float
+    shared: frozenset[str]
+    mirror: MirrorLine | None
+    sense: int = 1
+
+    def parts(self) -> Iterator[Part]:
+        """Yield what is drawn of every body, joint and load."""
+        mechanism = self.ways.pose.mechanism
+        for body in bodies(mechanism):
+            yield self.body(body)
+        for joint in joints(mechanism):
+            yield self.joint(joint)
+        for load in mechanism.loads:
+            yield self.load(load)
+
+    def point(self, name: str) -> str:
+        """Return what a point of the description is called in this half."""
+        if self.sense > 0 or name in self.shared:
+            return name
+        return name[:-1] if name.endswith("'") and name[:-1] in self.points else f"{name}'"
+
+    def link(self, name: str) -> str:
+        """Return what a body is called in this half."""
+        points = self.ways.pose.frames.get(name, {})
+        return name if self.sense > 0 or self.shared.issuperset(points) else f"{name}'"
+
+    def vector(self, vector: Plane) -> Plane:
+        """Return a vector of the described half as it is in this one."""
+        if self.mirror is None or self.sense > 0:
+            return vector
+        return vector.reflected(self.mirror.along)
+
+    def unit(self, angle: Angle) -> Plane:
+        """Return the unit vector at an angle of the described half."""
+        return self.vector(self.ways.unit(angle))
+
+    def turned(self, angle: float) -> float:
+        """Return a direction of the described half, in radians, as it is in this one."""
+        return angle if self.sense > 0 else self.vector(direction(angle)).angle
+
+    def at(self, name: str) -> Plane:
+        """Return where a point of the description is in this half."""
+        return self.points[self.point(name)]
+
+    # --------------------------------------------------------------------- bodies
+
+    def body(self, body: Body) -> Part:
+        """Return what is drawn of a body."""
+        points = tuple(map(self.point, body.points))
+        match body:
+            case model.Link(name):
+                bars = rods(body, self.ways.pose.mechanism.geometry)
+                named = tuple((self.point(a), self.point(b)) for a, b in bars)
+                corners = outline(points, self.points)
+                return drawn.Link(self.link(name), points, corners, named, body.label)
+            case model.Slide(name):
+                along = self.unit(self.ways.pose.slides[name])
+                corners = outline(points, self.points)
+                guide = self._line(along, *body.points)
+                return drawn.Slide(self.link(name), points, corners, along, guide)
+            case model.Telescope(name):
+                twin = "" if points == body.points else "'"
+                return drawn.Telescope(name + twin, (points[0], points[1]))
+            case _:
+                assert_never(body)
+
+    # --------------------------------------------------------------------- joints
+
+    def joint(self, joint: Joint) -> Part:
+        """Return what is drawn of a joint."""
+        match joint:
+            case model.Pivot(point):
+                return drawn.Pivot(self.point(point), self.vector(DOWN))
+            case model.Slider(point):
+                along, through = self.unit(self.ways.pose.guides[point]), joint.through
+                line = self._line(along, point, *((through,) if through else ()))
+                return drawn.Slider(
+                    self.point(point), along, line, self.point(through) if through else ""
+                )
+            case model.Slot():
+                return self._slot(joint)
+            case model.Contact():
+                return self._contact(joint)
+            case model.Mesh():
+                return self._wheels(joint)
+            case model.Rack():
+                return self._rack(joint)
+            case model.Screw(point, pitch, link):
+                along = self.guide(point)
+                turn = self.sense * self.length(pitch)
+                return drawn.Screw(
+                    self.point(point), self.link(link), turn, along, self._line(along, point)
+                )
+            case _:
+                assert_never(joint)
+
+    def guide(self, point: str) -> Plane:
+        """Return the unit direction in which a point is guided."""
+        return self.vector(self.ways.guide(point))
+
+    def length(self, formula: Formula) -> float:
+        """Return a radius or a pitch."""
+        return self.ways.pose.radii[formula].evaluate(self.ways.values)
+
+    def _slot(self, slot: model.Slot) -> drawn.Slot:
+        along = self.vector(self.ways.face(self._touch("slot", slot.point)))
+        if along.dot(self.at(slot.head).minus(self.at(slot.tail))) < 0:
+            along = along.times(-1)
+        return drawn.Slot(
+            self.point(slot.point),
+            self.link(slot.link),
+            self.point(slot.tail),
+            self.point(slot.head),
+            along,
+            self._line(along, slot.point),
+        )
+
+    def _contact(self, contact: model.Contact) -> drawn.Contact:
+        touch = self._touch("contact", contact.point)
+        face = self._line(self.vector(self.ways.face(touch)), contact.point)
+        normal = self.unit(touch.normal)
+        return drawn.Contact(self.point(contact.point), self.link(contact.link), normal, face)
+
+    def _touch(self, kind: str, point: str) -> Touch:
+        touches = self.ways.pose.touches
+        return next(t for t in touches if (t.kind, t.point) == (kind, point))
+
+    def _wheels(self, mesh: model.Mesh) -> drawn.Gears | drawn.Belt:
+        first = self.point(mesh.first), self.link(mesh.first_link), self.length(mesh.first_radius)
+        second = (
+            self.point(mesh.second),
+            self.link(mesh.second_link),
+            self.length(mesh.second_radius),
+        )
+        if mesh.kind == "gear":
+            return drawn.Gears(*first, *second, inner=mesh.same)
+        return drawn.Belt(*first, *second, crossed=not mesh.same)
+
+    def _rack(self, rack: model.Rack) -> drawn.Rack:
+        along = self.guide(rack.point)
+        pitch_point = self.at(rack.pivot).plus(self.vector(self.ways.right(rack)))
+        line = self._through(along, (pitch_point, self.at(rack.point)))
+        return drawn.Rack(
+            self.point(rack.point),
+            self.point(rack.pivot),
+            self.link(rack.link),
+            self.sense * self.length(rack.radius),
+            along,
+            line,
+        )
+
+    # ---------------------------------------------------------------------- loads
+
+    def load(self, load: model.Load) -> Part:
+        """Return what is drawn of a load."""
+        match load:
+            case model.Force(name, point):
+                along, times = self.unit(self.ways.pose.lines[name]), float(load.times)
+                return drawn.Force(name, self.point(point), along, load.weight, times)
+            case model.Torque(name, link):
+                at, times = self._hub(link), float(load.times)
+                return drawn.Torque(name, self.link(link), at, self.sense > 0, times)
+            case model.Thrust(name, first, second):
+                kind = drawn.Spring if load.spring else drawn.Actuator
+                return kind(name, self.point(first), self.point(second))
+            case _:
+                assert_never(load)
+
+    def _hub(self, link: str) -> Plane:
+        """Return the place of a couple: the link's pivot, or its middle."""
+        mechanism = self.ways.pose.mechanism
+        points = tuple(self.ways.pose.frames[link])
+        fixed = [p.point for p in mechanism.pivots if p.point in points]
+        chosen = [self.at(p) for p in (fixed[:1] or points)]
+        total = NOWHERE
+        for at in chosen:
+            total = total.plus(at)
+        return total.times(1 / len(chosen))
+
+    # ---------------------------------------------------------------------- lines
+
+    def _line(self, along: Plane, *points: str) -> Segment:
+        return self._through(along, [self.at(p) for p in points])
+
+    def _through(self, along: Plane, points: Iterable[Plane]) -> Segment:
+        """Return a line through the first of some places, to beyond all of them."""
+        first, *others = points
+        far = [0.0, *(along.dot(at.minus(first)) for at in others)]
+        reach = REACH * self.size
+        start, end = along.times(min(far) - reach), along.times(max(far) + reach)
+        return Segment(first.plus(start), first.plus(end))
+
+
+def bodies(mechanism: model.Mechanism) -> Iterator[Body]:
+    """Yield the bodies of a mechanism."""
+    yield from mechanism.links
+    yield from mechanism.slides
+    yield from mechanism.telescopes
+
+
+def joints(mechanism: model.Mechanism) -> Iterator[Joint]:
+    """Yield the joints of a mechanism; a place that a guide goes through is no pivot."""
+    places = {s.through for s in mechanism.sliders} - mechanism.spans.keys()
+    yield from (pivot for pivot in mechanism.pivots if pivot.point not in places)
+    yield from mechanism.sliders
+    yield from mechanism.slots
+    yield from mechanism.contacts
+    yield from mechanism.meshes
+    yield from mechanism.racks
+    yield from mechanism.screws

@@ -1,0 +1,149 @@
+"""The vectors that a drawing is put together from, linear in the lengths left open.
+
+What is open is a length that the description does not give, or how far a pin is along its
+guide. Firm ways must hold; loose ones only say where to draw what nothing else connects.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..formula.walk import symbols
+from ..frozen import frozen
+from ..model.mechanism import Mesh, Rack
+from ..pose.places import NOWHERE, Plane, direction
+from ..pose.pose import Pose, Touch, Vector, evaluate_vector
+
+
+class Linear(NamedTuple):
+    """A planar vector: ``base`` + Σ ``parts[name]`` · (the length of that name)."""
+
+    base: Plane = NOWHERE
+    parts: Mapping[str, Plane] = {}
+
+    def plus(self, other: "Linear", sign: float = 1.0) -> "Linear":
+        """Return the sum, or the difference for a sign of −1."""
+        parts = dict(self.parts)
+        for name, part in other.parts.items():
+            parts[name] = parts.get(name, NOWHERE).plus(part.times(sign))
+        return Linear(self.base.plus(other.base.times(sign)), parts)
+
+    def at(self, lengths: Mapping[str, float]) -> Plane:
+        """Return the vector at given lengths."""
+        vector = self.base
+        for name, part in self.parts.items():
+            vector = vector.plus(part.times(lengths[name]))
+        return vector
+
+
+class Way(NamedTuple):
+    """A vector from one point to another."""
+
+    tail: str
+    head: str
+    vector: Linear
+
+
+def along(tail: str, head: str, line: Plane) -> Way:
+    """Return a way of open length along a line, forward or back."""
+    return Way(tail, head, Linear(NOWHERE, {f"{tail} to {head}": line}))
+
+
+@frozen
+class Ways:
+    """The ways of a pose, at values of all its symbols but the open lengths."""
+
+    pose: Pose
+    values: Mapping[str, float]
+
+    def firm(self) -> Iterator[Way]:
+        """Yield the vectors that bodies, the description, slots, guides and the mirror give."""
+        for frame in self.pose.frames.values():
+            base, *others = frame
+            yield from (self._way(base, p, frame[p]) for p in others if frame[p])
+        for (tail, head), vector in self.pose.vectors.items():
+            yield self._way(tail, head, vector)
+        yield from self._touching()
+        for slider in self.pose.mechanism.sliders:
+            if slider.through:
+                yield along(slider.through, slider.point, self.guide(slider.point))
+        yield from self._on_the_mirror()
+
+    def loose(self) -> Iterator[Way]:
+        """Yield where to draw what touches, meshes or slides, where nothing else says it."""
+        mechanism, slides = self.pose.mechanism, self.pose.slides
+        for touch in self.pose.touches:
+            if touch.kind == "contact" and not touch.reach:
+                yield along(touch.tail, touch.point, self.face(touch))
+        for mesh in mechanism.meshes:
+            yield Way(mesh.first, mesh.second, Linear(Plane(self._apart(mesh), 0.0)))
+        for rack in mechanism.racks:
+            yield Way(rack.pivot, rack.point, Linear(self.right(rack)))
+        for number, screw in enumerate(mechanism.screws, 1):
+            link = next(k for k in mechanism.links if k.name == screw.link)
+            line = self.guide(screw.point).times(number)  # nuts on one screw stand in a row
+            yield along(link.points[0], screw.point, line)
+        for slide in mechanism.slides:
+            first, *others = slide.points
+            yield from (along(first, p, self.unit(slides[slide.name])) for p in others)
+
+    def unit(self, angle: Angle) -> Plane:
+        """Return the unit vector at an angle."""
+        return direction(angle.evaluate(self.values))
+
+    def guide(self, point: str) -> Plane:
+        """Return the unit direction in which a slider, or a point of a slide, is guided."""
+        angle = self.pose.guide_of(point)
+        assert angle is not None
+        return self.unit(angle)
+
+    def face(self, touch: Touch) -> Plane:
+        """Return the unit direction of a slot's line, or of the face that a point touches."""
+        return self.unit(touch.normal).turned().times(-1)
+
+    def right(self, rack: Rack) -> Plane:
+        """Return the vector from a gear's centre to the pitch point of its rack."""
+        radius = self.pose.radii[rack.radius].evaluate(self.values)
+        return self.guide(rack.point).turned().times(-radius)
+
+    def _touching(self) -> Iterator[Way]:
+        for touch in self.pose.touches:
+            if touch.reach:
+                yield self._way(touch.tail, touch.point, touch.reach)
+            elif touch.kind == "slot":
+                yield along(touch.tail, touch.point, self.face(touch))
+
+    def _on_the_mirror(self) -> Iterator[Way]:
+        mirror, axis = self.pose.mechanism.mirror, self.pose.axis
+        if mirror is not None and axis is not None:
+            first, others = mirror.sharing[:1], mirror.sharing[1:]
+            yield from (along(first[0], point, self.unit(axis)) for point in others)
+
+    def _apart(self, mesh: Mesh) -> float:
+        """Return how far apart two wheels are drawn: gears touch, a belt needs room."""
+        radii = self.pose.radii
+        first = radii[mesh.first_radius].evaluate(self.values)
+        second = radii[mesh.second_radius].evaluate(self.values)
+        if mesh.kind == "belt":
+            return 2 * (first + second)
+        return abs(first - second) if mesh.same else first + second
+
+    def _way(self, tail: str, head: str, vector: Vector) -> Way:
+        base, parts = NOWHERE, dict[str, Plane]()
+        for arm in vector:
+            names = symbols(arm.length.formula()) & self.pose.placeholders.keys()
+            closed = {**self.values, **dict.fromkeys(names, 0.0)} if names else self.values
+            fixed = Plane(*evaluate_vector((arm,), closed))
+            base = base.plus(fixed)
+            for name in names:
+                one = Plane(*evaluate_vector((arm,), {**closed, name: 1.0}))
+                parts[name] = parts.get(name, NOWHERE).plus(one.minus(fixed))
+        return Way(tail, head, Linear(base, parts))
+
+
+def usual(ways: list[Way]) -> float:
+    """Return the length of a usual vector: the mean of those given, 1 m where none is."""
+    sizes = [math.hypot(*way.vector.base) for way in ways]
+    known = [size for size in sizes if size > 0]
+    return sum(known) / len(known) if known else 1.0
