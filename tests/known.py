@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from mechc.derivation.steps import Derivation
+from mechc.figure.figure import Figure
 from mechc.model.mechanism import Mechanism
 from mechc.routine.steps import Routine
 from mechc.statics.verdict import Verdict
@@ -14,3 +15,4 @@ class Known(NamedTuple):
     routine: Routine
     verdict: Verdict
     version: str
+    figure: Figure | None = None

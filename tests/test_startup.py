@@ -75,6 +75,13 @@ def test_other_targets_are_not_imported(target: str) -> None:
     assert found & others == {f"mechc.emit.{target}.to_{target}"}
 
 
+@pytest.mark.parametrize("target", ["c", "python", "latex"])
+def test_what_draws_nothing_makes_no_figure(target: str) -> None:
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)
+    assert not {name for name in found if name.startswith("mechc.figure")}
+    assert "mechc.figure" in imports("-m", "mechc", "compile", CLAMP, "--emit", "json")
+
+
 LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
 OWN, ALL = 222, 392
 """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""

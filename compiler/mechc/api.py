@@ -24,6 +24,8 @@ from .stroke.stroke import Stroke
 if TYPE_CHECKING:
     import sympy
 
+    from .figure.figure import Figure
+
 
 class SolvedMechanism:
     """A mechanism whose power equation has been solved.
@@ -127,6 +129,25 @@ class SolvedMechanism:
         given = {**self.defaults, **values}
         ready = (f for f in functions if all(i.name in given for i in f.inputs))
         return {f.name: evaluate(f, given) for f in ready}
+
+    def figure(self, **values: float) -> "Figure":
+        """Return what a drawing shows at given values: points in metres, and parts.
+
+        What is not given is taken from the description; SI and radians. TypeError for a name
+        that is no parameter, ValueError where the mechanism cannot be assembled.
+
+        >>> import mechc
+        >>> rocker = mechc.load("crank_rocker").figure(phi=0)
+        >>> rocker.points["A"]
+        Plane(x=..., y=0.0)
+        """
+        parameters = [p.name for p in self._compilation.mechanism.parameters]
+        for unknown in values.keys() - set(parameters):
+            raise TypeError(f"{unknown!r} is no parameter {near_miss(unknown, parameters)}")
+        drawn = self._compilation.drawn(values)
+        if drawn is None:
+            raise ValueError("the mechanism cannot be assembled at these values")
+        return drawn
 
     def stroke(self, points: int = 19) -> Stroke:
         """Return the results along the stroke of the drive; singular poses, branch points, extrema.

@@ -4,12 +4,15 @@ Targets are found by name; third parties add theirs through the entry-point grou
 ``mechc.targets``, whose values are :class:`Target` objects.
 """
 
-from typing import Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol
 
 from ..derivation.steps import Derivation
 from ..model.mechanism import Mechanism
 from ..routine.steps import Routine
 from ..statics.verdict import Verdict
+
+if TYPE_CHECKING:
+    from ..figure.figure import Figure
 
 
 class Compiled(Protocol):
@@ -36,6 +39,11 @@ class Compiled(Protocol):
     @property
     def verdict(self) -> Verdict:
         """Return the second opinion, which agrees."""
+        ...
+
+    @property
+    def figure(self) -> "Figure | None":
+        """Return the drawing data at the default pose; None where it cannot be assembled."""
         ...
 
     @property

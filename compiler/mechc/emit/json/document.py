@@ -37,6 +37,7 @@ from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
 from ..describe import condition_lines, dimension_name, si_unit
 from ..target import Compiled
+from .figure import FIGURE
 from .formula import FORMULA
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
 
@@ -326,5 +327,6 @@ DOCUMENT: Kind[Compiled] = record(
     member("results", "In order.", list_of(RESULT), lambda c: c.derivation.results),
     member("derivation", "How they follow.", DERIVATION, lambda c: c.derivation),
     member("referee", "What statics says.", VERDICT, lambda c: c.verdict),
+    member("figure", "For drawings.", optional(FIGURE), lambda c: c.figure),
     member("functions", "Of the code.", list_of(FUNCTION), lambda c: c.routine.functions),
 )

@@ -78,6 +78,15 @@ def optional(kind: Kind[T]) -> Kind[T | None]:
     return Kind(schema, lambda v: None if v is None else kind.write(v), kind.definitions)
 
 
+def any_of(kinds: Mapping[type[T], Kind[T]]) -> Kind[T]:
+    """Return the kind of values of several classes, each with a kind of its own."""
+    definitions = {
+        name: shape for kind in kinds.values() for name, shape in kind.definitions.items()
+    }
+    shapes: list[Json] = [kind.schema for kind in kinds.values()]
+    return Kind({"anyOf": shapes}, lambda value: kinds[type(value)].write(value), definitions)
+
+
 def one_of(*words: str) -> Kind[str]:
     """Return the kind of a word from a fixed list."""
     return Kind({"enum": list(words)}, str)
