@@ -109,3 +109,43 @@ def test_formulas_stay_whole_where_a_coefficient_is_zero(name, smooth):
     assert not solved.warnings
     found = solved.evaluate()
     assert found["k_f"] == found["k_hold"] == pytest.approx(found["k"], rel=1e-14)
+
+
+ALONG_A_GUIDE = """mechanism nut
+param a = 30 mm
+param b = 120 mm
+param th = 20 deg in 5 deg .. 60 deg
+param mu = 0.15
+pivot O
+slider K along y
+link OBA
+link BK
+OB = a @ th
+OA = b @ th
+BK = 25 mm @ 90 deg
+force P at A along -y
+force F at K along y
+friction pins mu diameter 6 mm
+friction slider K 0.1 guide 20 mm overhang 30 mm
+find k = P / F
+"""
+
+
+def test_a_rod_along_its_guide_presses_by_the_friction_of_its_pins_alone():
+    """N = S·sin δ, the friction of the guide c·N: F = S·(cos δ − c·sin δ)."""
+    mechanism = mechc.loads(ALONG_A_GUIDE, "nut.mech")
+    a, b, th, rho, c = 30, 120, math.radians(20), 0.15 * 3, 0.1 * (1 + 2 * 35 / 20)
+    delta = math.asin(2 * rho / 25)
+    rod = 1 / (math.cos(delta) - c * math.sin(delta))
+    arm = a * math.cos(th - delta) + rho  # of the rod's line at O, its pin's circle added
+
+    def gap(drive: float) -> float:
+        pivot = math.hypot(rod * math.sin(delta), rod * math.cos(delta) - drive)
+        return drive * b * math.cos(th) - rod * arm - rho * pivot
+
+    low, high = 0.2, 0.4
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (low, middle) if gap(middle) > 0 else (middle, high)
+    assert mechanism.evaluate()["k_f"] == pytest.approx(low, rel=1e-12)
+    assert not mechanism.results["k_f"].holds

@@ -16,7 +16,7 @@ from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula
 from ...formula.walk import evaluate
 from ...model.result import Definition
-from ..intervals import Box, sign
+from ..intervals import Box, Interval, sign
 
 Inverse = Literal["asin", "atan"]
 """The function that gives a turn."""
@@ -24,6 +24,10 @@ Inverse = Literal["asin", "atan"]
 
 NIL = 1e-12
 """What is smaller than this has no sign: forces and slips are of order one, per length."""
+
+
+ACUTE = Interval(1e-9, math.pi / 2 - 1e-9)
+"""What a turned line turns by: the arc of a positive sine or tangent."""
 
 
 class Signs(Protocol):
@@ -122,7 +126,7 @@ class AtOnePose(_Names):
 
     def __init__(self, taken: Set[str], values: Mapping[str, float], box: Box) -> None:
         super().__init__(taken)
-        self._values, self._box = dict(values), box
+        self._values, self._box = dict(values), dict(box)
         self.conditions: dict[Formula, int] = {}
 
     def radius(self, name: str, factor: Product) -> Product:
@@ -160,7 +164,9 @@ class AtOnePose(_Names):
         known = _angle_of(size) if by == "atan" else None
         if known and abs(known.evaluate(self._values)) < math.pi / 2:
             return line + known * sign
-        return line + (self.turn(name, line, by, size) - line) * sign
+        arc = self.turn(name, line, by, size) - line
+        self._box.update((named, ACUTE) for named, _ in arc.terms)
+        return line + arc * sign
 
     def define(self, name: str, formula: Formula) -> str:
         """Return what a formula is called from now on, and note its value."""
