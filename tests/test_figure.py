@@ -23,6 +23,7 @@ from mechc.source import Source
 from mechc.syntax import ast
 from mechc.syntax.words import points_of
 from reference_closed import Assembled
+from reference_geometry import evaluate as evaluate_tree
 from reference_geometry import every
 from test_closed import CLOSED
 from test_closed import PARTS as PLACES
@@ -154,6 +155,90 @@ def test_racks_touch_their_gears(name):
         centre = figure.points[rack.pivot]
         # The wheel is on the left of the rack's direction where the radius is positive.
         assert cross(rack.along, centre.minus(rack.line.start)) == pytest.approx(rack.radius)
+
+
+@every_mechanism
+def test_pitch_circles_touch(name):
+    figure = compiled(name).figure
+    for pair in parts(figure, drawn.Gears):
+        first, second = figure.points[pair.first], figure.points[pair.second]
+        radii = pair.first_radius, pair.second_radius
+        apart = abs(radii[0] - radii[1]) if pair.inner else sum(radii)
+        assert math.dist(first, second) == pytest.approx(apart)
+        assert math.dist(first, pair.touch) == pytest.approx(radii[0])
+        assert math.dist(second, pair.touch) == pytest.approx(radii[1])
+    for rack in parts(figure, drawn.Rack):
+        radius = rack.touch.minus(figure.points[rack.pivot])
+        assert math.hypot(*radius) == pytest.approx(abs(rack.radius))
+        assert radius.dot(rack.along) == pytest.approx(0, abs=1e-12)
+        assert cross(rack.along, rack.touch.minus(rack.line.start)) == pytest.approx(0, abs=1e-12)
+
+
+def test_belts_are_tangent_and_cross_where_they_are_to():
+    figure = compiled("belts_open_crossed").figure
+    plain, crossed = parts(figure, drawn.Belt)
+    for belt in plain, crossed:
+        for run in belt.runs:
+            for end, centre, radius in (
+                (run.start, belt.first, belt.first_radius),
+                (run.end, belt.second, belt.second_radius),
+            ):
+                spoke = end.minus(figure.points[centre])
+                assert math.hypot(*spoke) == pytest.approx(radius)
+                assert spoke.dot(run.end.minus(run.start)) == pytest.approx(0, abs=1e-12)
+        first, second = belt.runs
+        swapped = [
+            cross(first.end.minus(first.start), p.minus(first.start)) < 0
+            for p in (second.start, second.end)
+        ]
+        assert (swapped[0] != swapped[1]) == belt.crossed
+
+
+def test_a_belt_has_no_runs_where_its_wheels_overlap():
+    near = "pivot O at (0 mm, 0 mm)\npivot Q at (70 mm, 0 mm)"
+    belt = LEVERS.replace("pivot O\npivot Q", near).replace("gear O", "belt O")
+    assert len(parts(figure_of(belt, c=0.07), drawn.Belt)[0].runs) == 2
+    crossed = belt.replace("50 mm\n", "50 mm crossed\n")
+    assert parts(figure_of(crossed, c=0.07), drawn.Belt)[0].runs == ()
+
+
+@every_mechanism
+def test_forces_point_as_written(name):
+    figure = compiled(name).figure
+    reference = Assembled(tree_of(name), dict(figure.values), figure.points)
+    drawn_forces = {(f.name, f.point): f for f in parts(figure, drawn.Force)}
+    for force in every(tree_of(name), ast.Force):
+        found = drawn_forces[force.name.text, force.point.text]
+        along = reference.direction(force.along, reference.x)
+        assert tuple(found.along) == pytest.approx(tuple(along), abs=1e-9)
+        times = evaluate_tree(force.times, {}) if force.times else 1
+        assert found.times == pytest.approx(times)
+
+
+@every_mechanism
+def test_a_free_wedge_is_on_the_side_from_which_it_pushes(name):
+    figure, pose = compiled(name).figure, compiled(name).pose
+    slides = {s.name: s for s in parts(figure, drawn.Slide)}
+    for contact in parts(figure, drawn.Contact):
+        if contact.body in slides and not any(pose.frames[contact.body.rstrip("'")].values()):
+            at = figure.points[contact.point]
+            ends = [figure.points[p] for p in slides[contact.body].points]
+            assert all(contact.normal.dot(at.minus(end)) > 0 for end in ends)
+
+
+def test_points_of_a_slide_stand_apart():
+    figure = figure_of(RAIL)
+    assert len({figure.points[p] for p in "WXY"}) == 3
+
+
+RAIL = """
+mechanism rail
+slide WXY along 20 deg
+force P at W along 20 deg
+force F at X along -y
+force G = F at Y along -y
+find k = P/F
+"""
 
 
 def test_a_guide_through_a_place_is_no_pivot():

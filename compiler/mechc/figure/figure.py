@@ -98,7 +98,10 @@ class Contact:
 
 @frozen
 class Gears:
-    """Two gears, fixed to the links on their pivots; one is inside the other where ``inner``."""
+    """Two gears, fixed to the links on their pivots; one is inside the other where ``inner``.
+
+    ``touch`` is the pitch point.
+    """
 
     first: str
     first_link: str
@@ -107,11 +110,16 @@ class Gears:
     second_link: str
     second_radius: float
     inner: bool
+    touch: Plane
 
 
 @frozen
 class Belt:
-    """A belt or chain about two wheels, fixed to the links on their pivots."""
+    """A belt or chain about two wheels, fixed to the links on their pivots.
+
+    ``runs`` are its straight stretches, from the first wheel to the second; there are none
+    where the wheels are too near to each other.
+    """
 
     first: str
     first_link: str
@@ -120,14 +128,15 @@ class Belt:
     second_link: str
     second_radius: float
     crossed: bool
+    runs: tuple[Segment, ...]
 
 
 @frozen
 class Rack:
     """A rack on a guided point, driven by a gear on ``pivot``.
 
-    ``line`` is its pitch line; the wheel is on the left of ``along`` where ``radius`` is
-    positive, else on the right.
+    ``line`` is its pitch line, ``touch`` the pitch point; the wheel is on the left of
+    ``along`` where ``radius`` is positive, else on the right.
     """
 
     point: str
@@ -136,6 +145,7 @@ class Rack:
     radius: float
     along: Plane
     line: Segment
+    touch: Plane
 
 
 @frozen

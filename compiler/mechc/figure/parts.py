@@ -13,6 +13,7 @@ from . import figure as drawn
 from .figure import MirrorLine, Part, Segment
 from .outline import outline, rods
 from .ways import Ways
+from .wheels import Circle, pitch_point, runs
 
 DOWN = Plane(0.0, -1.0)
 """Where the ground is, seen from a pivot."""
@@ -170,20 +171,23 @@ class Half:
         return next(t for t in touches if (t.kind, t.point) == (kind, point))
 
     def _wheels(self, mesh: model.Mesh) -> drawn.Gears | drawn.Belt:
-        first = self.point(mesh.first), self.link(mesh.first_link), self.length(mesh.first_radius)
-        second = (
-            self.point(mesh.second),
-            self.link(mesh.second_link),
-            self.length(mesh.second_radius),
+        first, second = self.point(mesh.first), self.point(mesh.second)
+        radius, other = self.length(mesh.first_radius), self.length(mesh.second_radius)
+        circles = Circle(self.points[first], radius), Circle(self.points[second], other)
+        wheels = (
+            *(first, self.link(mesh.first_link), radius),
+            *(second, self.link(mesh.second_link), other),
         )
         if mesh.kind == "gear":
-            return drawn.Gears(*first, *second, inner=mesh.same)
-        return drawn.Belt(*first, *second, crossed=not mesh.same)
+            touch = pitch_point(*circles, inner=mesh.same)
+            return drawn.Gears(*wheels, mesh.same, touch)
+        crossed = not mesh.same
+        return drawn.Belt(*wheels, crossed, runs(*circles, crossed=crossed))
 
     def _rack(self, rack: model.Rack) -> drawn.Rack:
         along = self.guide(rack.point)
-        pitch_point = self.at(rack.pivot).plus(self.vector(self.ways.right(rack)))
-        line = self._through(along, (pitch_point, self.at(rack.point)))
+        touch = self.at(rack.pivot).plus(self.vector(self.ways.right(rack)))
+        line = self._through(along, (touch, self.at(rack.point)))
         return drawn.Rack(
             self.point(rack.point),
             self.point(rack.pivot),
@@ -191,6 +195,7 @@ class Half:
             self.sense * self.length(rack.radius),
             along,
             line,
+            touch,
         )
 
     # ---------------------------------------------------------------------- loads

@@ -15,6 +15,13 @@ from ..model.mechanism import Mesh, Rack
 from ..pose.places import NOWHERE, Plane, direction
 from ..pose.pose import Pose, Touch, Vector, evaluate_vector
 
+BESIDE = 0.25
+"""How far from a slide a pin is drawn that touches it, in usual lengths."""
+
+
+HALFWAY = 0.5
+"""How far along its groove a pin is drawn that may be anywhere, in usual lengths."""
+
 
 class Linear(NamedTuple):
     """A planar vector: ``base`` + Σ ``parts[name]`` · (the length of that name)."""
@@ -75,9 +82,10 @@ class Ways:
         mechanism, slides = self.pose.mechanism, self.pose.slides
         for touch in self.pose.touches:
             if touch.kind == "contact" and not touch.reach:
-                yield along(touch.tail, touch.point, self.face(touch))
+                yield along(touch.tail, touch.point, self._beside(touch))
         for mesh in mechanism.meshes:
-            yield Way(mesh.first, mesh.second, Linear(Plane(self._apart(mesh), 0.0)))
+            step = self._away(mesh).times(self._apart(mesh))
+            yield Way(mesh.first, mesh.second, Linear(step))
         for rack in mechanism.racks:
             yield Way(rack.pivot, rack.point, Linear(self.right(rack)))
         for number, screw in enumerate(mechanism.screws, 1):
@@ -86,7 +94,8 @@ class Ways:
             yield along(link.points[0], screw.point, line)
         for slide in mechanism.slides:
             first, *others = slide.points
-            yield from (along(first, p, self.unit(slides[slide.name])) for p in others)
+            line = self.unit(slides[slide.name])
+            yield from (along(first, p, line.times(i)) for i, p in enumerate(others, 1))
 
     def unit(self, angle: Angle) -> Plane:
         """Return the unit vector at an angle."""
@@ -112,13 +121,28 @@ class Ways:
             if touch.reach:
                 yield self._way(touch.tail, touch.point, touch.reach)
             elif touch.kind == "slot":
-                yield along(touch.tail, touch.point, self.face(touch))
+                yield along(touch.tail, touch.point, self.face(touch).times(HALFWAY))
 
     def _on_the_mirror(self) -> Iterator[Way]:
         mirror, axis = self.pose.mechanism.mirror, self.pose.axis
         if mirror is not None and axis is not None:
             first, others = mirror.sharing[:1], mirror.sharing[1:]
             yield from (along(first[0], point, self.unit(axis)) for point in others)
+
+    def _beside(self, touch: Touch) -> Plane:
+        """Return where a pin touches a slide, from its first point: on the side it is pushed to."""
+        frame = self.pose.frames[touch.body]
+        row = 0 if any(frame.values()) else len(frame) - 1
+        middle = self.unit(self.pose.slides[touch.body]).times(row / 2)
+        return middle.plus(self.unit(touch.normal).times(BESIDE))
+
+    def _away(self, mesh: Mesh) -> Plane:
+        """Return in which direction wheels stand in a row: away from a rack, if there is one."""
+        racks = self.pose.mechanism.racks
+        driven = [self.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
+        right = (driven[0] if driven else None) or Plane(-1.0, 0.0)
+        on_first = any(r.pivot == mesh.first for r in racks) or not driven
+        return right.times(-1 if on_first else 1)
 
     def _apart(self, mesh: Mesh) -> float:
         """Return how far apart two wheels are drawn: gears touch, a belt needs room."""

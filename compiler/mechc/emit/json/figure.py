@@ -87,6 +87,8 @@ FIELDS: Mapping[str, tuple[str, Kind[Any]]] = {
     "first_radius": ("In metres.", FLOAT),
     "second_radius": ("In metres.", FLOAT),
     "inner": ("One gear is inside the other.", TRUTH),
+    "touch": ("The pitch point.", PLANE),
+    "runs": ("Its straight stretches.", list_of(SEGMENT)),
     "crossed": ("The belt crosses itself.", TRUTH),
     "pivot": ("The centre of the gear.", TEXT),
     "radius": ("In metres; the gear is on the left of the direction if positive.", FLOAT),
