@@ -103,6 +103,15 @@ def test_times_multiplies_a_load():
     assert ratio(pose) == pytest.approx(1.5 / 4)
 
 
+@pytest.mark.parametrize("times", [Fraction(1, 10**30), 10**30])
+def test_a_load_may_be_multiplied_by_anything(times):
+    points = {"O": (0, 0), "A": (2, 0), "B": (-3, 0)}
+    loads = [force("P", "A", times=times), force("F", "B")]
+    pose = build(points, ["AOB"], "O", {}, loads, {"P": -90, "F": -90})
+    assert ratio(pose) * times == pytest.approx(1.5)
+    assert ratio(pose, "F", "P") / times == pytest.approx(1 / 1.5)
+
+
 def test_a_tied_load_follows_the_load_it_is_tied_to():
     points = {"O": (0, 0), "A": (2, 0), "B": (-3, 1)}
     tie = formula.product([(formula.number(Fraction(1, 5)), 1), (formula.Symbol("F"), 1)])

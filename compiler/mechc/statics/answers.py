@@ -11,11 +11,14 @@ from typing import NamedTuple
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Load, Mechanism
 from .free_bodies import System, equilibrium
-from .solve import factor
+from .solve import factor, scale_of
 from .unfold import Unfolding
 
 INCONSISTENT = 1e-9
 """A residual above this, relative to the heaviest row, is an equation that does not hold."""
+
+ROUNDED = 2.0**-52
+"""What a force that is zero by two reasons is off: the rounding of a rounding, per largest."""
 
 Row = Mapping[int, float]
 
@@ -125,20 +128,25 @@ def pushes(
 
 def with_loads(
     system: System, loads: Mapping[str, Row]
-) -> tuple[list[dict[int, float]], dict[str, int]]:
-    """Return the rows with columns for unknown loads behind those of the reactions."""
+) -> tuple[list[dict[int, float]], dict[str, float]]:
+    """Return the rows with columns for unknown loads behind those of the reactions.
+
+    Loads may be tied by tiny multiples, so each is counted in a unit that puts on about 1;
+    the units are returned too.
+    """
     rows = [dict(row) for row in system.rows]
-    columns = {name: len(system.unknowns) + i for i, name in enumerate(loads)}
-    for name, column in columns.items():
-        for i, amount in loads[name].items():
-            rows[i][column] = amount
-    return rows, columns
+    units = {name: scale_of(load) for name, load in loads.items()}
+    for column, (name, load) in enumerate(loads.items(), len(system.unknowns)):
+        for i, amount in load.items():
+            rows[i][column] = amount * units[name]
+    return rows, units
 
 
 def balance(system: System, loads: Mapping[str, Row], right: Row, wanted: str) -> Answer:
     """Solve for the reactions and the unknown ``loads``, and return the wanted load."""
     column = len(system.unknowns) + list(loads).index(wanted)
-    return combination(system, loads, right, {column: 1.0}, wanted)
+    unit = scale_of(loads[wanted])
+    return combination(system, loads, right, {column: unit}, wanted)
 
 
 def combination(
@@ -159,7 +167,7 @@ def combination(
         return Answer(math.nan, math.inf, f"equilibrium leaves {wanted} open")
     value = sum(weight * found[column] for column, weight in weights.items())
     sizes = factors.weights(found, right)
-    influence = 0.0
+    influence = ROUNDED * max(sizes, default=0.0) * sum(map(abs, weights.values()))
     for column, weight in weights.items():
         terms = zip(factors.adjoint(column), sizes, strict=True)
         influence += abs(weight) * sum(abs(share) * size for share, size in terms)

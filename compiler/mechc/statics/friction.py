@@ -62,12 +62,13 @@ Found = Sequence[float]
 
 
 class Question(NamedTuple):
-    """Equations with the driving load as their last unknown."""
+    """Equations with the driving load as their last unknown, in a unit of its own."""
 
     system: System
     columns: Mapping[str, Mapping[int, float]]
     factors: Factors
     drive: int
+    unit: float
 
 
 def with_friction(
@@ -110,7 +111,7 @@ def _weights(
     target: WithFriction, unfolding: Unfolding, question: Question, factor_: float
 ) -> tuple[Weights, ...]:
     if isinstance(target.of, LoadRatio | LoadForm):
-        return ({question.drive: factor_},)
+        return ({question.drive: factor_ * question.unit},)
     return wanted_of(target.of, unfolding, question.system)
 
 
@@ -139,9 +140,9 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
     system = equilibrium(unfolding.assembly(*((p.name, p.actions) for p in pairs)))
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     columns = {**gather(system, tied), **{p.name: dict(system.loads[p.name]) for p in pairs}}
-    rows, _ = with_loads(system, {drive: columns[drive]})
+    rows, units = with_loads(system, {drive: columns[drive]})
     last = len(system.unknowns)
-    return Question(system, columns, factor(rows, last + 1, last), last)
+    return Question(system, columns, factor(rows, last + 1, last), last, units[drive])
 
 
 def _resisting(

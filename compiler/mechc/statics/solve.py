@@ -126,7 +126,7 @@ def factor(rows: Sequence[Row], width: int, last: int | None = None) -> Factors:
     >>> factors.determined(0)
     True
     """
-    scales = tuple(_scale(row) for row in rows)
+    scales = tuple(scale_of(row) for row in rows)
     scaled = tuple(
         {j: v * s for j, v in row.items() if v} for row, s in zip(rows, scales, strict=True)
     )
@@ -142,7 +142,7 @@ def factor(rows: Sequence[Row], width: int, last: int | None = None) -> Factors:
     )
 
 
-def _scale(row: Row) -> float:
+def scale_of(row: Row) -> float:
     """Return the power of two that brings the largest entry near 1: scaling rounds nothing."""
     largest = max(map(abs, row.values()), default=0.0)
     return math.ldexp(1.0, -math.frexp(largest)[1]) if largest else 1.0
