@@ -149,3 +149,32 @@ def test_a_rod_along_its_guide_presses_by_the_friction_of_its_pins_alone():
         low, high = (low, middle) if gap(middle) > 0 else (middle, high)
     assert mechanism.evaluate()["k_f"] == pytest.approx(low, rel=1e-12)
     assert not mechanism.results["k_f"].holds
+
+
+IDLE = """
+param l = 100 mm
+param alpha = 10 deg in 1 deg .. 45 deg
+pivot O
+slider C along y
+link OB
+link BC
+link BD
+BD = 20 mm @ 0 deg
+OB = l @ 90 deg - alpha
+BC = l @ 90 deg + alpha
+force P at B along -x
+force F at C along -y
+friction pins 0.1 diameter 10 mm
+friction pin B 0 diameter 10 mm
+find k = P / F
+"""
+
+
+def test_a_link_that_turns_idly_on_a_pin_without_friction_changes_nothing():
+    """Each rod rubs at one end, so that its line turns by asin(ρ/l)."""
+    mechanism = mechc.loads(IDLE)
+    turn = math.asin(0.005)
+    for alpha in map(math.radians, (1, 10, 45)):
+        found = mechanism.evaluate(alpha=alpha)
+        assert found["k_f"] == pytest.approx(2 * math.tan(alpha + turn), rel=1e-12)
+        assert found["k_hold"] == pytest.approx(2 * math.tan(alpha - turn), rel=1e-12)

@@ -79,17 +79,22 @@ def press(
     pose = plan.graph.pose
     names = {load_of(rub): rub.name for rub in rubs}
     reactions = Reactions(pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs])
+    slips = [_slip(rub, plan, equations, driving) for rub in rubs]
     pressed = []
-    for rub in rubs:
-        speed = equations.per_power(driving, term_of(rub, plan).power)
-        if speed is None:
-            raise Idle(rub)
+    for rub, slip in zip(rubs, slips, strict=True):
         transmitted = reactions.of(rub.bond)
         if transmitted is None:
             raise Undetermined(rub)
         components = (_component(push, names, given) for push in transmitted.pushes)
-        pressed.append(Pressed(rub, speed, tuple(components), transmitted.plans))
+        pressed.append(Pressed(rub, slip, tuple(components), transmitted.plans))
     return tuple(pressed)
+
+
+def _slip(rub: Rub, plan: Plan, equations: Equations, driving: str) -> Product:
+    slip = equations.per_power(driving, term_of(rub, plan).power)
+    if slip is None:
+        raise Idle(rub)
+    return slip
 
 
 def load_of(rub: Rub) -> str:

@@ -50,10 +50,11 @@ class Rub(NamedTuple):
 def rubs(pose: Pose) -> tuple[Rub, ...]:
     """Return all pairs of surfaces that rub, in the order of the text.
 
-    Side forces on a guide that halves or branches share cancel: nothing rubs there.
+    Side forces on a guide that halves or branches share cancel: nothing rubs there, nor where
+    the coefficient is written as 0.
     """
     found = (rub for rubbing in pose.mechanism.friction.rubbing for rub in _of(rubbing, pose))
-    return tuple(rub._replace(number=_number(rub.bond, pose)) for rub in found)
+    return tuple(rub._replace(number=_number(rub.bond, pose)) for rub in found if rub.factor)
 
 
 def _of(rubbing: Rubbing, pose: Pose) -> Iterator[Rub]:
