@@ -7,6 +7,7 @@ import click
 from ..check.expectations import Finding
 from ..derivation.definitions import Solved, by_letter, grouped, is_by_letter
 from ..derivation.locking import friction_remarks
+from ..derivation.remarks import own_conditions
 from ..derivation.sections import Told
 from ..derivation.to_text import speller
 from ..diagnostics import MechcError
@@ -15,7 +16,7 @@ from ..emit.describe import si_unit
 from ..formula.to_text import text
 from ..formula.tree import Number
 from ..formula.walk import symbols
-from ..model.mechanism import GRAVITY, Efficiency
+from ..model.mechanism import GRAVITY
 from ..model.result import Definition, Result
 from ..source import Source
 from ..statics.to_text import to_text
@@ -93,8 +94,8 @@ def _of_result(result: Result, where: Iterable[Definition]) -> Iterator[str]:
     if result.default is not None:
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
-    if result.holds and not isinstance(result.target, Efficiency):
-        holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in result.holds)
+    if held := own_conditions(result):
+        holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
         yield f"    holds while {', '.join(holds)}"
     if result.independent:
         yield f"    does not depend on {', '.join(result.independent)}"

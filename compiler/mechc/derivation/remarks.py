@@ -121,10 +121,8 @@ def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
 
 
 def _holds(result: Result, words: Words, spell: Speller) -> list[str]:
-    """Return the conditions of a case; an efficiency has those of what it is made of."""
-    if not result.holds or isinstance(result.target, Efficiency):
-        return []
-    return [words.holds.format(conditions=conditions(result.holds, spell))]
+    held = own_conditions(result)
+    return [words.holds.format(conditions=conditions(held, spell))] if held else []
 
 
 def _spelled(formula: Formula, spell: Speller) -> str:
@@ -168,6 +166,16 @@ def _trends(result: Result, symbol: str, words: Words, spell: Speller) -> list[s
         for trend, names in groups.items()
         if words.trends[trend]
     ]
+
+
+def own_conditions(result: Result) -> tuple[Require, ...]:
+    """Return the conditions of a case, of an efficiency what the ratio's sign must be.
+
+    Else it has those of what it is made of.
+    """
+    if not isinstance(result.target, Efficiency):
+        return result.holds
+    return tuple(h for h in result.holds if isinstance(h.left, Symbol))
 
 
 def conditions(requires: Iterable[Require], spell: Speller) -> str:

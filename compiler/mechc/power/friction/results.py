@@ -4,13 +4,12 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
-from ...algebra.from_formula import to_product
 from ...algebra.product import ONE, Product
 from ...algebra.sums import add, canonical
 from ...diagnostics import Report
 from ...diagnostics import friction as words
 from ...diagnostics.power import transmission_presses
-from ...formula.tree import ZERO, Formula, product
+from ...formula.tree import ZERO, Formula
 from ...formula.walk import evaluate, symbols
 from ...frozen import replace
 from ...kinematics.plan import Plan
@@ -30,16 +29,16 @@ from ...model.mechanism import (
 from ...model.result import Case as PrintedCase
 from ...model.result import Definition, Result
 from ...model.targets import SIGNS
-from ...units import NUMBER
 from ..balance import Solved
 from ..definitions import bound_sums, intermediates
 from ..equations import Equations
-from ..numbers import default_values, value_of
+from ..numbers import default_values
 from ..speeds import magnitude
 from ..trends import allowed
 from .bodies import Entangled, Task
 from .chain import Chain
 from .closed import Named, Printed, Way, closed_form, printed_form
+from .efficiency import Drives
 from .exact import Sizes, exact, exact_case, first_order, first_order_case, true_sizes
 from .forces import ForceWithFriction
 from .pressing import Idle, Pressed, PressedByAnother, Undetermined, press
@@ -125,8 +124,7 @@ class FrictionResults:
     def _solve(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
         efficiency = self._mechanism.friction.efficiency
         if efficiency is not None:
-            exponent = -1 if self._drives(case.ideal, sense) else 1
-            return Named(product([(case.ideal.formula, 1), (efficiency, exponent)]))
+            return Drives(case.ideal, sense, self._plan).with_constant(efficiency)
         return self._rubbing(find, case, sense, order)
 
     def _rubbing(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
@@ -233,11 +231,6 @@ class FrictionResults:
         named = (*mechanism.parameters, *mechanism.loads, *mechanism.finds, *mechanism.lets)
         return {item.name for item in (*named, *pose.definitions)}
 
-    def _drives(self, ideal: Result, sense: Sense) -> bool:
-        """Tell whether the driving load does drive: not where it follows, nor where k < 0."""
-        value = value_of(ideal, default_values(self._plan))
-        return SIGNS[sense] * (-1 if value is not None and value < 0 else 1) > 0
-
     # -------------------------------------------------------------------------- forces
 
     def _force(
@@ -308,15 +301,7 @@ class FrictionResults:
         if named is None:
             return None
         whole = self._result(find, ideal, named)
-        name = f"{ideal.name}_f"
-        real, without = Product.symbol(name), to_product(ideal.formula)
-        share = (without / real if self._drives(ideal, sense) else real / without).formula()
-        where = (*whole.where, Definition(name, named.formula))
-        case = whole.case
-        if case:
-            there = (*case.where, Definition(name, case.formula))
-            case = replace(case, formula=share, where=there)
-        return replace(whole, formula=share, where=where, dimension=NUMBER, case=case)
+        return Drives(ideal, sense, self._plan).efficiency(whole, find.span)
 
 
 def _scaled(pressed: Sequence[Pressed], factor: Product) -> tuple[Pressed, ...]:
