@@ -9,7 +9,7 @@ from ..model.locking import Course
 from ..model.result import Result
 from ..model.targets import Efficiency, WithFriction
 from ..power.balance import Balance
-from .stroke import Stuck
+from .stroke import Extremum, Stuck
 
 APART = 12
 """Of so many places one is enough where friction is found by iteration, which takes long."""
@@ -38,6 +38,11 @@ def stuck(results: Iterable[Result], drive: str) -> Iterator[Stuck]:
                 for stretch in reach.stretches:
                     if stretch.within:
                         yield Stuck(result.name, stretch.state, *stretch.within)
+
+
+def is_told(extremum: Extremum, result: Result) -> bool:
+    """Tell an extremum from one of an efficiency where nothing moves."""
+    return extremum.value > 0 or not isinstance(result.target, Efficiency)
 
 
 def courses(results: Iterable[Result], drive: str) -> Iterator[tuple[str, Course]]:

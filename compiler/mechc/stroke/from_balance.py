@@ -18,7 +18,7 @@ from .along import NOT_ASSEMBLED, Along
 from .branches import branch_points
 from .ends import end_of_branch
 from .extrema import extrema
-from .friction import courses, in_code, some, stuck
+from .friction import courses, in_code, is_told, some, stuck
 from .singular import BESIDE, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
@@ -243,6 +243,7 @@ class _Runner:
             for stretch in stretches
             for result in self._results
             for extremum in extrema(result, name, self._along, some(self._within(stretch), result))
+            if is_told(extremum, result)
         ]
         near = BESIDE * (self._high - self._low)
         clear = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]

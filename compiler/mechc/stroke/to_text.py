@@ -8,18 +8,29 @@ from collections.abc import Collection, Iterator, Sequence
 from ..formula.to_text import text
 from ..model.locking import USUAL, Course
 from ..units import ANGLE, UNITS, Dimension
-from .stroke import Branch, Column, Content, Extremum, Singular, Stretch, Stroke, Stuck
+from .stroke import Branch, Column, Content, Extremum, Row, Singular, Stretch, Stroke, Stuck
 
 
 def to_csv(stroke: Stroke) -> str:
-    """Return the rows as CSV in SI and radians, 17 digits, empty where there is no value."""
+    """Return the rows as CSV in SI and radians, 17 digits, empty where there is no value.
+
+    With friction a last column says what does not move.
+    """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
-    writer.writerow([stroke.drive, *(c.name for c in stroke.columns), "trouble"])
+    more = ["stuck"] if stroke.courses else []
+    writer.writerow([stroke.drive, *(c.name for c in stroke.columns), "trouble", *more])
     for row in stroke.rows:
         values = ("" if math.isnan(v) else repr(v) for v in row.values)
-        writer.writerow([repr(row.drive), *values, row.trouble])
+        held = [_held(row, stroke)] if more else []
+        writer.writerow([repr(row.drive), *values, row.trouble, *held])
     return out.getvalue()
+
+
+def _held(row: Row, stroke: Stroke) -> str:
+    """Return which results are stuck at a place: ``k_f jammed, k_hold locked``."""
+    stuck = (s for s in stroke.stuck if s.low <= row.drive <= s.high)
+    return ", ".join(f"{s.result} {s.state}" for s in stuck)
 
 
 def to_table(stroke: Stroke, velocities: bool = False) -> str:
@@ -37,7 +48,11 @@ def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
     head = [_headed(stroke.drive, _unit(stroke.dimension, stroke.unit))]
     head += [_headed(c.name, _unit(c.dimension, c.unit)) for c in columns]
     body = [
-        [_place(row.drive, stroke), *_cells([row.values[i] for i in shown], columns), row.trouble]
+        [
+            _place(row.drive, stroke),
+            *_cells([row.values[i] for i in shown], columns),
+            row.trouble or _held(row, stroke),
+        ]
         for row in stroke.rows
     ]
     yield from _table([[*head, ""], *body])
