@@ -371,3 +371,208 @@ def test_what_jams_as_given_has_no_value_and_a_warning():
     assert [w.code for w in mechanism.warnings] == ["W513"]
     assert math.isnan(mechanism.evaluate()["k_f"])
     assert mechanism.evaluate()["i_hold"] <= 0 or math.isnan(mechanism.evaluate()["i_hold"])
+
+
+# -------------------------------------------------------------- both sides of a dead centre
+
+TOGGLE = """
+param l = 100 mm
+param r = {r} mm
+param alpha = 10 deg
+drive alpha from -20 deg to 45 deg
+param d = 10 mm
+pivot O
+slider C along y through O
+link OB
+link BC
+OB = l @ 90 deg - alpha
+BC = r
+assembly C forward
+force P at B along -x
+force F at C along -y
+friction pins 0.1 diameter d
+find k = P / F
+"""
+
+FACES = """
+param beta = 8 deg in 2 deg .. 30 deg
+param gamma = 5 deg in 0 deg .. 20 deg
+param mu = 0.1
+slide WX along -gamma
+slide AV along y
+contact A on WX normal 90 deg - beta
+force P at W along x
+force F at V along -y
+friction slider W mu
+friction contact A mu
+find k = P / F
+"""
+
+
+@pytest.mark.parametrize("r", [100, 140])
+def test_a_toggle_locks_on_both_sides_of_its_dead_centre(r):
+    """The lines of both rods turn by 2ρ over their lengths; they fall together at α = 2ρ/l."""
+    description = TOGGLE.format(r=r)
+    limit = 0.01
+    ((before,), (after,)) = (stretches(description, name) for name in ("k_f", "k_hold"))
+    assert before.within == pytest.approx((-limit, 0), rel=1e-4, abs=1e-12)
+    assert after.within == pytest.approx((0, limit), rel=1e-4, abs=1e-12)
+    assert before.high is not None
+    assert after.low is not None
+    assert before.high.is_dead_centre
+    assert after.low.is_dead_centre
+
+
+def test_faces_of_a_wedge_lock_between_both_slopes():
+    """Locked while |β − γ| of the faces is below twice the angle of friction.
+
+    Where β < γ the load pushes the wedge along P.
+    """
+    over, under = (
+        stretch
+        for name in ("k_hold", "k_f")
+        for stretch in locking(FACES, name).reaches[0].stretches
+        if stretch.state == "locked"
+    )
+    assert over.low is not None
+    assert over.high is not None
+    assert over.low.exact is not None
+    assert over.high.exact is not None
+    assert text(over.low.exact) == "gamma"
+    assert text(over.high.exact) == "gamma + phi_A + atan(mu)"
+    turn = math.degrees(2 * math.atan(0.1))
+    assert degrees(over.low.place, over.high.place) == pytest.approx([5, 5 + turn])
+    assert under.within is not None
+    assert degrees(*under.within) == pytest.approx([2, 5])
+
+
+def test_an_efficiency_is_that_of_whichever_load_drives():
+    """Beyond the dead centre F drives the knee along P, and P takes what arrives."""
+    mechanism = mechc.loads(KNEE.format(low=1, more=""))
+    alpha, turn = math.radians(10), math.asin(0.01)
+    there, here = (mechanism.evaluate(alpha=a)["eta_k"] for a in (-alpha, alpha))
+    assert here == pytest.approx(math.tan(alpha) / math.tan(alpha + turn))
+    assert there == pytest.approx(math.tan(alpha - turn) / math.tan(alpha))
+    assert mechanism.evaluate(alpha=0.0)["eta_k"] == 0
+    assert mechanism.evaluate(alpha=-turn / 2)["eta_k"] < 0
+
+
+def test_a_constant_efficiency_takes_from_whichever_load_drives():
+    description = KNEE.format(low=1, more="efficiency 0.8").replace("friction pins 0.1", "#")
+    mechanism = mechc.loads(description)
+    for alpha, share in ((0.2, 1 / 0.8), (-0.2, 0.8)):
+        found = mechanism.evaluate(alpha=alpha)
+        assert found["k_f"] == pytest.approx(share * found["k"])
+
+
+def test_the_condition_of_an_efficiency_is_told(tmp_path, capsys):
+    out = told(TOGGLE.format(r=140), tmp_path, capsys, "check")
+    assert "holds while k > 0" in out
+    assert "for -0.573 deg <= alpha < 0. " in out
+    assert "for 0 < alpha <= 0.573 deg. " in out
+    assert "eta_k runs from 0 (nothing moves) to 0.983" in out
+
+
+@pytest.mark.parametrize("points", [66, 651])
+def test_each_row_of_a_stroke_tells_what_is_stuck(points, tmp_path, capsys):
+    path = tmp_path / "m.mech"
+    path.write_text(TOGGLE.format(r=100), encoding="utf-8")
+    assert main(["stroke", "--csv", "-n", str(points), str(path)]) == 0
+    head, *rows = (line.split(",") for line in capsys.readouterr().out.splitlines())
+    drive, stuck, hold = (head.index(name) for name in ("alpha", "stuck", "k_hold"))
+    for row in rows:
+        alpha = float(row[drive])
+        if abs(alpha) > 1e-6:
+            assert ("k_hold locked" in ",".join(row[stuck:])) == (0 < alpha <= 0.01)
+            assert ("k_f locked" in ",".join(row[stuck:])) == (-0.01 <= alpha < 0)
+            assert (float(row[hold]) <= 0) == (alpha <= 0.01)
+
+
+def test_the_stroke_has_no_extrema_of_an_efficiency_where_nothing_moves():
+    stroke = mechc.loads(TOGGLE.format(r=140)).stroke()
+    assert not [e for e in stroke.extrema if e.result == "eta_k" and not 0 < e.value <= 1]
+    column = [c.name for c in stroke.columns].index("eta_k")
+    assert all(row.values[column] < 1 for row in stroke.rows)
+
+
+# ------------------------------------------------------------- ranges of other parameters
+
+ECCENTRIC = """
+param R = 30 mm
+param e = 3 mm in 1 mm .. 10 mm
+param phi = 10 deg in -80 deg .. 80 deg
+param mu = 0.15 in 0.05 .. 0.3
+pivot O
+slide AV along y
+link OH
+OH = 120 mm @ phi + 180 deg
+OA = (e*cos(phi), -R - e*sin(phi))
+contact A on OH normal -90 deg
+force P at H along y
+force F at V along y
+friction contact A mu
+find k = P / F
+"""
+
+NUT = """
+param p = 4 mm in 1 mm .. 10 mm
+param d = 20 mm
+param mu = 0.1 in 0 .. 0.2
+pivot O
+slider A along x
+link OB
+OB = @ 0 deg
+screw A pitch p on OB
+torque M on OB
+force F at A along -x
+friction screw A mu thread d
+find k = M / F
+"""
+
+
+def reached(description: str, name: str) -> dict[str, Stretch]:
+    found = {r.parameter: r.stretches for r in locking(description, name).reaches}
+    return {parameter: stretch for parameter, (stretch,) in found.items()}
+
+
+def test_an_eccentric_locks_while_it_is_small_against_the_friction_on_its_rim():
+    """e·cos φ ≤ μ·(R + e·sin φ): the moments of F and of its friction about the pivot."""
+    found = reached(ECCENTRIC, "k_hold")
+    e, mu, phi = found["e"].high, found["mu"].low, math.radians(10)
+    assert e is not None
+    assert mu is not None
+    assert e.exact is not None
+    assert text(e.exact) == "R*sin(phi_A)/cos(phi + phi_A)"
+    assert e.place == pytest.approx(0.15 * 0.03 / (math.cos(phi) - 0.15 * math.sin(phi)))
+    assert mu.place == pytest.approx(3 * math.cos(phi) / (30 + 3 * math.sin(phi)))
+    assert found["phi"].within == pytest.approx((math.radians(-80), math.radians(80)))
+
+
+def test_a_nut_locks_below_the_pitch_that_friction_holds():
+    """tan ψ = p/(πd) ≤ μ."""
+    found = reached(NUT, "k_hold")
+    pitch, mu = found["p"].high, found["mu"].low
+    assert pitch is not None
+    assert mu is not None
+    assert [text(b.exact) for b in (pitch, mu) if b.exact] == ["pi*d*mu", "p/(pi*d)"]
+    assert pitch.place == pytest.approx(math.pi * 0.02 * 0.1)
+    assert mu.place == pytest.approx(0.004 / (math.pi * 0.02))
+
+
+def test_what_an_efficiency_runs_through_over_a_coefficient():
+    """η = tan ψ/tan(ψ + arctan μ) falls from 1."""
+    (course,) = (c for c in results(NUT)["eta_k"].courses if c.parameter == "mu")
+    psi = math.atan(0.004 / (math.pi * 0.02))
+    assert course.greatest == pytest.approx(1)
+    assert course.least == pytest.approx(math.tan(psi) / math.tan(psi + math.atan(0.2)))
+
+
+def test_lengths_are_told_in_their_unit(tmp_path, capsys):
+    out = told(ECCENTRIC, tmp_path, capsys, "check")
+    assert "(4.694 mm), in the range given for 1 <= e <= 4.694 mm." in out
+
+
+def test_an_efficiency_that_does_not_vary_is_told_as_one(tmp_path, capsys):
+    description = KNEE.format(low=1, more="").replace("pins 0.1", "pins 0")
+    out = told(description, tmp_path, capsys, "check")
+    assert "For 1 deg <= alpha <= 45 deg, eta_k is 1 throughout." in out

@@ -45,21 +45,37 @@ def _is_told(stretch: Stretch) -> bool:
 
 def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> str:
     """Return a stretch as an inequality, with figures behind its formulas."""
-    if not stretch.low and not stretch.high:
+    low, high = _told(stretch, reach)
+    if not low and not high:
         return words.any_of.format(name=_name(reach, spell))
     sides: list[Formula] = [Symbol(reach.parameter)]
-    if stretch.low:
-        sides.insert(0, _side(stretch.low, reach, spell))
-    if stretch.high:
-        sides.append(_side(stretch.high, reach, spell))
-    only_low = stretch.low and not stretch.high
-    shown = sides[::-1] if only_low else sides
-    signs = (">=",) if only_low else ("<=",) * (len(shown) - 1)
-    said = spell.relation(tuple(shown), signs, reach.parameter in spell.angles)
-    bounds = [b for b in (stretch.low, stretch.high) if b]
-    figures = [_figure(b.place, reach, spell) for b in bounds if b.exact and symbols(b.exact)]
+    signs: list[str] = []
+    if low and not high:
+        sides.append(_side(low, reach, spell))
+        signs.append(">" if low.is_dead_centre else ">=")
+    elif low:
+        sides.insert(0, _side(low, reach, spell))
+        signs.append("<" if low.is_dead_centre else "<=")
+    if high:
+        sides.append(_side(high, reach, spell))
+        signs.append("<" if high.is_dead_centre else "<=")
+    said = spell.relation(tuple(sides), tuple(signs), reach.parameter in spell.angles)
+    bounds = [b for b in (low, high) if b]
+    known = [b.place for b in bounds if b.exact and symbols(b.exact)]
+    figures = [_figure(place, reach, words, spell) for place in known]
     unit = _unit(reach, words) if any(not b.exact for b in bounds) else ""
     return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")
+
+
+def _told(stretch: Stretch, reach: Reach) -> tuple[Bound | None, Bound | None]:
+    """Return the ends of a stretch but for those that lie beyond the range."""
+    low, high = stretch.low, stretch.high
+    if reach.range is None or stretch.within is None:
+        return low, high
+    return (
+        low if low and low.place > reach.range[0] else None,
+        high if high and high.place < reach.range[1] else None,
+    )
 
 
 def _side(bound: Bound, reach: Reach | Course, spell: Speller) -> Formula:
@@ -70,8 +86,8 @@ def _side(bound: Bound, reach: Reach | Course, spell: Speller) -> Formula:
 
 
 def _within(stretch: Stretch, reach: Reach, words: Words, spell: Speller) -> str:
-    """Return what of a stretch lies in the parameter's range."""
-    if reach.range is None:
+    """Return what of a stretch lies in the parameter's range, unless both ends tell that."""
+    if reach.range is None or (stretch.within and all(_told(stretch, reach))):
         return ""
     if stretch.within is None:
         return f", {words.out_of_range}"
@@ -81,15 +97,22 @@ def _within(stretch: Stretch, reach: Reach, words: Words, spell: Speller) -> str
 
 
 def _course(result: Result, course: Course, words: Words, spell: Speller) -> str:
-    said = words.course.format(
+    least, greatest = (_share(v, words, spell) for v in (course.least, course.greatest))
+    said = (words.steady if least == greatest else words.course).format(
         result=spell.relation((Symbol(result.name),), (), False),
         condition=_span(course.range, course, words, spell),
-        least=_share(course.least, spell),
-        greatest=_share(course.greatest, spell),
+        least=least,
+        greatest=greatest,
     )
+    return f"{said}." if least == greatest else f"{said}; {_usual(course, words, spell)}."
+
+
+def _usual(course: Course, words: Words, spell: Speller) -> str:
+    """Return where an efficiency is what textbooks assume."""
+    if course.usual == (course.range,):
+        return words.always_usual
     spans = [_span(part, course, words, spell) for part in course.usual]
-    usual = words.usual.format(conditions=enumeration(spans, words)) if spans else words.unusual
-    return f"{said}; {usual}."
+    return words.usual.format(conditions=enumeration(spans, words)) if spans else words.unusual
 
 
 # --------------------------------------------------------------------------- figures
@@ -102,8 +125,9 @@ def _span(part: Range, reach: Reach | Course, words: Words, spell: Speller) -> s
     return spell.relation(sides, ("<=", "<="), angle) + _unit(reach, words)
 
 
-def _figure(place: float, reach: Reach, spell: Speller) -> str:
-    return spell.relation((_rounded(place, reach, spell),), (), reach.parameter in spell.angles)
+def _figure(place: float, reach: Reach, words: Words, spell: Speller) -> str:
+    shown = spell.relation((_rounded(place, reach, spell),), (), reach.parameter in spell.angles)
+    return shown + _unit(reach, words)
 
 
 def _rounded(place: float, reach: Reach | Course, spell: Speller) -> Formula:
@@ -114,8 +138,9 @@ def _rounded(place: float, reach: Reach | Course, spell: Speller) -> Formula:
     return number(Fraction(f"{place / factor:.{DIGITS}g}"))
 
 
-def _share(value: float, spell: Speller) -> str:
-    return spell.relation((number(Fraction(f"{value:.3f}")),), (), False)
+def _share(value: float, words: Words, spell: Speller) -> str:
+    shown = spell.relation((number(Fraction(f"{value:.3f}")),), (), False)
+    return shown if value else words.stuck.format(least=shown)
 
 
 def _unit(reach: Reach | Course, words: Words) -> str:

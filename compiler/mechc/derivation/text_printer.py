@@ -73,6 +73,17 @@ def print_formula(formula: Formula, signs: Signs, angle: bool = False) -> str:
     return _print(formula, signs, SUM, angle or is_angle(formula, signs.angles))
 
 
+def print_side(formula: Formula, signs: Signs, angle: bool) -> str:
+    """Return a side of a relation: a number alone is a decimal where it can be.
+
+    >>> print_side(Number(Fraction(3, 4)), UNICODE, False)
+    '0.75'
+    """
+    if isinstance(formula, Number) and not angle:
+        return _number(formula.value, signs, SUM, decimal(formula.value))
+    return print_formula(formula, signs, angle)
+
+
 def print_name(name: str, signs: Signs) -> str:
     """Return a quantity's name.
 

@@ -16,7 +16,7 @@ from .definitions import Solved, grouped, is_by_letter
 from .remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
 from .sections import Section, sections
 from .steps import Derivation, Step
-from .text_printer import ASCII, UNICODE, Signs, print_formula, print_point
+from .text_printer import ASCII, UNICODE, Signs, print_point, print_side
 from .wording import Sides, lines, sentence
 
 WIDTH = 80
@@ -38,10 +38,10 @@ class Speller(NamedTuple):
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
-        line = print_formula(sides[0], self.signs, angle)
+        line = print_side(sides[0], self.signs, angle)
         for sign, side in zip(signs, sides[1:], strict=True):
             shown = self.signs.relations.get(sign, sign)
-            line += f" {shown} {print_formula(side, self.signs, angle)}"
+            line += f" {shown} {print_side(side, self.signs, angle)}"
         return line
 
     def point(self, names: str) -> str:

@@ -1,4 +1,4 @@
-"""A formula's zeros and poles, solved for an angle that is in it: ``tan(α − δ) − c``.
+"""A formula's zeros and poles, solved for an angle in it, ``tan(α − δ) − c``, or a factor.
 
 What is not of such a form has no solution here.
 """
@@ -27,11 +27,11 @@ from .tree import (
 from .walk import evaluate, symbols
 
 CLOSE = 1e-9
-"""Radians by which a formula may miss the place that it is for."""
+"""By how many radians, or parts of it, a formula may miss the place that it is for."""
 
 
 class Solution(NamedTuple):
-    """A value of an angle, and the degrees after which there is another."""
+    """A value of an angle, and the degrees after which there is another; 0 for no angle."""
 
     value: Formula
     period: Fraction
@@ -47,6 +47,8 @@ class Solution(NamedTuple):
         first, period = evaluate(self.value, values), math.radians(self.period)
         if not math.isfinite(first):
             return None
+        if not period:
+            return self.value if abs(first - place) <= CLOSE * abs(place) else None
         turns = round((place - first) / period)
         if abs(first + turns * period - place) > CLOSE:
             return None
@@ -104,7 +106,8 @@ def _where(angle: Formula, value: Formula, period: int, name: str) -> Iterator[S
     linear = _linear(angle, name)
     if linear is not None:
         slope, rest = linear
-        found = product([(number(1 / slope), 1), (_tidy((negative(rest), value)), 1)])
+        terms = (negative(rest), value) if slope > 0 else (rest, negative(value))
+        found = product([(number(1 / abs(slope)), 1), (_tidy(terms), 1)])
         yield Solution(found, abs(period / slope))
 
 
@@ -125,7 +128,10 @@ def _linear(angle: Formula, name: str) -> tuple[Fraction, Formula] | None:
 
 
 class _Part(NamedTuple):
-    """A term of a sum: a function of an angle that has the name in it, times the rest."""
+    """A term of a sum: a function of an angle that has the name in it, times the rest.
+
+    It is the name itself where there is no function.
+    """
 
     function: str
     angle: Formula
@@ -137,12 +143,14 @@ def _of_sum(terms: Sequence[Formula], name: str) -> Iterator[Solution]:
     constant = total(t for t in flat if name not in symbols(t))
     parts = _gathered([_part(t, name) for t in flat if name in symbols(t)])
     match parts:
+        case [_Part("", _, a)]:
+            yield Solution(_over(constant, a), Fraction(0))
         case [_Part(function, angle, a)]:
             for value, period in _inverse(function, a, constant):
                 yield from _where(angle, value, period, name)
         case [_Part("sin", angle, a), _Part("cos", other, b)] if angle == other:
             if constant == ZERO:
-                yield from _where(angle, Call("atan", (_over(b, a),)), 180, name)
+                yield from _where(angle, _odd("atan", _over(b, a)), 180, name)
         case _:
             return
 
@@ -177,6 +185,8 @@ def _part(term: Formula, name: str) -> _Part | None:
     match inside:
         case [Call("sin" | "cos" | "tan" | "cot" as function, (angle,))]:
             return _Part(function, angle, rest)
+        case [Symbol() as itself]:
+            return _Part("", itself, rest)
         case _:
             return None
 
@@ -186,15 +196,24 @@ def _inverse(function: str, a: Formula, c: Formula) -> Iterator[tuple[Formula, i
     value = _over(c, a)
     match function:
         case "tan":
-            yield Call("atan", (value,)), 180
+            yield _odd("atan", value), 180
         case "cot":
-            yield Call("atan", (_over(a, c),)), 180
+            yield _odd("atan", _over(a, c)), 180
         case "sin":
-            yield Call("asin", (value,)), 360
-            yield total((degrees(180), negative(Call("asin", (value,))))), 360
+            yield _odd("asin", value), 360
+            yield total((degrees(180), negative(_odd("asin", value)))), 360
         case _:
             yield Call("acos", (value,)), 360
             yield negative(Call("acos", (value,))), 360
+
+
+def _odd(function: str, value: Formula) -> Formula:
+    """Return an odd function of a value, a minus in front of it."""
+    match value:
+        case Number(first) | Product((Number(first), *_)) if first < 0:
+            return negative(Call(function, (negative(value),)))
+        case _:
+            return Call(function, (value,))
 
 
 def _over(above: Formula, below: Formula) -> Formula:

@@ -18,17 +18,21 @@ USUAL: Range = (0.9, 0.95)
 
 
 class Bound(NamedTuple):
-    """An end of a stretch, and the same as a formula where one is known."""
+    """An end of a stretch, and the same as a formula where one is known.
+
+    At a dead centre the stretch ends because the ratio changes its sign there.
+    """
 
     place: float
     exact: Formula | None = None
+    is_dead_centre: bool = False
 
 
 class Stretch(NamedTuple):
     """A stretch of a parameter on which a mechanism is locked, or jammed.
 
-    None is an end at which nothing changes before the next dead centre, or before the
-    parameter's range ends. ``within`` is what of it lies in the range.
+    None is an end at which nothing changes before the parameter's range ends, or, beyond
+    that, before the next dead centre. ``within`` is what of it lies in the range.
     """
 
     state: State
@@ -41,7 +45,7 @@ class Stretch(NamedTuple):
 class Reach:
     """All stretches of one parameter, the others at their values; its range, if it has one.
 
-    ``unit`` is that of a length, as it was written; angles have none.
+    ``unit`` is the one that was written; angles have none.
     """
 
     parameter: str

@@ -81,7 +81,10 @@ class Words(NamedTuple):
     all_of_range: str
     out_of_range: str
     course: str
+    steady: str
+    stuck: str
     usual: str
+    always_usual: str
     unusual: str
     derivatives: str
     slope: str

@@ -122,13 +122,19 @@ BOUND: Kind[Bound] = record(
     "An end of a stretch.",
     member("place", "SI and radians.", FLOAT, lambda b: b.place),
     member("formula", "The same, where one is known.", optional(FORMULA), lambda b: b.exact),
+    member("dead_centre", "The ratio changes its sign.", TRUTH, lambda b: b.is_dead_centre),
 )
 
 STRETCH: Kind[Stretch] = record(
     "stretch",
     "A stretch on which nothing moves.",
     member("state", "Held, or not to be moved.", one_of(*STATES), lambda s: s.state),
-    member("low", "Null at a dead centre or a range's end.", optional(BOUND), lambda s: s.low),
+    member(
+        "low",
+        "Null at the range's end.",
+        optional(BOUND),
+        lambda s: s.low,
+    ),
     member("high", "The same above.", optional(BOUND), lambda s: s.high),
     member("within", "Its part of the range.", optional(_NUMBERS), lambda s: s.within),
 )

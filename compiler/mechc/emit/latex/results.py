@@ -9,8 +9,9 @@ from ...derivation.definitions import Solved, grouped
 from ...derivation.remarks import asked, heading, is_nameless, ratio, remarks, said
 from ...derivation.sections import Section
 from ...derivation.steps import Equation, Passage
+from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
-from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
+from ...formula.tree import ZERO, Formula, Number, Symbol, negative, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition, Result
 from ...statics.verdict import Verdict
@@ -190,9 +191,15 @@ class Speller(NamedTuple):
 
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
-        tex = [latex(side, self.style, angle) for side in sides]
+        tex = [self._side(side, angle) for side in sides]
         tail = (_SIGNS.get(sign, sign) + side for sign, side in zip(signs, tex[1:], strict=True))
         return f"${tex[0]}{''.join(tail)}$"
+
+    def _side(self, side: Formula, angle: bool) -> str:
+        """Return a side; a number alone is a decimal where it can be."""
+        if isinstance(side, Number) and not angle and (figures := exact_decimal(side.value)):
+            return figures.replace(".", self.style.decimal)
+        return latex(side, self.style, angle)
 
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""

@@ -15,7 +15,7 @@ from ...model.result import Result
 from ..balance import Balance
 from .locking import sizes
 from .places import Places
-from .ranges import range_of, shown, spaced, spans, turns, varying
+from .ranges import moving, range_of, shown, spaced, spans, turns, varying
 from .results import FrictionResults
 from .states import Moving
 
@@ -112,7 +112,7 @@ def _steep(balance: Balance, ideal: Result) -> Iterator[str]:
     mechanism, loads = balance.plan.graph.pose.mechanism, sizes(balance, ideal)
     if loads is None or ideal.default is None:
         return
-    for name in varying(mechanism, (ideal,)):
+    for name in moving(mechanism, (ideal,)):
         places, ends = Places(balance.plan, name, loads), range_of(name, mechanism)
         here = places.defaults[name]
         whole = ends or (here, here)

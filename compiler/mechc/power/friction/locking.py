@@ -4,7 +4,9 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, groupby, pairwise
 
-from ...formula.solved import poles, zeros
+from ...formula.operations import count_operations
+from ...formula.solved import Solution, poles, zeros
+from ...formula.tree import Formula
 from ...formula.walk import evaluate, symbols
 from ...frozen import frozen
 from ...model.locking import Bound, Locking, Range, Reach, State, Stretch
@@ -29,6 +31,14 @@ BEYOND = math.pi / 2
 
 EXACT = 1e-13
 """The width, against the size of what is looked at, to which an end is narrowed down."""
+
+NEAR = 1e-9
+"""What is nearer to 0, against the distance of places, is 0."""
+
+SHORT = 12
+"""An end of more operations than this is told as a figure."""
+
+Solve = Callable[[Formula, str], Iterator[Solution]]
 
 CLEAR = 10.0
 """At the end of what is locked k is nil, at that of what is jammed infinite: so many times."""
@@ -140,11 +150,9 @@ class _Stretches:
         low, high = self._end(places, first, -1), self._end(places, last, 1)
         if not self._is_certain(state, (low, high), places[(first + last) // 2]):
             return None
-        begins = places[first] if low is None else low
-        ends = places[last] if high is None else high
-        return Stretch(
-            state, self._bound(low, state), self._bound(high, state), self._within(begins, ends)
-        )
+        begins = places[first] if low is None else low.place
+        ends = places[last] if high is None else high.place
+        return Stretch(state, low, high, self._within(begins, ends))
 
     def _places(self, low: float, high: float) -> list[float]:
         number, halvings = ITERATED if self.moving.is_iterated else (PLACES, HALVINGS)
@@ -159,27 +167,39 @@ class _Stretches:
 
     def _still(self, a: float, b: float) -> Iterator[float]:
         """Yield the dead centre between two places."""
-        driven = self.moving.at(a).driven
-        if self.moving.at(b).driven != driven:
-            yield _last(lambda x: self.moving.at(x).driven == driven, a, b)
+        if self.moving.at(b).driven != self.moving.at(a).driven:
+            yield self._dead_centre(a, b)
 
-    def _end(self, places: Sequence[float], i: int, way: int) -> float | None:
-        """Return where a state ends that the place i is the last to have, None at a dead centre."""
+    def _dead_centre(self, a: float, b: float) -> float:
+        """Return the dead centre between two places, 0 where it is nearly that."""
+        start = self.moving.at(a)
+
+        def is_alike(place: float) -> bool:
+            found = self.moving.at(place)
+            return found.state is not None and found.driven == start.driven
+
+        place = _last(is_alike, a, b)
+        return 0.0 if abs(place) < NEAR * abs(b - a) else place
+
+    def _end(self, places: Sequence[float], i: int, way: int) -> Bound | None:
+        """Return where a state ends that the place i is the last to have."""
         if not 0 <= i + way < len(places):
             return None
         a, b = places[i], places[i + way]
         here, there = self.moving.at(a), self.moving.at(b)
         if there.state is None or here.driven != there.driven:
-            return None
+            return self._bound(self._dead_centre(a, b), self.moving.ideal, (zeros, poles), True)
         state = here.state
-        return _last(lambda x: self.moving.at(x).state == state, a, b)
+        place = _last(lambda x: self.moving.at(x).state == state, a, b)
+        return self._bound(place, self.printed, (zeros if state == "locked" else poles,))
 
     def _is_certain(
-        self, state: State, ends: tuple[float | None, float | None], middle: float
+        self, state: State, ends: tuple[Bound | None, Bound | None], middle: float
     ) -> bool:
         """Tell what is stuck from a formula that merely ends, where a joint is relieved."""
         inside = self.moving.at(middle)
-        shares = [abs(self.moving.at(e).share) for e in ends if e is not None]
+        bounds = (e for e in ends if e is not None and not e.is_dead_centre)
+        shares = [abs(self.moving.at(e.place).share) for e in bounds]
         if not shares or inside.keeps:
             return not inside.share > 0
         if state == "locked":
@@ -192,15 +212,18 @@ class _Stretches:
         first, last = max(low, self.range[0]), min(high, self.range[1])
         return (first, last) if first < last else None
 
-    def _bound(self, place: float | None, state: State) -> Bound | None:
+    def _bound(
+        self, place: float, result: Result, ways: Sequence[Solve], is_dead_centre: bool = False
+    ) -> Bound:
         """Return an end with its formula, if it has one of names that do not vary themselves."""
-        if place is None:
-            return None
-        solve = zeros if state == "locked" else poles
-        values = named(self.printed, self.moving.places.values(place))
-        varying = self.moving.places.varying(self.printed)
-        for solution in solve(self.printed.formula, self.name):
+        values = named(result, self.moving.places.values(place))
+        varying = self.moving.places.varying(result)
+        for solution in chain(*(solve(result.formula, self.name) for solve in ways)):
             exact = solution.at(place, values)
-            if exact is not None and symbols(exact).isdisjoint(varying):
-                return Bound(evaluate(exact, values), exact)
-        return Bound(place)
+            if exact is not None and symbols(exact).isdisjoint(varying) and _is_short(exact):
+                return Bound(evaluate(exact, values), exact, is_dead_centre)
+        return Bound(place, None, is_dead_centre)
+
+
+def _is_short(exact: Formula) -> bool:
+    return count_operations(exact) <= SHORT

@@ -1,4 +1,4 @@
-"""What results are followed along: the drive and the angles that they depend on."""
+"""What results are followed along: the drive, angles, and whatever else has a range."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -13,13 +13,25 @@ from ...units import ANGLE, LENGTH, UNITS
 
 
 def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
-    """Yield the drive and the angles that results depend on, in the order of the text."""
+    """Yield the drive, angles, and what else has a range, if results depend on them.
+
+    They come in the order of the text.
+    """
     used = _used(mechanism, results)
     drive = mechanism.drive.parameter if mechanism.drive else ""
     for parameter in mechanism.parameters:
         turns = parameter.dimension == ANGLE and not parameter.dependent
-        if parameter.name in used and parameter.value and (turns or parameter.name == drive):
+        is_followed = turns or parameter.range is not None or parameter.name == drive
+        if parameter.name in used and parameter.value and is_followed:
             yield parameter.name
+
+
+def moving(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
+    """Yield those among them that may pass a dead centre: the drive and angles."""
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    for name in varying(mechanism, results):
+        if name == drive or turns(name, mechanism):
+            yield name
 
 
 def _used(mechanism: Mechanism, results: Sequence[Result]) -> set[str]:
@@ -51,9 +63,11 @@ def turns(name: str, mechanism: Mechanism) -> bool:
 
 
 def unit_of(name: str, mechanism: Mechanism) -> str:
-    """Return the unit of a length, "" for what is none."""
+    """Return the unit that was written, "" for angles and numbers."""
     parameter = next(p for p in mechanism.parameters if p.name == name)
-    return (parameter.unit or "m") if parameter.dimension == LENGTH else ""
+    if parameter.dimension == ANGLE:
+        return ""
+    return parameter.unit or ("m" if parameter.dimension == LENGTH else "")
 
 
 def spaced(ends: Range, parts: int) -> list[float]:
