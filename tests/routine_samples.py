@@ -283,7 +283,8 @@ def compiled(sample: str) -> Compiled:
         results,
     )
     trial = Trial("k", {"a": 0.1}, 0.5, float("inf"), 1e-16, 3.0)
-    routine = program(mechanism, results)
+    posed = {d.name: d.formula for r in results for d in r.where}
+    routine = program(mechanism, results, posed)
     return Known(mechanism, derivation, routine, Verdict((trial,), ("nothing more",)), "0.0.0")
 
 

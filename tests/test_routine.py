@@ -230,6 +230,13 @@ def test_sharing_changes_no_value(formula: Formula) -> None:
         assert found == pytest.approx(expected, rel=1e-6, abs=1e-9 * min(largest, 1e9))
 
 
+def test_the_pose_has_no_part_in_friction() -> None:
+    pose = solved("claw_with_friction").routine.pose
+    assert pose is not None
+    assert pose.outputs == ("beta",)
+    assert [item.name for item in pose.inputs] == ["l_A", "l", "phi"]
+
+
 def test_the_text_of_a_routine() -> None:
     mechanism, results = clamp()
     assert to_text(program(mechanism, results)) == (

@@ -172,21 +172,34 @@ def load_does_no_work(at: Span, load: str) -> Words:
 
 
 @coded("W502")
-def result_negative(at: Span, result: str, turn: str) -> Words:
+def result_negative(at: Span, result: str, hint: str) -> Words:
     """A force ratio is negative: the loads as directed can't balance.
 
     k is the ratio for which the loads, acting as their arrows say, are in equilibrium. A
     negative one means that one arrow points the other way. A torque is positive
     counter-clockwise: a negative ratio of two torques means that one of them acts clockwise.
+    An actuator is positive where it pushes its points apart.
     """
-    hint = f"turn {turn} round (add 180 deg to its direction)"
-    return Words(
-        at,
-        f"{result} is negative at the default pose: the arrows do not balance as drawn",
-        hint
-        if turn
-        else "torques are positive counter-clockwise, so one of the two acts clockwise",
-    )
+    message = f"{result} is negative at the default pose: the arrows do not balance as drawn"
+    return Words(at, message, hint)
+
+
+def turn_round(force: str) -> str:
+    """Return the hint at a force that points the wrong way."""
+    return f"turn {force} round (add 180 deg to its direction)"
+
+
+def pulls(actuator: str) -> str:
+    """Return the hint at an actuator that has to pull."""
+    return f"{actuator} is positive where it pushes its points apart, and here it pulls"
+
+
+def clockwise(torques: Sequence[str]) -> str:
+    """Return the hint at a torque that is negative; nothing tells which of two."""
+    if not torques:
+        return "both weights act downwards, on the same side"
+    one = torques[0] if len(torques) == 1 else "one of the two"
+    return f"torques are positive counter-clockwise, so {one} acts clockwise"
 
 
 @coded("W503")

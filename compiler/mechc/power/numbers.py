@@ -14,7 +14,16 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import Efficiency, Find, Force, LoadForm, LoadRatio, WithFriction
+from ..model.mechanism import (
+    Efficiency,
+    Find,
+    Force,
+    LoadForm,
+    LoadRatio,
+    Thrust,
+    Torque,
+    WithFriction,
+)
 from ..model.result import Result
 from ..model.targets import SIGNS
 from ..model.values import Chain, completed, defaults, dependent, holds
@@ -123,14 +132,20 @@ def _remark(
         if number == 0 or (item.value and _vanishing(item.value, values, 1) is not None):
             report.add(words.result_zero(find.span, find.name))
         elif number < 0:
-            turn = _arrow(find.target, balance.terms)
-            report.add(words.result_negative(find.span, find.name, turn))
+            hint = _against(find.target, balance.terms)
+            report.add(words.result_negative(find.span, find.name, hint))
 
 
-def _arrow(target: LoadRatio, terms: Iterable[Term]) -> str:
-    """Return the force of a ratio that may be turned round, "" where both are torques."""
-    forces = {t.load.name for t in terms if isinstance(t.load, Force)}
-    return next((n for n in (target.below, target.above) if n in forces), "")
+def _against(target: LoadRatio, terms: Iterable[Term]) -> str:
+    """Return a hint at the load of a ratio that acts against its arrow: best a force."""
+    loads = {t.load.name: t.load for t in terms}
+    asked = [loads[n] for n in (target.below, target.above) if n in loads]
+    forces = [load.name for load in asked if isinstance(load, Force) and not load.weight]
+    pairs = [load.name for load in asked if isinstance(load, Thrust)]
+    torques = [load.name for load in asked if isinstance(load, Torque)]
+    if forces:
+        return words.turn_round(forces[0])
+    return words.pulls(pairs[0]) if pairs else words.clockwise(torques)
 
 
 def _vanishing(value: Product, values: Mapping[str, float], side: int) -> Formula | None:

@@ -44,6 +44,7 @@ class Scope:
         self._place = {o: {n: i for i, n in enumerate(names)} for o, names in self._where.items()}
         self._anywhere = {n: owner for owner, names in self._where.items() for n in names}
         self._used: dict[Key, tuple[tuple[str, Key], ...]] = {}
+        self._posed = frozenset(definitions)
         self._ties = {**definitions, **dict(_ties(mechanism))}
         self._free = {p.name for p in mechanism.parameters}
         self._loads = {load.name for load in mechanism.loads}
@@ -81,9 +82,8 @@ class Scope:
         return Definitions(tuple(found.items()), {n: chosen[k] for n, k in wanted.items()})
 
     def intermediates(self) -> Definitions:
-        """Return what any ``where`` defines, loads and results aside, and all that it needs."""
-        listed = [Key(o, n) for o, names in self._where.items() for n in names]
-        wanted = [k for k in listed if k.name not in self._loads and k.name not in self.results]
+        """Return what of the pose any ``where`` defines, and all that it needs."""
+        wanted = [Key(o, n) for o, names in self._where.items() for n in names if n in self._posed]
         found, chosen = self._named(wanted)
         return Definitions(tuple(found.items()), {chosen[k]: chosen[k] for k in wanted})
 

@@ -125,7 +125,7 @@ class Function:
 
 @frozen
 class Pose:
-    """The intermediates of all results, together.
+    """The angles and lengths found by loops that results rest on, together.
 
     ``outputs`` are their names in the order of the results, each defined by ``steps``.
     """
@@ -137,7 +137,7 @@ class Pose:
 
 @frozen
 class Routine:
-    """All functions of one mechanism; ``pose`` is None where no result has intermediates."""
+    """All functions of one mechanism; ``pose`` is None where loops find nothing."""
 
     name: str
     title: str
