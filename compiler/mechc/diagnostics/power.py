@@ -184,9 +184,10 @@ def result_negative(at: Span, result: str, hint: str) -> Words:
     return Words(at, message, hint)
 
 
-def turn_round(force: str) -> str:
-    """Return the hint at a force that points the wrong way."""
-    return f"turn {force} round (add 180 deg to its direction)"
+def turn_round(forces: Sequence[str]) -> str:
+    """Return the hint at a force that points the wrong way, or at one of several."""
+    so_that = ", so that bodies that touch push" if len(forces) > 1 else ""
+    return f"turn {listed(forces, 'or')} round (add 180 deg to its direction){so_that}"
 
 
 def pulls(actuator: str) -> str:

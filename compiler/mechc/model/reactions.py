@@ -79,6 +79,7 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
 
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
     if point not in scope.points.guided | scope.points.touching:
-        scope.report.add(words.nothing_normal(symbol.span, point))
+        on_slide = any(point in s for s in scope.points.slides)
+        scope.report.add(words.nothing_normal(symbol.span, point, on_slide))
         return None
     return Normal(point)

@@ -132,19 +132,23 @@ def _remark(
         if number == 0 or (item.value and _vanishing(item.value, values, 1) is not None):
             report.add(words.result_zero(find.span, find.name))
         elif number < 0:
-            hint = _against(find.target, balance.terms)
+            hint = _against(find.target, balance)
             report.add(words.result_negative(find.span, find.name, hint))
 
 
-def _against(target: LoadRatio, terms: Iterable[Term]) -> str:
-    """Return a hint at the load of a ratio that acts against its arrow: best a force."""
-    loads = {t.load.name: t.load for t in terms}
+def _against(target: LoadRatio, balance: Balance) -> str:
+    """Return a hint at the load of a ratio that acts against its arrow: best a force.
+
+    Where bodies touch, only one of two forces presses them together when it is turned.
+    """
+    loads = {t.load.name: t.load for t in balance.terms}
     asked = [loads[n] for n in (target.below, target.above) if n in loads]
     forces = [load.name for load in asked if isinstance(load, Force) and not load.weight]
     pairs = [load.name for load in asked if isinstance(load, Thrust)]
     torques = [load.name for load in asked if isinstance(load, Torque)]
     if forces:
-        return words.turn_round(forces[0])
+        touching = balance.plan.graph.pose.mechanism.contacts
+        return words.turn_round(forces if touching else forces[:1])
     return words.pulls(pairs[0]) if pairs else words.clockwise(torques)
 
 

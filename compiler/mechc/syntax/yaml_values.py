@@ -176,6 +176,9 @@ def range_of(node: Node, source: Source) -> Fields:
 
 def result(node: Node, source: Source) -> Fields:
     """Read ``k = P/F`` or ``R_B on AB``."""
+    if isinstance(node, Table):
+        hint = "in a list the name stands before '=': - k = P/F"
+        raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "what to find", hint))
     found = parsed("result", "what to find", node, source)
     return found.target, found.name, found.on
 
