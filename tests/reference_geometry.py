@@ -298,7 +298,7 @@ def _touches(
     slides: Collection[str],
 ) -> Iterator[Touch]:
     for s in (*every(file, ast.Slot), *every(file, ast.Contact)):
-        tail, head = points_of(s.line.text)
+        tail, head, *_ = points_of(s.line.text)
         if isinstance(s, ast.Contact):
             normal = angle_of(s.normal, values, arms)
         else:

@@ -90,7 +90,8 @@ def _of_result(result: Result, where: Iterable[Definition]) -> Iterator[str]:
     for group in grouped((name, by_letter(formula)) for name, formula in where):
         yield from _of_definition(group)
     if sizes := sorted(symbols(result.formula) & result.inside):
-        yield f"    where {', '.join(sizes)} press the joints: n = |r + D*n| by Newton's method"
+        press = "press the joints" if len(sizes) > 1 else "presses the joint"
+        yield f"    where {', '.join(sizes)} {press}: n = |r + D*n| by Newton's method"
     if result.default is not None:
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"

@@ -145,7 +145,7 @@ def reaction_undetermined(at: Span, result: str) -> Words:
 
 
 @coded("E512")
-def transmission_presses(at: Span, point: str) -> Words:
+def transmission_presses(at: Span, point: str, rubs: bool) -> Words:
     """The force on the pivot of a gear, a pulley or a screw is asked for, or its friction.
 
     What the teeth pass on presses across the line of centres, a belt was tightened before
@@ -156,9 +156,14 @@ def transmission_presses(at: Span, point: str) -> Words:
         find R_O1                                # wrong
         friction pin O1 0.1 diameter 10 mm       # wrong
         friction gear O1 0.02                    # right: what the teeth lose
+        friction pin A 0.1 diameter 10 mm        # right: pin by pin, O1 left out
     """
-    message = f"the force on pivot {point} is needed, and a gear, belt or screw presses on it"
-    return Words(at, message, "nothing tells which way it presses there")
+    message = (
+        f"the force on pivot {point} is needed, and nothing tells which way a gear, belt or screw "
+        "presses there"
+    )
+    hint = f"give friction pin by pin, and leave {point} out" if rubs else ""
+    return Words(at, message, hint)
 
 
 @coded("W501")

@@ -151,7 +151,8 @@ class Reader:
         if not self.usage.posed:
             what = f"{FORMS[form.prefix]}, which follows from the description"
             wanted = self.usage.wanted
-            self.report.add(names.name_out_of_place(node.span, node.name, what, wanted))
+            hint = names.angle_from_vector() if form.prefix == "phi" else ""
+            self.report.add(names.name_out_of_place(node.span, node.name, what, wanted, hint))
             return None
         sort = Sort.of(ANGLE if form.prefix == "phi" else LENGTH)
         return Quantity(Symbol(node.name), sort, node.span)

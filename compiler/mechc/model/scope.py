@@ -10,6 +10,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
+from ..syntax.words import points_of
 from ..units import Dimension
 from .forms import FORMS, form_of
 from .points import Points
@@ -105,11 +106,16 @@ class Scope:
             dimension=dimension, plain=plain, posed=posed, solved=solved
         )
 
+    def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
+        vector = len(points_of(symbol.name)) > 1
+        hint = words.vector_as_quantity(symbol.name, usage.posed) if vector else ""
+        self.report.add(words.unknown_name(symbol.span, symbol.name, self._offered(usage), hint))
+
     def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
         """Return what a name in a formula stands for; None where that is an error."""
         entry = self.entries.get(symbol.name)
         if entry is None:
-            self.report.add(words.unknown_name(symbol.span, symbol.name, self._offered(usage)))
+            self._unknown(symbol, usage)
             return None
         self.used.add(symbol.name)
         too_late = (usage.plain and not entry.plain) or (entry.solved and not usage.solved)

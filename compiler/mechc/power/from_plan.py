@@ -213,7 +213,7 @@ class _Asked:
 
         point = getattr(target, "point", "")
         if not isinstance(target, Normal) and point in unclear(self._mechanism):
-            self._report.add(words.transmission_presses(find.span, point))
+            self._report.add(words.transmission_presses(find.span, point, rubs=False))
             return None
         found = find_force(target, self._plan.graph.pose, self._reactions)
         if found is None:

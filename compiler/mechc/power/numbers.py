@@ -1,7 +1,7 @@
 """The results at the default pose: signs, zeros, poles, branch points."""
 
 import math
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
@@ -28,7 +28,7 @@ from ..model.result import Result
 from ..model.targets import SIGNS
 from ..model.values import Chain, completed, defaults, dependent, holds
 from ..pose.pose import Pose
-from .balance import Balance, Solved, Term
+from .balance import Balance, Solved
 
 NIL = 1e-12
 """Below this a value of order one counts as zero."""

@@ -142,7 +142,7 @@ SECTIONS: tuple[Section, ...] = (
         Entry(
             ast.Contact,
             AT_POINT,
-            keys=(key("with", Kind.ROD, "line"), key("normal", Kind.DIRECTION)),
+            keys=(key("with", Kind.POINTS, "line"), key("normal", Kind.DIRECTION)),
         ),
     ),
     listed(

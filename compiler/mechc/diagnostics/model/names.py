@@ -31,18 +31,32 @@ def offered(name: str, known: Collection[str], what: str) -> str:
 
 
 @coded("E201")
-def unknown_name(span: Span, name: str, known: Collection[str]) -> Words:
+def unknown_name(span: Span, name: str, known: Collection[str], hint: str = "") -> Words:
     """An expression mentions a name that nothing declares.
 
     A name in an expression is a parameter, a load, or the name of a ``find`` or ``let``.
     Points are no quantities: an expression names them only inside ``V_D`` and its kin.
 
         param a = 40 mm
-        OB = aa @ 90 deg     # wrong: there is no aa
-        OB = a @ 90 deg      # right
+        OB = aa @ 90 deg             # wrong: there is no aa
+        OB = a @ 90 deg              # right
+        AC = b @ AB + 30 deg         # wrong: AB is a direction by itself only
+        angle BAC = 30 deg           # right
     """
-    hint = offered(name, known, "names declared")
+    hint = hint or offered(name, known, "names declared")
     return Words(span, f"the name '{name}' is not declared", hint)
+
+
+def vector_as_quantity(vector: str, posed: bool) -> str:
+    """Return the hint at a vector in a formula, where what was found may be mentioned or not."""
+    if posed:
+        return f"the direction of {vector} is phi_{vector}, its length len_{vector}"
+    return f"{vector} is a direction by itself only; {angle_from_vector()}"
+
+
+def angle_from_vector() -> str:
+    """Return the hint at a direction that is not free to be added to."""
+    return "an angle from a vector is given by `angle ABC = …`"
 
 
 @coded("E202")
@@ -118,7 +132,7 @@ def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -
 
 
 @coded("E207")
-def name_out_of_place(span: Span, name: str, kind: str, wanted: str) -> Words:
+def name_out_of_place(span: Span, name: str, kind: str, wanted: str, hint: str = "") -> Words:
     """A name is declared, but may not stand in this formula.
 
     Geometry, directions and values of parameters are made of parameters (and of ``let``s
@@ -127,7 +141,7 @@ def name_out_of_place(span: Span, name: str, kind: str, wanted: str) -> Words:
 
         OB = P @ 90 deg     # wrong where P is a force
     """
-    return Words(span, f"'{name}' is {kind}, expected {wanted}")
+    return Words(span, f"'{name}' is {kind}, expected {wanted}", hint)
 
 
 @coded("E208")

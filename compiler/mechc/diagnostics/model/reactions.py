@@ -71,7 +71,7 @@ def nothing_normal(span: Span, point: str, on_slide: bool) -> Words:
     find R_O     # right
     """
     if on_slide:
-        message = f"the slide of {point} is guided as a whole, not at {point}: its force is not found"
+        message = f"the slide of {point} is guided as a whole, and its force is not found"
         return Words(span, message, "ask for what presses on the slide: a contact, slot or rod")
     message = f"point {point} is neither guided nor in contact, so it has no normal force"
     return Words(span, message, f"the force on a pin is R_{point}")

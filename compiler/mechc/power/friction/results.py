@@ -209,7 +209,7 @@ class FrictionResults:
         pressed_on = unclear(self._mechanism)
         for rub in self._rubs:
             if rub.bond.kind == "pin" and rub.bond.point in pressed_on:
-                self._report.add(transmission_presses(find.span, rub.bond.point))
+                self._report.add(transmission_presses(find.span, rub.bond.point, rubs=True))
                 return None
         plan, given = self._plan, case.given
         try:
