@@ -178,3 +178,101 @@ def test_a_link_that_turns_idly_on_a_pin_without_friction_changes_nothing():
         found = mechanism.evaluate(alpha=alpha)
         assert found["k_f"] == pytest.approx(2 * math.tan(alpha + turn), rel=1e-12)
         assert found["k_hold"] == pytest.approx(2 * math.tan(alpha - turn), rel=1e-12)
+
+
+# ------------------------------------------------------------------------------- halves
+
+GRIPPER = """
+param a = 40 mm
+param b = 100 mm
+param L = 60 mm
+param alpha = 35 deg
+pivot O
+slider A along x
+link AB
+link BOD
+AB = L @ alpha
+BO = a @ 0 deg
+OD = b @ 0 deg
+force P at A along x
+force F at D along y
+friction pins 0.1 diameter 10 mm
+find k = P / F
+"""
+
+OTHER_HALF = """
+pivot U
+link AV
+link VUW
+AV = L @ -alpha
+VU = a @ 0 deg
+UW = b @ 0 deg
+force F2 = F at W along -y
+"""
+
+GUIDES = [
+    "friction slider A 0.1",
+    "friction slider A 0.1 guide 40 mm overhang 60 mm",
+    "friction roller A 0.1 axle 10 mm wheel 30 mm",
+]
+
+
+@pytest.mark.parametrize("guide", ["", *GUIDES])
+def test_side_forces_of_mirrored_halves_cancel(guide):
+    """Figure 1 of Karpenko et al., as one half and as a whole: 7.770, not 8.295."""
+    mirrored = mechc.loads(f"{GRIPPER}mirror across 0 deg sharing A\n{guide}")
+    whole = mechc.loads(f"{GRIPPER}{OTHER_HALF}{guide}")
+    expected = entries("friction.json")["F-G000-1"]
+    for mechanism in (mirrored, whole):
+        found = mechanism.evaluate()
+        assert found["k_f"] == pytest.approx(expected["k_real"], rel=1e-12)
+        assert found["k_hold"] == pytest.approx(expected["k_holding"], rel=1e-12)
+    assert [w.code for w in mirrored.warnings] == (["W272"] if guide else [])
+    assert not whole.warnings
+
+
+@pytest.mark.parametrize("guide", GUIDES)
+@pytest.mark.parametrize(
+    ("load", "counted"), [("P at A along x", "times 1/2"), ("F at D along y", "times 2")]
+)
+def test_a_half_with_a_guide_that_both_halves_share_is_refused(guide, load, counted):
+    half = GRIPPER.replace(load, f"{load} {counted}")
+    assert mechc.loads(half).evaluate()["k_f"] == pytest.approx(
+        entries("friction.json")["F-G000-1"]["k_real"], rel=1e-12
+    )
+    with pytest.raises(mechc.MechcError) as caught:
+        mechc.loads(f"{half}\n{guide}").evaluate()
+    assert [d.code for d in caught.value.diagnostics] == ["E278"]
+
+
+PLUNGERS = """
+param alpha = 10 deg in 1 deg .. 45 deg
+slider B along -y
+slider C along x
+link BC
+BC = 80 mm @ -alpha
+force Q at B along -y
+force W at C along -x {counted}
+friction pins 0.1 diameter 10 mm
+friction slider C 0.1 guide 40 mm overhang 30 mm
+{mirror}
+find k = Q / W
+"""
+
+
+def test_a_half_with_a_guide_of_its_own_is_no_wrong_half():
+    """Each plunger rubs in its guide, whether both are described or one that counts twice."""
+    half = mechc.loads(PLUNGERS.format(counted="times 2", mirror=""))
+    whole = mechc.loads(PLUNGERS.format(counted="", mirror="mirror across 90 deg sharing B"))
+    assert not half.warnings
+    alpha, turn, c = math.radians(10), math.asin(0.1 / 8), 0.1 * 3 * 30 / 40
+    by_hand = 2 / (1 / math.tan(alpha + turn) - c)
+    for mechanism in (half, whole):
+        assert mechanism.evaluate()["k_f"] == pytest.approx(by_hand, rel=1e-12)
+
+
+def test_branches_of_a_claw_press_their_common_guide_to_no_side():
+    description = f"{GRIPPER}copies 3 sharing A\n"
+    smooth, rough = (mechc.loads(f"{description}{guide}") for guide in ("", GUIDES[0]))
+    assert rough.evaluate()["k_f"] == smooth.evaluate()["k_f"]
+    assert [w.code for w in rough.warnings] == ["W272"]

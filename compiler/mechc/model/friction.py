@@ -11,7 +11,7 @@ from ..source import Span
 from ..syntax import ast
 from ..units import LENGTH, NUMBER
 from .expressions import Reader
-from .mechanism import Mechanism
+from .mechanism import Force, Load, Mechanism
 from .rubbing import (
     Friction,
     Rubbing,
@@ -39,7 +39,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
                 first = rubbing[key].span
                 scope.report.add(words.friction_again(rub.span, rub.point, first))
             rubbing.setdefault(key, rub)
-    _warn_of_halves(rubbing.values(), built, scope)
+    _judge_halves(rubbing.values(), built, scope)
     motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
     friction = Friction(
         tuple(rubbing.values()), motion.sense if motion else "tightening", efficiency
@@ -49,17 +49,36 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     return friction
 
 
-def _warn_of_halves(rubbing: Iterable[Rubbing], built: Mechanism, scope: Scope) -> None:
+def _judge_halves(rubbing: Iterable[Rubbing], built: Mechanism, scope: Scope) -> None:
     """Remark on guides whose side forces cancel, or would in a whole that is drawn by half."""
     shared = {p for group in (built.mirror, built.copies) if group for p in group.sharing}
-    counted = next((load for load in built.loads if load.times > 1), None)
     for rub in rubbing:
-        if not isinstance(rub, RubbingGuide):
-            continue
-        if rub.point in shared:
+        if isinstance(rub, RubbingGuide) and rub.point in shared:
             scope.report.add(words.halves_cancel(rub.span, rub.point))
-        elif counted and not shared:
-            scope.report.add(words.perhaps_a_half(rub.span, rub.point, counted.name))
+        elif isinstance(rub, RubbingGuide) and not shared:
+            _judge_half(rub, built, scope)
+
+
+def _judge_half(rub: RubbingGuide, built: Mechanism, scope: Scope) -> None:
+    """Refuse a guide that halves would share: what acts on it counts less often than the rest.
+
+    A guide with the load that counts most is the half's own. One without a load is open.
+    """
+    body = next((s.points for s in built.slides if rub.point in s.points), (rub.point,))
+    own = [k for k in built.loads if isinstance(k, Force) and k.point in body]
+    counted = [k for k in built.loads if k.times != 1]
+    if not own and counted:
+        scope.report.add(words.perhaps_a_half(rub.span, rub.point, counted[0].name))
+    if own:
+        here, most = min(own, key=_times), max(built.loads, key=_times)
+        if most.times > here.times:
+            share = most.times / here.times
+            found = words.half_of_a_whole(rub.span, rub.point, here.name, most.name, share)
+            scope.report.add(found)
+
+
+def _times(load: Load) -> Fraction:
+    return load.times
 
 
 def _read(

@@ -1,6 +1,7 @@
 """Words for friction (E27x)."""
 
 from collections.abc import Sequence
+from fractions import Fraction
 
 from ...source import Span
 from ..diagnostic import Related, Words, coded
@@ -105,6 +106,30 @@ def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> 
     return Words(span, message, hint)
 
 
+@coded("E278")
+def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fraction) -> Words:
+    """A guide rubs in one half, or branch, of a mechanism whose other halves are left out.
+
+    A load that counts twice as often as the one on the guide tells of a second half. In the
+    whole the side forces of both halves cancel on the guide that they share; one half alone
+    presses it to one side, and friction would be overstated.
+
+        force P at A along x
+        force F at D along y times 2
+        friction slider A 0.1                # wrong
+        mirror across 0 deg sharing A        # right, without 'times 2': both halves are solved
+
+    Where two equal forces do act on one side, the second is tied to the first:
+    ``force F2 = F at D along y``.
+    """
+    message = (
+        f"the guide of {point} rubs, but {other} counts {share} times for each {load} there: the "
+        "side forces of what is left out would cancel"
+    )
+    whole = f"copies {share}" if share.denominator == 1 and share > 2 else "mirror across …"
+    return Words(span, message, f"describe the rest with '{whole} sharing {point}'")
+
+
 @coded("W270")
 def less_than_plain(span: Span, share: float) -> Words:
     """The couple part of a plunger's pressure is below plain friction.
@@ -146,16 +171,16 @@ def halves_cancel(span: Span, point: str) -> Words:
 def perhaps_a_half(span: Span, point: str, load: str) -> Words:
     """A guide rubs in a mechanism of which perhaps one half is described only.
 
-    A load that counts twice suggests a second half that is not there. In the whole the side
-    forces of the halves cancel on a guide that they share; one half alone presses it to one
-    side, and its friction is overstated.
+    A load that counts twice, or by half, suggests a second half that is not there. In the
+    whole the side forces of the halves cancel on a guide that they share; one half alone
+    presses it to one side, and its friction is overstated.
 
         force F at D along y times 2
-        friction slider A 0.1                # warned of
+        friction slider A 0.1                # warned of where no load acts at A, else E278
         mirror across 0 deg sharing A        # right: both halves are solved
     """
     message = (
-        f"the guide of {point} rubs, but {load} counts more than once: side forces of a half that "
+        f"the guide of {point} rubs, but {load} does not count once: side forces of a half that "
         "is left out would cancel there"
     )
     return Words(span, message, f"describe the half with 'mirror across … sharing {point}'")
