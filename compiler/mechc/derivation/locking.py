@@ -3,8 +3,8 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
+from ..formula.layout import in_degrees
 from ..formula.tree import Formula, Symbol, degrees, number, total
-from ..formula.walk import symbols
 from ..model.locking import Bound, Course, Locking, Range, Reach, Stretch
 from ..model.result import Result
 from ..units import UNITS
@@ -61,7 +61,7 @@ def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> 
         signs.append("<" if high.is_dead_centre else "<=")
     said = spell.relation(tuple(sides), tuple(signs), reach.parameter in spell.angles)
     bounds = [b for b in (low, high) if b]
-    known = [b.place for b in bounds if b.exact and symbols(b.exact)]
+    known = [b.place for b in bounds if b.exact and in_degrees(b.exact) is None]
     figures = [_figure(place, reach, words, spell) for place in known]
     unit = _unit(reach, words) if any(not b.exact for b in bounds) else ""
     return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")

@@ -175,7 +175,8 @@ def own_conditions(result: Result) -> tuple[Require, ...]:
     """
     if not isinstance(result.target, Efficiency):
         return result.holds
-    return tuple(h for h in result.holds if isinstance(h.left, Symbol))
+    ratio = Symbol(result.name.removeprefix("eta_"))
+    return tuple(h for h in result.holds if h.left == ratio)
 
 
 def conditions(requires: Iterable[Require], spell: Speller) -> str:
