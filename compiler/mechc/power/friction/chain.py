@@ -92,7 +92,7 @@ class Chain:
     # ---------------------------------------------------------------------------- rods
 
     def _pulls(self, body: str) -> Iterator[Pull]:
-        """Yield the forces on a body, those of rods under a compression of 1."""
+        """Yield the forces on a body, those of rods under a unit of force."""
         yield from self._bodies.loads_on(body)
         for rod, point in self._bodies.rods_at(body):
             yield self._push(rod, point)
@@ -102,11 +102,17 @@ class Chain:
             yield Pull(f"N_{touch.point}", place, ahead)
 
     def _push(self, rod: Link, point: str) -> Pull:
-        """Return what a rod under a compression of 1 does to what it meets at a point."""
+        """Return what a rod under a unit of force does to what it meets at a point."""
         line, surface = self._line(rod), self._bodies.surface(point, rod)
-        couple = self._pressed(rod) * self._resistance(surface) if surface else ZERO
-        ahead = line if point == rod.points[1] else line + HALF_TURN
-        return Pull(f"S_{rod.name}", point, ahead, ONE, couple)
+        pressed, counted = self._pressed(rod), self._counted(rod)
+        couple = pressed * counted * self._resistance(surface) if surface else ZERO
+        pushes = (point == rod.points[1]) == (counted == ONE)
+        return Pull(f"S_{rod.name}", point, line if pushes else line + HALF_TURN, ONE, couple)
+
+    def _counted(self, rod: Link) -> Product:
+        """Return 1 where compression counts as positive, -1 where people read of a pull."""
+        pulled = self._signs.is_read and self._pressed(rod) == -ONE
+        return -ONE if pulled else ONE
 
     def _line(self, rod: Link) -> Angle:
         """Return the line of a rod's force: the tangent of the friction circles at its ends."""
@@ -215,7 +221,7 @@ class Chain:
             size = self._signs.named(pull.name, size)
         self.sizes[pull.name] = size
         if rod and self._surfaces(rod):
-            self._keep(self._pressed(rod), self.sizes[pull.name])
+            self._keep(self._pressed(rod) * self._counted(rod), self.sizes[pull.name])
         touch = self._bodies.touch(pull.name)
         if touch and (surface := self._bodies.face(touch)):
             side = self._signs.of(f"s_{touch.point}", surface.pressed)

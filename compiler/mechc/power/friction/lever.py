@@ -1,14 +1,14 @@
 """A lever on a pivot with friction: one quadratic for the force that is not known.
 
-With S the size of a force along e whose arm is a, B the moment of all others and K their
-sum, friction at the pivot gives a·S + B = σ·ρ·|S·e + K|, σ the sense of the lever's turn.
-Squared, with c and q the components of K along and across e:
+With S the size of a force along e whose arm is a, b the moment that all others have against
+it and K their sum, friction at the pivot gives a·S − b = σ·ρ·|S·e + K|, σ the sense of the
+lever's turn. Squared, with c and q the components of K along and across e:
 
-    S = (ρ²c − aB + σ·sgn(a)·ρ·√((a·c − B)² + (a² − ρ²)·q²)) / (a² − ρ²)
+    S = (a·b + ρ²c + σ·sgn(a)·ρ·√((a·c + b)² + (a² − ρ²)·q²)) / (a² − ρ²)
 
 The root taken is the one that has the sign of σ for small ρ. It solves the equation before
-squaring where a² > ρ², or else σ·(a·c − B) < 0; elsewhere no force turns the lever. Where all
-forces are parallel, q = 0, it is the quotient that a·S + B = ±ρ·(S + c) gives at once, as
+squaring where a² > ρ², or else σ·(a·c + b) < 0; elsewhere no force turns the lever. Where all
+forces are parallel, q = 0, it is the quotient that a·S − b = ±ρ·(S + c) gives at once, as
 long as friction does not exceed the arm.
 """
 
@@ -73,12 +73,12 @@ def on_lever(
         return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
     label = unknown.name.removeprefix("S_")
     way = -1 if arm.coefficient < 0 else 1
-    arm, rest = arm.scaled(way), rest.scaled(way)
+    arm, rest = arm.scaled(way), rest.scaled(-way)
     across = -across if across.coefficient < 0 else across
     bearing = bearing._replace(turn=bearing.turn.scaled(way))
     turn = signs.of(f"s_{label}_arm", arm) * bearing.turn
     if not turn:
-        return Balanced(-(rest / arm))
+        return Balanced(rest / arm)
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
     return _root(label, (arm, rest, along, across), bearing, turn, signs)
@@ -87,12 +87,12 @@ def on_lever(
 def _parallel(
     label: str, parts: Sequence[Product], radius: Product, turn: Product, signs: Signs
 ) -> Balanced:
-    """Return the force where all are parallel; the pivot takes (a·c − B)/a without friction."""
+    """Return the force where all are parallel; the pivot takes (a·c + b)/a without friction."""
     arm, rest, along = parts
-    pressed = signs.of(f"s_{label}_pivot", add((arm * along, -rest)))
+    pressed = signs.of(f"s_{label}_pivot", add((arm * along, rest)))
     lever = turn * pressed * radius
     left = add((arm, -lever))
-    return Balanced(add((lever * along, -rest)) / left, arm * left)
+    return Balanced(add((lever * along, rest)) / left, arm * left)
 
 
 def _root(
@@ -108,11 +108,11 @@ def _root(
     )
     sense, signed = (ONE, turn * bearing.radius) if turn.factors else (turn, bearing.radius)
     radius = signs.named(f"rho_{bearing.pivot}", signed).formula()
-    gap = total([product([(a, 1), (c, 1)]), negative(b)])
+    gap = total([product([(a, 1), (c, 1)]), b])
     square = total([power(a, TWO), negative(power(radius, TWO))])
     inside = total([power(gap, TWO), product([(square, 1), (q, 2)])])
     above = [
-        negative(product([(a, 1), (b, 1)])),
+        product([(a, 1), (b, 1)]),
         product([(radius, 2), (c, 1)]),
         product([(sense.formula(), 1), (radius, 1), (Call("sqrt", (inside,)), 1)]),
     ]
