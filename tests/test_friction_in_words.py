@@ -5,6 +5,9 @@ from pathlib import Path
 import pytest
 
 import mechc
+from mechc.derivation.to_text import render
+from mechc.driver import compile_source
+from mechc.files import find, read
 
 LIBRARY = Path(__file__).parents[1] / "library"
 
@@ -51,9 +54,89 @@ def test_json_gives_the_conditions_of_a_case():
     found = next(r for r in document["results"] if r["name"] == "k_f")
     assert [c["operator"] for c in found["holds"]] == [">"]
     account = next(a for a in document["derivation"]["accounts"] if a["results"] == ["k_f"])
-    assert [p["says"] for p in account["passages"]][:4] == [
+    assert [p["says"] for p in account["passages"]] == [
         "tightening",
+        "pins rub",
+        "rod forces",
+        "part",
         "unit",
         "pressed",
         "crossed",
+        "turns left",
+        "squared",
+        "along",
     ]
+
+
+# ------------------------------------------------------------------------- reports
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("karpenko_fig2_with_friction", r"Friction in the pins $A$ and $B$"),
+        ("karpenko_fig2_with_friction", r"Friction in the pin $O$: the radius"),
+        ("fedoriv_fig2b_with_friction", r"guide of $C$: reduced coefficient"),
+        ("d45_16_wedge_hook_with_friction", r"coefficient $\tan\rho$"),
+        ("screw_jack_with_friction", r"mean diameter $d$"),
+        ("table_4_4_gear_with_efficiency", r"The efficiency is $\eta$"),
+    ],
+)
+def test_friction_is_among_what_is_given(name, said):
+    given = mechc.load(name).emit("latex").partition("begin{longtable}")[0]
+    assert said in given
+    assert "With friction the drive" in given
+
+
+@pytest.mark.parametrize(
+    ("language", "tightening", "releasing", "first"),
+    [
+        ("en", "With friction, tightening", "With friction, releasing", "to first order"),
+        ("uk", "З тертям, прямий хід", "З тертям, зворотний хід", "перше наближення"),
+        ("ru", "С трением, прямой ход", "С трением, обратный ход", "первое приближение"),
+    ],
+)
+def test_headings_tell_results_with_friction_apart(language, tightening, releasing, first):
+    shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
+    assert rf"\textbf{{{tightening} ($k_f$):}}" in shown
+    assert rf"\textbf{{{releasing} ($k_{{\mathrm{{hold}}}}$):}}" in shown
+    assert f"{first} ($k_{{f1}}$):" in shown
+
+
+def derived(name):
+    compilation = compile_source(read(find(name)))
+    return render(compilation.derivation, compilation.mechanism)
+
+
+def test_the_force_in_a_pulled_rod_is_a_pull():
+    """Table 1 row 2: the rod pulls the jaws together with k_f/2 over the cosine of its line."""
+    shown = derived("karpenko_fig2_with_friction")
+    assert "The rod AB is pulled." in shown
+    assert "k_f = 2 · S_AB · cos(α − δ_AB)" in shown
+    assert "−2" not in shown
+
+
+def test_like_terms_of_the_first_order_are_one():
+    """The rod rubs at A with half the rotation that it has at B: 1/4 + 1/2 of b·d·f/a²."""
+    assert "3bdf / (4a² · sin² α)" in derived("karpenko_fig2_with_friction")
+
+
+def test_a_thread_is_derived_from_its_force():
+    """Shigley: what presses the thread is N/(1 − tan ψ·tan ρ) when the load is raised."""
+    shown = derived("screw_jack_with_friction")
+    assert "n_A_screw − n_A_screw · tan ψ · tan ρ = 1" in shown
+    assert "T = d · tan ψ / 2 + n_A_screw · v_A_screw · tan ρ" in shown
+
+
+def test_an_efficiency_that_is_given_is_put_in():
+    assert "n_f = nη" in derived("d45_12_worm_sectors_with_efficiency")
+
+
+def test_an_efficiency_is_the_share_of_two_ratios():
+    assert "η_k = k/k_f = " in derived("karpenko_fig2_with_friction")
+    assert "η_i = i_f/i = " in derived("fedoriv_fig2b_with_friction")
+
+
+def test_only_what_rubs_is_explained():
+    assert "friction circle" not in derived("d45_16_wedge_hook_with_friction").split("first")[0]
+    assert "The friction of a pin" in derived("lever_clamp_with_friction")

@@ -1,13 +1,13 @@
 """How friction comes into a result, body after body, as a teacher would write it."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
 from typing import assert_never
 
-from ..formula.tree import Call, Formula, Sum, Symbol, product, total
-from ..formula.walk import symbols
+from ..formula.tree import ZERO, Call, Formula, Sum, Symbol, product, total
+from ..formula.walk import symbols, walk
 from ..frozen import replace
-from ..model.mechanism import LoadForm, LoadRatio, Reaction, WithFriction
+from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Reaction, WithFriction
 from ..power.balance import Balance, Solved
 from ..power.friction.steps import Step
 from .steps import Account, Equation, Passage, Saying
@@ -24,6 +24,8 @@ _LINES: Mapping[str, Saying] = {
 _ONCE = {*_LINES, "iterated"}
 """Steps that are the same for all results."""
 
+_AT_PINS = ("crossed", "outer", "parallel", "single")
+
 _FIRST_ORDER = {"force": Symbol("r"), "turn": Symbol("Omega"), "speed": Symbol("v")}
 _CHANGES = product([(Symbol("D"), 1), (Symbol("n"), 1)])
 _ITERATED = {
@@ -32,10 +34,12 @@ _ITERATED = {
     "changes": _CHANGES,
     "whole": Call("abs", (total([Symbol("r"), _CHANGES]),)),
 }
+_STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 
 
 def of_friction(balance: Balance) -> Iterator[Account]:
     """Yield an account of every result with friction that was found in steps."""
+    mechanism = balance.plan.graph.pose.mechanism
     told = _Told()
     for place, group in groupby(balance.solved, _place):
         solved = tuple(group)
@@ -44,7 +48,7 @@ def of_friction(balance: Balance) -> Iterator[Account]:
             continue
         passages = [p for step in steps for p in _passages(step, told.new(step), place)]
         names = tuple(s.result.name for s in solved)
-        yield Account(names, (*_opening(place, steps), *passages))
+        yield Account(names, (*_opening(place, steps, mechanism, told), *passages))
 
 
 def _place(solved: Solved) -> WithFriction | None:
@@ -64,6 +68,7 @@ class _Told:
     def __init__(self) -> None:
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
+        self._sayings: set[Saying] = set()
 
     def new(self, step: Step) -> list[Equation] | None:
         """Return the definitions of a step that are new; None for a line that was told before."""
@@ -78,46 +83,114 @@ class _Told:
         self._lines.add(line)
         return [Equation(Symbol(d.name), d.formula) for d in step.defined if d.name in changed]
 
+    def once(self, passages: Iterable[Passage]) -> Iterator[Passage]:
+        """Yield the passages of which nothing like them was said before."""
+        for passage in passages:
+            if passage.saying not in self._sayings:
+                self._sayings.add(passage.saying)
+                yield passage
 
-def _opening(target: WithFriction, steps: Sequence[Step]) -> Iterator[Passage]:
-    """Say which way friction acts, and what forces are measured by."""
-    if steps[0].kind in ("first order", "iterated"):
+
+# ------------------------------------------------------------------------------- opening
+
+
+def _opening(
+    target: WithFriction, steps: Sequence[Step], mechanism: Mechanism, told: _Told
+) -> Iterator[Passage]:
+    """Say which way friction acts, how, and what forces are measured by."""
+    kind = steps[0].kind
+    if kind in ("iterated", "efficiency"):
         return
-    tightens = target.sense == "tightening"
-    signs = {"radius": Symbol("rho"), "force": Symbol("S")}
-    yield Passage(Saying.TIGHTENING, formulas=signs) if tightens else Passage(Saying.RELEASING)
+    if kind != "first order":
+        yield Passage(Saying.TIGHTENING if target.sense == "tightening" else Saying.RELEASING)
+    if kind not in ("first order", "straight"):
+        yield from told.once(_how(steps, mechanism))
     if isinstance(target.of, LoadRatio):
         yield Passage(Saying.UNIT, names={"load": (target.of.below,)})
+
+
+def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Passage]:
+    """Say how what there is resists, and what is looked at."""
+    radii = [d.name for step in steps for d in step.defined if d.name.startswith("rho")]
+    if any(step.kind in _AT_PINS or (step.kind == "lever" and step.sense) for step in steps):
+        circle = Symbol(radii[0] if len(radii) == 1 else "rho")
+        yield Passage(Saying.PINS_RUB, formulas={"radius": circle})
+    if any(map(_rubs_along, steps)):
+        yield Passage(Saying.GUIDES_RUB)
+    sides = (side for step in steps for pair in step.equations for side in pair)
+    used = frozenset[str]().union(*map(symbols, sides))
+    if any(f"S_{link.name}" in used for link in mechanism.links):
+        yield Passage(Saying.ROD_FORCES, formulas={"force": Symbol("S")})
+    if mechanism.mirror or mechanism.copies:
+        yield Passage(Saying.PART)
+
+
+def _rubs_along(step: Step) -> bool:
+    return step.kind == "slider" and step.equations[0][1] != ZERO
+
+
+# ----------------------------------------------------------------------------- passages
 
 
 def _passages(step: Step, new: Sequence[Equation] | None, asked: WithFriction) -> Iterator[Passage]:
     """Yield what a step says; the load that is asked for is left to the result."""
     if new is None:
         return
-    pairs = (pair for pair in step.equations if pair[0] != _driving(asked))
-    equations = [Equation(_ordered(left), right) for left, right in pairs]
-    balanced = (*equations[:1], *new, *equations[1:])
+    equations = [Equation(_ordered(left), right) for left, right in step.equations]
+    found = [e for e in equations if e.left != _driving(asked)]
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
             names = {"link": (step.body,)}
             yield Passage(Saying.PRESSED if step.sense > 0 else Saying.PULLED, names=names)
             yield Passage(_LINES[step.kind], tuple(new), names)
         case "face":
-            yield Passage(Saying.FACE, tuple(new), {"point": (step.body,)})
+            force = {"force": Symbol(f"N_{step.body}")}
+            yield Passage(Saying.FACE, tuple(new), {"point": (step.body,)}, force)
         case "lever":
-            turns = {1: Saying.TURNS_LEFT, -1: Saying.TURNS_RIGHT}
-            names = {"link": (step.body,), "point": (step.pivot,)}
-            yield Passage(turns.get(step.sense, Saying.MOMENTS), balanced, names)
+            yield from _moments(step, new, found)
         case "slider":
-            yield Passage(Saying.ALONG, balanced, {"point": (step.body,)})
+            saying = Saying.RUBS_ALONG if _rubs_along(step) else Saying.ALONG
+            balanced = (*found[:1], *new, *found[1:])
+            yield Passage(saying, balanced, {"point": (step.body,)})
         case "pin":
-            yield Passage(Saying.KNEE, (*equations, *new), {"point": (step.body,)})
+            yield Passage(Saying.KNEE, (*found, *new), {"point": (step.body,)})
+        case "straight":
+            yield Passage(Saying.STRAIGHT, (*new, *equations), formulas=_STRAIGHT)
+        case "efficiency":
+            yield Passage(Saying.EFFICIENT, tuple(equations))
         case "first order":
-            yield Passage(Saying.FIRST_ORDER, (*new, *equations), formulas=_FIRST_ORDER)
+            less = asked.sense == "releasing"
+            saying = Saying.FIRST_ORDER_LESS if less else Saying.FIRST_ORDER
+            yield Passage(saying, (*new, *found), formulas=_FIRST_ORDER)
         case "iterated":
             yield Passage(Saying.ITERATED, formulas=_ITERATED)
         case _:
             assert_never(step.kind)
+
+
+def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Passage]:
+    """Yield the moments about a pivot, and what they give where they had to be squared."""
+    turns = {1: Saying.TURNS_LEFT, -1: Saying.TURNS_RIGHT}
+    names = {"link": (step.body,), "point": (step.pivot,)}
+    saying = turns.get(step.sense, Saying.MOMENTS)
+    moments, rest = found[0], found[1:]
+    if not any(isinstance(f, Call) and f.function == "hypot" for f in walk(moments.right)):
+        yield Passage(saying, (moments, *new, *rest), names)
+        return
+    given = [e for e in new if e.left in _mentioned(moments) and not _rests_on(e, new)]
+    yield Passage(saying, (moments, *given), names)
+    solved = [e for e in new if e not in given]
+    if solved:
+        yield Passage(Saying.SQUARED, (*solved, *rest))
+
+
+def _mentioned(equation: Equation) -> set[Formula]:
+    return {Symbol(name) for side in equation for name in symbols(side)}
+
+
+def _rests_on(equation: Equation, others: Iterable[Equation]) -> bool:
+    names = symbols(equation.right)
+    return any(isinstance(e.left, Symbol) and e.left.name in names for e in others)
 
 
 def _driving(asked: WithFriction) -> Formula | None:

@@ -4,7 +4,8 @@ from collections.abc import Iterable
 from typing import assert_never
 
 from ..formula.layout import is_angle
-from ..formula.tree import ZERO, Formula, Sum, Symbol, product, quotient, total
+from ..formula.tree import ZERO, Formula, Power, Sum, Symbol, product, quotient, total
+from ..formula.walk import walk
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -37,7 +38,7 @@ def said(passage: Passage, words: Words, spell: Speller) -> str:
     return words.sayings[passage.saying].format_map({**names, **formulas, "held": held})
 
 
-def heading(result: Result, words: Words) -> str:
+def heading(result: Result, words: Words, spell: Speller) -> str:
     """Return what kind of thing was found; ``""`` for a formula of the user's own."""
     match result.target:
         case LoadRatio():
@@ -48,8 +49,9 @@ def heading(result: Result, words: Words) -> str:
             return words.speed_ratio
         case Reaction() | Axial() | Normal():
             return words.joint_force
-        case WithFriction():
-            return words.with_friction
+        case WithFriction(_, sense, order):
+            said = words.with_friction["first" if order == "first" else sense]
+            return f"{said} ({_spelled(asked(result), spell)})"
         case Efficiency():
             return words.efficiency
         case None:
@@ -65,8 +67,18 @@ def ratio(result: Result) -> Formula | None:
             return quotient(Symbol(above), Symbol(below))
         case SpeedRatio(above, below):
             return quotient(_speed(above), _speed(below))
+        case Efficiency():
+            return _share(result)
         case _:
             return None
+
+
+def _share(result: Result) -> Formula:
+    """Return ``k/k_f``, or ``k_f/k`` where the load drives."""
+    name = result.name.removeprefix("eta_")
+    ideal, real = Symbol(name), Symbol(f"{name}_f")
+    below = any(isinstance(f, Power) and f.base == real for f in walk(result.formula))
+    return quotient(ideal, real) if below else quotient(real, ideal)
 
 
 def _speed(speed: Speed) -> Formula:

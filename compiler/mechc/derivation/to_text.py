@@ -104,7 +104,7 @@ def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
 
 
 def _section(section: Section, spell: Speller) -> Iterator[str]:
-    yield from ("", heading(section.results[0], WORDS) or WORDS.results)
+    yield from ("", heading(section.results[0], WORDS, spell) or WORDS.results)
     for passage in section.passages:
         yield from _wrapped(said(passage, WORDS, spell), "     ")
         yield from _equations(passage.equations, spell)

@@ -94,7 +94,7 @@ def positive_first(terms: Iterable[Formula]) -> list[Formula]:
 def has_minus(term: Formula) -> bool:
     """Return whether a term is printed with a minus in front."""
     match term:
-        case Product((Number(value), *_)):
+        case Number(value) | Product((Number(value), *_)):
             return value < 0
         case _:
             return False

@@ -1,8 +1,10 @@
 """What rubs: friction at pins, guides and contacts, as coefficients and lengths in SI."""
 
+from collections.abc import Iterator
 from typing import Literal
 
 from ..formula.tree import Formula
+from ..formula.walk import symbols
 from ..frozen import frozen
 from ..source import Span
 from .targets import Sense
@@ -83,3 +85,16 @@ class Friction:
     def is_ideal(self) -> bool:
         """Return whether there is no friction at all."""
         return not self.rubbing and self.efficiency is None
+
+    @property
+    def parameters(self) -> frozenset[str]:
+        """Return the names that friction itself depends on."""
+        return frozenset(name for formula in self._formulas() for name in symbols(formula))
+
+    def _formulas(self) -> Iterator[Formula]:
+        if self.efficiency is not None:
+            yield self.efficiency
+        for rub in self.rubbing:
+            yield rub.radius if isinstance(rub, RubbingPin) else rub.factor
+            if isinstance(rub, RubbingThread):
+                yield rub.thread

@@ -101,11 +101,12 @@ def _proportional(value: Product, result: Result) -> Mapping[str, int]:
 
 
 def _independent(result: Result, mechanism: Mechanism) -> tuple[str, ...]:
-    """Return the parameters of the mechanism that a result does not depend on."""
+    """Return the parameters that a result does not depend on, but for those of friction alone."""
     used = {s for f in (result.formula, *(d.formula for d in result.where)) for s in symbols(f)}
     used |= {
         s for p in mechanism.parameters if p.name in used and p.value for s in symbols(p.value)
     }
+    used |= mechanism.friction.parameters
     return tuple(p.name for p in mechanism.parameters if p.name not in used and not p.dependent)
 
 

@@ -41,6 +41,23 @@ WORDS = Words(
         "spring": "the spring {load} acts between {first} and {second}",
         "drive": "the drive is {name}",
     },
+    rubbing={
+        "pin": "friction in the pin {points}: the radius of its friction circle is {value}",
+        "pins": "friction in the pins {points}: the radius of their friction circles is {value}",
+        "guide": "friction in the guide of {point}: coefficient {value}",
+        "reduced guide": "friction in the guide of {point}: reduced coefficient {value}",
+        "face": "friction where {point} slides on another body: coefficient {value}",
+        "gear": "friction of the gears that {point} is the first pivot of: {value} of the force "
+        "passed on is lost",
+        "belt": "friction of the belt that {point} is the first pivot of: {value} of the force "
+        "passed on is lost",
+        "rack": "friction of the rack at {point}: {value} of the force passed on is lost",
+        "screw": "friction in the thread of the screw at {point}: coefficient {value}, mean "
+        "diameter {diameter}",
+        "efficiency": "the efficiency is {value}",
+        "tightening": "with friction the drive moves along its force",
+        "releasing": "with friction the drive yields and moves against its force",
+    },
     geometry="Geometry",
     vector="Vector",
     length="Length or coordinates",
@@ -93,11 +110,15 @@ WORDS = Words(
         "line.",
         "smooth": "The guide of {point} presses across itself only.",
         "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
-        "tightening": "The drive moves along its force, and friction acts against every slip: a "
-        "pin with a couple, the force times the radius {radius} of its friction circle; a guide "
-        "with its factor times the force across it. {force} is the force that presses a rod.",
-        "releasing": "The drive yields and moves against its force; all frictions act the other "
-        "way.",
+        "tightening": "The drive moves along its force; friction acts against every slip.",
+        "releasing": "The drive yields and moves against its force; friction acts against every "
+        "slip of this motion.",
+        "pins rub": "The friction of a pin is a couple: the force on the pin times the radius "
+        "{radius} of the friction circle.",
+        "guides rub": "The friction of a guide is its coefficient times the force across it.",
+        "rod forces": "{force} is the force in a rod: the thrust of one that is pressed, the pull "
+        "of one that is pulled.",
+        "part": "By symmetry one of the equal parts is considered.",
         "unit": "Forces are given per unit of {load}.",
         "pressed": "The rod {link} is pressed.",
         "pulled": "The rod {link} is pulled.",
@@ -109,17 +130,29 @@ WORDS = Words(
         "circles is parallel to it.",
         "single": "The force in {link} goes through the pin at one end and touches the friction "
         "circle at the other.",
-        "face": "The force on {point} is turned from the normal by the angle of friction.",
-        "moments": "Moments about {point} of the forces on {link}.",
+        "face": "The whole force {force} of the face on {point}, the normal force with friction, "
+        "is turned from the normal by the angle of friction.",
+        "moments": "Moments about {point} of the forces on {link}:",
         "turns left": "The link {link} turns counter-clockwise. Moments about {point}, on the "
         "right that of the friction in the pivot:",
         "turns right": "The link {link} turns clockwise. Moments about {point}, on the right that "
         "of the friction in the pivot:",
-        "along": "Forces on {point} along its guide, on the right its friction:",
+        "squared": "Squared, this is a quadratic equation; its solution:",
+        "along": "Forces on {point} along its guide:",
+        "rubs along": "Forces on {point} along its guide, on the right its friction:",
         "knee": "Forces on the pin {point}, across each of the rods:",
-        "first order": "To first order the joints are pressed as without friction. Each adds its "
-        "factor times the force {force} times the slip, per unit of the drive’s velocity: the "
-        "rotation {turn} of a pin, the speed {speed} along a face.",
+        "first order": "To first order the joints are pressed as without friction. Each friction "
+        "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
+        "velocity. In a pin the slip is the rotation {turn} and the coefficient the radius of the "
+        "friction circle; along a face the slip is the speed {speed}.",
+        "first order, less": "To first order the joints are pressed as without friction. Each "
+        "friction takes away its coefficient times the force {force} times the slip, per unit of "
+        "the drive’s velocity. In a pin the slip is the rotation {turn} and the coefficient the "
+        "radius of the friction circle; along a face the slip is the speed {speed}.",
+        "straight": "Each friction is its coefficient times the force {force} that presses the "
+        "surfaces; the frictions themselves change these forces. The power of each is this times "
+        "the speed {speed} of the slip, per unit of the drive’s velocity:",
+        "efficient": "The efficiency is given: of the power that drives, this part arrives.",
         "iterated": "Here each friction depends on the others. With {sizes} the forces that press "
         "the joints, {parts} their components without friction and {changes} what all frictions "
         "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
@@ -135,7 +168,11 @@ WORDS = Words(
     load="Load",
     speed_ratio="Velocity ratio",
     joint_force="Force at a joint",
-    with_friction="With friction",
+    with_friction={
+        "tightening": "With friction, tightening",
+        "releasing": "With friction, releasing",
+        "first": "With friction, to first order",
+    },
     efficiency="Efficiency",
     where="where",
     solve="{names}: the solution, on the branch of the values given, of",

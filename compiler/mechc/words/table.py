@@ -11,8 +11,9 @@ class Words(NamedTuple):
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
-    ``sayings`` those of a passage about forces or friction, with places for its names and
-    formulas. ``units`` maps a unit's letters to the language's.
+    ``rubbing`` what is given of friction, ``sayings`` the words of a passage about forces or
+    friction, with places for its names and formulas. ``with_friction`` are headings by the
+    way it moves, or for the first order. ``units`` maps a unit's letters to the language's.
     """
 
     babel: str
@@ -38,6 +39,7 @@ class Words(NamedTuple):
     mirror: str
     copies: str
     joints: Mapping[str, str]
+    rubbing: Mapping[str, str]
     geometry: str
     vector: str
     length: str
@@ -60,7 +62,7 @@ class Words(NamedTuple):
     load: str
     speed_ratio: str
     joint_force: str
-    with_friction: str
+    with_friction: Mapping[str, str]
     efficiency: str
     where: str
     solve: str

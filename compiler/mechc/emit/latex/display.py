@@ -53,10 +53,22 @@ def display(lines: tuple[Line, ...], style: Notation, where: str, boxed: bool = 
 def vanishing(formula: Formula, style: Notation, where: str) -> str:
     """Return ``formula = 0`` as a display, broken between the terms of its sum."""
     names = _Names(_fresh(symbols(formula)))
-    parts = _fitted(Line(plain(""), formula), style, names)
-    text = "\\\\\n".join(part.tex for part in parts)
-    whole = f"\\begin{{multline*}}\n{text}=0\n\\end{{multline*}}"
+    *parts, last = _fitted(Line(plain(""), formula), style, names)
+    return _with_names(_multline([*parts, row((last, plain("=0")))]), names, style, where)
+
+
+def balance(left: Formula, right: Formula, style: Notation, where: str) -> str:
+    """Return an equation of two wide sides as a display, the right one on lines of its own."""
+    names = _Names(_fresh(symbols(left) | symbols(right)))
+    parts = _fitted(Line(plain(""), left), style, names)
+    first, *others = _fitted(Line(plain("="), right), style, names)
+    whole = _multline([*parts, row((plain("="), first)), *others])
     return _with_names(whole, names, style, where)
+
+
+def _multline(parts: list[Box]) -> str:
+    text = "\\\\\n".join(part.tex for part in parts)
+    return f"\\begin{{multline*}}\n{text}\n\\end{{multline*}}"
 
 
 def _with_names(whole: str, names: _Names, style: Notation, where: str) -> str:

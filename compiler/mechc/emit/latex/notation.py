@@ -84,6 +84,15 @@ def of_force(symbol: str, force: Reaction, style: Notation) -> str:
     return f"{{{whole}^{{{points(force.link)}}}}}" if force.link and on else whole
 
 
+def of_first_order(symbol: str, style: Notation) -> str:
+    """Return a result of first order in friction, its 1 not below the f.
+
+    >>> of_first_order("k_f1", notation("en"))
+    'k_{f1}'
+    """
+    return name(symbol, style).replace("f_{1}}", "f1}")
+
+
 def _by_rule(symbol: str, style: Notation) -> str:
     if symbol.startswith("len_"):
         return points(symbol.removeprefix("len_"))

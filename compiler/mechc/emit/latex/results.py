@@ -11,12 +11,12 @@ from ...derivation.sections import Section
 from ...derivation.steps import Equation, Passage
 from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
-from ...formula.tree import ZERO, Formula, Number, Symbol, negative, product, total
+from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition, Result
 from ...statics.verdict import Verdict
 from ...words.table import Words
-from .display import LINE, Line, display, vanishing
+from .display import LINE, Line, balance, display, vanishing
 from .notation import Notation, name, points
 from .printer import Box, box, latex, plain
 from .quantity import decimal, measured
@@ -53,7 +53,7 @@ def section_block(section: Section, words: Words, style: Notation) -> SectionBlo
     """Return everything the report says of the results of one section."""
     main = _together(section.results, style, words) or _main(section.results[0], words, style)
     return SectionBlock(
-        heading(section.results[0], words),
+        heading(section.results[0], words, Speller(style)),
         tuple(_passage(p, words, style) for p in section.passages),
         (*main, *_where(section.where, words, style)),
         tuple(_findings(r, words, style) for r in section.results),
@@ -79,7 +79,7 @@ def _displays(equations: Iterable[Equation], words: Words, style: Notation) -> I
         part = tuple(group)
         line = Line(box(part[0].left, style), part[0].right)
         if _is_wide(part[0], style) and line.left.width + box(line.right, style).width > LINE:
-            yield vanishing(_difference(part[0]), style, words.where)
+            yield _balance(part[0], words, style)
         else:
             yield _display(part, words, style)
 
@@ -93,8 +93,10 @@ def _display(equations: Iterable[Equation], words: Words, style: Notation) -> st
     return display(tuple(lines), style, words.where)
 
 
-def _difference(equation: Equation) -> Formula:
-    return total([equation.left, negative(equation.right)])
+def _balance(equation: Equation, words: Words, style: Notation) -> str:
+    if equation.right == ZERO:
+        return vanishing(equation.left, style, words.where)
+    return balance(*equation, style, words.where)
 
 
 def _findings(result: Result, words: Words, style: Notation) -> Findings:

@@ -17,14 +17,14 @@ from ...derivation.wording import Sides, lines, sentence
 from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
-from ...model.mechanism import Parameter
+from ...model.mechanism import Parameter, WithFriction
 from ...units import ANGLE
 from ...words import en, ru, uk
 from ...words.table import Words
 from ..target import Compiled, Emitted, Options
 from .display import LINE, Line, display, vanishing
 from .given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
-from .notation import Notation, notation, of_force, spellings
+from .notation import Notation, notation, of_first_order, of_force, spellings
 from .printer import Box, box, plain, row
 from .results import SectionBlock, Speller, check, numbers, section_block
 from .text import escape, has_cyrillic
@@ -119,7 +119,12 @@ def _style(compiled: Compiled, style: Notation) -> Notation:
         for r in compiled.derivation.results
         if (force := reaction(r))
     }
-    return replace(known, spellings={**known.spellings, **forces})
+    firsts = {
+        r.name: of_first_order(r.name, known)
+        for r in compiled.derivation.results
+        if isinstance(r.target, WithFriction) and r.target.order == "first"
+    }
+    return replace(known, spellings={**known.spellings, **forces, **firsts})
 
 
 def _names(compiled: Compiled) -> Iterator[str]:

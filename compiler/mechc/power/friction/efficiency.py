@@ -19,6 +19,7 @@ from ..intervals import Box, sign
 from ..numbers import default_values, value_of
 from ..trends import allowed
 from .closed import Named, Operator, Printed
+from .steps import Step
 
 
 class Drives:
@@ -33,13 +34,15 @@ class Drives:
         value = value_of(ideal, default_values(plan))
         self._here = -1 if value is not None and value < 0 else 1
 
-    def with_constant(self, efficiency: Formula) -> Named:
-        """Return the ratio with an efficiency that is given."""
+    def with_constant(self, name: str, efficiency: Formula) -> Named:
+        """Return the ratio, which is called ``name``, with an efficiency that is given."""
         here = product([(self._ideal.formula, 1), (efficiency, -self._exponent)])
+        share = product([(self._k, 1), (efficiency, -self._exponent)])
+        steps = (Step("efficiency", equations=((Symbol(name), share),)),)
         if self._always is not None:
-            return Named(here)
+            return Named(here, steps=steps)
         whole = product([(self._k, 1), (Power(efficiency, self._turning(-1)), 1)])
-        case = Printed(here, (), self._condition(self._ideal.formula))
+        case = Printed(here, (), self._condition(self._ideal.formula), steps)
         return Named(whole, (self._definition(),), case=case)
 
     def efficiency(self, real: Result, span: Span) -> Result:

@@ -10,6 +10,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
+from ...algebra.angle import Rational
 from ...algebra.product import ZERO, Product
 from ...algebra.sums import add
 from ...formula.tree import (
@@ -32,7 +33,7 @@ from ..speeds import even, magnitude
 from .closed import Named, Printed, conditions, readable
 from .pressing import Component, Pressed
 from .rubs import Rub, radii
-from .signs import AtOnePose
+from .signs import AtOnePose, is_root
 from .steps import Step
 
 
@@ -54,22 +55,28 @@ def first_order_case(
     parts = _powers(pressed, positive_at(signs))
     labels = radii(part.rub for part in parts)
     terms: list[Formula] = [Symbol(ideal.name)]
+    forces: dict[Formula, Formula] = {}
+    slips: dict[Formula, Formula] = {}
     for part in parts:
-        label = part.rub.name
-        names = (
-            signs.define(f"r_{label}", part.force.formula()),
-            signs.define(_slip_name(part.rub), part.slip.formula()),
-        )
-        factor = named_factor(part.rub, labels, signs)
-        pair = ((Symbol(n), 1) for n in names)
-        terms.append(product([(number(sense), 1), (factor.formula(), 1), *pair]))
+        factor = named_factor(part.rub, labels, signs).formula()
+        force = _called(f"r_{part.rub.name}", part.force, forces, signs)
+        slip = _called(_slip_name(part.rub), part.slip, slips, signs)
+        terms.append(product([(number(sense), 1), (factor, 1), (force, 1), (slip, 1)]))
+    equations = [(own, known) for told in (forces, slips) for own, known in told.items()]
     step = Step(
         "first order",
-        equations=((Symbol(name), total(terms)),),
+        equations=(*equations, (Symbol(name), total(terms))),
         defined=tuple(signs.definitions),
     )
     formula = _with(ideal.formula, parts, sense)
     return Printed(formula, (), conditions(signs), (step,))
+
+
+def _called(name: str, size: Product, told: dict[Formula, Formula], signs: AtOnePose) -> Formula:
+    """Return the name of a size, and note what it is: another of its kind where that is alike."""
+    own, formula = Symbol(signs.fresh(name)), size.formula()
+    told[own] = next((known for known, found in told.items() if found == formula), formula)
+    return own
 
 
 def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
@@ -87,12 +94,11 @@ def named_factor(rub: Rub, labels: Mapping[str, str], signs: AtOnePose) -> Produ
 
 
 class Power(NamedTuple):
-    """The power of one friction: the ideal force, on one line or not, and the slip."""
+    """The power of one friction: the ideal force and the slip."""
 
     rub: Rub
     force: Product
     slip: Product
-    is_on_line: bool
 
     @property
     def size(self) -> Product:
@@ -108,7 +114,7 @@ def _powers(pressed: Sequence[Pressed], positive: Callable[[Product], Product]) 
         if parts and p.slip:
             x, y = (*parts, ZERO)[:2]
             force = size_of(x, y, positive) if y else positive(x)
-            found.append(Power(p.rub, force, positive(p.slip), not y))
+            found.append(Power(p.rub, force, positive(p.slip)))
     return found
 
 
@@ -135,9 +141,24 @@ def true_sizes(pressed: Sequence[Pressed], sense: int, taken: set[str]) -> Sizes
 
 def _with(ideal: Formula, parts: Sequence[Power], sense: int) -> Formula:
     """Return the driving load with the powers of friction added."""
-    alone = readable(add(p.size for p in parts if p.is_on_line))
-    added = total([alone, *(even(p.size).formula() for p in parts if not p.is_on_line)])
+    sizes = [even(p.size) for p in parts]
+    alone = readable(add(s for s in sizes if not _has_root(s)))
+    others = _gathered(s for s in sizes if _has_root(s))
+    added = total([alone, *(size.formula() for size in others)])
     return total([ideal, added if sense > 0 else negative(added)])
+
+
+def _has_root(value: Product) -> bool:
+    return any(is_root(Product.of(factor)) for factor in value.factors)
+
+
+def _gathered(terms: Iterable[Product]) -> list[Product]:
+    """Return terms, those that differ by a number only in one."""
+    numbers: dict[Product, Rational] = {}
+    for term in terms:
+        alike = Product(1, term.factors)
+        numbers[alike] = numbers.get(alike, 0) + term.coefficient
+    return [alike.scaled(size) for alike, size in numbers.items()]
 
 
 def exact(

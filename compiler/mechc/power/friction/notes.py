@@ -81,8 +81,7 @@ class Notes:
             return moments, ZERO
         line = next(pull.line for pull in pulls if pull.line is not None)
         parts = (_sum(p.along(line) for p in pulls), _sum(p.across(line) for p in pulls))
-        force = Call("hypot", tuple(part for part in parts if part != ZERO))
-        return moments, product([(friction.formula(), 1), (force, 1)])
+        return moments, product([(friction.formula(), 1), (_size(parts), 1)])
 
     def _along(self, body: str, pulls: Sequence[Pull], friction: Product) -> Pair:
         """Return the forces along a guide, and the friction of what presses on it."""
@@ -90,6 +89,17 @@ class Notes:
         across = _sum(pull.across(guide) for pull in pulls)
         along = _sum(pull.along(guide) for pull in pulls)
         return along, product([(friction.formula(), 1), (across, 1)])
+
+
+def _size(parts: Iterable[Formula]) -> Formula:
+    """Return the size of a force of two parts that are square to each other."""
+    match [part for part in parts if part != ZERO]:
+        case []:
+            return ZERO
+        case [part]:
+            return Call("abs", (part,))
+        case both:
+            return Call("hypot", tuple(both))
 
 
 def _across(pulls: Sequence[Pull], found: Mapping[str, Product]) -> list[Pair]:

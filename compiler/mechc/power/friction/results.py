@@ -124,7 +124,7 @@ class FrictionResults:
     def _solve(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
         efficiency = self._mechanism.friction.efficiency
         if efficiency is not None:
-            return Drives(case.ideal, sense, self._plan).with_constant(efficiency)
+            return Drives(case.ideal, sense, self._plan).with_constant(find.name, efficiency)
         return self._rubbing(find, case, sense, order)
 
     def _rubbing(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
@@ -167,7 +167,7 @@ class FrictionResults:
         columns = self._equations.columns
         works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
         ideal = canonical(-(add(works) / columns[case.driving][0]))
-        yield lambda signs: Straight(ideal, pressed, signs, sense)
+        yield lambda signs: Straight(case.driving, ideal, pressed, signs, sense)
 
     def _at_default(self, printed: Callable[[AtOnePose], Printed]) -> Printed | None:
         """Return what is printed for the default pose; None where a value or a sign is missing."""

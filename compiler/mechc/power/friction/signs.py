@@ -77,12 +77,17 @@ class _Names:
     def define(self, name: str, formula: Formula) -> str:
         """Return what a formula is called from now on."""
         if formula not in self._known:
-            while name in self._taken:
-                name += "_"
-            self._taken.add(name)
+            name = self.fresh(name)
             self._known[formula] = name
             self.definitions.append(Definition(name, formula))
         return self._known[formula]
+
+    def fresh(self, name: str) -> str:
+        """Return a name that nothing else has: ``name``, if that is free."""
+        while name in self._taken:
+            name += "_"
+        self._taken.add(name)
+        return name
 
     def turn(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return a line turned by an arc, or back by that of the opposite value."""

@@ -15,6 +15,8 @@ Kind = Literal[
     "lever",
     "slider",
     "pin",
+    "straight",
+    "efficiency",
     "first order",
     "iterated",
 ]

@@ -9,6 +9,7 @@ from collections.abc import Mapping, Sequence
 from ...algebra.determinant import determinant
 from ...algebra.product import ONE, ZERO, Product
 from ...algebra.sums import add, canonical
+from ...formula.tree import Formula, Symbol, number, product, total
 from .bodies import Entangled
 from .closed import Condition
 from .pressing import Pressed
@@ -23,11 +24,12 @@ class Straight:
     """Solves the linear system."""
 
     def __init__(
-        self, ideal: Product, pressed: Sequence[Pressed], signs: Signs, sense: int
+        self, driving: str, ideal: Product, pressed: Sequence[Pressed], signs: Signs, sense: int
     ) -> None:
         if len(pressed) > MOST or any(len(p.components) != 1 for p in pressed):
             raise Entangled
-        self._ideal, self._pressed, self._signs, self._sense = ideal, pressed, signs, sense
+        self._driving, self._ideal = driving, ideal
+        self._pressed, self._signs, self._sense = pressed, signs, sense
         self.conditions: list[Condition] = []
         self.steps: tuple[Step, ...] = ()
 
@@ -36,6 +38,8 @@ class Straight:
         sides = [self._side(p) for p in self._pressed]
         sizes = self._solved(sides)
         self.conditions += [Condition(ONE, size) for size in sizes]
+        if self._signs.is_read:
+            self.steps = (self._step(sides, sizes),)
         parts = (
             p.rub.factor * self._slip(p) * p.slip * size
             for p, size in zip(self._pressed, sizes, strict=True)
@@ -71,6 +75,35 @@ class Straight:
             return ZERO
         other = next(p for p in self._pressed if p.rub.name == name)
         return (side * by[name] * other.rub.factor * self._slip(other)).scaled(self._sense)
+
+    def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
+        """Tell the forces that press, the slips, and what frictions add to the driving load."""
+        balances = [self._balance(*pair) for pair in zip(self._pressed, sides, strict=True)]
+        found = zip(map(_size, self._pressed), (size.formula() for size in sizes), strict=True)
+        equations = dict.fromkeys((*balances, *found))
+        equations |= {(_slip(p), (self._slip(p) * p.slip).formula()): None for p in self._pressed}
+        sense = (number(self._sense), 1)
+        powers = (
+            product([sense, (p.rub.factor.formula(), 1), (_size(p), 1), (_slip(p), 1)])
+            for p in self._pressed
+        )
+        whole = total([self._ideal.formula(), *powers])
+        return Step("straight", equations=(*equations, (Symbol(self._driving), whole)))
+
+    def _balance(self, pressed: Pressed, side: Product) -> tuple[Formula, Formula]:
+        """Return a pressing force less what frictions change in it, and the ideal one."""
+        (component,) = pressed.components
+        shares = ((self._share(component.by, p.rub.name, side), _size(p)) for p in self._pressed)
+        changes = (product([(share.formula(), 1), (n, 1)]) for share, n in shares if share)
+        return total([_size(pressed), *changes]), (component.ideal * side).formula()
+
+
+def _size(pressed: Pressed) -> Formula:
+    return Symbol(f"n_{pressed.rub.name}")
+
+
+def _slip(pressed: Pressed) -> Formula:
+    return Symbol(f"v_{pressed.rub.name}")
 
 
 def _replaced(
