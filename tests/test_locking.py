@@ -576,3 +576,46 @@ def test_an_efficiency_that_does_not_vary_is_told_as_one(tmp_path, capsys):
     description = KNEE.format(low=1, more="").replace("pins 0.1", "pins 0")
     out = told(description, tmp_path, capsys, "check")
     assert "For 1 deg <= alpha <= 45 deg, eta_k is 1 throughout." in out
+
+
+# --------------------------------------------------------------------------- the referee
+
+BRAKE = """
+param a = 40 mm
+param h = 15 mm
+param b = 100 mm
+param mu = {mu}
+param gamma = 10 deg
+pivot O
+slide WX along x
+link OAB
+OA = (a, -h)
+OB = (a + b, 0 mm)
+contact A on WX normal 90 deg - gamma
+force P at B along -y
+force F at W along x
+friction contact A mu
+find k = P / F
+"""
+
+
+@pytest.mark.parametrize("mu", [0.1, 0.3, 1, 4])
+def test_a_face_steep_against_its_friction_is_judged(mu, tmp_path, capsys):
+    """The force on the face is turned by the angle of friction: moments of it about O.
+
+    Friction relieves the face by more than it is once μ exceeds tan γ.
+    """
+    found = mechc.loads(BRAKE.format(mu=mu)).evaluate()
+    turn, steep = math.atan(mu), math.radians(10)
+    by_hand = (40 / math.tan(steep + turn) + 15) / 140
+    assert found["k_hold"] == pytest.approx(by_hand)
+    assert math.isnan(found["k_f"]) == (turn > steep)
+    out = told(BRAKE.format(mu=mu), tmp_path, capsys, "check")
+    assert f"agrees in {8 if turn > steep else 12} trials" in out
+
+
+def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
+    description = WEDGE.replace("k = P / F", "n = F / P").replace(" in 2 deg .. 30 deg", "")
+    out = told(description, tmp_path, capsys, "check")
+    assert "Jammed: no force F moves anything for beta <= phi_A + atan(mu) (11.42 deg)." in out
+    assert "equilibrium of the free bodies agrees" in out

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from ..formula.layout import in_degrees
-from ..formula.tree import Formula, Symbol, degrees, number, total
+from ..formula.tree import Formula, Number, Symbol, degrees, number, total
 from ..model.locking import Bound, Course, Locking, Range, Reach, Stretch
 from ..model.result import Result
 from ..units import UNITS
@@ -33,14 +33,17 @@ def _locking(locking: Locking, words: Words, spell: Speller) -> Iterator[str]:
     if locking.state != "free":
         yield f"{said[locking.state]} {words.as_given}."
     for reach in locking.reaches:
-        for stretch in filter(_is_told, reach.stretches):
+        for stretch in (s for s in reach.stretches if _is_told(s, reach)):
             where = words.where_it_holds.format(condition=_condition(stretch, reach, spell, words))
             yield f"{said[stretch.state]} {where}{_within(stretch, reach, words, spell)}."
 
 
-def _is_told(stretch: Stretch) -> bool:
+def _is_told(stretch: Stretch, reach: Reach) -> bool:
     """Tell a stretch of interest from a jam near a dead centre outside the range."""
-    return stretch.state == "locked" or stretch.within is not None
+    is_solved = any(b and b.exact for b in (stretch.low, stretch.high))
+    return (
+        stretch.state == "locked" or stretch.within is not None or (not reach.range and is_solved)
+    )
 
 
 def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> str:
@@ -61,10 +64,14 @@ def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> 
         signs.append("<" if high.is_dead_centre else "<=")
     said = spell.relation(tuple(sides), tuple(signs), reach.parameter in spell.angles)
     bounds = [b for b in (low, high) if b]
-    known = [b.place for b in bounds if b.exact and in_degrees(b.exact) is None]
+    known = [b.place for b in bounds if b.exact and not _is_figure(b.exact)]
     figures = [_figure(place, reach, words, spell) for place in known]
     unit = _unit(reach, words) if any(not b.exact for b in bounds) else ""
     return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")
+
+
+def _is_figure(formula: Formula) -> bool:
+    return isinstance(formula, Number) or in_degrees(formula) is not None
 
 
 def _told(stretch: Stretch, reach: Reach) -> tuple[Bound | None, Bound | None]:

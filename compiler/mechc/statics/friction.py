@@ -2,12 +2,13 @@
 
 On each pair of surfaces friction is its factor times the force that equilibrium gives
 there, against the slip. What the pressing forces are depends on friction again, so the two
-are repeated until neither changes. Slips have their signs from statics too (see
+are repeated until neither changes; where friction relieves a joint by more than it is, in
+steps short enough not to overshoot. Slips have their signs from statics too (see
 :mod:`.speeds`): by the motion in which the driving load does work.
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import NamedTuple, assert_never
 
 from ..formula.walk import evaluate
@@ -34,8 +35,17 @@ from .unfold import Unfolding
 ROUNDS = 10_000
 """Repetitions at most: each gains a constant factor, however slowly."""
 
+STEPS = (1.0, 0.3, 0.1, 0.03, 0.01)
+"""How far frictions follow at once: less far where they swing to and fro."""
+
 STILL = 1e-16
-"""A relative change below this is rounding."""
+"""A relative change below this is rounding, of a whole step."""
+
+NEARLY = 1e-15
+"""The same of a shorter step, whose end rounding may keep from being reached."""
+
+ENDLESS = 1e12
+"""Frictions this large against the loads have no end."""
 
 STANDING = 1e-13
 """A slip below this, per unit of the driving load's speed, is none."""
@@ -166,18 +176,32 @@ def _repeated(
     None where they grow without end.
     """
     places = [_pressing(question.system, pair) for pair in pairs]
-    frictions = [0.0] * len(pairs)
-    for _ in range(ROUNDS):
-        before = frictions
-        frictions = [
-            pair.factor * _size(columns, ideal, responses, before)
+
+    def following(frictions: Sequence[float]) -> list[float]:
+        return [
+            pair.factor * _size(columns, ideal, responses, frictions)
             for pair, columns in zip(pairs, places, strict=True)
         ]
-        if not all(map(math.isfinite, frictions)):
+
+    tried = (_settled(following, len(pairs), step) for step in STEPS)
+    return next((found for found in tried if found is not None), None)
+
+
+def _settled(
+    following: Callable[[Sequence[float]], list[float]], number: int, step: float
+) -> list[float] | None:
+    """Return what stays as it is, going a part of the way to what follows each time."""
+    frictions = [0.0] * number
+    most = ENDLESS * max(following(frictions), default=0.0)
+    still = STILL if step == 1 else NEARLY
+    for _ in range(ROUNDS):
+        after = following(frictions)
+        change = max((abs(a - b) for a, b in zip(after, frictions, strict=True)), default=0.0)
+        if change <= still * max(after, default=0.0):
+            return after
+        frictions = [f + step * (a - f) for f, a in zip(frictions, after, strict=True)]
+        if not max(frictions, default=0.0) <= most:
             return None
-        change = max((abs(a - b) for a, b in zip(frictions, before, strict=True)), default=0.0)
-        if change <= STILL * max(frictions, default=0.0):
-            return frictions
     return None
 
 
