@@ -5,9 +5,11 @@ from pathlib import Path
 import pytest
 
 import mechc
+from mechc.cli.check import report
 from mechc.derivation.to_text import render
 from mechc.driver import compile_source
 from mechc.files import find, read
+from mechc.source import Source
 
 LIBRARY = Path(__file__).parents[1] / "library"
 
@@ -26,10 +28,12 @@ def test_a_docstring_shows_the_printed_case(result):
     assert "every force keeps the sense" in shown
 
 
+PINS = "param f_p = 0.1\nparam d_p = 12 mm\nfriction pins f_p diameter d_p\nfind R_A on AB"
+ITERATED = f"{(LIBRARY / 'crank_rocker.mech').read_text('utf-8')}\n{PINS}\n"
+
+
 def iterated() -> "mechc.Mechanism":
-    source = (LIBRARY / "crank_rocker.mech").read_text("utf-8")
-    pins = "param f_p = 0.1\nparam d_p = 12 mm\nfriction pins f_p diameter d_p\nfind R_A on AB"
-    return mechc.loads(f"{source}\n{pins}\n", "crank.mech")
+    return mechc.loads(ITERATED, "crank.mech")
 
 
 def test_a_docstring_shows_the_structure_of_what_is_iterated():
@@ -140,3 +144,64 @@ def test_an_efficiency_is_the_share_of_two_ratios():
 def test_only_what_rubs_is_explained():
     assert "friction circle" not in derived("d45_16_wedge_hook_with_friction").split("first")[0]
     assert "The friction of a pin" in derived("lever_clamp_with_friction")
+
+
+def test_a_coefficient_with_sums_in_it_has_a_name():
+    """A tilting plunger under a linear pressure: mu·(3l/s + s/(12l))."""
+    source = """
+param alpha = 30 deg in 10 deg .. 60 deg
+param L = 80 mm
+param mu = 0.12
+param s = 40 mm
+param l = 30 mm
+slider B along -90 deg
+slider C along 0 deg
+link BC
+BC = L @ -alpha
+force Q at B along -90 deg
+force W at C along 180 deg
+friction slider C mu guide s overhang l linear
+find k = Q/W
+"""
+    compilation = compile_source(Source("plunger.mech", source))
+    shown = render(compilation.derivation, compilation.mechanism)
+    assert "k_f = 1 / (cot α − μ_C)" in shown
+    assert "μ_C = μ · (36l + s²/l) / (12s)" in shown
+
+
+def test_a_force_with_friction_is_told_once_under_a_heading_of_its_own():
+    compilation = compile_source(Source("crank.mech", ITERATED))
+    shown = render(compilation.derivation, compilation.mechanism)
+    told = shown.partition("Force at a joint, with friction")[2]
+    assert told.count("This holds while") == 1
+    assert "R_A_on_AB_f = √(R_A_on_AB_x_f² + R_A_on_AB_y_f²)" in told
+
+
+def test_check_tells_the_parts_of_a_force_once():
+    lines = list(report(compile_source(Source("crank.mech", ITERATED)), verbose=False))
+    assert "  R_A_on_AB_f = hypot(R_A_on_AB_x_f, R_A_on_AB_y_f)" in lines
+    forces = lines[next(i for i, line in enumerate(lines) if "R_A_on_AB_x_f =" in line) :]
+    assert sum("press the joints" in line for line in forces) == 1
+    assert sum("holds while" in line for line in forces) == 1
+
+
+# ------------------------------------------------------------------------- goldens
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "karpenko_fig2_with_friction",
+        "fedoriv_fig2b_with_friction",
+        "d45_11_screw_lever_with_friction",
+        "lever_clamp_with_friction",
+    ],
+)
+def test_derivation_golden(name, golden):
+    golden(f"derivation/{name}.txt", derived(name))
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_report_golden(language, golden):
+    shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
+    golden(f"latex/friction_{language}.tex", shown.partition("section*{")[2])

@@ -7,8 +7,8 @@ import click
 from ..check.expectations import Finding
 from ..derivation.definitions import Solved, by_letter, grouped, is_by_letter
 from ..derivation.locking import friction_remarks
-from ..derivation.remarks import own_conditions
-from ..derivation.sections import Told
+from ..derivation.remarks import own_conditions, reaction
+from ..derivation.sections import Told, in_short
 from ..derivation.to_text import speller
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
@@ -69,8 +69,11 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told, given = Told(), {r.name for r in compilation.results if _is_given(r)}
+    before: Result | None = None
     for result in compilation.results:
-        yield from _of_result(result, [d for d in told.of(result) if d.name not in given])
+        where = [d for d in told.of(result) if d.name not in given]
+        yield from _of_result(in_short(result, compilation.results), where, before)
+        before = result
         yield from (f"    {line}" for line in friction_remarks(result, WORDS, spell))
     for finding in compilation.findings:
         yield f"  {_of_finding(finding, compilation.source)}"
@@ -82,24 +85,32 @@ def _is_given(result: Result) -> bool:
     return result.target is None and isinstance(result.formula, Number)
 
 
-def _of_result(result: Result, where: Iterable[Definition]) -> Iterator[str]:
+def _of_result(result: Result, where: Iterable[Definition], before: Result | None) -> Iterator[str]:
+    """Yield what is known of a result, without what the one before has just told."""
     if _is_given(result) and result.default is not None:
         yield f"  {result.name} = {result.default:.9g} {si_unit(result.dimension)}".rstrip()
         return
     yield f"  {result.name} = {text(result.formula)}"
     for group in grouped((name, by_letter(formula)) for name, formula in where):
         yield from _of_definition(group)
-    if sizes := sorted(symbols(result.formula) & result.inside):
+    sizes = _sizes(result)
+    if sizes and not (before and sizes == _sizes(before)):
         press = "press the joints" if len(sizes) > 1 else "presses the joint"
         yield f"    where {', '.join(sizes)} {press}: n = |r + D*n| by Newton's method"
     if result.default is not None:
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
-    if held := own_conditions(result):
+    held = own_conditions(result)
+    if held and not (before and reaction(before) and held == own_conditions(before)):
         holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
         yield f"    holds while {', '.join(holds)}"
     if result.independent:
         yield f"    does not depend on {', '.join(result.independent)}"
+
+
+def _sizes(result: Result) -> list[str]:
+    """Return the pressing forces that a result is made of."""
+    return sorted(symbols(result.formula) & result.inside)
 
 
 def _of_definition(group: Definition | Solved) -> Iterator[str]:

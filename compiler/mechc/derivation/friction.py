@@ -99,11 +99,11 @@ def _opening(
 ) -> Iterator[Passage]:
     """Say which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
-    if kind in ("iterated", "efficiency"):
+    if kind == "efficiency":
         return
     if kind != "first order":
         yield Passage(Saying.TIGHTENING if target.sense == "tightening" else Saying.RELEASING)
-    if kind not in ("first order", "straight"):
+    if kind not in ("first order", "straight", "iterated"):
         yield from told.once(_how(steps, mechanism))
     if isinstance(target.of, LoadRatio):
         yield Passage(Saying.UNIT, names={"load": (target.of.below,)})

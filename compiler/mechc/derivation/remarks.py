@@ -49,6 +49,8 @@ def heading(result: Result, words: Words, spell: Speller) -> str:
             return words.speed_ratio
         case Reaction() | Axial() | Normal():
             return words.joint_force
+        case WithFriction(Reaction() | Axial() | Normal()):
+            return words.joint_force_with_friction
         case WithFriction(_, sense, order):
             said = words.with_friction["first" if order == "first" else sense]
             return f"{said} ({_spelled(asked(result), spell)})"

@@ -1,11 +1,13 @@
 """The results in the order of a report: those of one joint together, each name told once."""
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import zip_longest
 
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Implicit, Symbol, System
 from ..formula.walk import symbols
 from ..frozen import frozen, replace
+from ..model.mechanism import Reaction, Target, WithFriction
 from ..model.result import Definition, Result
 from .definitions import by_letter
 from .remarks import reaction
@@ -32,7 +34,8 @@ def sections(derivation: Derivation) -> Iterator[Section]:
         rested = told.untold([Symbol(d.name) for d in account.where], account.where)
         fresh = [*rested, *(d for r in results for d in told.of(r))]
         where = tuple(Definition(name, by_letter(formula)) for name, formula in fresh)
-        yield Section(account.passages, tuple(_in_short(r, results) for r in results), where)
+        shown = (in_short(r, results) for r in _conditioned_once(results))
+        yield Section(account.passages, tuple(shown), where)
 
 
 class Told:
@@ -90,13 +93,20 @@ def _grouped(derivation: Derivation) -> Iterator[tuple[Account, Sequence[Result]
         left = [r for r in left if r.name not in account.results]
 
 
-def _in_short(result: Result, results: Sequence[Result]) -> Result:
-    """Return a direction, or a long size, by the components of the force beside it."""
+def _conditioned_once(results: Sequence[Result]) -> Iterator[Result]:
+    """Yield results told together, the conditions of the last for those that have the same."""
+    for result, after in zip_longest(results, results[1:]):
+        alike = after is not None and after.holds == result.holds
+        yield replace(result, holds=()) if alike else result
+
+
+def in_short(result: Result, results: Iterable[Result]) -> Result:
+    """Return a direction, or a long size, by the components of the force among the results."""
     match _part(result):
         case "direction" if symbols(result.formula):
-            return replace(result, formula=Call("atan2", _components(results)[::-1]))
+            return replace(result, formula=Call("atan2", _components(result, results)[::-1]))
         case "size" if count_operations(result.formula) > LONG:
-            return replace(result, formula=Call("hypot", _components(results)))
+            return replace(result, formula=Call("hypot", _components(result, results)))
         case _:
             return result
 
@@ -106,5 +116,17 @@ def _part(result: Result) -> str:
     return force.part if force else ""
 
 
-def _components(results: Sequence[Result]) -> tuple[Formula, ...]:
-    return tuple(Symbol(r.name) for part in "xy" for r in results if _part(r) == part)
+def _components(result: Result, results: Iterable[Result]) -> tuple[Formula, ...]:
+    beside = {_part(r): Symbol(r.name) for r in results if _force(r) == _force(result)}
+    return beside["x"], beside["y"]
+
+
+def _force(result: Result) -> Target | None:
+    """Return what force with what friction a result is a part of."""
+    match result.target:
+        case WithFriction(Reaction() as force, sense):
+            return WithFriction(replace(force, part="size"), sense)
+        case Reaction() as force:
+            return replace(force, part="size")
+        case _:
+            return None

@@ -168,6 +168,7 @@ WORDS = Words(
     load="Load",
     speed_ratio="Velocity ratio",
     joint_force="Force at a joint",
+    joint_force_with_friction="Force at a joint, with friction",
     with_friction={
         "tightening": "With friction, tightening",
         "releasing": "With friction, releasing",

@@ -172,6 +172,7 @@ WORDS = Words(
     load="Нагрузка",
     speed_ratio="Отношение скоростей",
     joint_force="Сила в шарнире",
+    joint_force_with_friction="Сила в шарнире с учётом трения",
     with_friction={
         "tightening": "С трением, прямой ход",
         "releasing": "С трением, обратный ход",

@@ -62,6 +62,7 @@ class Words(NamedTuple):
     load: str
     speed_ratio: str
     joint_force: str
+    joint_force_with_friction: str
     with_friction: Mapping[str, str]
     efficiency: str
     where: str

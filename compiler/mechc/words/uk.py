@@ -171,6 +171,7 @@ WORDS = Words(
     load="Навантаження",
     speed_ratio="Відношення швидкостей",
     joint_force="Сила в шарнірі",
+    joint_force_with_friction="Сила в шарнірі з урахуванням тертя",
     with_friction={
         "tightening": "З тертям, прямий хід",
         "releasing": "З тертям, зворотний хід",

@@ -27,7 +27,7 @@ from .bodies import HALF_TURN, Bodies, Entangled, Kind, Pull, Surface, Task, und
 from .closed import Condition
 from .lever import Bearing, on_lever
 from .notes import Notes
-from .rubs import radii
+from .rubs import radii, reduced
 from .signs import Signs
 from .steps import Step
 
@@ -153,7 +153,9 @@ class Chain:
     def _factor(self, surface: Surface) -> Product:
         """Return the factor of friction, the radius of a friction circle by its name."""
         label = self._radii.get(surface.name)
-        return self._signs.radius(label, surface.factor) if label else surface.factor
+        if label:
+            return self._signs.radius(label, surface.factor)
+        return self._signs.coefficient(reduced(surface.name), surface.factor)
 
     def _turn(self, surface: Surface) -> Product:
         """Return the sign of the slip in the motion that is meant."""

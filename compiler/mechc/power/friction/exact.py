@@ -32,7 +32,7 @@ from ..joint_forces import size_of
 from ..speeds import even, magnitude
 from .closed import Named, Printed, conditions, readable
 from .pressing import Component, Pressed
-from .rubs import Rub, radii
+from .rubs import Rub, radii, reduced
 from .signs import AtOnePose, is_root
 from .steps import Step
 
@@ -90,7 +90,9 @@ def _slip_name(rub: Rub) -> str:
 
 def named_factor(rub: Rub, labels: Mapping[str, str], signs: AtOnePose) -> Product:
     """Return the factor of friction, the radius of a friction circle by its name."""
-    return signs.radius(labels[rub.name], rub.factor) if rub.name in labels else rub.factor
+    if rub.name in labels:
+        return signs.radius(labels[rub.name], rub.factor)
+    return signs.coefficient(reduced(rub.name), rub.factor)
 
 
 class Power(NamedTuple):

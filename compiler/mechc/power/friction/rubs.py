@@ -142,6 +142,15 @@ def radii(rubs: Iterable[Rub]) -> dict[str, str]:
     return {rub.name: "rho" if alike else f"rho_{rub.name}" for rub in pins}
 
 
+def reduced(rub: str) -> str:
+    """Return what the reduced coefficient of a guide, face or pair is called.
+
+    >>> reduced("C_guide")
+    'mu_C'
+    """
+    return f"mu_{rub.partition('_')[0]}"
+
+
 def _guide(point: str, pose: Pose) -> Angle:
     guide = pose.guide_of(point)
     assert guide is not None, "the model lets racks and screws move guided points only"

@@ -11,7 +11,7 @@ from typing import Literal, Protocol
 
 from ...algebra.angle import Angle, Rational
 from ...algebra.factors import Length, Opaque, Trig
-from ...algebra.product import Product
+from ...algebra.product import Product, Sum
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula
 from ...formula.walk import evaluate
@@ -41,6 +41,10 @@ class Signs(Protocol):
 
     def radius(self, name: str, factor: Product) -> Product:
         """Return the radius of a friction circle, which may be called ``name``."""
+        ...
+
+    def coefficient(self, name: str, factor: Product) -> Product:
+        """Return what a joint resists by, which may be called ``name``."""
         ...
 
     def of(self, name: str, value: Product) -> Product:
@@ -106,6 +110,10 @@ class AtAnyPose(_Names):
         """Return the radius as it is."""
         return factor
 
+    def coefficient(self, name: str, factor: Product) -> Product:
+        """Return the coefficient as it is."""
+        return factor
+
     def of(self, name: str, value: Product) -> Product:
         """Return the name of the sign, with a minus for that of the opposite."""
         telling = bare(value)
@@ -137,6 +145,11 @@ class AtOnePose(_Names):
     def radius(self, name: str, factor: Product) -> Product:
         """Return the name of the radius."""
         return Product.symbol(self.define(name, factor.formula())) if factor.factors else factor
+
+    def coefficient(self, name: str, factor: Product) -> Product:
+        """Return the coefficient, by a name where it has sums in it."""
+        has_sums = any(isinstance(f, Sum | Opaque) for f in factor.factors)
+        return self.radius(name, factor) if has_sums else factor
 
     def of(self, name: str, value: Product) -> Product:
         """Return 1, 0 or -1, and note what the sign was taken of."""
