@@ -29,6 +29,7 @@ from ...formula.tree import (
     total,
 )
 from ...pose.pose import Vector
+from ..speeds import root
 from .bodies import Pull
 from .signs import Signs
 
@@ -69,7 +70,7 @@ def on_lever(
     along = add(p.along(line) for p in known)
     across = add(p.across(line) for p in known)
     if unknown.line is None:
-        load = Product.of(Opaque(Call("hypot", (along.formula(), across.formula()))))
+        load = _size(along, across, f"s_{bearing.pivot}_load", signs)
         return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
     label = unknown.name.removeprefix("S_")
     way = -1 if arm.coefficient < 0 else 1
@@ -82,6 +83,14 @@ def on_lever(
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
     return _root(label, (arm, rest, along, across), bearing, turn, signs)
+
+
+def _size(along: Product, across: Product, name: str, signs: Signs) -> Product:
+    """Return the size of a force; one along a line is what stands before its sine and cosine."""
+    whole = root(add((along * along, across * across)))
+    if any(isinstance(factor, Opaque) for factor in whole.factors):
+        return Product.of(Opaque(Call("hypot", (along.formula(), across.formula()))))
+    return whole * signs.of(name, whole)
 
 
 def _parallel(
