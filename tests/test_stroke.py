@@ -534,3 +534,40 @@ def test_the_command(tmp_path, capsys):
     )
     assert len(rows) == 3
     assert float(rows[0].split(",")[1]) == pytest.approx(1.499384542672654, rel=1e-12)
+
+
+BOTH_WAYS = """
+param r = 40 mm
+param l = 120 mm
+param phi = 40 deg
+drive phi from -60 deg to 240 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = r @ phi
+AB = l
+assembly B forward
+force F at B along x
+torque M on OA
+find k = F / M
+"""
+
+
+@pytest.mark.parametrize("rubs", [False, True])
+def test_a_pole_that_is_looked_at_is_no_extremum(rubs):
+    """A place of the stroke is φ = 180°, where the rod and the crank lie on one line."""
+    friction = "friction pins 0.1 diameter 10 mm" if rubs else ""
+    found = mechc.loads(BOTH_WAYS + friction).stroke()
+    extrema = [e.drive for e in found.extrema if e.result == "k"]
+    assert [math.degrees(e) for e in extrema] == pytest.approx([73.17529663624])
+    assert all(abs(e.value) < 200 for e in found.extrema if e.result != "k_f1")
+
+
+def test_a_row_at_a_dead_centre_tells_what_is_stuck(tmp_path, capsys):
+    path = tmp_path / "m.mech"
+    path.write_text(f"{BOTH_WAYS}friction pins 0.1 diameter 10 mm", encoding="utf-8")
+    assert main(["stroke", "-n", "16", str(path)]) == 0
+    rows = capsys.readouterr().out.splitlines()[1:17]
+    told = {float(row.split()[0]) for row in rows if row.endswith("k_f jammed, k_hold jammed")}
+    assert told == {0, 180}

@@ -107,6 +107,7 @@ class _Runner:
         stretches = tuple(self._stretches())
         places = _spaced(self._low, self._high, points - 1)
         branches = sorted((*self._branches, *self._crossings), key=lambda b: b.drive)
+        singular = self._singular(stretches, branches)
         return Stroke(
             self._parameter.name,
             self._parameter.dimension,
@@ -116,9 +117,9 @@ class _Runner:
             tuple(f.column for f in filled),
             tuple(self._row(x, filled, stretches) for x in places),
             stretches,
-            self._singular(stretches, branches),
+            singular,
             tuple(branches),
-            self._extrema(stretches),
+            self._extrema(stretches, singular),
             tuple(stuck(self._results, self._parameter.name)),
             tuple(courses(self._results, self._parameter.name)),
             self._along.defaults,
@@ -235,15 +236,27 @@ class _Runner:
         ]
         return told_apart(found, branches, self._high - self._low)
 
-    def _extrema(self, stretches: Sequence[Stretch]) -> tuple[Extremum, ...]:
-        """Return the extrema; beside a branch that iteration finds, results lose digits."""
-        name = self._parameter.name
+    def _poles(self, result: Result, singular: Sequence[Singular]) -> list[float]:
+        """Return where a result is infinite, or what it is with friction."""
+        ideal = getattr(result.target, "of", result.target)
+        names = {ratio.name for ratio in self._ratios if ratio.target == ideal}
+        return [s.drive for s in singular if s.result in names and s.value == "infinite"]
+
+    def _extrema(
+        self, stretches: Sequence[Stretch], singular: Sequence[Singular]
+    ) -> tuple[Extremum, ...]:
+        """Return the extrema; beside a branch that iteration finds, results lose digits.
+
+        Where a place that is looked at is a pole, what is beside it is none.
+        """
+        name, beside = self._parameter.name, 2 * (self._high - self._low) / SAMPLES
         found = [
             extremum
             for stretch in stretches
             for result in self._results
             for extremum in extrema(result, name, self._along, some(self._within(stretch), result))
             if is_told(extremum, result)
+            and all(abs(extremum.drive - p) > beside for p in self._poles(result, singular))
         ]
         near = BESIDE * (self._high - self._low)
         clear = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]

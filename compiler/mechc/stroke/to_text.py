@@ -10,6 +10,9 @@ from ..model.locking import USUAL, Course
 from ..units import ANGLE, UNITS, Dimension
 from .stroke import Branch, Column, Content, Extremum, Row, Singular, Stretch, Stroke, Stuck
 
+NEAR = 1e-13
+"""What is nearer, against the stroke, is the same place: a dead centre, say."""
+
 
 def to_csv(stroke: Stroke) -> str:
     """Return the rows as CSV in SI and radians, 17 digits, empty where there is no value.
@@ -29,7 +32,8 @@ def to_csv(stroke: Stroke) -> str:
 
 def _held(row: Row, stroke: Stroke) -> str:
     """Return which results are stuck at a place: ``k_f jammed, k_hold locked``."""
-    stuck = (s for s in stroke.stuck if s.low <= row.drive <= s.high)
+    near = NEAR * (stroke.high - stroke.low)
+    stuck = (s for s in stroke.stuck if s.low - near <= row.drive <= s.high + near)
     return ", ".join(f"{s.result} {s.state}" for s in stuck)
 
 
