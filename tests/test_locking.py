@@ -1,14 +1,17 @@
 """Where friction locks or jams a mechanism, against formulas by hand; courses of efficiencies."""
 
 import math
+from collections.abc import Iterable
 
+import numpy as np
 import pytest
 
 import mechc
+from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
-from mechc.model.locking import Course, Locking, Stretch
+from mechc.model.locking import Course, Locking, Reach, Stretch
 from mechc.model.result import Result
 from mechc.source import Source
 
@@ -619,3 +622,80 @@ def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
     out = told(description, tmp_path, capsys, "check")
     assert "Jammed: no force F moves anything for beta <= phi_A + atan(mu) (11.42 deg)." in out
     assert "equilibrium of the free bodies agrees" in out
+
+
+# ----------------------------------------------------------------------------------- laws
+
+RUBBING = [
+    "claw", "d45_05_wedge_roller_lever", "d45_06_double_wedge", "d45_11_screw_lever",
+    "d45_15_cam_lever", "d45_16_wedge_hook", "fedoriv_fig1", "fedoriv_fig2a", "fedoriv_fig2b",
+    "karpenko_fig1", "karpenko_fig3", "karpenko_fig4", "karpenko_fig7", "karpenko_fig9",
+    "lever_clamp", "screw_jack", "tongs_fig4_9", "wedge_drive",
+]  # fmt: skip
+
+OWN = {
+    "knee": KNEE.format(low=0.1, more=""), "wedge": WEDGE, "crank": CRANK.format(more=""),
+    "slider crank": SLIDER_CRANK, "toggle": TOGGLE.format(r=140), "faces": FACES,
+    "eccentric": ECCENTRIC, "nut": NUT,
+    "yoke": """
+param r = 40 mm in 10 mm .. 60 mm
+param mu = 0.1 in 0 .. 0.5
+param phi = 40 deg
+drive phi from 1 deg to 179 deg
+pivot O
+slide BC along x
+link OA
+OA = r @ phi
+slot A in BC
+BC = @ 90 deg
+torque M on OA
+force F at B along x
+friction contact A mu
+friction slider B 0.1
+friction pin O 0.1 diameter 12 mm
+find k = M / F
+find i = F / M
+""",
+}  # fmt: skip
+
+
+def along(ends: tuple[float, float]) -> list[float]:
+    low, high = ends
+    return [low + (high - low) * (i + 0.37) / 23 for i in range(23)]
+
+
+def is_within(place: float, parts: Iterable[tuple[float, float] | None]) -> bool:
+    return any(part is not None and part[0] <= place <= part[1] for part in parts)
+
+
+def assert_stuck(mechanism: SolvedMechanism, result: Result, reach: Reach) -> None:
+    """Inside a stretch k with friction has not the sign of k, or no value; outside it has."""
+    assert reach.range is not None
+    places = along(reach.range)
+    found = mechanism.evaluate(**{reach.parameter: places})
+    ideal = result.name.removesuffix("_f").removesuffix("_hold")
+    share = np.broadcast_to(found[result.name] / found[ideal], len(places))
+    for place, value in zip(places, share, strict=True):
+        told = is_within(place, (s.within for s in reach.stretches))
+        assert told == (not value > 0), (result.name, reach.parameter, place)
+
+
+def assert_run(mechanism: SolvedMechanism, result: Result, course: Course) -> None:
+    """An efficiency stays within what is told, and is usual just where that is told."""
+    places = along(course.range)
+    found = mechanism.evaluate(**{course.parameter: places})[result.name]
+    share = np.broadcast_to(np.fmax(found, 0), len(places))
+    for place, eta in zip(places, share, strict=True):
+        assert course.least - 1e-9 <= eta <= course.greatest + 1e-9
+        assert is_within(place, course.usual) == (0.9 <= eta <= 0.95), (course.parameter, place)
+
+
+@pytest.mark.parametrize("name", [*RUBBING, *OWN])
+def test_what_is_told_is_true_of_code(name):
+    mechanism = mechc.loads(OWN[name]) if name in OWN else mechc.load(f"{name}_with_friction")
+    for result in mechanism.results.values():
+        for reach in result.locking.reaches if result.locking else ():
+            if reach.range is not None:
+                assert_stuck(mechanism, result, reach)
+        for course in result.courses:
+            assert_run(mechanism, result, course)
