@@ -319,6 +319,13 @@ def test_fmt_between_notations(run: Mechc, tmp_path: Path) -> None:
     assert run("fmt", "--to", "mech", "again.yaml").out == (tmp_path / "clamp.mech").read_text()
 
 
+def test_fmt_brings_entries_of_one_name_together(run: Mechc) -> None:
+    lines = "friction screw S 0.1 thread d\nfriction pin A f diameter d\nfriction pin S f diameter d\n"
+    yaml = run("fmt", "--to", "yaml", "-", stdin=lines.encode())
+    assert yaml.status == 0
+    assert yaml.out.index("S:") < yaml.out.index("A:")
+
+
 def test_fmt_goes_through_all_files(run: Mechc, tmp_path: Path) -> None:
     (tmp_path / "wrong.mech").write_text("pivot ?\n")
     status, _, err = run("fmt", "--check", ".")

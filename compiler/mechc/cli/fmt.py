@@ -13,7 +13,7 @@ from ..source import Source
 from ..syntax import ast
 from ..syntax.notation import is_yaml, read
 from ..syntax.to_dsl import to_dsl
-from ..syntax.to_yaml import to_yaml
+from ..syntax.to_yaml import in_yaml_order, to_yaml
 from .inputs import source_of, stdin_option
 from .session import Command, session, session_options, status
 
@@ -95,12 +95,12 @@ def layout(source: Source, to: Notation | None = None) -> str:
 
 
 def _says(text: str, tree: ast.File, yaml: bool) -> bool:
-    """Return whether a text is read as this tree (places and the order of kinds aside)."""
+    """Return whether a text is read as this tree (places and YAML's order aside)."""
     try:
         again = _tree(Source("layout.yaml" if yaml else "layout.mech", text))
     except MechcError:
         return False
-    return _by_kind(again) == _by_kind(tree)
+    return _by_kind(again) == _by_kind(in_yaml_order(tree) if yaml else tree)
 
 
 def _by_kind(tree: ast.File) -> dict[str, list[ast.Statement]]:
