@@ -320,7 +320,8 @@ def test_fmt_between_notations(run: Mechc, tmp_path: Path) -> None:
 
 
 def test_fmt_brings_entries_of_one_name_together(run: Mechc) -> None:
-    lines = "friction screw S 0.1 thread d\nfriction pin A f diameter d\nfriction pin S f diameter d\n"
+    pins = "".join(f"friction pin {point} f diameter d\n" for point in "AS")
+    lines = f"friction screw S 0.1 thread d\n{pins}"
     yaml = run("fmt", "--to", "yaml", "-", stdin=lines.encode())
     assert yaml.status == 0
     assert yaml.out.index("S:") < yaml.out.index("A:")

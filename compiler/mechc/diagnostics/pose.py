@@ -131,6 +131,9 @@ def points_coincide(at: Span, points: str) -> Words:
     )
 
 
+MEET = "the closures meet there, in one line: change a length or the default pose"
+
+
 @coded("E307")
 def closure_open(at: Span, loop: str, closures: Sequence[str]) -> Words:
     """A loop closes in two ways or more, and the description does not say which is meant.
@@ -149,12 +152,12 @@ def closure_open(at: Span, loop: str, closures: Sequence[str]) -> Words:
     return Words(
         at,
         f"the loop {loop} closes in {ways} ways, and nothing says which is meant",
-        "add " + " or ".join(closures),
+        "add " + " or ".join(closures) if all(closures) else MEET,
     )
 
 
 @coded("E308")
-def assembly_undecided(at: Span, points: str, closures: Iterable[str]) -> Words:
+def assembly_undecided(at: Span, points: str, closures: Sequence[str]) -> Words:
     """An ``assembly`` line does not tell the closures of its loop apart at the default pose.
 
     Either both closures have the turn that it asks for, or none has, or the default pose
@@ -168,7 +171,7 @@ def assembly_undecided(at: Span, points: str, closures: Iterable[str]) -> Words:
     return Words(
         at,
         f"the assembly of {points} does not tell the closures apart at the default pose",
-        "the closures are " + " and ".join(closures),
+        "the closures are " + " and ".join(closures) if all(closures) else MEET,
     )
 
 

@@ -128,6 +128,8 @@ def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -
         force F at A along x     # right
     """
     related = (Related(first, f"{first_kind} '{name}' is declared here"),)
+    if kind == first_kind:
+        return Words(span, f"{kind} '{name}' is declared twice", "remove or rename one", related)
     return Words(span, f"{kind} '{name}' has the name of a {first_kind}", "rename one", related)
 
 

@@ -162,11 +162,11 @@ class Choice:
             self._report.add(words.closure_open(_span(group), loop_name(group.cycle), listed))
 
     def _described(self, group: Loops, values: Values, poses: Sequence[Values]) -> str:
-        """Return the lines that would choose a closure, and its angles in degrees."""
+        """Return the lines that would choose a closure, if any, and its angles in degrees."""
         angles = sorted(n for n in group.unknown if n in self._state.angles)
         shown = ", ".join(f"{n} = {_degrees(values[n])}" for n in angles if n in values)
         lines = " with ".join(f"`{line}`" for line in self._telling(group, values, poses))
-        return f"{lines} ({shown})" if shown else lines
+        return f"{lines} ({shown})" if lines and shown else lines
 
     def _telling(self, group: Loops, values: Values, poses: Sequence[Values]) -> list[str]:
         """Return as many lines as it takes to tell a closure from all others."""

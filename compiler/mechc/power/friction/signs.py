@@ -143,8 +143,8 @@ class AtOnePose(_Names):
         self.conditions: dict[Formula, int] = {}
 
     def radius(self, name: str, factor: Product) -> Product:
-        """Return the name of the radius."""
-        return Product.symbol(self.define(name, factor.formula())) if factor.factors else factor
+        """Return the name of the radius, of a number too: rho^2 reads better than its digits."""
+        return Product.symbol(self.define(name, factor.formula())) if factor else factor
 
     def coefficient(self, name: str, factor: Product) -> Product:
         """Return the coefficient, by a name where it has sums in it."""
