@@ -238,7 +238,7 @@ class Bodies:
 
     def touch(self, name: str) -> Touch | None:
         """Return the slot or contact whose force is called so."""
-        return next((t for t in self._pose.touches if f"N_{t.point}" == name), None)
+        return next((t for t in self._pose.touches if f"R_{t.point}" == name), None)
 
     def face(self, touch: Touch) -> Surface | None:
         """Return how a pin rubs on the body under it, with the ideal force on the pin."""

@@ -99,7 +99,7 @@ class Chain:
         for touch, is_under in self._bodies.touches_at(body):
             line = self._face(touch)
             place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
-            yield Pull(f"N_{touch.point}", place, ahead)
+            yield Pull(f"R_{touch.point}", place, ahead)
 
     def _push(self, rod: Link, point: str) -> Pull:
         """Return what a rod under a unit of force does to what it meets at a point."""
@@ -129,7 +129,7 @@ class Chain:
 
     def _face(self, touch: Touch) -> Angle:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""
-        name, surface = f"N_{touch.point}", self._bodies.face(touch)
+        name, surface = f"R_{touch.point}", self._bodies.face(touch)
         if surface and name not in self._lines:
             side = self._signs.of(f"s_{touch.point}", surface.pressed)
             turn = -(self._resistance(surface) * side)

@@ -72,7 +72,7 @@ def on_lever(
     if unknown.line is None:
         load = _size(along, across, f"s_{bearing.pivot}_load", signs)
         return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
-    label = unknown.name.removeprefix("S_")
+    label = unknown.name.removeprefix("S_").removeprefix("R_")
     way = -1 if arm.coefficient < 0 else 1
     arm, rest = arm.scaled(way), rest.scaled(-way)
     across = -across if across.coefficient < 0 else across
