@@ -18,7 +18,10 @@ Half the digits: a double zero cannot be told better from one that is just misse
 """
 
 NOISE = 1e-12
-"""Neighbours that are both below this part of the greatest value tell of no change of sign."""
+"""Neighbours that are both below this part of the greatest value tell of no change of sign.
+
+A dip that is no deeper is rounding as well.
+"""
 
 ROUNDED = 1e-14
 """A value at an end of the stroke below this part of the greatest is a zero that was rounded."""
@@ -79,9 +82,9 @@ def _touched(
     for i in range(1, len(places) - 1):
         before, here, after = (abs(v) for v in values[i - 1 : i + 2])
         alike = values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0
-        if alike and here <= before and here <= after:
+        if alike and here <= min(before, after) and max(before, after) - here > NOISE * size:
             place = lowest(lambda x: abs(function(x)), places[i - 1], places[i + 1])
-            if abs(function(place)) < NIL * size and max(before, after) > NOISE * size:
+            if abs(function(place)) < NIL * size:
                 yield Root(place, 1e-8 * max(abs(place), 1e-3))
 
 
