@@ -699,3 +699,28 @@ def test_what_is_told_is_true_of_code(name):
                 assert_stuck(mechanism, result, reach)
         for course in result.courses:
             assert_run(mechanism, result, course)
+
+
+INCLINE = """
+param gamma = 20 deg in 0 deg .. 60 deg
+param mu = 0.3 in 0 .. 1
+param m = 10 kg in 1 kg .. 20 kg
+slide AB along gamma
+force P at A along gamma
+weight W mass m at B
+friction slider A mu
+find P
+"""
+
+
+def test_a_weight_on_an_incline_stays_where_friction_holds_it():
+    found = reached(INCLINE.replace(" in 1 kg .. 20 kg", ""), "P_hold")
+    gamma, mu = found["gamma"].high, found["mu"].low
+    assert gamma is not None
+    assert mu is not None
+    assert [text(b.exact) for b in (gamma, mu) if b.exact] == ["atan(mu)", "tan(gamma)"]
+
+
+def test_an_efficiency_has_no_course_over_what_it_does_not_depend_on():
+    courses = results(INCLINE)["eta_P"].courses
+    assert [c.parameter for c in courses] == ["gamma", "mu"]

@@ -15,7 +15,7 @@ from ...model.result import Result
 from ..balance import Balance
 from .locking import sizes
 from .places import Places
-from .ranges import moving, range_of, shown, spaced, spans, turns, varying
+from .ranges import moved, range_of, shown, spaced, spans, turns
 from .results import FrictionResults
 from .states import Moving
 
@@ -73,7 +73,7 @@ class _Beside:
         found = (
             [f"{here.efficiency(0.0):.3g} at the default pose"] if self._is_far(here, 0.0) else []
         )
-        for name in varying(self._mechanism, (self._ideal, self._real)):
+        for name in moved(self._mechanism, (self._ideal, self._real)):
             found += self._along(name)
         if found:
             given = self._given(here, 0.0)
@@ -112,7 +112,7 @@ def _steep(balance: Balance, ideal: Result) -> Iterator[str]:
     mechanism, loads = balance.plan.graph.pose.mechanism, sizes(balance, ideal)
     if loads is None or ideal.default is None:
         return
-    for name in moving(mechanism, (ideal,)):
+    for name in moved(mechanism, (ideal,)):
         places, ends = Places(balance.plan, name, loads), range_of(name, mechanism)
         here = places.defaults[name]
         whole = ends or (here, here)

@@ -10,11 +10,14 @@ from ...model.result import Result
 from ..balance import Balance
 from .locking import sizes
 from .places import Places
-from .ranges import range_of, spaced, spans, unit_of, varying
+from .ranges import moved, range_of, spaced, spans, unit_of, varying
 from .states import Moving
 
 PLACES, ITERATED = 48, 12
 """Places at which a range is looked at; fewer where friction is found by iteration."""
+
+SAME = 1e-9
+"""What varies less is the same: the efficiency does not depend on that parameter."""
 
 
 def courses(balance: Balance, efficiency: Result) -> Iterator[Course]:
@@ -24,11 +27,13 @@ def courses(balance: Balance, efficiency: Result) -> Iterator[Course]:
     ideal = next(r for r in balance.results if r.target == of)
     real = next(r for r in balance.results if r.target == WithFriction(of, sense))
     mechanism, loads = balance.plan.graph.pose.mechanism, sizes(balance, real)
+    turning = set(moved(mechanism, (ideal, real)))
     for name in varying(mechanism, (ideal, real)) if loads is not None else ():
         ends = range_of(name, mechanism)
         if ends:
             moving = Moving(Places(balance.plan, name, loads or {}), ideal, real, sense)
-            if course := _Run(moving, *ends).course(name, unit_of(name, mechanism)):
+            course = _Run(moving, *ends).course(name, unit_of(name, mechanism))
+            if course and (name in turning or course.greatest - course.least > SAME):
                 yield course
 
 

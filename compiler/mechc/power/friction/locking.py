@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import chain, groupby, pairwise
 
+from ...algebra.from_formula import to_product
 from ...formula.operations import count_operations
 from ...formula.solved import Solution, poles, zeros
 from ...formula.tree import Formula
@@ -221,7 +222,8 @@ class _Stretches:
         for solution in chain(*(solve(result.formula, self.name) for solve in ways)):
             exact = solution.at(place, values)
             if exact is not None and symbols(exact).isdisjoint(varying) and _is_short(exact):
-                return Bound(evaluate(exact, values), exact, is_dead_centre)
+                shown = exact if solution.period else to_product(exact).formula()
+                return Bound(evaluate(exact, values), shown, is_dead_centre)
         return Bound(place, None, is_dead_centre)
 
 

@@ -26,7 +26,7 @@ def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
             yield parameter.name
 
 
-def moving(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
+def moved(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
     """Yield those among them that may pass a dead centre: the drive and angles."""
     drive = mechanism.drive.parameter if mechanism.drive else ""
     for name in varying(mechanism, results):
