@@ -78,6 +78,30 @@ def test_a_length_between_points_keeps_off_the_speed() -> None:
     assert r"V_A=O_{1}A\cdot \omega_{O_{1}A}" in mechc.load("stephenson_six_bar").emit("latex")
 
 
+OFFSET_SLIDER = """
+param r = 30 mm
+param phi = 50 deg
+pivot O at (0 m, 0 m)
+slider B along x through (0 m, 20 mm)
+link OA
+link AB
+OA = r @ phi
+AB = 0.1 m
+torque M on OA
+force F at B along -x
+find k = M/F
+"""
+
+
+def test_given_places_have_their_unit_and_are_no_joints() -> None:
+    text = mechc.loads(OFFSET_SLIDER).emit("latex")
+    assert r"Pinned to the ground: $O$." in text
+    assert r"with the direction $0^\circ$, through $B_{0}$." in text
+    assert r"$B_{0}$ & $(0;\ 0.02\,\text{m})$" in text
+    assert "Numbers that stand for lengths in formulas are in metres." in text
+    assert "are in metres" not in report()
+
+
 def test_signed_speeds_are_not_called_magnitudes() -> None:
     clamp = mechc.load("equalising_clamp").emit("latex")
     assert en.WORDS.signed in clamp

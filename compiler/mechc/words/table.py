@@ -23,6 +23,7 @@ class Words(NamedTuple):
 
     given: str
     conventions: str
+    metres: str
     symbol: str
     quantity: str
     value: str
@@ -31,6 +32,7 @@ class Words(NamedTuple):
 
     pivots: str
     slider: str
+    through: str
     rods: str
     bodies: str
     force: str

@@ -1,11 +1,13 @@
 """The report's first part: what was given, as tables and sentences."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple, assert_never
 
 from ...derivation.definitions import by_letter, is_by_letter
 from ...derivation.wording import enumeration
-from ...formula.tree import number
+from ...formula.names import split_points
+from ...formula.tree import ZERO, Formula, Number, Sum, number
+from ...formula.walk import symbols
 from ...model.mechanism import (
     GRAVITY,
     Arrow,
@@ -19,7 +21,7 @@ from ...model.mechanism import (
     Torque,
     Turn,
 )
-from ...units import DIMENSIONS
+from ...units import DIMENSIONS, LENGTH
 from ...words.table import Words
 from .directions import direction, math
 from .joints import joint_sentences
@@ -77,21 +79,49 @@ def _range(parameter: Parameter, words: Words, style: Notation) -> str:
     return math(rf"{low}\ \ldots\ {{{high}}}")
 
 
-def vector_row(entry: Geometry, style: Notation) -> VectorRow:
+def vector_row(entry: Geometry, words: Words, style: Notation) -> VectorRow:
     """Return one entry of the geometry."""
     match entry:
         case Arrow(tail, head, length, line):
             along = math(direction(line, style)) if line else ""
-            size = math(latex(length, style)) if length else ""
+            size = math(_length(length, words, style)) if length else ""
             return VectorRow(_vector(tail, head), size, along)
         case Offset(tail, head, x, y):
-            pair = math(rf"({latex(x, style)};\ {latex(y, style)})")
-            return VectorRow(_vector(tail, head), pair, "")
+            across, up = (_length(part, words, style) for part in (x, y))
+            return VectorRow(_vector(tail, head), math(rf"({across};\ {up})"), "")
         case Turn(first, vertex, second, angle):
             corner = rf"\angle {''.join(map(points, (first, vertex, second)))}"
             return VectorRow(math(corner), "", math(latex(angle, style, angle=True)))
         case _:
             assert_never(entry)
+
+
+def _length(formula: Formula, words: Words, style: Notation) -> str:
+    """Return a length; a number with its unit."""
+    if isinstance(formula, Number) and formula != ZERO:
+        return quantity(formula, LENGTH, "", words, style)
+    return latex(formula, style)
+
+
+def has_literal_lengths(geometry: Iterable[Geometry]) -> bool:
+    """Tell whether a length of the geometry is given by a number."""
+    return any(map(_has_number, _lengths(geometry)))
+
+
+def _lengths(geometry: Iterable[Geometry]) -> Iterator[Formula]:
+    for entry in geometry:
+        match entry:
+            case Arrow(length=length) if length is not None:
+                yield length
+            case Offset(x=x, y=y):
+                yield from (x, y)
+
+
+def _has_number(length: Formula) -> bool:
+    """Tell whether a term of a length has no symbol: it is a number of metres."""
+    if isinstance(length, Sum):
+        return any(map(_has_number, length.terms))
+    return length != ZERO and not symbols(length)
 
 
 def _vector(tail: str, head: str) -> str:
@@ -109,11 +139,13 @@ def scheme(mechanism: Mechanism, words: Words, style: Notation) -> tuple[str, ..
 
 
 def _joints(mechanism: Mechanism, words: Words, style: Notation) -> list[str]:
-    pivots = _listed((p.point for p in mechanism.pivots), words)
+    pivots = _listed((p.point for p in mechanism.pivots if split_points(p.point)), words)
     sentences = [words.pivots.format(points=pivots)] if pivots else []
     for slider in mechanism.sliders:
         along = math(direction(slider.along, style))
-        sentences.append(words.slider.format(point=math(points(slider.point)), direction=along))
+        guided = words.slider.format(point=math(points(slider.point)), direction=along)
+        through = slider.through and words.through.format(point=math(points(slider.through)))
+        sentences.append(guided + (through or ""))
     return sentences
 
 

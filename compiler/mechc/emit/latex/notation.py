@@ -139,8 +139,14 @@ def points(names: str) -> str:
 
     >>> points("O1B'")
     "O_{1}B'"
+    >>> points("A_0")
+    'A_{0}'
     """
-    return "".join(map(_point, split_points(names))) or rf"\mathrm{{{names}}}"
+    own, _, index = names.partition("_")
+    found = split_points(own)
+    if index and found:
+        found = (*found[:-1], found[-1]._replace(number=f"{found[-1].number}{index}"))
+    return "".join(map(_point, found)) or rf"\mathrm{{{names}}}"
 
 
 def _point(point: Point) -> str:

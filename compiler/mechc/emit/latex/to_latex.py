@@ -4,7 +4,7 @@ A fragment needs amsmath, array, booktabs and longtable; where it holds Cyrillic
 also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -17,13 +17,13 @@ from ...derivation.wording import Sides, lines, sentence
 from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
-from ...model.mechanism import Parameter, WithFriction
+from ...model.mechanism import Geometry, Parameter, WithFriction
 from ...units import ANGLE
 from ...words import en, ru, uk
 from ...words.table import Words
 from ..target import Compiled, Emitted, Options
 from .display import LINE, Line, display, vanishing
-from .given import ParameterRow, VectorRow, parameter_row, scheme, vector_row
+from .given import ParameterRow, VectorRow, has_literal_lengths, parameter_row, scheme, vector_row
 from .notation import Notation, notation, of_first_order, of_force, spellings
 from .printer import Box, box, plain, row
 from .results import SectionBlock, Speller, check, numbers, section_block
@@ -150,14 +150,14 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
     return Report(
         words=words,
         made_by=words.made_by.format(version=compiled.version),
-        conventions=words.conventions.format(x="$x$"),
+        conventions=_conventions(mechanism.geometry, words),
         convention_of_speeds=_convention(derivation, words),
         section="subsection" if fragment else "section",
         title=escape(mechanism.title or mechanism.name),
         source=escape(mechanism.source),
         parameters=tuple(parameter_row(p, words, style) for p in _given(compiled)),
         scheme=scheme(mechanism, words, style),
-        vectors=tuple(vector_row(entry, style) for entry in mechanism.geometry),
+        vectors=tuple(vector_row(entry, words, style) for entry in mechanism.geometry),
         steps=tuple(_step(step, words, style) for step in derivation.steps),
         several=_several(derivation, words),
         balances=_balances(derivation.balances, words, style),
@@ -167,6 +167,12 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
         check=check(verdict, words, style),
         remarks=tuple(map(escape, verdict.remarks)),
     )
+
+
+def _conventions(geometry: Sequence[Geometry], words: Words) -> str:
+    """Return from where angles are counted, and the unit of lengths written as numbers."""
+    angles = words.conventions.format(x="$x$")
+    return f"{angles} {words.metres}" if has_literal_lengths(geometry) else angles
 
 
 def _step(step: Step, words: Words, style: Notation) -> StepBlock:
