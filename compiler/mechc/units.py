@@ -201,5 +201,8 @@ UNITS: dict[str, Unit] = {
     "W": _unit(1, POWER),
     "kW": _unit(1000, POWER),
     "J": _unit(1, TORQUE),
+    "1/m": _unit(1, Dimension(-1)),
+    "1/mm": _unit(1000, Dimension(-1)),
+    "1/s": _unit(1, FREQUENCY),
 }
 """Every unit a number may carry, longest match first when read (``N*mm`` before ``N``)."""

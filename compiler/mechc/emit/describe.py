@@ -13,7 +13,7 @@ from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Definition
 from ..routine.steps import Function, Guard, Input
-from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension
+from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension, base_units
 
 _SI = {
     NUMBER: "",
@@ -47,13 +47,10 @@ def one_line(words: str) -> str:
 def si_unit(dimension: Dimension) -> str:
     """Return the SI unit of a dimension, '' for a bare number.
 
-    >>> si_unit(Dimension(length=1, mass=1, time=-2)), si_unit(Dimension(length=4))
-    ('N', 'm^4')
+    >>> si_unit(Dimension(length=1, mass=1, time=-2)), si_unit(Dimension(length=-1))
+    ('N', '1/m')
     """
-    if dimension in _SI:
-        return _SI[dimension]
-    bases = zip(("m", "kg", "s", "rad"), dimension, strict=True)
-    return "*".join(f"{base}^{size}" if size != 1 else base for base, size in bases if size)
+    return _SI[dimension] if dimension in _SI else base_units(dimension)
 
 
 def dimension_name(dimension: Dimension) -> str:

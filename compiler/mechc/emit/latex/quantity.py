@@ -17,7 +17,7 @@ from fractions import Fraction
 from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number
 from ...formula.walk import evaluate
-from ...units import ANGLE, NUMBER, UNITS, Dimension
+from ...units import ANGLE, NUMBER, UNITS, Dimension, base_units
 from ...words.table import Words
 from .notation import Notation
 
@@ -37,15 +37,15 @@ def measured(value: float, dimension: Dimension, words: Words, style: Notation) 
 
 
 def usual_unit(dimension: Dimension) -> str:
-    """Return degrees for an angle, else the SI unit; ``""`` where no name is known."""
+    """Return degrees for an angle, else the SI unit, made of base units where it has no name."""
     if dimension in (ANGLE, NUMBER):
         return "deg" if dimension == ANGLE else ""
     known = (name for name, u in UNITS.items() if u.factor == 1 and u.dimension == dimension)
-    return next(known, "")
+    return next(known, base_units(dimension))
 
 
 def _factor(unit: str) -> float:
-    if not unit:
+    if unit not in UNITS:
         return 1.0
     known = UNITS[unit]
     return float(known.factor) * (math.pi if known.pi else 1.0)
@@ -77,12 +77,13 @@ def unit_symbol(unit: str, words: Words) -> str:
     r"""Return a unit behind its number.
 
     >>> from ...words.uk import WORDS
-    >>> unit_symbol("m/s^2", WORDS)
-    '\\,\\text{м}/\\text{с}^2'
+    >>> unit_symbol("m/s^2", WORDS), unit_symbol("1/m", WORDS)
+    ('\\,\\text{м}/\\text{с}^2', '\\,\\text{м}^{-1}')
     """
     if not unit:
         return ""
     if unit == "deg":
         return r"^\circ"
+    unit = re.sub(r"^1/([A-Za-z]+)(?:\^(\d+))?", lambda m: f"{m[1]}^{{-{m[2] or 1}}}", unit)
     letters = re.sub("[A-Za-z]+", lambda m: rf"\text{{{words.units.get(m[0], m[0])}}}", unit)
     return r"\," + letters.replace("*", r"\cdot ")

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Set
 from typing import Literal, Protocol
 
 from ...algebra.angle import Angle, Rational
-from ...algebra.factors import Length, Opaque, Trig
+from ...algebra.factors import Factor, Length, Opaque, Trig
 from ...algebra.product import Product, Sum
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula
@@ -106,6 +106,10 @@ class AtAnyPose(_Names):
 
     is_read = False
 
+    def __init__(self, taken: Set[str]) -> None:
+        super().__init__(taken)
+        self._own: set[Factor] = set()
+
     def radius(self, name: str, factor: Product) -> Product:
         """Return the radius as it is."""
         return factor
@@ -121,11 +125,17 @@ class AtAnyPose(_Names):
             return telling
         positive = Product(1, telling.factors)
         known = self.define(name, Call("sign", (positive.formula(),)))
+        self._own.add(Length(known))
         return Product.symbol(known).scaled(telling.coefficient)
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a named angle, which carries its sign."""
-        return self.turn(name, line, by, value) if value else line
+        return self.turn(name, line, by, self._bare(value)) if value else line
+
+    def _bare(self, value: Product) -> Product:
+        """Return a product without the squares of signs, which are 1 but at single poses."""
+        odd = {f: e for f, e in value.factors.items() if e % 2 or f not in self._own}
+        return Product(value.coefficient, {f: 1 if f in self._own else e for f, e in odd.items()})
 
 
 class AtOnePose(_Names):

@@ -1,0 +1,46 @@
+"""Units that are printed can be typed: a ratio of a force and a couple is in 1/m."""
+
+import pytest
+
+import mechc
+from mechc.cli.check import report
+from mechc.driver import compile_source
+from mechc.emit.describe import si_unit
+from mechc.source import Source
+from mechc.units import UNITS, Dimension
+
+LEVER = """param a = 40 mm
+pivot O
+link OA
+OA = a @ 0 deg
+torque T on OA
+force F at A along -90 deg
+find k = F/T
+"""
+
+
+@pytest.mark.parametrize("value", ["25 1/m", "0.025 1/mm", "1/(40 mm)"])
+def test_a_ratio_of_a_force_and_a_couple_is_expected(value):
+    lines = list(
+        report(compile_source(Source("u.mech", f"{LEVER}expect k = {value} at a = 40 mm\n")), False)
+    )
+    assert any("agrees (25)" in line or "proved" in line for line in lines)
+    assert "    = 25 1/m at the default pose" in lines
+
+
+def test_a_report_says_the_unit():
+    assert r"$k=25\,\text{m}^{-1}$" in mechc.loads(LEVER, "u.mech").emit("latex")
+    assert r"$k=25\,\text{м}^{-1}$" in mechc.loads(LEVER, "u.mech").emit("latex", language="uk")
+
+
+@pytest.mark.parametrize("unit", UNITS)
+def test_the_unit_printed_for_what_a_unit_measures_can_be_typed(unit):
+    shown = si_unit(UNITS[unit].dimension)
+    assert shown in UNITS
+    assert UNITS[shown].dimension == UNITS[unit].dimension
+    assert UNITS[shown].factor == 1
+
+
+def test_other_dimensions_are_quotients_of_base_units():
+    assert si_unit(Dimension(-2, 1)) == "kg/m^2"
+    assert si_unit(Dimension(-2)) == "1/m^2"
