@@ -101,8 +101,10 @@ def _opening(
     kind = steps[0].kind
     if kind == "efficiency":
         return
-    if kind != "first order":
-        yield Passage(Saying.TIGHTENING if target.sense == "tightening" else Saying.RELEASING)
+    drive = _driving(target)
+    if drive is not None and kind != "first order":
+        saying = Saying.TIGHTENING if target.sense == "tightening" else Saying.RELEASING
+        yield Passage(saying, formulas={"drive": drive})
     if kind not in ("first order", "straight", "iterated"):
         yield from told.once(_how(steps, mechanism))
     if isinstance(target.of, LoadRatio):

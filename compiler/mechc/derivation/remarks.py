@@ -49,11 +49,12 @@ def heading(result: Result, words: Words, spell: Speller) -> str:
             return words.speed_ratio
         case Reaction() | Axial() | Normal():
             return words.joint_force
-        case WithFriction(Reaction() | Axial() | Normal()):
-            return words.joint_force_with_friction
-        case WithFriction(_, sense, order):
+        case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
             said = words.with_friction["first" if order == "first" else sense]
+            said = said.format(drive=_spelled(Symbol(drive), spell))
             return f"{said} ({_spelled(asked(result), spell)})"
+        case WithFriction():
+            return words.joint_force_with_friction
         case Efficiency():
             return words.efficiency
         case None:

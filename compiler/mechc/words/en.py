@@ -57,8 +57,8 @@ WORDS = Words(
         "screw": "friction in the thread of the screw at {point}: coefficient {value}, mean "
         "diameter {diameter}",
         "efficiency": "the efficiency is {value}",
-        "tightening": "with friction the drive moves along its force",
-        "releasing": "with friction the drive yields and moves against its force",
+        "tightening": "with friction the motion is along the arrow of {loads}",
+        "releasing": "with friction the motion is against the arrow of {loads}",
     },
     geometry="Geometry",
     vector="Vector",
@@ -112,9 +112,9 @@ WORDS = Words(
         "line.",
         "smooth": "The guide of {point} presses across itself only.",
         "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
-        "tightening": "The drive moves along its force; friction acts against every slip.",
-        "releasing": "The drive yields and moves against its force; friction acts against every "
-        "slip of this motion.",
+        "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
+        "releasing": "The motion is against the arrow of {drive}; friction acts against every "
+        "slip.",
         "pins rub": "The friction of a pin is a couple: the force on the pin times the radius "
         "{radius} of the friction circle.",
         "guides rub": "The friction of a guide is its coefficient times the force across it.",
@@ -172,8 +172,8 @@ WORDS = Words(
     joint_force="Force at a joint",
     joint_force_with_friction="Force at a joint, with friction",
     with_friction={
-        "tightening": "With friction, tightening",
-        "releasing": "With friction, releasing",
+        "tightening": "With friction, {drive} drives",
+        "releasing": "With friction, {drive} yields",
         "first": "With friction, to first order",
     },
     efficiency="Efficiency",

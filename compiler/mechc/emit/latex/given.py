@@ -133,7 +133,7 @@ def scheme(mechanism: Mechanism, words: Words, style: Notation) -> tuple[str, ..
     sentences = [*_joints(mechanism, words, style), *_links(mechanism, words)]
     sentences += joint_sentences(mechanism, words, style)
     sentences += (_load(load, words, style) for load in mechanism.loads)
-    sentences += rubbing_sentences(mechanism.friction, words, style)
+    sentences += rubbing_sentences(mechanism, words, style)
     sentences += _symmetry(mechanism, words, style)
     return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
 

@@ -7,6 +7,9 @@ from ...derivation.wording import enumeration
 from ...formula.tree import Formula, Product
 from ...model.mechanism import (
     Friction,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
     Rubbing,
     RubbingFace,
     RubbingGuide,
@@ -16,12 +19,13 @@ from ...model.mechanism import (
 )
 from ...words.table import Words
 from .directions import math
-from .notation import Notation, points
+from .notation import Notation, name, points
 from .printer import latex
 
 
-def rubbing_sentences(friction: Friction, words: Words, style: Notation) -> Iterator[str]:
+def rubbing_sentences(mechanism: Mechanism, words: Words, style: Notation) -> Iterator[str]:
     """Yield a sentence for all pins of one radius, each other joint, and the motion meant."""
+    friction = mechanism.friction
     if friction.is_ideal:
         return
     if friction.efficiency is not None:
@@ -31,7 +35,18 @@ def rubbing_sentences(friction: Friction, words: Words, style: Notation) -> Iter
         yield from _pins(friction, words, style)
         for rub in friction.rubbing:
             yield from _joint(rub, words, style)
-    yield words.rubbing[friction.sense]
+    if drives := [math(name(drive, style)) for drive in _driving(mechanism)]:
+        yield words.rubbing[friction.sense].format(loads=enumeration(drives, words))
+
+
+def _driving(mechanism: Mechanism) -> list[str]:
+    """Return the loads that drive, or yield, in what is asked for."""
+    drives = []
+    for find in mechanism.finds:
+        match find.target:
+            case LoadRatio(drive) | LoadForm(drive):
+                drives.append(drive)
+    return list(dict.fromkeys(drives))
 
 
 def _pins(friction: Friction, words: Words, style: Notation) -> Iterator[str]:
