@@ -102,6 +102,28 @@ def test_given_places_have_their_unit_and_are_no_joints() -> None:
     assert "are in metres" not in report()
 
 
+LEVER_ON_A_ROD = """
+param alpha = 15 deg
+pivot C
+slider S along x
+link CAD
+link SA
+CA = 60 mm @ 90 deg - alpha
+CD = 90 mm @ 90 deg - alpha
+SA = 50 mm @ 10 deg
+force P at S along x
+force F at D along -x
+find N_SA
+friction pin C 0.1 diameter 10 mm
+"""
+
+
+def test_a_direction_is_in_degrees_and_a_radius_has_its_unit() -> None:
+    text = mechc.loads(LEVER_ON_A_ROD).emit("latex")
+    assert r"in the direction $10^\circ$ with the velocity $u$" in text
+    assert r"the radius of its friction circle is $0.0005\,\text{m}$" in text
+
+
 def test_signed_speeds_are_not_called_magnitudes() -> None:
     clamp = mechc.load("equalising_clamp").emit("latex")
     assert en.WORDS.signed in clamp

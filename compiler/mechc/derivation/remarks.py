@@ -33,7 +33,10 @@ def said(passage: Passage, words: Words, spell: Speller) -> str:
         for place, listed in passage.names.items()
         if listed
     }
-    formulas = {place: _spelled(f, spell) for place, f in passage.formulas.items()}
+    formulas = {
+        place: spell.relation((f,), (), place == "direction")
+        for place, f in passage.formulas.items()
+    }
     held = " " + words.held.format(loads=names["held"]) if "held" in names else ""
     return words.sayings[passage.saying].format_map({**names, **formulas, "held": held})
 

@@ -6,7 +6,7 @@ from typing import NamedTuple, assert_never
 from ...derivation.definitions import by_letter, is_by_letter
 from ...derivation.wording import enumeration
 from ...formula.names import split_points
-from ...formula.tree import ZERO, Formula, Number, Sum, number
+from ...formula.tree import ZERO, Formula, Sum, number
 from ...formula.walk import symbols
 from ...model.mechanism import (
     GRAVITY,
@@ -21,13 +21,13 @@ from ...model.mechanism import (
     Torque,
     Turn,
 )
-from ...units import DIMENSIONS, LENGTH
+from ...units import DIMENSIONS
 from ...words.table import Words
 from .directions import direction, math
 from .joints import joint_sentences
 from .notation import Notation, name, points
 from .printer import latex
-from .quantity import quantity, unit_symbol, usual_unit
+from .quantity import length_of, quantity, unit_symbol, usual_unit
 from .rubbing import rubbing_sentences
 from .text import escape
 
@@ -84,23 +84,16 @@ def vector_row(entry: Geometry, words: Words, style: Notation) -> VectorRow:
     match entry:
         case Arrow(tail, head, length, line):
             along = math(direction(line, style)) if line else ""
-            size = math(_length(length, words, style)) if length else ""
+            size = math(length_of(length, words, style)) if length else ""
             return VectorRow(_vector(tail, head), size, along)
         case Offset(tail, head, x, y):
-            across, up = (_length(part, words, style) for part in (x, y))
+            across, up = (length_of(part, words, style) for part in (x, y))
             return VectorRow(_vector(tail, head), math(rf"({across};\ {up})"), "")
         case Turn(first, vertex, second, angle):
             corner = rf"\angle {''.join(map(points, (first, vertex, second)))}"
             return VectorRow(math(corner), "", math(latex(angle, style, angle=True)))
         case _:
             assert_never(entry)
-
-
-def _length(formula: Formula, words: Words, style: Notation) -> str:
-    """Return a length; a number with its unit."""
-    if isinstance(formula, Number) and formula != ZERO:
-        return quantity(formula, LENGTH, "", words, style)
-    return latex(formula, style)
 
 
 def has_literal_lengths(geometry: Iterable[Geometry]) -> bool:

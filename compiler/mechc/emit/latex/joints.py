@@ -2,12 +2,11 @@
 
 from collections.abc import Iterator
 
-from ...formula.tree import Formula
 from ...model.mechanism import Mechanism, Mesh
 from ...words.table import Words
 from .directions import direction, math
 from .notation import Notation, points
-from .printer import latex
+from .quantity import length_of
 
 
 def joint_sentences(mechanism: Mechanism, words: Words, style: Notation) -> Iterator[str]:
@@ -30,10 +29,14 @@ def joint_sentences(mechanism: Mechanism, words: Words, style: Notation) -> Iter
         yield _mesh(mesh, words, style)
     for rack in mechanism.racks:
         point, pivot = math(points(rack.point)), math(points(rack.pivot))
-        yield say["rack"].format(point=point, pivot=pivot, radius=_length(rack.radius, style))
+        yield say["rack"].format(
+            point=point, pivot=pivot, radius=math(length_of(rack.radius, words, style))
+        )
     for screw in mechanism.screws:
         link, point = math(points(screw.link)), math(points(screw.point))
-        yield say["screw"].format(link=link, point=point, pitch=_length(screw.pitch, style))
+        yield say["screw"].format(
+            link=link, point=point, pitch=math(length_of(screw.pitch, words, style))
+        )
 
 
 def _mesh(mesh: Mesh, words: Words, style: Notation) -> str:
@@ -46,10 +49,6 @@ def _mesh(mesh: Mesh, words: Words, style: Notation) -> str:
     return words.joints[kinds[mesh.kind, mesh.same]].format(
         first=math(points(mesh.first)),
         second=math(points(mesh.second)),
-        one=_length(mesh.first_radius, style),
-        two=_length(mesh.second_radius, style),
+        one=math(length_of(mesh.first_radius, words, style)),
+        two=math(length_of(mesh.second_radius, words, style)),
     )
-
-
-def _length(formula: Formula, style: Notation) -> str:
-    return math(latex(formula, style))

@@ -15,11 +15,12 @@ import re
 from fractions import Fraction
 
 from ...formula.layout import in_degrees
-from ...formula.tree import Formula, Number
+from ...formula.tree import ZERO, Formula, Number
 from ...formula.walk import evaluate
-from ...units import ANGLE, NUMBER, UNITS, Dimension, base_units
+from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units
 from ...words.table import Words
 from .notation import Notation
+from .printer import latex
 
 _DIGITS = 6
 
@@ -28,6 +29,13 @@ def quantity(value: Formula, dimension: Dimension, unit: str, words: Words, styl
     """Return a constant, given in SI, in a unit (the SI unit when none was written)."""
     chosen = unit or usual_unit(dimension)
     return decimal(_in_unit(value, chosen), style) + unit_symbol(chosen, words)
+
+
+def length_of(formula: Formula, words: Words, style: Notation) -> str:
+    """Return a length; a number with its unit."""
+    if isinstance(formula, Number) and formula != ZERO:
+        return quantity(formula, LENGTH, "", words, style)
+    return latex(formula, style)
 
 
 def measured(value: float, dimension: Dimension, words: Words, style: Notation) -> str:

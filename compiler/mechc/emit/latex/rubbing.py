@@ -21,6 +21,7 @@ from ...words.table import Words
 from .directions import math
 from .notation import Notation, name, points
 from .printer import latex
+from .quantity import length_of
 
 
 def rubbing_sentences(mechanism: Mechanism, words: Words, style: Notation) -> Iterator[str]:
@@ -56,7 +57,9 @@ def _pins(friction: Friction, words: Words, style: Notation) -> Iterator[str]:
             alike.setdefault(rub.radius, []).append(math(points(rub.point)))
     for radius, named in alike.items():
         template = words.rubbing["pins" if len(named) > 1 else "pin"]
-        yield template.format(points=enumeration(named, words), value=math(latex(radius, style)))
+        yield template.format(
+            points=enumeration(named, words), value=math(length_of(radius, words, style))
+        )
 
 
 def _joint(rub: Rubbing, words: Words, style: Notation) -> Iterator[str]:
@@ -72,7 +75,7 @@ def _joint(rub: Rubbing, words: Words, style: Notation) -> Iterator[str]:
         case RubbingMesh(kind, _, factor):
             yield words.rubbing[kind].format(point=point, value=math(latex(factor, style)))
         case RubbingThread(_, factor, thread):
-            value, diameter = math(latex(factor, style)), math(latex(thread, style))
+            value, diameter = math(latex(factor, style)), math(length_of(thread, words, style))
             yield words.rubbing["screw"].format(point=point, value=value, diameter=diameter)
         case _:
             assert_never(rub)
