@@ -218,6 +218,21 @@ def length_open(at: Span, points: str) -> Words:
     )
 
 
+@coded("E311")
+def side_of_the_mirror(at: Span, point: str, load: str) -> Words:
+    """A pair acts across the mirror line, and nothing tells where that line is.
+
+    The line passes through the points that both halves share; from one of them vectors
+    lead to the point that is pushed::
+
+        mirror across y                    # wrong: no point is on the line
+        mirror across y sharing O          # right
+        actuator P between B and B'
+    """
+    message = f"nothing tells on which side of the mirror line {point} is, where {load} pushes it"
+    return Words(at, message, "name a point on the line, as in `mirror across y sharing O`")
+
+
 @coded("W301")
 def assembly_idle(at: Span, points: str) -> Words:
     """An ``assembly`` line decides nothing: all its points are placed without it.

@@ -181,7 +181,9 @@ def _part(symbol: ast.Symbol, scope: Scope) -> Part | None:
 def _load(symbol: ast.Symbol, scope: Scope) -> Part | None:
     entry = scope.entries.get(symbol.name)
     if entry is None:
-        scope.report.add(words.unknown_load(symbol.span, symbol.name, scope.names({"load"})))
+        is_speed = symbol.name.startswith(("V_", "omega_"))
+        loads = scope.names({"load"})
+        scope.report.add(words.unknown_load(symbol.span, symbol.name, loads, is_speed))
         return None
     if entry.kind != "load" or entry.dimension is None:
         scope.report.add(words.not_findable(symbol.span, f"'{symbol.name}' is a {entry.kind}"))

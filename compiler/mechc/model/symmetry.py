@@ -99,4 +99,6 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
         shown = scope.report.source.text[span.start : span.end]
         scope.report.add(words.copies_not_whole(span, shown))
         return None
+    if not statement.sharing:
+        scope.report.add(words.copies_apart(statement.span))
     return Copies(value, shared, statement.span)

@@ -86,9 +86,12 @@ def _across(thrust: Thrust, pairing: Pairing, axis: Angle) -> Angle:
     shared = mirror.sharing if mirror else ()
     paths = (pairing.vectors.path(point, thrust.first) for point in shared)
     vector = next((v for v in paths if v), None)
+    if vector is None and not shared:
+        pairing.report.add(words.side_of_the_mirror(thrust.span, thrust.first, thrust.name))
+        return axis + QUARTER
     if vector is None:
-        pairs = f"{shared[0] if shared else 'O'}{thrust.first}"
         what = f"the side of {thrust.first} on which {thrust.name} pushes it"
+        pairs = f"{shared[0]}{thrust.first}"
         pairing.report.add(words.missing_direction(thrust.span, pairs, what))
         return axis + QUARTER
     if _lacks_length(thrust, vector, pairing):

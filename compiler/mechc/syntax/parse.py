@@ -158,7 +158,7 @@ def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
         return f"a function needs brackets: {previous}({text})"
     if token.type in ("NAME", "LEFT") and before is not None and before.type in ENDS:
         return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
-    if text == "," and before is not None and before.type == "NUMBER" and "RIGHT" not in allowed:
+    if text == "," and previous.isdecimal() and "RIGHT" not in allowed:
         return "decimals are written with a point"
     if text == ":" and "TIMES_SIGN" in allowed:
         return "a quotient is written with '/'"

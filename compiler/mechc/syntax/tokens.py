@@ -141,7 +141,8 @@ def check_unit(number: Token, behind: Token) -> None:
     """Refuse a word behind a number that is no unit, and ``5 mm^7`` (is the unit cubed?)."""
     _, unit = split_quantity(number)
     if behind.type == "NAME":
-        raise Fault(syntax.unknown_unit(span_of(behind), str(behind), UNITS))
+        plain = [name for name in UNITS if name.isalpha()]
+        raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain))
     if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)
         power = f"a power of a quantity is written ({number})^…"

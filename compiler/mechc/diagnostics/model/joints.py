@@ -321,3 +321,13 @@ def guided_twice(at: Span, slide: str, point: str) -> Words:
         f"slider {point} is a point of the slide {slide}, which guides it by itself",
         f"leave the slider {point} out",
     )
+
+
+@coded("W242")
+def copies_apart(at: Span) -> Words:
+    """Equal branches share no point, so that each is a mechanism of its own.
+
+    copies 3               # warned of: k is that of one branch alone
+    copies 3 sharing K     # right: K belongs to all three
+    """
+    return Words(at, "the copies share no point, so each stands alone", "add `sharing K`")

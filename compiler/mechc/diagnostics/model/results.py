@@ -33,7 +33,7 @@ def not_findable(span: Span, hint: str = "") -> Words:
 
 
 @coded("E282")
-def unknown_load(span: Span, name: str, loads: Collection[str]) -> Words:
+def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) -> Words:
     """A ``find`` names a load that is not there.
 
     force P at A along x
@@ -41,6 +41,9 @@ def unknown_load(span: Span, name: str, loads: Collection[str]) -> Words:
     find k = P / G     # wrong
     find k = P / F     # right
     """
+    if is_speed:
+        message = f"'{name}' is no velocity: what stands behind the '_' is no point or link"
+        return Words(span, message, "write V_A for a point A, omega_OA for a link OA")
     return Words(span, f"there is no load '{name}'", offered(name, loads, "loads"))
 
 
