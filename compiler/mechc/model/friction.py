@@ -5,6 +5,7 @@ from fractions import Fraction
 from typing import Literal
 
 from ..diagnostics.model import friction as words
+from ..diagnostics.model.reactions import several_touch
 from ..formula.tree import Call, Formula, number, product, total
 from ..formula.walk import evaluate, symbols
 from ..source import Span
@@ -214,8 +215,11 @@ def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[Rubbing]:
     if not scope.points.acting(statement.point) or f is None:
         return
     point = statement.point
-    if point.text in scope.points.touching:
+    touching = scope.points.touching[point.text]
+    if touching == 1:
         yield RubbingFace(point.text, f, statement.span)
+    elif touching:
+        scope.report.add(several_touch(point.span, point.text))
     else:
         scope.report.add(words.nothing_touches(point.span, point.text))
 
@@ -233,15 +237,17 @@ def _transmission(
     kind: Literal["gear", "belt", "rack", "screw"]
     match statement:
         case ast.GearFriction():
-            kind, there = "gear", {m.first for m in built.meshes if m.kind == "gear"}
+            kind, there = "gear", [m.first for m in built.meshes if m.kind == "gear"]
         case ast.BeltFriction():
-            kind, there = "belt", {m.first for m in built.meshes if m.kind == "belt"}
+            kind, there = "belt", [m.first for m in built.meshes if m.kind == "belt"]
         case ast.RackFriction():
-            kind, there = "rack", {r.point for r in built.racks}
+            kind, there = "rack", [r.point for r in built.racks]
         case _:
-            kind, there = "screw", {s.point for s in built.screws}
+            kind, there = "screw", [s.point for s in built.screws]
     if point.text not in there:
         scope.report.add(words.no_transmission(point.span, kind, point.text, sorted(there)))
+    elif there.count(point.text) > 1:
+        scope.report.add(words.several_transmissions(point.span, kind, point.text))
     elif isinstance(statement, ast.ScrewFriction):
         thread = _length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:

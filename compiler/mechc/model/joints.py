@@ -27,7 +27,7 @@ def declare_points(file: ast.File, points: Points) -> None:
             case ast.Telescope(points=name):
                 points.used.update(points.declare(name) or ())
             case ast.Slot(point=name) | ast.Contact(point=name):
-                points.touching.add(name.text)
+                points.touching[name.text] += 1
             case ast.Link(points=name, label=label):
                 _add_link(name, label, points)
     _check_joints(file, points)

@@ -18,8 +18,8 @@ class Points:
 
     ``places`` tells where each point was first named; ``carried`` the links through it,
     ``bodies`` the link through a set of points, ``slides`` the name of a slide through one;
-    ``fixed``, ``guided`` and ``touching`` hold the pivots, the sliders, and what is in a
-    slot or in contact; ``used`` counts what acts at a point or asks for it.
+    ``fixed`` and ``guided`` hold the pivots and the sliders; ``touching`` counts the slots
+    and contacts of a point, ``used`` what acts at a point or asks for it.
     """
 
     def __init__(self, report: Report) -> None:
@@ -31,7 +31,7 @@ class Points:
         self.slides: dict[frozenset[str], ast.Name] = {}
         self.fixed: set[str] = set()
         self.guided: set[str] = set()
-        self.touching: set[str] = set()
+        self.touching: Counter[str] = Counter()
         self.used: Counter[str] = Counter()
 
     def split(self, name: ast.Name) -> tuple[str, ...] | None:

@@ -60,7 +60,7 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -
         scope.report.add(words.point_of_another(symbol.span, point, link.name))
         return False
     joined = len(points.carried[point]) > 1 or any(point in s for s in points.slides)
-    if not joined and point not in points.fixed | points.guided | points.touching:
+    if not joined and point not in points.fixed | points.guided | points.touching.keys():
         scope.report.add(words.no_joint(symbol.span, point, link.name))
         return False
     return True
@@ -78,7 +78,10 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
 
 
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
-    if point not in scope.points.guided | scope.points.touching:
+    if scope.points.touching[point] > 1:
+        scope.report.add(words.several_touch(symbol.span, point))
+        return None
+    if point not in scope.points.guided | scope.points.touching.keys():
         on_slide = any(point in s for s in scope.points.slides)
         scope.report.add(words.nothing_normal(symbol.span, point, on_slide))
         return None

@@ -106,6 +106,22 @@ def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> 
     return Words(span, message, hint)
 
 
+@coded("E279")
+def several_transmissions(span: Span, kind: str, point: str) -> Words:
+    """Friction of a gear, belt, rack or screw is given where several have the same name.
+
+    Two wheels that mesh may be written in either order.
+
+        gear O1 20 mm, O2 40 mm
+        gear O1 20 mm, O3 30 mm     # wrong beside 'friction gear O1 0.02'
+        gear O3 30 mm, O1 20 mm     # right: 'friction gear O3 0.02' names it
+    """
+    named = {"gear": "pairs of gears begin", "belt": "belts begin"}
+    message = f"several {named.get(kind, f'{kind}s are')} at {point}, and this does not tell which"
+    hint = "write the other wheel of one of them first" if kind in named else ""
+    return Words(span, message, hint)
+
+
 @coded("E278")
 def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fraction) -> Words:
     """A guide rubs in one half, or branch, of a mechanism whose other halves are left out.

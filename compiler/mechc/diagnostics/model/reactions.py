@@ -60,6 +60,18 @@ def not_a_rod(span: Span, link: str, number: int) -> Words:
     return Words(span, message, "ask for the force at a pin, as in 'find R_B on BOD'")
 
 
+@coded("E256")
+def several_touch(span: Span, point: str) -> Words:
+    """A pin is in several slots or contacts, and one of them is named by it.
+
+    slot A in OB
+    slot A in QC
+    find N_A     # wrong: of which slot?
+    """
+    message = f"{point} is in several slots or contacts, and this does not tell which"
+    return Words(span, message, "let a link with a pin of its own be in one of them")
+
+
 @coded("E254")
 def nothing_normal(span: Span, point: str, on_slide: bool) -> Words:
     """``N_A`` is the force of a guide, a slot or a contact on point A.
