@@ -200,11 +200,12 @@ def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
     pivots = tuple(p for p in mechanism.pivots if p.point != point)
     sliders = tuple(s for s in mechanism.sliders if s.point != point)
     guides = {p: direction for p, direction in pose.guides.items() if p != point}
+    left = {p: pose.guides[p] for p in pose.guides.keys() - guides.keys()}
     if len(pivots) < len(mechanism.pivots):
         guides[point] = along
     free = replace(mechanism, pivots=pivots, sliders=sliders)
     return Released(
-        replace(pose, mechanism=free, guides=guides),
+        replace(pose, mechanism=free, guides=guides, left=left),
         lambda graph: projection(graph.velocities[point], along),
     )
 
@@ -216,8 +217,9 @@ def _without_slide(pose: Pose, bond: Bond, along: Angle) -> Released:
     slides = tuple(s for s in mechanism.slides if s is not slide)
     link = Link(slide.name, slide.points, slide.span)
     free = replace(mechanism, slides=slides, links=(*mechanism.links, link))
+    left = dict.fromkeys(slide.points, pose.slides[slide.name])
     return Released(
-        replace(pose, mechanism=free),
+        replace(pose, mechanism=free, left=left),
         lambda graph: projection(graph.velocities[bond.point], along),
         (lambda graph: spin(graph, slide.name),),
     )

@@ -106,6 +106,8 @@ class Pose:
     ``limits`` are where the closures of the loops meet, in names that ``closing`` defines,
     those among them that nothing else needs. ``vectors`` are those between two points that
     the description gives, or that a loop gives it a place by, whatever bodies they are on.
+    ``left[point]`` is the direction of a guide that was let go, along which a rack or a nut
+    is still led.
     """
 
     mechanism: Mechanism
@@ -123,6 +125,7 @@ class Pose:
     limits: tuple[Limit, ...] = ()
     closing: tuple[Definition, ...] = ()
     vectors: Mapping[tuple[str, str], Vector] = MappingProxyType({})
+    left: Mapping[str, Angle] = MappingProxyType({})
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""
@@ -134,7 +137,7 @@ class Pose:
         if point in self.guides:
             return self.guides[point]
         slides = (s.name for s in self.mechanism.slides if point in s.points)
-        return next((self.slides[name] for name in slides), None)
+        return next((self.slides[name] for name in slides), self.left.get(point))
 
 
 def reverse(vector: Vector) -> Vector:

@@ -24,12 +24,12 @@ def resting_on(plan: Plan, formula: Formula, values: Sequence[Product]) -> tuple
 
 def bound_sums(plan: Plan, values: Iterable[Product]) -> list[Definition]:
     """Return the named sums of a plan that products rest on, in order."""
-    bound = {name for value in values for name in _bound_names(value)}
+    bound = {name for value in values for name in bound_names(value)}
     chosen: list[Definition] = []
     for binding in reversed(plan.bindings):
         if binding.name in bound:
             chosen.append(Definition(binding.name, binding.value.formula()))
-            bound |= set(_bound_names(binding.value))
+            bound |= set(bound_names(binding.value))
     return chosen[::-1]
 
 
@@ -46,14 +46,14 @@ def intermediates(plan: Plan, formulas: Sequence[Formula]) -> list[Definition]:
     return chosen[::-1]
 
 
-def _bound_names(value: Product) -> Iterator[str]:
+def bound_names(value: Product) -> Iterator[str]:
     """Yield the bound names that a product mentions, in its sums too."""
     for factor in value.factors:
         if isinstance(factor, Bound):
             yield factor.name
         elif isinstance(factor, Sum):
             for term in factor.terms:
-                yield from _bound_names(term)
+                yield from bound_names(term)
 
 
 def let_results(plan: Plan, results: Sequence[Result]) -> Iterator[Result]:

@@ -241,7 +241,7 @@ class _Asked:
     def _reactions(self) -> "Reactions":
         from .reactions import Reactions
 
-        return Reactions(self._plan.graph.pose, self._driving())
+        return Reactions(self._plan.graph.pose, self._driving(), known=(self._plan,))
 
     def _driving(self) -> tuple[str, ...]:
         """Return the loads that follow from the others: those asked for, else the first ones."""

@@ -67,14 +67,21 @@ class Reactions:
     """Finds the force of one bond after another, each once.
 
     ``driving`` loads are held; ``more`` gives terms of further loads, such as friction.
+    Long sums get names that those of the ``known`` plans do not have.
     """
 
-    def __init__(self, pose: Pose, driving: Iterable[str], more: More = lambda plan: ()) -> None:
+    def __init__(
+        self,
+        pose: Pose,
+        driving: Iterable[str],
+        more: More = lambda plan: (),
+        known: Iterable[Plan] = (),
+    ) -> None:
         self._pose, self._more = pose, more
         self._driving = tuple(driving)
         self._held = [shares(pose.mechanism, name) for name in self._driving]
         self._known: dict[Bond, Transmitted | None] = {}
-        self._taken: frozenset[str] = frozenset()
+        self._taken = frozenset(b.name for plan in known for b in plan.bindings)
 
     def of(self, bond: Bond) -> Transmitted | None:
         """Return what a bond transmits to the link or point that it holds.

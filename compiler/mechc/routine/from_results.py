@@ -63,7 +63,8 @@ def program(
 
 
 def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Function:
-    used = _known(result, _free(result.name, [result.formula], scope), inputs)
+    needed = [result.formula, *(side for g in result.guards for side in (g.left, g.right))]
+    used = _known(result, _free(result.name, needed, scope), inputs)
     requires = [r for r in scope.mechanism.requires if _decided(r, result.name, scope, used)]
     requires += result.guards
     sides = [side for r in requires for side in (r.left, r.right)]

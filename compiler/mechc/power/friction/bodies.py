@@ -15,6 +15,7 @@ from ...frozen import frozen
 from ...kinematics.release import Bond, held_end
 from ...model.mechanism import Force, Link, Load, RubbingPin, Thrust, Torque
 from ...pose.pose import Pose, Touch, Vector, gathered
+from ..definitions import bound_names
 from ..loads import repeated
 from ..reactions import Reactions
 from .pressing import Given, Pressed
@@ -108,7 +109,9 @@ class Bodies:
         bodies = any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
         held = {*self._levers, *(s.name for s in m.slides)}
         afloat = any(t.body not in held for t in self._pose.touches)
-        if bodies or afloat or m.meshes or m.racks or m.screws:
+        named = {t.point for t in self._pose.touches}
+        twice = len(named) < len(self._pose.touches)
+        if bodies or afloat or twice or m.meshes or m.racks or m.screws:
             raise Entangled
         turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
         carried = [*turning, *(p for s in m.slides for p in s.points)]
@@ -207,14 +210,17 @@ class Bodies:
         return arms[0].angle, arms[0].length
 
     def compression(self, rod: Link) -> Product:
-        """Return the ideal force by which a rod is pressed."""
+        """Return the ideal force by which a rod is pressed, unless that is a long sum."""
         end = held_end(self._mechanism, rod)
         found = self._reactions.of(Bond("pin", end, rod.name))
         if found is None:
             raise Entangled
         outwards = self.vector(rod)[0]
         along = found.along(outwards if end == rod.points[1] else outwards + HALF_TURN)
-        return -add(along[n] * size for n, size in self._task.given.items() if n in along)
+        pressed = -add(along[n] * size for n, size in self._task.given.items() if n in along)
+        if any(bound_names(pressed)):
+            raise Entangled
+        return pressed
 
     def surface(self, point: str, rod: Link) -> Surface | None:
         """Return how a rod rubs at one of its ends: in what carries the pin, or about it."""
@@ -224,9 +230,19 @@ class Bodies:
         others = [p for b, p in self._pressed.items() if b.kind == "pin" and b.point == point]
         if self._carriers.get(point) != rod.name or not others:
             return None
-        if len(others) > 1:
+        if len(others) > 1 or self._is_pressed_besides(point):
             raise Entangled
         return _surface(others[0])._replace(turn=-1)
+
+    def _is_pressed_besides(self, point: str) -> bool:
+        """Tell whether a pin has a guide, or is on a lever and in a slot or contact.
+
+        Then two links press one another at the pin with other forces than it has from them.
+        """
+        slides = any(point in s.points for s in self._mechanism.slides)
+        turning = any(point in k.points for k in self._levers.values())
+        touching = any(touch.point == point for touch in self._pose.touches)
+        return point in self._guides or slides or (turning and touching)
 
     def touches_at(self, body: str) -> Iterator[tuple[Touch, bool]]:
         """Yield the slots and contacts of a body, and whether it is the one under the pin."""

@@ -10,7 +10,7 @@ from ...formula.operations import count_operations
 from ...formula.tree import Formula, product, total
 from ...frozen import frozen
 from ...model.result import Definition
-from .signs import AtAnyPose, AtOnePose, Signs
+from .signs import AtAnyPose, AtOnePose, Signs, bare
 from .steps import Step
 
 Operator = Literal["<", ">", "="]
@@ -71,7 +71,7 @@ def closed_form(way: Callable[[Signs], Way], factor: Product, taken: Set[str]) -
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
     kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
-    positive = (force.formula() for force in kept if force.factors)
+    positive = (force.formula() for force in kept if bare(force).factors)
     return Named(formula, tuple(signs.definitions), tuple(positive))
 
 

@@ -7,6 +7,7 @@ by what they press altogether, so that the way has the same length however large
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 from functools import partial
 from typing import NamedTuple
 
@@ -202,10 +203,14 @@ def _sum(ideal: Formula, parts: Iterable[tuple[Rub, Formula, Formula]], sizes: S
     return total([ideal, *added])
 
 
+NOTHING = number(Fraction(1, 10**30))
+"""What stands beside pressing forces so that none of them vanishes, where no slope would be."""
+
+
 def _size(components: Sequence[Formula]) -> Formula:
     if len(components) == 1:
         return Call("abs", (components[0],))
-    return Call("hypot", tuple(components))
+    return Call("hypot", (*components, NOTHING))
 
 
 TOWARDS = (1.0, 0.37)
@@ -246,12 +251,13 @@ class _Exact:
         pairs = [self._rows(p) for p in self._pressed]
         rows = [row for pair in pairs for row in pair]
         yield from (row.ideal for row in rows)
-        yield Definition(self._scale, Call("hypot", tuple(Symbol(r.ideal.name) for r in rows)))
+        ideal = (Symbol(row.ideal.name) for row in rows)
+        yield Definition(self._scale, Call("hypot", (*ideal, NOTHING)))
         yield from (share for row in rows for _, share in row.shares)
         system, scale = self._system(pairs), Symbol(self._scale)
-        ideal = {row.ideal.name for row in rows}
+        names = {row.ideal.name for row in rows}
         arguments = tuple(
-            quotient(Symbol(n), scale) if n in ideal else Symbol(n) for n, _ in system.anchor
+            quotient(Symbol(n), scale) if n in names else Symbol(n) for n, _ in system.anchor
         )
         for i, name in enumerate(self.sizes):
             found = Implicit(system, i, arguments)

@@ -34,8 +34,8 @@ class ForceWithFriction:
         self._target, self._pose = target, plan.graph.pose
         self._pressed, self._sizes = pressed, sizes
         rubs = [p.rub for p in pressed]
-        more = partial(_terms, rubs)
-        reactions = Reactions(self._pose, (driving,), more)
+        known = (plan, *(other for p in pressed for other in p.plans))
+        reactions = Reactions(self._pose, (driving,), partial(_terms, rubs), known)
         self.transmitted = reactions.of(bond_of(target, self._pose))
 
     def at_any_pose(self) -> Named:

@@ -78,7 +78,9 @@ def press(
     """
     pose = plan.graph.pose
     names = {load_of(rub): rub.name for rub in rubs}
-    reactions = Reactions(pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs])
+    reactions = Reactions(
+        pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs], (plan,)
+    )
     slips = [_slip(rub, plan, equations, driving) for rub in rubs]
     pressed = []
     for rub, slip in zip(rubs, slips, strict=True):

@@ -1,5 +1,6 @@
 """Ratios and loads with friction in them, and their efficiency."""
 
+import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
@@ -32,7 +33,7 @@ from ...model.targets import SIGNS
 from ..balance import Solved
 from ..definitions import bound_sums, intermediates
 from ..equations import Equations
-from ..numbers import default_values
+from ..numbers import default_values, value_of
 from ..speeds import magnitude
 from ..trends import allowed
 from .bodies import Entangled, Task
@@ -141,9 +142,22 @@ class FrictionResults:
                 ),
             )
         closed = self._closed(case, pressed, sign)
-        if closed:
+        if closed and self._stands(find, case.ideal, closed):
             return closed
-        return self._iterated(case.ideal, scaled, true_sizes(pressed, sign, self._taken()))
+        sizes = true_sizes(pressed, sign, self._taken())
+        iterated = self._iterated(case.ideal, scaled, sizes)
+        if closed and not self._stands(find, case.ideal, iterated):
+            return closed
+        return iterated
+
+    def _stands(self, find: Find, ideal: Result, found: Named) -> bool:
+        """Tell whether a formula has a value at the default pose, as far as that has values.
+
+        A closed form has none where friction turns a pressing force round: there it takes
+        iteration. Neither has one where the drive jams.
+        """
+        value = value_of(self._result(find, ideal, found), self._values())
+        return value is None or math.isfinite(value)
 
     def _closed(self, case: Case, pressed: Sequence[Pressed], sense: int) -> Named | None:
         """Return the first closed form that there is; None where all equations hang together."""
@@ -246,7 +260,7 @@ class FrictionResults:
         if found.transmitted is None:
             return None
         named = replace(found.at_any_pose(), case=self._at_default(found.at_one_pose))
-        result = self._result(find, ideal, named)
+        result = self._result(find, replace(ideal, where=()), named)
         sums = [
             d
             for plan, push in zip(found.transmitted.plans, found.transmitted.pushes, strict=True)
