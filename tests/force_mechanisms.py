@@ -5,9 +5,10 @@ may be moved about, so that nothing has to be closed; or, in :func:`closed`, piv
 places and lengths and a drive are given, and the loops close.
 """
 
-import math
 from random import Random
 from typing import NamedTuple
+
+from friction_lines import friction_of
 
 
 class Sample(NamedTuple):
@@ -26,7 +27,7 @@ class Sample(NamedTuple):
 
     def rubbing(self, dice: Random, *more: str) -> str:
         """Return the description with friction everywhere, ``q`` times as much as it says."""
-        return "\n".join([self.text, "param q = 1", *_friction(self.text, dice), *more, ""])
+        return "\n".join([self.text, "param q = 1", *friction_of(self.text, dice), *more, ""])
 
 
 class Growing:
@@ -240,59 +241,3 @@ def given(seed: int, groups: int | None = None, ratio: bool = True) -> Sample:
     sizes = growing.load(ratio)
     growing.multiply()
     return Sample("\n".join(growing.lines), "P", sizes, growing.asked())
-
-
-# -------------------------------------------------------------------------- friction
-
-
-def _friction(text: str, dice: Random) -> list[str]:
-    """Return friction for all joints of a description, by all its laws."""
-    lines = text.splitlines()
-    words = [line.split() for line in lines]
-    law = dice.choice(["", " journal", " coulomb"])
-    found = [f"friction pins {dice.uniform(0.05, 0.2):.3f}*q diameter 6 mm{law}"]
-    found += _pins([w[1] for w in words if w[0] == "link"], dice)
-    carried = {p for w in words if w[0] == "link" for p in points(w[1])}
-    for w in words:
-        if w[0] == "slider" and w[1] in carried:
-            found.append(_guide(w[1], dice))
-        elif w[0] == "slide":
-            found.append(f"friction slider {points(w[1])[-1]} 0.08*q")
-        elif w[0] in ("slot", "contact"):
-            found.append(f"friction contact {w[1]} {dice.uniform(0.03, 0.1):.3f}*q")
-    return found
-
-
-def _pins(links: list[str], dice: Random) -> list[str]:
-    """Return pins with friction of their own, fast in a link that is named."""
-    often = [p for link in links for p in points(link)]
-    pins = [p for p in dict.fromkeys(often) if often.count(p) > 1]
-    found = []
-    for pin in dice.sample(pins, min(len(pins), dice.choice([0, 1, 2]))):
-        link = dice.choice([k for k in links if pin in points(k)])
-        found.append(f"friction pin {pin} 0.15*q diameter 8 mm on {link}")
-    return found
-
-
-def _guide(point: str, dice: Random) -> str:
-    plunger = f"guide 50 mm overhang {dice.choice([5, 20, 35])} mm"
-    laws = ["", f" {plunger}", f" {plunger} couple", f" {plunger} linear", f" {plunger} edges"]
-    if dice.random() < 0.2:
-        return f"friction roller {point} 0.1*q axle 8 mm wheel 25 mm"
-    return f"friction slider {point} 0.08*q{dice.choice(laws)}"
-
-
-def points(name: str) -> list[str]:
-    """Split ``A1BC`` into its points."""
-    found: list[str] = []
-    for letter in name:
-        if letter.isalpha():
-            found.append(letter)
-        else:
-            found[-1] += letter
-    return found
-
-
-def turned(place: tuple[float, float], size: float, angle: float) -> tuple[float, float]:
-    """Return a place that far from another."""
-    return place[0] + size * math.cos(angle), place[1] + size * math.sin(angle)

@@ -9,11 +9,11 @@ up from nothing, step by step. Nothing is shared with the compiler but the synta
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from typing import NamedTuple
 
 import numpy as np
 
 from mechc.syntax import ast
+from reference_friction import Rub, Rubs
 from reference_geometry import (
     Action,
     Arms,
@@ -26,7 +26,7 @@ from reference_geometry import (
     every,
     points_of,
 )
-from reference_kinematics import GRAVITY, Array, Motion, null_space
+from reference_kinematics import GRAVITY, Array, null_space
 
 Weights = Mapping[tuple[str, ...], float]
 """A force at a joint as a combination of unknowns."""
@@ -42,14 +42,6 @@ def arms_at(places: Mapping[str, Sequence[float]]) -> Arms:
                 arms.set_length(tail, head, math.hypot(x, y))
                 arms.set_angle(tail, head, math.atan2(y, x))
     return arms
-
-
-class Rub(NamedTuple):
-    """Two surfaces: what presses them, and the loads of a friction of 1 with the motion."""
-
-    factor: float
-    pressing: tuple[int, ...]
-    dragged: Array
 
 
 class Forces:
@@ -112,9 +104,18 @@ class Forces:
         for pin, body, normal, place in whole.touches:
             effect = self.on_point(pin, normal) - self.on_body(body, normal, place)
             yield ("touch", pin, body), effect
+        led = self._led()
         for i, (first, at, second, there, along) in enumerate(whole.rollings):
-            effect = self.on_body(first, along, at) - self.on_body(second, along, there)
-            yield ("roll", str(i)), effect
+            point = led[i] if i < len(led) else ""
+            ahead = self.on_point(point, along) if point else self.on_body(first, along, at)
+            yield ("roll", str(i)), ahead - self.on_body(second, along, there)
+
+    def _led(self) -> list[str]:
+        """Return the slider of each rack and screw, which no link carries; "" for the others."""
+        kinds = (ast.Gear, ast.Belt, ast.Rack, ast.Screw)
+        pairs = (s for s in self.tree.statements if isinstance(s, kinds))
+        points = [s.point.text if isinstance(s, kinds[2:]) else "" for s in pairs]
+        return [p if p in self.assembly.guides else "" for p in points]
 
     # ---------------------------------------------------------------------- loads
 
@@ -221,126 +222,9 @@ class Forces:
         choices += [("guide", point), *(("slide", b) for b in bodies)]
         return {next(c for c in choices if c in self.columns): 1.0}
 
-    # ------------------------------------------------------------------- friction
-
     def rubs(self, drive: str) -> list[Rub]:
         """Return all surfaces that rub, in both halves, where a load drives along its arrow."""
-        return [rub for rub in self._rubs(self._motion(drive)) if rub.factor]
-
-    def _motion(self, drive: str) -> tuple[Motion, Array]:
-        motion = Motion(self.half)
-        assert motion.basis.shape[1] == 1, "friction is asked of one motion"
-        move = motion.basis[:, 0]
-        power = self.loads[drive] @ self._spread(motion, move)
-        assert abs(power) > 1e-9, "the drive does no work"
-        return motion, move * math.copysign(1.0, power)
-
-    def _spread(self, motion: Motion, move: Array) -> Array:
-        """Return the velocities of all rows, in the half that is described."""
-        rows = np.zeros(self.height)
-        for body, places in self.half.links.items():
-            at = self.rows[body]
-            rows[at + 2] = motion.turning(body) @ move
-            for point in places:
-                at = self.points[point]
-                rows[at : at + 2] = motion.velocity(point, body) @ move
-        return rows
-
-    def _rubs(self, moving: tuple[Motion, Array]) -> Iterator[Rub]:
-        named = {s.point.text for s in every(self.tree, ast.PinFriction) if s.point}
-        for s in self.tree.statements:
-            match s:
-                case ast.PinFriction(point=None):
-                    for point in self._pins() - named:
-                        yield from self._pin(point, "", s, moving)
-                case ast.PinFriction(point=point):
-                    on = self.link(s.link.text) if s.link else ""
-                    yield from self._pin(point.text, on, s, moving)
-                case ast.GuideFriction(point=point) | ast.RollerFriction(point=point):
-                    yield from self._guide(point.text, self._resistance(s), moving)
-                case ast.ContactFriction(point=point, coefficient=f):
-                    yield from self._face(point.text, evaluate(f, self.values), moving)
-
-    def _pins(self) -> set[str]:
-        links = [points_of(s.points.text) for s in every(self.tree, ast.Link)]
-        often = [p for points in links for p in points]
-        return {p for p in often if often.count(p) > 1 or p in self._carried_by_ground()}
-
-    def _carried_by_ground(self) -> set[str]:
-        slides = {p for n in self.half.slides for p in self.half.links[n]}
-        fixed = {s.point.text for s in every(self.tree, ast.Pivot)}
-        return fixed | {s.point.text for s in every(self.tree, ast.Slider)} | slides
-
-    def _pin(
-        self, point: str, on: str, s: ast.PinFriction, moving: tuple[Motion, Array]
-    ) -> Iterator[Rub]:
-        motion, move = moving
-        f, d = (evaluate(x, self.values) for x in (s.coefficient, s.diameter))
-        radius = d / 2 * (math.sin(math.atan(f)) if s.law == "coulomb" else f)
-        links = [k.points.text for k in every(self.tree, ast.Link)]
-        links = [k for k in links if point in points_of(k)]
-        carrier = on or ("" if point in self._carried_by_ground() else links[0])
-        for link in links:
-            if link == carrier:
-                continue
-            slip = motion.turning(link) - (motion.turning(carrier) if carrier else 0)
-            sense = sign(slip @ move)
-            for twin, turn in (("", 1), ("'", -1)):
-                body = link + twin
-                if body in self.rows:
-                    effect = self.on_body(body, 0, 0, sense * turn)
-                    if carrier:
-                        other = carrier + twin if carrier + twin in self.rows else carrier
-                        effect = effect - self.on_body(other, 0, 0, sense * turn)
-                    at = point if not twin or point in self.shared else point + "'"
-                    pressing = (self.columns["pin", body, at, axis] for axis in "xy")
-                    yield Rub(radius, tuple(pressing), effect)
-
-    def _resistance(self, s: ast.GuideFriction | ast.RollerFriction) -> float:
-        f = evaluate(s.coefficient, self.values)
-        if isinstance(s, ast.RollerFriction):
-            return f * evaluate(s.axle, self.values) / evaluate(s.wheel, self.values)
-        if s.length is None or s.overhang is None:
-            return f
-        out, long = (evaluate(x, self.values) for x in (s.overhang, s.length))
-        match s.law:
-            case "linear":
-                return f * (3 * out / long + long / (12 * out) if out > long / 6 else 1)
-            case "edges":
-                return f * max(2 * out / long, 1)
-            case _:
-                return f * 3 * out / long
-
-    def _guide(self, point: str, factor: float, moving: tuple[Motion, Array]) -> Iterator[Rub]:
-        motion, move = moving
-        shared = self.shared | {n.text for c in every(self.tree, ast.Copies) for n in c.sharing}
-        body = next((n for n in self.half.slides if point in self.half.links[n]), "")
-        if (set(self.half.links[body]) if body else {point}) <= shared:
-            return
-        along = self.half.slides[body] if body else self.half.guides[point]
-        sense = sign(np.array([along.real, along.imag]) @ motion.velocity(point) @ move)
-        for twin in ("", "'"):
-            name, other = point + twin, body + twin
-            if body and other in self.rows:
-                line = self.assembly.slides[other]
-                effect = self.on_body(other, sense * line, 0)
-                yield Rub(factor, (self.columns["slide", other],), effect)
-            elif not body and name in self.points:
-                line = self.assembly.guides[name]
-                effect = self.on_point(name, sense * line)
-                yield Rub(factor, (self.columns["guide", name],), effect)
-
-    def _face(self, point: str, factor: float, moving: tuple[Motion, Array]) -> Iterator[Rub]:
-        motion, move = moving
-        touch = next(t for t in self.half.touches if t.pin == point)
-        slip = motion.velocity(point) - motion._velocity_at(touch.body, touch.place)
-        face = 1j * touch.normal
-        sense = sign(np.array([face.real, face.imag]) @ slip @ move)
-        for pin, body, normal, place in self.assembly.touches:
-            if pin in (point, point + "'"):
-                line = 1j * normal * sense * (1 if (pin, body) == touch[:2] else -1)
-                effect = self.on_point(pin, line) - self.on_body(body, line, place)
-                yield Rub(factor, (self.columns["touch", pin, body],), effect)
+        return [rub for rub in Rubs(self, drive).all() if rub.factor]
 
     # -------------------------------------------------------------------- solving
 
@@ -399,8 +283,3 @@ class Forces:
 
 class NoBalance(Exception):
     """The equations have no solution there: locked, or too much friction."""
-
-
-def sign(value: float) -> float:
-    """Return the sign of a slip; 0 for what is only rounding."""
-    return math.copysign(1.0, value) if abs(value) > 1e-9 else 0.0

@@ -239,7 +239,7 @@ def assemble(file: ast.File, values: Values, seed: int = 1, arms: Arms | None = 
     ``arms`` are the vectors between its points where loops have to be closed for them.
     """
     whole = _as_described(file, values, seed, arms)
-    for axis, shared in _mirrors(file, values):
+    for axis, shared in _mirrors(file, values, arms):
         _unfold(whole, axis, shared)
     for c in every(file, ast.Copies):
         _multiply(whole, evaluate(c.number, values), {name.text for name in c.sharing})
@@ -251,13 +251,15 @@ def assemble_half(
 ) -> Assembly:
     """Return what is described: one half or one branch, the mirror guiding what is shared."""
     half = _as_described(file, values, seed, arms)
-    for axis, shared in _mirrors(file, values):
+    for axis, shared in _mirrors(file, values, arms):
         half.guides |= dict.fromkeys(shared - half.pivots - half.guides.keys(), axis)
     return half
 
 
-def _mirrors(file: ast.File, values: Values) -> Iterator[tuple[complex, set[str]]]:
-    arms = arms_of(file, values)
+def _mirrors(
+    file: ast.File, values: Values, arms: Arms | None
+) -> Iterator[tuple[complex, set[str]]]:
+    arms = arms or arms_of(file, values)
     for m in every(file, ast.Mirror):
         yield cmath.rect(1, angle_of(m.across, values, arms)), {name.text for name in m.sharing}
 

@@ -78,9 +78,15 @@ class Strokes:
     @np.errstate(over="ignore", invalid="ignore")
     def followed(self, drives, cranks):
         """Return k at each pose of each stroke, NaN from where one comes near a dead centre."""
+        found = np.full(drives.shape, math.nan)
+        for j, (x, v, alive) in enumerate(self.poses(drives, cranks)):
+            found[alive, j] = -self._work(x, v)[alive]
+        return found
+
+    def poses(self, drives, cranks):
+        """Yield places, their rates, and which strokes are still far from a dead centre."""
         x = np.tile(self.x0, (len(drives), 1, 1))
         alive = np.ones(len(drives), bool)
-        found = np.full(drives.shape, math.nan)
         for j, drive in enumerate(drives.T):
             values, rates = self._run(drive, cranks[:, j])
             x, jacobian, closed = self._closed(x, values)
@@ -92,8 +98,7 @@ class Strokes:
             moved = np.linalg.solve(jacobian, rates[:, :, None])[:, :, 0]
             v = np.zeros_like(x)
             v[:, self.loose] = moved.reshape(len(x), -1, 2)
-            found[alive, j] = -self._work(x, v)[alive]
-        return found
+            yield x, v, alive
 
     def _work(self, x, v):
         """Return the work of F = 1 for a unit of the drive."""
