@@ -6,6 +6,7 @@ from mechc.derivation.steps import Derivation
 from mechc.figure.figure import Figure
 from mechc.model.mechanism import Mechanism
 from mechc.routine.steps import Routine
+from mechc.statics.diagram import Diagram
 from mechc.statics.verdict import Verdict
 
 
@@ -16,3 +17,4 @@ class Known(NamedTuple):
     verdict: Verdict
     version: str
     figure: Figure | None = None
+    free_bodies: tuple[Diagram, ...] = ()

@@ -26,6 +26,7 @@ DATA = {
     "power.balance",
     "power.friction.steps",
     "model.result",
+    "statics.diagram",
     "statics.verdict",
     "stroke.stroke",
     "figure.figure",
@@ -58,6 +59,7 @@ AGAIN = {"kinematics.release"}
 
 LATE = {
     ("driver.py", "figure.from_pose"),
+    ("driver.py", "statics.diagrams"),
     ("api.py", "routine.evaluate"),
     ("api.py", "sympy"),
     ("formula/to_sympy.py", "sympy"),

@@ -25,6 +25,7 @@ if TYPE_CHECKING:
     import sympy
 
     from .figure.figure import Figure
+    from .statics.diagram import Diagram
 
 
 class SolvedMechanism:
@@ -148,6 +149,22 @@ class SolvedMechanism:
         if drawn is None:
             raise ValueError("the mechanism cannot be assembled at these values")
         return drawn
+
+    def free_bodies(self, **values: float) -> "tuple[Diagram, ...]":
+        """Return each body with the forces on it, at given values of parameters and loads.
+
+        SI and radians, as for :meth:`figure`. A load to which nothing gives a size counts as 1.
+
+        >>> import mechc
+        >>> (lever,) = mechc.load("lever_first_class").free_bodies(F=100)[0].bodies
+        >>> [(acting.by, round(acting.force.y, 6)) for acting in lever.forces]
+        [('P', -25.0), ('ground', 125.0), ('F', -100.0)]
+        """
+        loads = {load.name for load in self._compilation.mechanism.loads}
+        sizes = {name: size for name, size in values.items() if name in loads}
+        pose = {name: value for name, value in values.items() if name not in loads}
+        self.figure(**pose)
+        return self._compilation.cut_free(pose, sizes)
 
     def stroke(self, points: int = 19) -> Stroke:
         """Return the results along the stroke of the drive; singular poses, branch points, extrema.

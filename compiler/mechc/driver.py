@@ -37,6 +37,7 @@ from .syntax.settings import Settings, put_in
 
 if TYPE_CHECKING:
     from .figure.figure import Figure
+    from .statics.diagram import Diagram
 
 T = TypeVar("T")
 
@@ -52,7 +53,7 @@ STAGES: Mapping[str, str] = {
 }
 """The stages in order, and the attribute of :class:`Compilation` that holds each one's value."""
 
-VIEWS: Mapping[str, str] = {**STAGES, "figure": "figure"}
+VIEWS: Mapping[str, str] = {**STAGES, "figure": "figure", "bodies": "free_bodies"}
 """The stages, and what is made only when it is asked for: nothing rests on it."""
 
 SECOND_OPINIONS = ("verdict", "findings", "out_of_step")
@@ -138,6 +139,22 @@ class Compilation:
         from .figure.from_pose import draw
 
         return draw(self.pose, values)
+
+    @cached_property
+    def free_bodies(self) -> "tuple[Diagram, ...]":
+        """Each body with the forces on it, at the default pose."""
+        return self.cut_free({}, {})
+
+    def cut_free(
+        self, values: Mapping[str, float], loads: Mapping[str, float]
+    ) -> "tuple[Diagram, ...]":
+        """Return the free bodies at given values and loads; none where there is no figure."""
+        from .statics.diagrams import diagrams
+
+        figure = self.drawn(values) if values else self.figure
+        if figure is None:
+            return ()
+        return diagrams(self.pose, self.balance.results, figure.values, figure.points, loads)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -10,6 +10,7 @@ from ..model import to_text as model
 from ..pose import to_text as pose
 from ..power import to_text as power
 from ..routine import to_text as routine
+from ..statics import bodies_to_text
 from ..statics import to_text as statics
 from ..syntax.settings import Settings
 from .begin import begin
@@ -29,7 +30,8 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
 
     The stages, in order: syntax, model, pose, kinematics, power, statics, derivation,
     routine. Later stages are not run. Formulas are printed in the notation of the
-    language, quantities in SI. "figure" is what a drawing of the default pose shows.
+    language, quantities in SI. "figure" is what a drawing of the default pose shows,
+    "bodies" the forces on each body there.
 
     \b
     mechc show kinematics clamp.mech
@@ -57,5 +59,7 @@ def _text(stage: str, compilation: Compilation) -> str:
             return routine.to_text(compilation.routine)
         case "figure":
             return figure.describe(compilation.figure)
+        case "bodies":
+            return bodies_to_text.describe(compilation.free_bodies)
         case _:
             return pretty(getattr(compilation, VIEWS[stage]))

@@ -13,6 +13,7 @@ from ..statics.verdict import Verdict
 
 if TYPE_CHECKING:
     from ..figure.figure import Figure
+    from ..statics.diagram import Diagram
 
 
 class Compiled(Protocol):
@@ -44,6 +45,11 @@ class Compiled(Protocol):
     @property
     def figure(self) -> "Figure | None":
         """Return the drawing data at the default pose; None where it cannot be assembled."""
+        ...
+
+    @property
+    def free_bodies(self) -> "tuple[Diagram, ...]":
+        """Return each body with the forces on it, at the default pose."""
         ...
 
     @property

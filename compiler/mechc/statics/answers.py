@@ -20,6 +20,8 @@ INCONSISTENT = 1e-9
 ROUNDED = 2.0**-52
 """What a force that is zero by two reasons is off: the rounding of a rounding, per largest."""
 
+UNBALANCED = "no forces at the joints balance the loads"
+
 Row = Mapping[int, float]
 
 
@@ -162,7 +164,7 @@ def combination(
     factors = factor(rows, len(system.unknowns) + len(loads), last)
     found = factors.solve(right)
     if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
-        return Answer(math.nan, math.inf, "no forces at the joints balance the loads")
+        return Answer(math.nan, math.inf, UNBALANCED)
     if not all(map(factors.determined, weights)):
         return Answer(math.nan, math.inf, f"equilibrium leaves {wanted} open")
     value = sum(weight * found[column] for column, weight in weights.items())

@@ -9,7 +9,7 @@ steps short enough not to overshoot. Slips have their signs from statics too (se
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
-from typing import NamedTuple, assert_never
+from typing import Literal, NamedTuple, assert_never
 
 from ..formula.walk import evaluate
 from ..frozen import frozen
@@ -22,9 +22,11 @@ from ..model.mechanism import (
     RubbingMesh,
     RubbingPin,
     RubbingThread,
+    Sense,
     WithFriction,
 )
-from .answers import INCONSISTENT, Answer, Row, Tie, gather, ties, with_loads
+from ..model.targets import SIGNS
+from .answers import INCONSISTENT, UNBALANCED, Answer, Row, Tie, gather, ties, with_loads
 from .assembly import Action, direction, scaled
 from .free_bodies import System, equilibrium
 from .joint_forces import Weights, wanted_of
@@ -60,6 +62,7 @@ class Pair:
     They are pressed by the forces of body ``by`` on pin ``on``, or on its own body.
     """
 
+    kind: Literal["pin", "guide", "face", "transmission"]
     name: str
     actions: tuple[Action, ...]
     by: str
@@ -81,33 +84,61 @@ class Question(NamedTuple):
     unit: float
 
 
+class Rubbed(NamedTuple):
+    """What friction comes to under given loads: its size at each pair, and against which slip.
+
+    ``right`` is the right-hand side that the given loads make by themselves.
+    """
+
+    question: Question
+    right: Row
+    pairs: tuple[Pair, ...]
+    senses: tuple[float, ...]
+    frictions: tuple[float, ...]
+
+    @property
+    def parts(self) -> list[tuple[Row, float]]:
+        """Return the right-hand sides under which all balances, each so many times over."""
+        rubs = zip(self.pairs, self.senses, self.frictions, strict=True)
+        return [(self.right, 1.0), *((_against(self.question, p, s), f) for p, s, f in rubs)]
+
+
 def with_friction(
     unfolding: Unfolding, target: WithFriction, driving: str, given: Mapping[str, float]
 ) -> Answer:
     """Return a driving load or a force at a joint, where the other loads have given sizes."""
+    found = rubbed(unfolding, target.sense, driving, given)
+    if isinstance(found, str):
+        return Answer(math.nan, math.inf, found)
+    multiple = ties(unfolding.pose.mechanism, unfolding.values)[driving].factor
+    weights = _weights(target, unfolding, found.question, multiple)
+    return _combined([_answer(found.question, w, found.parts) for w in weights])
+
+
+def rubbed(
+    unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
+) -> Rubbed | str:
+    """Return friction at every pair of surfaces, or why there is none that balances."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     drive = tied[driving]
     pairs = tuple(_pairs(unfolding))
     question = _question(unfolding, pairs, drive.base)
     if not question.factors.determined(question.drive):
-        return Answer(math.nan, math.inf, f"equilibrium leaves {drive.base} open")
+        return f"equilibrium leaves {drive.base} open"
     right: dict[int, float] = {}
     for load, size in given.items():
         for i, amount in question.columns[tied[load].base].items():
             right[i] = right.get(i, 0.0) - amount * size / tied[load].factor
     ideal = question.factors.solve(right)
     if question.factors.gap(ideal, right) > INCONSISTENT:
-        return Answer(math.nan, math.inf, "no forces at the joints balance the loads")
-    sense = 1.0 if target.sense == "tightening" else -1.0
+        return UNBALANCED
     reference = tuple(_drive(unfolding, tied, drive.base))
-    loads = [_resisting(question, unfolding, p, reference, sense) for p in pairs]
-    responses = [question.factors.solve(load) for load in loads]
-    frictions = _repeated(question, pairs, ideal, responses)
+    senses = tuple(-SIGNS[sense] * _slip(unfolding, pair, reference) for pair in pairs)
+    rows = (_against(question, *each) for each in zip(pairs, senses, strict=True))
+    frictions = _repeated(question, pairs, ideal, [question.factors.solve(row) for row in rows])
     if frictions is None:
-        return Answer(math.nan, math.inf, LOCKED)
-    parts = [(right, 1.0), *zip(loads, frictions, strict=True)]
-    weights = _weights(target, unfolding, question, drive.factor)
-    return _combined([_answer(question, w, parts) for w in weights])
+        return LOCKED
+    return Rubbed(question, right, pairs, senses, tuple(frictions))
 
 
 def _drive(unfolding: Unfolding, tied: Mapping[str, Tie], base: str) -> Iterator[Action]:
@@ -155,17 +186,15 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
     return Question(system, columns, factor(rows, last + 1, last), last, units[drive])
 
 
-def _resisting(
-    question: Question,
-    unfolding: Unfolding,
-    pair: Pair,
-    reference: tuple[Action, ...],
-    sense: float,
-) -> dict[int, float]:
-    """Return the right-hand side of a friction of 1 against the slip of a pair."""
+def _slip(unfolding: Unfolding, pair: Pair, reference: tuple[Action, ...]) -> float:
+    """Return the sign of a pair's slip as the driving load moves along its arrow."""
     slip = felt(unfolding, pair.actions, reference).value
-    against = -sense * (math.copysign(1.0, slip) if abs(slip) > STANDING else 0.0)
-    return {i: -v * against for i, v in question.columns[pair.name].items()}
+    return math.copysign(1.0, slip) if abs(slip) > STANDING else 0.0
+
+
+def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:
+    """Return the right-hand side of a friction of 1 in a pair."""
+    return {i: -v * sense for i, v in question.columns[pair.name].items()}
 
 
 def _repeated(
@@ -237,18 +266,19 @@ def _of(rubbing: Rubbing, unfolding: Unfolding) -> Iterator[Pair]:
                 if point in link.points and link.name != carrier:
                     couples = unfolding.couple(link.name, 1.0)
                     back = unfolding.couple(carrier, -1.0) if carrier else ()
-                    yield Pair(
-                        f"pin {point} {link.name}", (*couples, *back), link.name, point, size
-                    )
+                    name = f"pin {point} {link.name}"
+                    yield Pair("pin", name, (*couples, *back), link.name, point, size)
         case RubbingGuide(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
         case RubbingMesh(kind, point, factor_):
             size = evaluate(factor_, unfolding.values)
-            yield Pair(f"{kind} {point}", unfolding.rim(kind, point), f"{kind} {point}", "", size)
+            name = f"{kind} {point}"
+            yield Pair("transmission", name, unfolding.rim(kind, point), name, "", size)
         case RubbingThread(point, factor_, thread):
             size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
             actions = unfolding.along_thread(point, diameter)
-            yield Pair(f"screw {point}", actions, f"screw {point}", "", size)
+            name = f"screw {point}"
+            yield Pair("transmission", name, actions, name, "", size)
         case RubbingFace(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:
@@ -266,14 +296,11 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
     slides = unfolding.pose.mechanism.slides
     slide = next((s.name for s in slides if point in s.points), "")
     push = unfolding.push(point, unfolding.direction_of_guide(point))
-    if slide:
-        yield Pair(f"guide {point}", push, "guide", slide, size)
-    else:
-        yield Pair(f"guide {point}", push, "guide", point, size)
+    yield Pair("guide", f"guide {point}", push, "guide", slide or point, size)
 
 
 def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
     """Push the pin along the face, and the body under it back at the same place."""
     touch = next(t for t in unfolding.pose.touches if t.point == point)
     along = direction(touch.normal.evaluate(unfolding.values)).turned()
-    return Pair(f"face {point}", unfolding.apart(touch, along), touch.body, point, size)
+    return Pair("face", f"face {point}", unfolding.apart(touch, along), touch.body, point, size)

@@ -48,7 +48,7 @@ def settle(pose: Pose, parameters: Mapping[str, float], dice: Random) -> Values 
     values = Chain(dict(pose.definitions)).complete(parameters)
     for name, length in pose.placeholders.items():
         values[name] = dice.uniform(0.5, 2) if length is None else length.evaluate(values)
-    values = _of_parameters(pose.mechanism).complete(values)
+    values = with_lets(pose.mechanism, values)
     finite = all(map(math.isfinite, values.values()))
     return values if finite and allowed(pose.mechanism, values) else None
 
@@ -67,6 +67,7 @@ def _near(parameter: Parameter, dice: Random) -> float:
     return dice.uniform(*bounds(parameter))
 
 
-def _of_parameters(mechanism: Mechanism) -> Chain:
-    """Return the dependent parameters and the lets; those of results stay without a value."""
-    return Chain({**dependent(mechanism), **{let.name: let.value for let in mechanism.lets}})
+def with_lets(mechanism: Mechanism, values: Mapping[str, float]) -> Values:
+    """Return values with dependent parameters and lets; lets of results stay without a value."""
+    lets = {let.name: let.value for let in mechanism.lets}
+    return Chain({**dependent(mechanism), **lets}).complete(values)

@@ -39,6 +39,7 @@ from ..describe import condition_lines, dimension_name, si_unit
 from ..target import Compiled
 from .figure import FIGURE
 from .formula import FORMULA
+from .free_bodies import DIAGRAM
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
 
 VERSION = 1
@@ -334,5 +335,6 @@ DOCUMENT: Kind[Compiled] = record(
     member("derivation", "How they follow.", DERIVATION, lambda c: c.derivation),
     member("referee", "What statics says.", VERDICT, lambda c: c.verdict),
     member("figure", "For drawings.", optional(FIGURE), lambda c: c.figure),
+    member("free_bodies", "At the figure's pose.", list_of(DIAGRAM), lambda c: c.free_bodies),
     member("functions", "Of the code.", list_of(FUNCTION), lambda c: c.routine.functions),
 )

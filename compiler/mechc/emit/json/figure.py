@@ -51,7 +51,7 @@ _PAIR: Kind[tuple[str, str]] = Kind(
 PLANE: Kind[Plane] = Kind(
     {"type": "array", "items": {"type": "number"}, "minItems": 2, "maxItems": 2}, list
 )
-"""A place in metres, or a unit direction: x, y."""
+"""A place in metres, a unit direction, or a force in newtons: x, y."""
 
 SEGMENT: Kind[Segment] = record(
     "segment",

@@ -1,0 +1,150 @@
+"""From a solution of the equations of equilibrium to free bodies with all that acts on them.
+
+Equilibrium is written for links and pins. Where a pin joins two links and nothing else acts
+on it, or one link alone carries it, people draw no pin: it is merged into the links.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from ..frozen import frozen, replace
+from .acts import Acts, Bearing
+from .assembly import Assembly
+from .diagram import Acting, FreeBody, Plane
+from .free_bodies import System
+from .friction import Pair
+
+ROUNDED = 1e-13
+"""What is smaller than this beside its like is a zero that was rounded."""
+
+Places = Mapping[str, Plane]
+"""Where points are drawn."""
+
+
+@frozen
+class Solution:
+    """Equations of equilibrium with all that was found.
+
+    ``found`` are the unknowns, of which those of the columns ``open`` may be anything.
+    ``sizes`` are those of the loads that act, friction's among them; ``rubbing`` says which
+    these are. ``bearings`` are where teeth, belts or threads press besides.
+    """
+
+    assembly: Assembly
+    system: System
+    found: Sequence[float]
+    open: frozenset[int]
+    sizes: Mapping[str, float]
+    rubbing: Mapping[str, Pair]
+    bearings: frozenset[Bearing]
+
+    def times(self, factor: float) -> "Solution":
+        """Return the same under loads so many times as large."""
+        found = [factor * x for x in self.found]
+        sizes = {name: factor * size for name, size in self.sizes.items()}
+        return replace(self, found=found, sizes=sizes)
+
+
+def cut_free(solution: Solution, places: Places) -> tuple[FreeBody, ...]:
+    """Return every link, slide and pin that people draw, with all that acts on it.
+
+    Forces do not depend on where slides carry their pins, but the couples of their guides do.
+    These are for the ``places`` in which the points are drawn.
+    """
+    acts = Acts(solution.assembly)
+    for column, unknown in enumerate(solution.system.unknowns):
+        acts.unknown(unknown, None if column in solution.open else solution.found[column])
+    for name, size in solution.sizes.items():
+        acts.load(name, size, solution.rubbing.get(name))
+    acts.settle_couples()
+    acts.forget(solution.bearings)
+    return tuple(_rounded(_held(body, places)) for body in _Drawn(acts).bodies())
+
+
+def _rounded(body: FreeBody) -> FreeBody:
+    """Return a body with zeros where only rounding is left of a force, beside the others."""
+    sizes = [math.hypot(*acting.force) for acting in body.forces if acting.force]
+    least = ROUNDED * max(sizes, default=0.0)
+    return body._replace(forces=tuple(_clean(acting, least) for acting in body.forces))
+
+
+def _clean(acting: Acting, least: float) -> Acting:
+    force = acting.force
+    if force is not None:
+        force = Plane(*(part if abs(part) > least else 0.0 for part in force))
+    return acting._replace(force=force, moment=acting.moment + 0.0)
+
+
+def _held(body: FreeBody, places: Places) -> FreeBody:
+    """Return a slide with the couple of its guide that keeps it from turning."""
+    known = all(acting.force is not None for acting in body.forces)
+    holding = next((i for i, a in enumerate(body.forces) if a.kind == "guide"), None)
+    if body.kind != "slide" or holding is None or not known:
+        return body
+    forces = list(body.forces)
+    start = places[forces[holding].point]
+    others = [a for a in forces if a.kind != "guide"]
+    couple = -math.fsum(a.about(start, places) for a in others)
+    small = abs(couple) <= ROUNDED * max((_reach(a, start, places) for a in others), default=0.0)
+    forces[holding] = forces[holding]._replace(moment=0.0 if small else couple)
+    return body._replace(forces=tuple(forces))
+
+
+def _reach(acting: Acting, centre: Plane, places: Places) -> float:
+    """Return the largest moment that such a force could have at its place."""
+    if acting.force is None or not acting.point:
+        return abs(acting.moment)
+    return abs(acting.moment) + math.hypot(*acting.force) * math.dist(places[acting.point], centre)
+
+
+class _Drawn:
+    """The free bodies as people draw them: pins on which little acts are merged into links."""
+
+    def __init__(self, acts: Acts) -> None:
+        self.acts = acts
+        self.merged = {p: by for p in acts.on_pins if (by := self._carrier(p))}
+
+    def bodies(self) -> Iterator[FreeBody]:
+        """Yield links, slides, then pins."""
+        for name in self.acts.frames:
+            direct = (self._named(a) for a in self.acts.on_bodies[name])
+            at_pins = (a for p in self.acts.frames[name].points for a in self._at(p, name))
+            forces = (*at_pins, *direct)
+            yield FreeBody(name, "slide" if name in self.acts.slides else "link", forces)
+        for point, acts in self.acts.on_pins.items():
+            if point not in self.merged and not self._is_plain(point):
+                forces = tuple(acts.values())
+                guided = point in self.acts.guides
+                yield FreeBody(point, "slider" if guided else "pin", forces)
+
+    def _carriers(self, point: str) -> list[str]:
+        return [by for kind, by in self.acts.on_pins[point] if kind == "pin"]
+
+    def _carrier(self, point: str) -> str:
+        """Return the only link that carries a pin, empty for one that is a body of its own."""
+        carriers = self._carriers(point)
+        return carriers[0] if len(carriers) == 1 and point not in self.acts.guides else ""
+
+    def _is_plain(self, point: str) -> bool:
+        """Return whether a pin joins two links and nothing else acts on it."""
+        return len(self.acts.on_pins[point]) == len(self._carriers(point)) == 2
+
+    def _at(self, point: str, body: str) -> Iterator[Acting]:
+        """Yield what acts on a body at a pin."""
+        acts = self.acts.on_pins.get(point, {})
+        if point in self.merged:
+            yield from (self._named(a) for (kind, _), a in acts.items() if kind != "pin")
+        elif ("pin", body) in acts:
+            carriers = self._carriers(point)
+            other = next((c for c in carriers if c != body), "")
+            yield _back(acts["pin", body], other if self._is_plain(point) else point)
+
+    def _named(self, acting: Acting) -> Acting:
+        """Return an action by a pin as one by the link that the pin is merged into."""
+        return acting._replace(by=self.merged.get(acting.by, acting.by))
+
+
+def _back(acting: Acting, by: str) -> Acting:
+    """Return the reaction to what a body does to a pin."""
+    force = acting.force.times(-1) if acting.force is not None else None
+    return acting._replace(by=by, force=force, moment=-acting.moment)

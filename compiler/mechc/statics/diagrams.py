@@ -1,0 +1,137 @@
+"""The free-body diagrams of a mechanism: one for each set of loads that its results speak of.
+
+Sizes of loads are those that the description gives, else one load is given the size 1 and
+the other ones follow: forces are then per newton of it, or per newton metre.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Sequence, Set
+
+from ..frozen import frozen, replace
+from ..model.result import Result
+from ..pose.places import NOWHERE
+from ..pose.pose import Pose
+from . import solved
+from .cases import Case, Sizes, cases, sizes_of
+from .cut_free import Places, Solution, cut_free
+from .diagram import Acting, Diagram, FreeBody, Motion
+from .poses import with_lets
+from .unfold import Unfolding
+
+OTHER, MORE = 1.7, 0.31
+"""By what chosen lengths are multiplied to see which forces depend on them, each by more."""
+
+SAME = 1e-9
+"""A change of a force below this part of the largest one is rounding."""
+
+CONSTANT = "an efficiency does not say where friction acts"
+
+MIXED = "forces with friction do not add up, so every load but one needs a size"
+
+Solve = Callable[[Unfolding, Case], Solution | str]
+
+
+def diagrams(
+    pose: Pose, results: tuple[Result, ...], values: Sizes, places: Places, sizes: Sizes
+) -> tuple[Diagram, ...]:
+    """Return the free bodies under every set of loads, without friction and then with it.
+
+    ``values`` are those of all symbols of the pose, ``places`` where its points are drawn,
+    ``sizes`` those of loads that are given.
+    """
+    unfolding = Unfolding(pose, with_lets(pose.mechanism, values))
+    found = cases(pose.mechanism, results, sizes_of(pose.mechanism, unfolding.values, sizes))
+    several = {c.result for i, c in enumerate(found) if c.result in [o.result for o in found[:i]]}
+    return tuple(
+        diagram
+        for case in found
+        for diagram in _Maker(unfolding, places, case).diagrams(mixed=case.result in several)
+    )
+
+
+@frozen
+class _Maker:
+    """A mechanism at one pose under one set of loads."""
+
+    unfolding: Unfolding
+    places: Places
+    case: Case
+
+    def diagrams(self, *, mixed: bool) -> Iterator[Diagram]:
+        """Yield the diagram without friction, and one with it if there is any."""
+        yield self._solved("", solved.ideal)
+        friction = self.unfolding.pose.mechanism.friction
+        if friction.efficiency is not None:
+            yield self._empty(friction.sense, CONSTANT)
+        elif friction.rubbing and mixed:
+            yield self._empty(friction.sense, MIXED)
+        elif friction.rubbing:
+            yield self._solved(friction.sense, solved.with_friction)
+
+    def _empty(self, motion: Motion, trouble: str) -> Diagram:
+        case = self.case
+        return Diagram(case.result, motion, case.sizes, case.per, case.left_out, (), trouble)
+
+    def _solved(self, motion: Motion, solve: Solve) -> Diagram:
+        solution = solve(self.unfolding, self.case)
+        if isinstance(solution, str):
+            return self._empty(motion, solution)
+        factor, per = self._scale(solution)
+        bodies = self._cut(solution.times(factor))
+        other = solve(self._at_other_lengths(), self.case)
+        if not isinstance(other, str):
+            bodies = tuple(_marked(bodies, self._cut(other.times(factor)), self._loose()))
+        loads = {n: s * factor for n, s in solution.sizes.items() if n not in solution.rubbing}
+        return Diagram(self.case.result, motion, loads, per, self.case.left_out, bodies)
+
+    def _cut(self, solution: Solution) -> tuple[FreeBody, ...]:
+        return cut_free(solution, self.places)
+
+    def _scale(self, solution: Solution) -> tuple[float, str]:
+        """Return by what forces are multiplied, and the load of which they are per unit then.
+
+        A load whose size is zero here, or has the other sign, can be no measure of the rest.
+        """
+        if self.case.scale is None:
+            return 1.0, self.case.per
+        name, size = self.case.scale
+        here = solution.sizes[name]
+        return (size / here, "") if size * here > 0 else (1.0, next(iter(self.case.sizes)))
+
+    def _at_other_lengths(self) -> Unfolding:
+        """Return the same pose where lengths that nothing fixes are longer."""
+        pose, values = self.unfolding.pose, self.unfolding.values
+        open_ = [name for name, length in pose.placeholders.items() if length is None]
+        longer = {name: (OTHER + MORE * i) * values[name] for i, name in enumerate(open_)}
+        return replace(self.unfolding, values={**values, **longer})
+
+    def _loose(self) -> frozenset[str]:
+        """Return the slides of which nothing says where on them the pins are, in both halves."""
+        pose = self.unfolding.pose
+        touched = {touch.body for touch in pose.touches}
+        bare = {s.name for s in pose.mechanism.slides if not any(pose.frames[s.name].values())}
+        found = (touched & pose.slides.keys()) | bare
+        return frozenset((*found, *(f"{name}'" for name in found)))
+
+
+def _marked(
+    bodies: Sequence[FreeBody], others: Sequence[FreeBody], loose: Set[str]
+) -> Iterator[FreeBody]:
+    """Yield bodies with the forces marked that are not the same at other lengths or places."""
+    sizes = (math.hypot(*(a.force or NOWHERE)) for body in bodies for a in body.forces)
+    rounding = SAME * max(sizes, default=0.0)
+    for body, other in zip(bodies, others, strict=True):
+        tilts = body.name in loose
+        both = zip(body.forces, other.forces, strict=True)
+        forces = (a._replace(chosen=_differ(a, b, rounding) or _tilts(a, tilts)) for a, b in both)
+        yield body._replace(forces=tuple(forces))
+
+
+def _differ(one: Acting, other: Acting, rounding: float) -> bool:
+    if one.force is None or other.force is None:
+        return False
+    return math.dist(one.force, other.force) > rounding
+
+
+def _tilts(acting: Acting, loose: bool) -> bool:
+    return loose and acting.kind == "guide" and acting.moment != 0

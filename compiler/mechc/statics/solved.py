@@ -1,0 +1,122 @@
+"""Equilibrium solved for all forces at once, without friction or with it."""
+
+import math
+from collections.abc import Iterator
+
+from ..model.mechanism import Mechanism
+from .acts import Bearing
+from .answers import INCONSISTENT, UNBALANCED, Tie, gather, ties, with_loads
+from .cases import Case
+from .cut_free import Solution
+from .free_bodies import equilibrium
+from .friction import rubbed
+from .solve import Factors, factor
+from .unfold import Unfolding
+
+SEVERAL = "friction is found where one load follows from all the others"
+
+
+def ideal(unfolding: Unfolding, case: Case) -> Solution | str:
+    """Return all forces without friction, or why there are none."""
+    assembly, tied = unfolding.assembly(), _ties(unfolding)
+    system = equilibrium(assembly)
+    columns = gather(system, tied)
+    sizes, right = _bases(case, tied), dict[int, float]()
+    for base, size in sizes.items():
+        for i, amount in columns[base].items():
+            right[i] = right.get(i, 0.0) - amount * size
+    unknown = {base: columns[base] for base in _unknown(case, tied)}
+    rows, units = with_loads(system, unknown)
+    places = {base: len(system.unknowns) + i for i, base in enumerate(unknown)}
+    factors = factor(rows, len(system.unknowns) + len(unknown))
+    found = factors.solve(right)
+    if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
+        return UNBALANCED
+    open_ = _open(factors)
+    for base, column in places.items():
+        if column in open_:
+            return f"equilibrium leaves {base} open"
+    sizes |= {base: found[column] * units[base] for base, column in places.items()}
+    loads = _of_all(sizes, tied)
+    return Solution(assembly, system, found, open_, loads, {}, _bearings(unfolding))
+
+
+def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
+    """Return all forces with friction, or why there are none."""
+    tied = _ties(unfolding)
+    unknown = _unknown(case, tied)
+    if len(unknown) != 1:
+        return SEVERAL
+    (drive,) = unknown
+    sense = unfolding.pose.mechanism.friction.sense
+    rubs = rubbed(unfolding, sense, drive, case.sizes)
+    if isinstance(rubs, str):
+        return rubs
+    question, found = rubs.question, [0.0] * (len(rubs.question.system.unknowns) + 1)
+    for right, size in rubs.parts:
+        found = [f + size * x for f, x in zip(found, question.factors.solve(right), strict=True)]
+    loads = _of_all({**_bases(case, tied), drive: found[question.drive] * question.unit}, tied)
+    frictions = zip(rubs.pairs, rubs.senses, rubs.frictions, strict=True)
+    return Solution(
+        unfolding.assembly(*((pair.name, pair.actions) for pair in rubs.pairs)),
+        question.system,
+        found,
+        _open(question.factors),
+        {**loads, **{pair.name: sense * size for pair, sense, size in frictions}},
+        {pair.name: pair for pair in rubs.pairs},
+        _bearings(unfolding),
+    )
+
+
+def _ties(unfolding: Unfolding) -> dict[str, Tie]:
+    return ties(unfolding.pose.mechanism, unfolding.values)
+
+
+def _bases(case: Case, tied: dict[str, Tie]) -> dict[str, float]:
+    """Return the sizes of untied loads from which those of the case follow."""
+    return {tied[name].base: size / tied[name].factor for name, size in case.sizes.items()}
+
+
+def _unknown(case: Case, tied: dict[str, Tie]) -> list[str]:
+    """Return the untied loads that follow from the given ones."""
+    known = {tied[name].base for name in case.sizes} | case.known
+    return [name for name, tie in tied.items() if tie.base == name and name not in known]
+
+
+def _of_all(sizes: dict[str, float], tied: dict[str, Tie]) -> dict[str, float]:
+    """Return the size of every load from those of the untied ones that act."""
+    acting = {name: tie for name, tie in tied.items() if tie.base in sizes}
+    return {name: sizes[tie.base] * tie.factor for name, tie in acting.items()}
+
+
+def _open(factors: Factors) -> frozenset[int]:
+    """Return the columns of what equilibrium doesn't determine."""
+    if len(factors.pivots) == factors.width:
+        return frozenset()
+    return frozenset(i for i in range(factors.width) if not factors.determined(i))
+
+
+def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
+    """Return what holds wheels, racks and screws, in both halves."""
+    half = list(_pressed(unfolding.pose.mechanism))
+    points = [(f"{point}'", by) for point, by in half]
+    return frozenset(
+        bearing
+        for point, by in (*half, *points)
+        for bearing in ((point, by), (point, f"{by}'" if by != "ground" else by))
+    )
+
+
+def _pressed(mechanism: Mechanism) -> Iterator[Bearing]:
+    wheels = [(m.first, m.first_link) for m in mechanism.meshes]
+    wheels += [(m.second, m.second_link) for m in mechanism.meshes]
+    wheels += [(rack.pivot, rack.link) for rack in mechanism.racks]
+    links = {link.name: link for link in mechanism.links}
+    fixed = {pivot.point for pivot in mechanism.pivots}
+    for screw in mechanism.screws:
+        wheels += [(p, screw.link) for p in links[screw.link].points if p in fixed]
+    for pivot, link in wheels:
+        yield from ((pivot, link), (pivot, "ground"))
+    for rack in mechanism.racks:
+        yield rack.point, "ground"
+        yield from ((s.name, "ground") for s in mechanism.slides if rack.point in s.points)
