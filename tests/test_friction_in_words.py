@@ -206,3 +206,15 @@ def test_derivation_golden(name, golden):
 def test_report_golden(language, golden):
     shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
     golden(f"latex/friction_{language}.tex", shown.partition("section*{")[2])
+
+
+def test_the_force_on_a_face_has_one_name_and_angles_the_order_of_a_drawing():
+    shown = derived("d45_16_wedge_hook_with_friction")
+    assert "The whole force R_A of the face on A" in shown
+    assert "P − R_A · sin(β − ρ) = 0" in shown
+    assert "N_A" not in shown
+
+
+def test_slips_are_told_of_joints_that_there_are():
+    assert "rotation Ω" not in derived("d45_16_wedge_hook_with_friction")
+    assert "speed v" not in derived("karpenko_fig2_with_friction")

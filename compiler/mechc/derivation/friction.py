@@ -11,7 +11,7 @@ from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Reaction, WithFric
 from ..power.balance import Balance, Solved
 from ..power.friction.steps import Step
 from .steps import Account, Equation, Passage, Saying
-from .wording import positive_first
+from .wording import geometry_first, positive_first
 
 _LINES: Mapping[str, Saying] = {
     "crossed": Saying.CROSSED,
@@ -26,7 +26,6 @@ _ONCE = {*_LINES, "iterated"}
 
 _AT_PINS = ("crossed", "outer", "parallel", "single")
 
-_FIRST_ORDER = {"force": Symbol("r"), "turn": Symbol("Omega"), "speed": Symbol("v")}
 _CHANGES = product([(Symbol("D"), 1), (Symbol("n"), 1)])
 _ITERATED = {
     "sizes": Symbol("n"),
@@ -40,13 +39,13 @@ _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 def of_friction(balance: Balance) -> Iterator[Account]:
     """Yield an account of every result with friction that was found in steps."""
     mechanism = balance.plan.graph.pose.mechanism
-    told = _Told()
+    told = _Told(mechanism.friction.parameters)
     for place, group in groupby(balance.solved, _place):
         solved = tuple(group)
         steps = solved[0].steps
         if place is None or not steps:
             continue
-        passages = [p for step in steps for p in _passages(step, told.new(step), place)]
+        passages = [p for step in steps for p in _passages(step, told, place)]
         names = tuple(s.result.name for s in solved)
         yield Account(names, (*_opening(place, steps, mechanism, told), *passages))
 
@@ -65,7 +64,9 @@ def _place(solved: Solved) -> WithFriction | None:
 class _Told:
     """What was told of earlier results, so that nothing is told twice."""
 
-    def __init__(self) -> None:
+    def __init__(self, turns: Iterable[str]) -> None:
+        self.turns = set(turns)
+        """Names of angles by which friction turns a force, those of friction itself."""
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
         self._sayings: set[Saying] = set()
@@ -74,6 +75,8 @@ class _Told:
         """Return the definitions of a step that are new; None for a line that was told before."""
         changed: set[str] = set()
         for name, formula in step.defined:
+            if isinstance(formula, Call) and formula.function in ("asin", "atan"):
+                self.turns.add(name)
             if self._known.get(name) != formula or changed & symbols(formula):
                 changed.add(name)
                 self._known[name] = formula
@@ -134,11 +137,13 @@ def _rubs_along(step: Step) -> bool:
 # ----------------------------------------------------------------------------- passages
 
 
-def _passages(step: Step, new: Sequence[Equation] | None, asked: WithFriction) -> Iterator[Passage]:
+def _passages(step: Step, told: _Told, asked: WithFriction) -> Iterator[Passage]:
     """Yield what a step says; the load that is asked for is left to the result."""
+    new = told.new(step)
     if new is None:
         return
-    equations = [Equation(_ordered(left), right) for left, right in step.equations]
+    sides = ([geometry_first(side, told.turns) for side in pair] for pair in step.equations)
+    equations = [Equation(_ordered(left), right) for left, right in sides]
     found = [e for e in equations if e.left != _driving(asked)]
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
@@ -146,7 +151,7 @@ def _passages(step: Step, new: Sequence[Equation] | None, asked: WithFriction) -
             yield Passage(Saying.PRESSED if step.sense > 0 else Saying.PULLED, names=names)
             yield Passage(_LINES[step.kind], tuple(new), names)
         case "face":
-            force = {"force": Symbol(f"N_{step.body}")}
+            force = {"force": Symbol(f"R_{step.body}")}
             yield Passage(Saying.FACE, tuple(new), {"point": (step.body,)}, force)
         case "lever":
             yield from _moments(step, new, found)
@@ -161,13 +166,26 @@ def _passages(step: Step, new: Sequence[Equation] | None, asked: WithFriction) -
         case "efficiency":
             yield Passage(Saying.EFFICIENT, tuple(equations))
         case "first order":
-            less = asked.sense == "releasing"
-            saying = Saying.FIRST_ORDER_LESS if less else Saying.FIRST_ORDER
-            yield Passage(saying, (*new, *found), formulas=_FIRST_ORDER)
+            yield from _first_order((*new, *found), asked)
         case "iterated":
             yield Passage(Saying.ITERATED, formulas=_ITERATED)
         case _:
             assert_never(step.kind)
+
+
+def _first_order(equations: Sequence[Equation], asked: WithFriction) -> Iterator[Passage]:
+    """Yield how the frictions of first order add up, and what their slips are."""
+    less = asked.sense == "releasing"
+    saying = Saying.FIRST_ORDER_LESS if less else Saying.FIRST_ORDER
+    left = [e.left.name for e in equations if isinstance(e.left, Symbol)]
+    slips = []
+    if any(name.startswith("Omega_") for name in left):
+        slips.append(Passage(Saying.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")}))
+    if any(name.startswith("v_") for name in left):
+        slips.append(Passage(Saying.SLIP_OF_FACE, formulas={"speed": Symbol("v")}))
+    told = (Passage(saying, formulas={"force": Symbol("r")}), *slips)
+    yield from told[:-1]
+    yield replace(told[-1], equations=tuple(equations))
 
 
 def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Passage]:

@@ -1,8 +1,21 @@
 """A derivation put into words, whatever the language and whoever prints."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Set
 
-from ..formula.tree import Formula, Number, Power, Product, Symbol, product, quotient
+from ..formula.tree import (
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    negative,
+    product,
+    quotient,
+    total,
+)
+from ..formula.walk import children, rebuild, symbols
 from ..words.table import Words
 from .steps import Equation, Step
 
@@ -89,6 +102,38 @@ def positive_first(terms: Iterable[Formula]) -> list[Formula]:
     ordered = list(terms)
     lead = next((i for i, t in enumerate(ordered) if not has_minus(t)), 0)
     return [*ordered[lead : lead + 1], *ordered[:lead], *ordered[lead + 1 :]]
+
+
+def geometry_first(formula: Formula, turns: Set[str]) -> Formula:
+    """Return a formula with ``sin(α − δ)`` for ``−sin(δ − α)``, δ one of the turns by friction.
+
+    >>> from ..formula.tree import Call, negative, total
+    >>> from ..formula.to_text import text
+    >>> sine = Call("sin", (total([Symbol("delta"), negative(Symbol("alpha"))]),))
+    >>> text(geometry_first(product([(Symbol("S"), 1), (sine, 1)]), {"delta"}))
+    '-S*sin(alpha - delta)'
+    """
+    parts = tuple(geometry_first(part, turns) for part in children(formula))
+    whole = rebuild(formula, parts) if parts else formula
+    match whole:
+        case Call("sin", (Sum(terms),)) if _led_by(terms, turns):
+            return negative(Call("sin", (_turned_round(terms),)))
+        case Call("cos", (Sum(terms),)) if _led_by(terms, turns):
+            return Call("cos", (_turned_round(terms),))
+        case Call("hypot" | "abs" as size, of):
+            return Call(size, tuple(negative(part) if has_minus(part) else part for part in of))
+        case _:
+            return whole
+
+
+def _turned_round(terms: Iterable[Formula]) -> Formula:
+    return total(positive_first(map(negative, terms)))
+
+
+def _led_by(terms: Iterable[Formula], turns: Set[str]) -> bool:
+    """Tell whether all that is added are turns, and something else is taken away."""
+    signed = [(has_minus(term), symbols(term) <= turns) for term in terms]
+    return all(turned for minus, turned in signed if not minus) and (True, False) in signed
 
 
 def has_minus(term: Formula) -> bool:

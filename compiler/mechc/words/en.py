@@ -145,12 +145,13 @@ WORDS = Words(
         "knee": "Forces on the pin {point}, across each of the rods:",
         "first order": "To first order the joints are pressed as without friction. Each friction "
         "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
-        "velocity. In a pin the slip is the rotation {turn} and the coefficient the radius of the "
-        "friction circle; along a face the slip is the speed {speed}.",
+        "velocity.",
         "first order, less": "To first order the joints are pressed as without friction. Each "
         "friction takes away its coefficient times the force {force} times the slip, per unit of "
-        "the drive’s velocity. In a pin the slip is the rotation {turn} and the coefficient the "
-        "radius of the friction circle; along a face the slip is the speed {speed}.",
+        "the drive’s velocity.",
+        "slip of pin": "The slip of a pin is its rotation {turn}, with the radius of the friction "
+        "circle for a coefficient.",
+        "slip of face": "Along a face the slip is the speed {speed}.",
         "straight": "Each friction is its coefficient times the force {force} that presses the "
         "surfaces; the frictions themselves change these forces. The power of each is this times "
         "the speed {speed} of the slip, per unit of the drive’s velocity:",
