@@ -44,6 +44,34 @@ def test_both_motions_straddle_the_ideal_ratio(case):
     assert 0 < found["eta_k"] < 1
 
 
+FOLLOWER = """mechanism follower
+param r = 60 mm
+param psi = 25 deg in 5 deg .. 40 deg
+param mu = 0.12
+param nu = 0.05
+pivot O
+link OC
+slider A along y
+OC = 50 mm @ 80 deg
+OA = r @ 90 deg
+contact A on OC normal 90 deg + psi
+torque M on OC
+force F at A along -y
+find k = M/F
+friction slider A mu
+friction contact A nu
+"""
+
+
+def test_a_cam_presses_its_follower_on_the_guide():
+    """M = r·R·sin(ψ + φ), F = R·(cos(ψ + φ) − μ·sin(ψ + φ)), with φ = atan ν on the face."""
+    found = mechc.loads(FOLLOWER).evaluate()
+    turn = math.radians(25) + math.atan(0.05)
+    assert found["k"] == pytest.approx(0.06 * math.tan(math.radians(25)))
+    across = math.sin(turn)
+    assert found["k_f"] == pytest.approx(0.06 * across / (math.cos(turn) - 0.12 * across))
+
+
 LEVER = """mechanism lever
 param a = 150 mm
 param b = 60 mm

@@ -262,9 +262,10 @@ def _is_guided(point: ast.Name, scope: Scope) -> bool:
     if any(point.text in slide for slide in scope.points.slides):
         return True
     if point.text in scope.points.guided:
-        if point.text not in scope.points.carried:
+        pressed = point.text in scope.points.carried.keys() | scope.points.touching
+        if not pressed:
             scope.report.add(words.nothing_presses(point.span, point.text))
-        return point.text in scope.points.carried
+        return pressed
     scope.report.add(words.not_guided(point.span, point.text))
     return False
 

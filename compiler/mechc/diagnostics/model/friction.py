@@ -81,12 +81,13 @@ def friction_again(span: Span, point: str, first: Span) -> Words:
 
 @coded("E276")
 def nothing_presses(span: Span, point: str) -> Words:
-    """Friction is given at a slider that holds no link: nothing presses it on its guide.
+    """Friction is given at a slider that holds and touches nothing to press it on its guide.
 
     slider B along x
-    friction slider B 0.1     # wrong unless a link goes through B
+    friction slider B 0.1     # wrong unless a link goes through B, or B touches one
     """
-    return Words(span, f"no link goes through {point}, so nothing presses it on its guide")
+    message = f"no link goes through {point} or touches it, so nothing presses it on its guide"
+    return Words(span, message)
 
 
 @coded("E277")
