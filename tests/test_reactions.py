@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import force_mechanisms
+import mechc
 from force_samples import (
     LARGEST_CONDITION,
     Compiled,
@@ -164,3 +165,24 @@ def test_the_ground_carries_all_loads(plain):
     held = sum(complex(results[n], results[f"{n[:-1]}y"]) for n in ground)
     size = max(abs(v) for v in results.values())
     assert abs(held + sum(loads_on(made, values).values())) < 1e-9 * size
+
+
+WEDGE = """
+param beta = 8 deg
+param a = 30 mm
+param b = 60 mm
+slide WX along x
+pivot O
+link OAC
+OA = a @ 180 deg
+OC = b @ 90 deg
+contact A on WX normal 90 deg + beta
+force P at W along -x
+force F at C along -x
+find N_W
+"""
+
+
+def test_the_guide_of_a_slide_has_a_normal_force():
+    """F·b = N·a·cos β about O, and the guide holds what the wedge pushes down: N·cos β."""
+    assert mechc.loads(WEDGE).evaluate(F=10.0)["N_W"] == pytest.approx(20.0)

@@ -262,7 +262,7 @@ def _is_guided(point: ast.Name, scope: Scope) -> bool:
     if any(point.text in slide for slide in scope.points.slides):
         return True
     if point.text in scope.points.guided:
-        pressed = point.text in scope.points.carried.keys() | scope.points.touching
+        pressed = point.text in scope.points.carried.keys() | scope.points.touching.keys()
         if not pressed:
             scope.report.add(words.nothing_presses(point.span, point.text))
         return pressed

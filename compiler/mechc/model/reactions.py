@@ -81,8 +81,8 @@ def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
     if scope.points.touching[point] > 1:
         scope.report.add(words.several_touch(symbol.span, point))
         return None
-    if point not in scope.points.guided | scope.points.touching.keys():
-        on_slide = any(point in s for s in scope.points.slides)
-        scope.report.add(words.nothing_normal(symbol.span, point, on_slide))
+    sliding = {p for points in scope.points.slides for p in points}
+    if point not in scope.points.guided | scope.points.touching.keys() | sliding:
+        scope.report.add(words.nothing_normal(symbol.span, point))
         return None
     return Normal(point)

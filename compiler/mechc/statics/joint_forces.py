@@ -42,7 +42,7 @@ def wanted_of(target: Target, unfolding: Unfolding, system: System) -> tuple[Wei
             along = arm.times(1 / math.hypot(*arm))
             return (_on_link_or_point(system, unfolding, head, link, along),)
         case Normal(point):
-            return (_normal(system, point),)
+            return (_normal(system, unfolding, point),)
 
 
 def _on_link_or_point(
@@ -66,10 +66,13 @@ def _on_link_or_point(
     return weights
 
 
-def _normal(system: System, point: str) -> Weights:
+def _normal(system: System, unfolding: Unfolding, point: str) -> Weights:
+    """Return the force of a contact or slot, else that of a guide on the point or its slide."""
+    held = {point, *(s.name for s in unfolding.pose.mechanism.slides if point in s.points)}
+
     def fits(unknown: Unknown) -> bool:
-        return unknown.on == point and unknown.component in ("slot", "contact", "normal")
+        return unknown.on in held and unknown.component in ("slot", "contact", "normal")
 
     touching = [i for i, u in enumerate(system.unknowns) if fits(u)]
     kinds = {system.unknowns[i].component: i for i in touching}
-    return {kinds.get("contact", kinds.get("slot", kinds.get("normal", 0))): 1.0}
+    return {next(kinds[kind] for kind in ("contact", "slot", "normal") if kind in kinds): 1.0}

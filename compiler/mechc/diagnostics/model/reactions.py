@@ -73,18 +73,13 @@ def several_touch(span: Span, point: str) -> Words:
 
 
 @coded("E254")
-def nothing_normal(span: Span, point: str, on_slide: bool) -> Words:
-    """``N_A`` is the force of a guide, a slot or a contact on point A.
-
-    A body that only translates is held as a whole, by a force and a couple; they are not found.
+def nothing_normal(span: Span, point: str) -> Words:
+    """``N_A`` is the force of a guide, a slot or a contact on point A, or on the slide of A.
 
     pivot O
     find N_O     # wrong: a pivot has no normal
     find R_O     # right
     """
-    if on_slide:
-        message = f"the slide of {point} is guided as a whole, and its force is not found"
-        return Words(span, message, "ask for what presses on the slide: a contact, slot or rod")
     message = f"point {point} is neither guided nor in contact, so it has no normal force"
     return Words(span, message, f"the force on a pin is R_{point}")
 
