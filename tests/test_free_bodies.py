@@ -163,7 +163,7 @@ def test_mechanisms_grown_at_random(seed):
     assert_joints_as_asked(diagram, made)
 
 
-@pytest.mark.parametrize("seed", [*range(6), 7, 8, *range(10, 20)])
+@pytest.mark.parametrize("seed", [*range(6), *range(7, 20)])
 def test_friction_in_mechanisms_grown_at_random(seed):
     sample = pushing(given(seed, 2))
     if sample is None:
@@ -174,8 +174,9 @@ def test_friction_in_mechanisms_grown_at_random(seed):
     assert_balance((ideal, rubbing), made.figure)
     result = next(r for r in made.balance.results if r.name == "k_f")
     k = value_of(result, made.figure.values)
+    assert bool(rubbing.trouble) == math.isnan(k)
     if rubbing.trouble:
-        pytest.skip(rubbing.trouble)
+        return
     assert rubbing.loads["P"] / rubbing.loads["F"] == pytest.approx(k, rel=1e-9)
     assert_friction_is_of_its_size(rubbing, made)
 

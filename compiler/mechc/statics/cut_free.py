@@ -58,21 +58,25 @@ def cut_free(solution: Solution, places: Places) -> tuple[FreeBody, ...]:
         acts.load(name, size, solution.rubbing.get(name))
     acts.settle_couples()
     acts.forget(solution.bearings)
-    return tuple(_rounded(_held(body, places)) for body in _Drawn(acts).bodies())
+    return tuple(_rounded([_held(body, places) for body in _Drawn(acts).bodies()]))
 
 
-def _rounded(body: FreeBody) -> FreeBody:
-    """Return a body with zeros where only rounding is left of a force, beside the others."""
-    sizes = [math.hypot(*acting.force) for acting in body.forces if acting.force]
+def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:
+    """Yield bodies with zeros where only rounding is left of a force, beside the others."""
+    sizes = (math.hypot(*a.force) for body in bodies for a in body.forces if a.force)
     least = ROUNDED * max(sizes, default=0.0)
-    return body._replace(forces=tuple(_clean(acting, least) for acting in body.forces))
+    for body in bodies:
+        yield body._replace(forces=tuple(_clean(acting, least) for acting in body.forces))
 
 
 def _clean(acting: Acting, least: float) -> Acting:
+    """Return an action with a rounded zero as 0; at a pin its friction is none then."""
     force = acting.force
-    if force is not None:
-        force = Plane(*(part if abs(part) > least else 0.0 for part in force))
-    return acting._replace(force=force, moment=acting.moment + 0.0)
+    if force is None:
+        return acting
+    force = Plane(*(part if abs(part) > least else 0.0 for part in force))
+    moment = acting.moment if any(force) or acting.kind != "pin" else 0.0
+    return acting._replace(force=force, moment=moment + 0.0)
 
 
 def _held(body: FreeBody, places: Places) -> FreeBody:
