@@ -95,5 +95,6 @@ def on_the_line(slots: Sequence[Touch], vectors: Vectors) -> list[Condition]:
         chain = vectors.chain(slot.tail, slot.point)
         if chain:
             arms = vectors.arms(chain)
-            conditions.append(Condition("-".join(chain), arms, (slot.normal,), slot.span))
+            name = "-".join(filter(None, chain))
+            conditions.append(Condition(name, arms, (slot.normal,), slot.span))
     return conditions

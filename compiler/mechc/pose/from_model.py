@@ -61,8 +61,8 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         closing=tuple(terms.definitions),
         vectors=vectors.given(),
     )
-    survey.close_loops(pose)
-    survey.report_unfound(pose, found)
+    unfound = survey.report_unfound(pose, found)
+    survey.close_loops(pose, unfound)
     report.stop_on_errors()
     _remark(pose, vectors, found, report)
     return pruned(pose)
@@ -190,9 +190,10 @@ class _Survey:
             return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
         return None
 
-    def report_unfound(self, pose: Pose, found: frozenset[str]) -> None:
-        """Report the links whose direction nothing gives and no loop closes."""
+    def report_unfound(self, pose: Pose, found: frozenset[str]) -> frozenset[str]:
+        """Report the links whose direction nothing gives and no loop closes; name directions."""
         open_ = {n: at for n, at in self._compass.sought.items() if n not in found}
+        reported: set[str] = set()
         for link in self._mechanism.links:
             used = {n for vector in pose.frames[link.name].values() for n in mentioned(vector)}
             for name in sorted(used & open_.keys()):
@@ -200,13 +201,17 @@ class _Survey:
                 self._report.add(
                     words.missing_direction(link.span, f"{tail}{head}", f"link {link.name}")
                 )
+                reported.add(name)
+        return frozenset(reported)
 
-    def close_loops(self, pose: Pose) -> None:
-        """Report every loop that does not close for independent symbols."""
+    def close_loops(self, pose: Pose, unfound: frozenset[str]) -> None:
+        """Report every loop that does not close for independent symbols, all of them known."""
         closure = Closure(pose.placeholders, {d.name for d in pose.definitions})
         values = poses_nearby(self._mechanism, pose.definitions)
         slots = on_the_line([t for t in pose.touches if t.kind == "slot"], self._vectors)
         for condition in (*self._loops(), *self._guide_lines(pose), *slots):
+            if unfound & mentioned(condition.arms):
+                continue
             if fault := closure.check(condition, values):
                 self._report.add(fault)
 
@@ -226,5 +231,6 @@ class _Survey:
             chain = slider.through and self._vectors.chain(slider.point, slider.through)
             if chain:
                 arms, normal = self._vectors.arms(chain), across(pose.guides[slider.point])
-                conditions.append(Condition("-".join(chain), arms, (normal,), slider.span))
+                name = "-".join(filter(None, chain))
+                conditions.append(Condition(name, arms, (normal,), slider.span))
         return conditions

@@ -52,7 +52,7 @@ def bare_number(span: Span, digits: str, wanted: Dimension) -> Words:
         OB = 40 mm @ 30 deg       # right
     """
     unit = USUAL_UNITS.get(wanted, "")
-    hint = f"write {digits} {unit}" if unit and wanted in (ANGLE, LENGTH) else "write its unit"
+    hint = f"write {digits} {unit}" if unit else "write its unit"
     return Words(span, f"{digits} what? Expected {described(wanted)}", hint)
 
 
