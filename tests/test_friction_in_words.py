@@ -218,3 +218,28 @@ def test_the_force_on_a_face_has_one_name_and_angles_the_order_of_a_drawing():
 def test_slips_are_told_of_joints_that_there_are():
     assert "rotation Ω" not in derived("d45_16_wedge_hook_with_friction")
     assert "speed v" not in derived("karpenko_fig2_with_friction")
+
+
+def test_loads_of_unknown_size_are_not_taken_for_equal():
+    """Two loads that would relieve a pin if they were equal: no case of H = W is printed."""
+    source = """
+param alpha = 20 deg in 5 deg .. 60 deg
+param L = 80 mm
+param f = 0.1
+param d = 10 mm
+pivot E
+slider C along 0 deg
+link EB
+link BC
+EB = L @ alpha
+BC = L @ -alpha
+force Q at B along -90 deg
+force W at C along 180 deg
+force H at B along 0 deg
+friction pins f diameter d
+find Q
+"""
+    compilation = compile_source(Source("knee.mech", source))
+    first = next(r for r in compilation.results if r.name == "Q_f1")
+    assert first.holds
+    assert all(condition.operator != "=" for condition in first.holds)

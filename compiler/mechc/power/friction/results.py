@@ -193,8 +193,11 @@ class FrictionResults:
             return None
 
     def _values(self) -> dict[str, float]:
-        """Return the default pose's values, with loads of unknown size as 1."""
-        values = dict.fromkeys((load.name for load in self._mechanism.loads), 1.0)
+        """Return the default pose's values, with loads of unknown size near 1, none like another.
+
+        Equal ones may cancel in a joint, which would then be told for that case only.
+        """
+        values = {load.name: 1 + i / 7 for i, load in enumerate(self._mechanism.loads)}
         values |= default_values(self._plan)
         for name, formula in self._valued.items():
             if symbols(formula) <= values.keys():
