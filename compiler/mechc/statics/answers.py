@@ -22,6 +22,9 @@ ROUNDED = 2.0**-52
 
 UNBALANCED = "no forces at the joints balance the loads"
 
+STANDS = "a joint stands still at that pose, and rounding tells which way it slips"
+"""The doubt where friction may as well have the other sign, or none."""
+
 Row = Mapping[int, float]
 
 
@@ -29,12 +32,14 @@ class Answer(NamedTuple):
     """What statics says: a value, NaN where it says none, and then why.
 
     ``influence`` bounds the change of the value per relative change of the entries of
-    the equations, each against the largest of its row.
+    the equations, each against the largest of its row. ``doubt`` is why another value may
+    be as right.
     """
 
     value: float
     influence: float
     trouble: str = ""
+    doubt: str = ""
 
     @property
     def condition(self) -> float:
@@ -88,8 +93,9 @@ def _respond(unfolding: Unfolding, wanted: str, given: str, known: Set[str]) -> 
     given_row = columns.pop(source.base)
     unknown = {b: row for b, row in columns.items() if b == target.base or b not in known}
     right = {i: -amount / source.factor for i, amount in given_row.items()}
-    value, influence, trouble = balance(system, unknown, right, target.base)
-    return Answer(value * target.factor, influence * abs(target.factor), trouble)
+    found = balance(system, unknown, right, target.base)
+    factor_ = target.factor
+    return found._replace(value=found.value * factor_, influence=found.influence * abs(factor_))
 
 
 def gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, float]]:

@@ -26,7 +26,17 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.targets import SIGNS
-from .answers import INCONSISTENT, UNBALANCED, Answer, Row, Tie, gather, ties, with_loads
+from .answers import (
+    INCONSISTENT,
+    STANDS,
+    UNBALANCED,
+    Answer,
+    Row,
+    Tie,
+    gather,
+    ties,
+    with_loads,
+)
 from .assembly import Action, direction, scaled
 from .free_bodies import System, equilibrium
 from .joint_forces import Weights, wanted_of
@@ -112,7 +122,8 @@ def with_friction(
         return Answer(math.nan, math.inf, found)
     multiple = ties(unfolding.pose.mechanism, unfolding.values)[driving].factor
     weights = _weights(target, unfolding, found.question, multiple)
-    return _combined([_answer(found.question, w, found.parts) for w in weights])
+    answer = _combined([_answer(found.question, w, found.parts) for w in weights])
+    return answer if all(found.senses) else answer._replace(doubt=STANDS)
 
 
 def rubbed(

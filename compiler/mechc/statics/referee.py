@@ -35,7 +35,7 @@ from ..model.mechanism import (
 from ..model.result import Definition, Result
 from ..pose.pose import Pose
 from ..source import Span
-from .answers import Answer, load_coefficient, load_ratio
+from .answers import STANDS, Answer, load_coefficient, load_ratio
 from .closure import worst_gap
 from .contacts import pulling
 from .poses import Replay, Values, candidates
@@ -238,7 +238,8 @@ def _try(question: Question, unfolding: Unfolding) -> Trial | str:
         return NEAR_SINGULAR
     error = abs(power - answer.value) / max(abs(power), abs(answer.value), TINY)
     values = dict(unfolding.values)
-    return Trial(question.name, values, power, answer.value, error, answer.condition)
+    trial = Trial(question.name, values, power, answer.value, error, answer.condition)
+    return answer.doubt if answer.doubt and not trial.agrees else trial
 
 
 def _evaluate(question: Question, unfolding: Unfolding) -> float:
@@ -257,7 +258,7 @@ def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> 
 
 def _unjudged(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
     """Return a warning, or an error where only equilibrium failed, and at every pose."""
-    if troubles and not {NO_VALUE, NEAR_SINGULAR} & set(troubles):
+    if troubles and not {NO_VALUE, NEAR_SINGULAR, STANDS} & set(troubles):
         return no_equilibrium(span, name, troubles[-1])
     return not_judged(span, name, troubles[-1] if troubles else "no pose was found")
 
