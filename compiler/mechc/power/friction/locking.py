@@ -14,8 +14,8 @@ from ...model.locking import Bound, Locking, Range, Reach, State, Stretch
 from ...model.mechanism import LoadForm, LoadRatio, WithFriction
 from ...model.result import Result
 from ..balance import Balance
-from .places import Places, named
-from .ranges import range_of, turns, unit_of, varying
+from .places import Places
+from .ranges import EXACT, NEARLY, last, range_of, turns, unit_of, varying
 from .states import Moving
 
 PLACES = 36
@@ -30,14 +30,14 @@ ITERATED = (12, 3)
 BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""
 
-EXACT = 1e-13
-"""The width, against the size of what is looked at, to which an end is narrowed down."""
-
 NEAR = 1e-9
 """What is nearer to 0, against the distance of places, is 0."""
 
 SHORT = 12
 """An end of more operations than this is told as a figure."""
+
+LONG = 200
+"""A formula of more operations than this is not solved for anything."""
 
 Solve = Callable[[Formula, str], Iterator[Solution]]
 
@@ -98,29 +98,18 @@ def _window(name: str, moving: Moving, balance: Balance) -> Range | None:
 
 def _dead_centre(start: float, beyond: float, moving: Moving) -> float:
     """Return the place of the next dead centre, or where nothing more is looked at."""
+    driven = moving.driven(start)
 
     def is_alike(place: float) -> bool:
-        found = moving.at(place)
-        return found.state is not None and found.driven == moving.at(start).driven
+        return driven is not None and moving.driven(place) == driven
 
     before = start
     for step in range(1, PLACES + 1) if is_alike(start) else ():
         place = start + beyond * step / PLACES
         if not is_alike(place):
-            return _last(is_alike, before, place)
+            return last(is_alike, before, place)
         before = place
     return before
-
-
-def _last(holds: Callable[[float], bool], good: float, bad: float) -> float:
-    """Return the last place at which something holds that no longer does at another."""
-    width = EXACT * max(abs(good), abs(bad))
-    while abs(bad - good) > width and (middle := (good + bad) / 2) not in (good, bad):
-        if holds(middle):
-            good = middle
-        else:
-            bad = middle
-    return good
 
 
 # --------------------------------------------------------------------------- stretches
@@ -168,18 +157,17 @@ class _Stretches:
 
     def _still(self, a: float, b: float) -> Iterator[float]:
         """Yield the dead centre between two places."""
-        if self.moving.at(b).driven != self.moving.at(a).driven:
+        if self.moving.driven(b) != self.moving.driven(a):
             yield self._dead_centre(a, b)
 
     def _dead_centre(self, a: float, b: float) -> float:
         """Return the dead centre between two places, 0 where it is nearly that."""
-        start = self.moving.at(a)
+        driven = self.moving.driven(a)
 
         def is_alike(place: float) -> bool:
-            found = self.moving.at(place)
-            return found.state is not None and found.driven == start.driven
+            return driven is not None and self.moving.driven(place) == driven
 
-        place = _last(is_alike, a, b)
+        place = last(is_alike, a, b)
         return 0.0 if abs(place) < NEAR * abs(b - a) else place
 
     def _end(self, places: Sequence[float], i: int, way: int) -> Bound | None:
@@ -189,9 +177,11 @@ class _Stretches:
         a, b = places[i], places[i + way]
         here, there = self.moving.at(a), self.moving.at(b)
         if there.state is None or here.driven != there.driven:
-            return self._bound(self._dead_centre(a, b), self.moving.ideal, (zeros, poles), True)
+            is_pose = not math.isnan(self.moving.places.of(self.moving.ideal, b))
+            return self._bound(self._dead_centre(a, b), self.moving.ideal, (zeros, poles), is_pose)
         state = here.state
-        place = _last(lambda x: self.moving.at(x).state == state, a, b)
+        width = NEARLY if self.moving.is_iterated else EXACT
+        place = last(lambda x: self.moving.at(x).state == state, a, b, width)
         return self._bound(place, self.printed, (zeros if state == "locked" else poles,))
 
     def _is_certain(
@@ -217,7 +207,9 @@ class _Stretches:
         self, place: float, result: Result, ways: Sequence[Solve], is_dead_centre: bool = False
     ) -> Bound:
         """Return an end with its formula, if it has one of names that do not vary themselves."""
-        values = named(result, self.moving.places.values(place))
+        if count_operations(result.formula) > LONG:
+            return Bound(place, None, is_dead_centre)
+        values = self.moving.places.named(result, place)
         varying = self.moving.places.varying(result)
         for solution in chain(*(solve(result.formula, self.name) for solve in ways)):
             exact = solution.at(place, values)

@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from ...formula.tree import Formula
 from ...formula.walk import evaluate, symbols
 from ...kinematics.plan import Plan
-from ...model.result import Result
-from ...model.values import Chain, allowed, completed, defaults, dependent
+from ...model.result import Definition, Result
+from ...model.values import Chain, allowed, defaults, dependent
 
 
 class Places:
@@ -22,6 +22,7 @@ class Places:
         self._formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
         self._chain = Chain(self._formulas)
         self._known: dict[float, dict[str, float]] = {}
+        self._needed: dict[str, list[tuple[Definition, frozenset[str]]]] = {}
 
     def values(self, place: float) -> dict[str, float]:
         """Return all that has a value at a place; nothing where no pose is allowed."""
@@ -40,12 +41,17 @@ class Places:
 
     def of(self, result: Result, place: float) -> float:
         """Return a result's value, NaN where it has none."""
-        return value(result.formula, named(result, self.values(place)))
+        return value(result.formula, self.named(result, place))
 
-
-def named(result: Result, values: Mapping[str, float]) -> dict[str, float]:
-    """Return values with those of the names that a result mentions."""
-    return completed(values, (d for d in result.where if d.name not in values))
+    def named(self, result: Result, place: float) -> dict[str, float]:
+        """Return what has a value at a place, the names that a result mentions among it."""
+        if result.name not in self._needed:
+            self._needed[result.name] = [(d, symbols(d.formula)) for d in result.where]
+        found = dict(self.values(place))
+        for (name, formula), needs in self._needed[result.name]:
+            if name not in found and needs <= found.keys():
+                found[name] = evaluate(formula, found)
+        return found
 
 
 def value(formula: Formula, values: Mapping[str, float]) -> float:

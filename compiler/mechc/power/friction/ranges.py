@@ -4,7 +4,6 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 
-from ...formula.roots import halved
 from ...formula.walk import evaluate, symbols
 from ...model.locking import Range
 from ...model.mechanism import Mechanism
@@ -76,20 +75,33 @@ def spaced(ends: Range, parts: int) -> list[float]:
     return [low + (high - low) * i / parts for i in range(parts)] + [high]
 
 
+EXACT, NEARLY = 1e-13, 1e-10
+"""Widths, against the size of what is looked at, to which an end is narrowed down."""
+
+
+def last(holds: Callable[[float], bool], good: float, bad: float, width: float = EXACT) -> float:
+    """Return the last place at which something holds that no longer does at another."""
+    least = width * max(abs(good), abs(bad))
+    while abs(bad - good) > least and (middle := (good + bad) / 2) not in (good, bad):
+        if holds(middle):
+            good = middle
+        else:
+            bad = middle
+    return good
+
+
 def spans(places: Sequence[float], holds: Callable[[float], bool]) -> Iterator[Range]:
-    """Yield the stretches on which something holds, their ends to the last bit."""
-
-    def end(good: float, bad: float) -> float:
-        return halved(lambda x: 1.0 if holds(x) else -1.0, good, bad).place
-
+    """Yield the stretches on which something holds."""
     first = 0
     for so, group in groupby(places, holds):
-        last = first + len(list(group)) - 1
+        final = first + len(list(group)) - 1
         if so:
-            low = end(places[first], places[first - 1]) if first else places[0]
-            high = end(places[last], places[last + 1]) if last + 1 < len(places) else places[-1]
+            low = last(holds, places[first], places[first - 1], NEARLY) if first else places[0]
+            high = places[-1]
+            if final + 1 < len(places):
+                high = last(holds, places[final], places[final + 1], NEARLY)
             yield low, high
-        first = last + 1
+        first = final + 1
 
 
 def shown(name: str, ends: Range, mechanism: Mechanism) -> str:

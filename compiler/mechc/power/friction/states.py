@@ -15,7 +15,7 @@ from ...model.locking import State
 from ...model.result import Result
 from ...model.targets import SIGNS, Sense
 from ...model.values import holds
-from .places import Places, named, value
+from .places import Places, value
 
 
 class Found(NamedTuple):
@@ -54,12 +54,17 @@ class Moving:
             self._known[place] = self._look(place)
         return self._known[place]
 
-    def _look(self, place: float) -> Found:
+    def driven(self, place: float) -> bool | None:
+        """Return whether the motion is the one that the load drives; None at a dead centre."""
         ideal = self.places.of(self.ideal, place)
-        if not math.isfinite(ideal) or not ideal:
+        return self._sign * ideal < 0 if math.isfinite(ideal) and ideal else None
+
+    def _look(self, place: float) -> Found:
+        driven = self.driven(place)
+        if driven is None:
             return NOWHERE
-        values = named(self.real, self.places.values(place))
-        share, driven = value(self.real.formula, values) / ideal, self._sign * ideal < 0
+        values = self.places.named(self.real, place)
+        share = value(self.real.formula, values) / self.places.of(self.ideal, place)
         keeps = all(holds(guard, values) for guard in self.real.guards)
         if keeps and math.isfinite(share) and share > 0:
             return Found("free", share, driven, keeps)
