@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -724,3 +725,12 @@ def test_a_weight_on_an_incline_stays_where_friction_holds_it():
 def test_an_efficiency_has_no_course_over_what_it_does_not_depend_on():
     courses = results(INCLINE)["eta_P"].courses
     assert [c.parameter for c in courses] == ["gamma", "mu"]
+
+
+def test_a_pose_at_which_a_joint_turns_back_is_no_fault(tmp_path, capsys):
+    """Half a turn of its crank turns the coupler of Hoeken's linkage back: no slip there."""
+    text_ = (Path(__file__).parents[1] / "library" / "hoeken.yaml").read_text("utf-8")
+    path = tmp_path / "m.yaml"
+    path.write_text(f"{text_}\nfriction: {{pins: {{f: 0.1, diameter: 1 mm}}}}\n", encoding="utf-8")
+    assert main(["check", str(path)]) == 0
+    assert "equilibrium of the free bodies agrees" in capsys.readouterr().out
