@@ -243,3 +243,17 @@ find Q
     first = next(r for r in compilation.results if r.name == "Q_f1")
     assert first.holds
     assert all(condition.operator != "=" for condition in first.holds)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "lever_clamp_with_friction",
+        "d45_16_wedge_hook_with_friction",
+        "fedoriv_fig2b_with_friction",
+        "karpenko_fig9_with_friction",
+    ],
+)
+def test_code_has_no_square_of_a_sign(name):
+    code = mechc.load(name).emit("python")
+    assert not re.search(r"\b((s|sigma)_\w*)(\*\*2|\*\1\b)", code)

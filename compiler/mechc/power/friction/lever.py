@@ -77,7 +77,7 @@ def on_lever(
     arm, rest = arm.scaled(way), rest.scaled(-way)
     across = -across if across.coefficient < 0 else across
     bearing = bearing._replace(turn=bearing.turn.scaled(way))
-    turn = signs.of(f"s_{label}_arm", arm) * bearing.turn
+    turn = signs.unsquared(signs.of(f"s_{label}_arm", arm) * bearing.turn)
     if not turn:
         return Balanced(rest / arm)
     if not across:

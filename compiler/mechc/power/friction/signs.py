@@ -55,6 +55,10 @@ class Signs(Protocol):
         """Return a line turned by the arc of a sine or tangent, which may be called ``name``."""
         ...
 
+    def unsquared(self, value: Product) -> Product:
+        """Return a product without the squares of signs, which are 1 but at single poses."""
+        ...
+
     def named(self, name: str, value: Product) -> Product:
         """Return a value, by a name where it is more than a product of few factors."""
         ...
@@ -130,9 +134,9 @@ class AtAnyPose(_Names):
 
     def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
         """Return the line turned by a named angle, which carries its sign."""
-        return self.turn(name, line, by, self._bare(value)) if value else line
+        return self.turn(name, line, by, self.unsquared(value)) if value else line
 
-    def _bare(self, value: Product) -> Product:
+    def unsquared(self, value: Product) -> Product:
         """Return a product without the squares of signs, which are 1 but at single poses."""
         odd = {f: e for f, e in value.factors.items() if e % 2 or f not in self._own}
         return Product(value.coefficient, {f: 1 if f in self._own else e for f, e in odd.items()})
@@ -195,6 +199,10 @@ class AtOnePose(_Names):
         arc = self.turn(name, line, by, size) - line
         self._box.update((named, ACUTE) for named, _ in arc.terms)
         return line + arc * sign
+
+    def unsquared(self, value: Product) -> Product:
+        """Return the product: its signs are numbers."""
+        return value
 
     def define(self, name: str, formula: Formula) -> str:
         """Return what a formula is called from now on, and note its value."""
