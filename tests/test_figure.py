@@ -329,6 +329,27 @@ def test_there_is_no_figure_where_nothing_can_be_assembled():
     assert describe(None).startswith("There is no figure")
 
 
+def test_there_is_no_figure_where_halves_do_not_meet():
+    rhombus = """
+        mechanism rhombus
+        param alpha = 35 deg
+        slider A along x
+        pivot O
+        link AB
+        link BO
+        AB = 40 mm @ alpha
+        BO = 40 mm @ {back}
+        mirror across 0 deg sharing A O
+        force P at A along x
+        force F at B along y
+        find k = P/F
+    """
+    assert figure_of(rhombus.format(back="-alpha")).points["O"].y == pytest.approx(0)
+    with pytest.raises(ValueError, match="cannot be assembled"):
+        figure_of(rhombus.format(back="180 deg - alpha"))
+    assert mechc.loads(rhombus.format(back="90 deg"))._compilation.free_bodies == ()
+
+
 # --------------------------------------------------------------------------- parts
 
 SPRUNG = """

@@ -14,6 +14,9 @@ from .marks import marks
 from .parts import Half
 from .ways import Ways
 
+OPEN = 1e-6
+"""A gap below this part of a usual length is rounding: arc cosines lose half the digits."""
+
 
 def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
     """Return the mechanism drawn at given values, None where it cannot be assembled.
@@ -64,12 +67,13 @@ def _settled(pose: Pose, given: Mapping[str, float]) -> dict[str, float] | None:
 
 
 def _laid_out(pose: Pose, values: Mapping[str, float]) -> Layout | None:
-    """Return the layout, None at a pose where some vector has no value."""
+    """Return the layout, None at a pose where some vector has no value, or does not fit."""
     try:
         layout = lay_out(Ways(pose, values))
     except ZeroDivisionError:
         return None
-    return layout if all(math.isfinite(c) for at in layout.points.values() for c in at) else None
+    finite = all(math.isfinite(c) for at in layout.points.values() for c in at)
+    return layout if finite and layout.gap < OPEN else None
 
 
 def _both(layout: Layout, mechanism: Mechanism) -> dict[str, Plane]:

@@ -22,12 +22,16 @@ Points = dict[str, Plane]
 
 
 class Layout(NamedTuple):
-    """The points of the described half, the mirror line, and what was chosen for it."""
+    """The points of the described half, the mirror line, and what was chosen for it.
+
+    ``gap`` is by how much the vectors miss each other, in usual lengths.
+    """
 
     points: Mapping[str, Plane]
     mirror: MirrorLine | None
     lengths: Mapping[str, float]
     size: float
+    gap: float
 
 
 def lay_out(ways: Ways) -> Layout:
@@ -48,7 +52,13 @@ def lay_out(ways: Ways) -> Layout:
     sharing = pose.mechanism.mirror.sharing if pose.mechanism.mirror else ()
     points, mirror = table.spread(list(groups.values()), sharing)
     found = {name: lengths[name] for name in pose.placeholders}
-    return Layout({n: points[n] for n in names}, mirror, found, size)
+    gap = max((math.dist(edge.vector, _span(edge, points)) for edge in edges), default=0.0)
+    return Layout({n: points[n] for n in names}, mirror, found, size, gap / size)
+
+
+def _span(edge: Edge, points: Points) -> Plane:
+    """Return the vector between the ends of an edge, where they have come to stand."""
+    return points[edge.head].minus(points[edge.tail])
 
 
 def points_of(mechanism: Mechanism) -> Iterable[str]:
