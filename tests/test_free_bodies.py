@@ -337,6 +337,31 @@ def test_forces_that_rest_on_chosen_lengths_are_marked():
     assert guides["W"].chosen
 
 
+def test_a_branch_takes_its_share_and_is_held_by_the_others():
+    (diagram,) = compiled("three_claw_gripper").free_bodies
+    on_slider = {a.kind: a for a in named(diagram)["B"].forces}
+    assert on_slider["load"].force.y == pytest.approx(-diagram.loads["P"] / 3)
+    assert on_slider["guide"].by == "branches"
+    guides = [
+        a
+        for name in ("slider_crank_claw", "copies_rack")
+        for b in compiled(name).free_bodies[0].bodies
+        for a in b.forces
+        if a.kind == "guide"
+    ]
+    assert [(a.by, a.gap) for a in guides] == [("ground", ""), ("branches", "transmission")]
+
+
+@pytest.mark.parametrize("name", ["jansen_leg", "whitworth", "crank_shaper", "stephenson_closed"])
+def test_bodies_are_in_balance_along_the_stroke(name):
+    made = compiled(name)
+    drive = made.mechanism.drive
+    low, high = (evaluate(end, {}) for end in (drive.low, drive.high))
+    for part in (0.1, 0.35, 0.6, 0.85):
+        here = {drive.parameter: low + part * (high - low)}
+        assert assert_balance(made.cut_free(here, {}), made.drawn(here)) >= 3
+
+
 def test_names_are_told_apart():
     lever = mechc.load("lever_first_class")
     with pytest.raises(TypeError, match="'Q' is no parameter"):

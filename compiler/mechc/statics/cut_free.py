@@ -5,7 +5,7 @@ on it, or one link alone carries it, people draw no pin: it is merged into the l
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 
 from ..frozen import frozen, replace
 from .acts import Acts, Bearing
@@ -27,7 +27,8 @@ class Solution:
 
     ``found`` are the unknowns, of which those of the columns ``open`` may be anything.
     ``sizes`` are those of the loads that act, friction's among them; ``rubbing`` says which
-    these are. ``bearings`` are where teeth, belts or threads press besides.
+    these are. ``bearings`` are where teeth, belts or threads press besides. ``common`` are
+    the points that copies share, and hold by their side forces.
     """
 
     assembly: Assembly
@@ -37,6 +38,7 @@ class Solution:
     sizes: Mapping[str, float]
     rubbing: Mapping[str, Pair]
     bearings: frozenset[Bearing]
+    common: frozenset[str]
 
     def times(self, factor: float) -> "Solution":
         """Return the same under loads so many times as large."""
@@ -58,7 +60,17 @@ def cut_free(solution: Solution, places: Places) -> tuple[FreeBody, ...]:
         acts.load(name, size, solution.rubbing.get(name))
     acts.settle_couples()
     acts.forget(solution.bearings)
-    return tuple(_rounded([_held(body, places) for body in _Drawn(acts).bodies()]))
+    bodies = (_shared(body, solution.common) for body in _Drawn(acts).bodies())
+    return tuple(_rounded([_held(body, places) for body in bodies]))
+
+
+def _shared(body: FreeBody, common: Set[str]) -> FreeBody:
+    """Return a body on which the other branches do what a guide does in the plane of one."""
+    forces = (
+        a._replace(by="branches") if a.kind == "guide" and a.point in common else a
+        for a in body.forces
+    )
+    return body._replace(forces=tuple(forces))
 
 
 def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:

@@ -26,8 +26,9 @@ Motion = Literal["", "tightening", "releasing"]
 class Acting(NamedTuple):
     """A force at a point of a body and a couple beside it.
 
-    ``by`` is the load, the body, the pin or ``ground`` that it comes from. ``point`` is empty
-    where there is no force. ``force`` is None where it isn't known, and ``gap`` then says why.
+    ``by`` is the load, the body, the pin or ``ground`` that it comes from, or ``branches``: the
+    other copies. ``point`` is empty where there is no force. ``force`` is None where it isn't
+    known, and ``gap`` then says why.
     The couple at a pin is friction's, at the guide of a body that only translates that of the
     guide. ``chosen`` tells that the force depends on lengths that nothing gives.
     """
@@ -75,7 +76,8 @@ class Diagram(NamedTuple):
     ``loads`` are the sizes of those that act. Where ``per`` names one, its size is 1 and
     stands for any other: nothing gives it. ``left_out`` are loads that act as well, but whose
     sizes have nothing to do with that one. ``motion`` is the sense in which friction resists,
-    empty where it is left out. ``trouble`` says why there are no bodies.
+    empty where it is left out. ``trouble`` says why there are no bodies. Of copies one branch is
+    shown, with its share of the loads that are common.
     """
 
     result: str

@@ -38,7 +38,7 @@ def ideal(unfolding: Unfolding, case: Case) -> Solution | str:
             return f"equilibrium leaves {base} open"
     sizes |= {base: found[column] * units[base] for base, column in places.items()}
     loads = _of_all(sizes, tied)
-    return Solution(assembly, system, found, open_, loads, {}, _bearings(unfolding))
+    return Solution(assembly, system, found, open_, loads, {}, *_besides(unfolding))
 
 
 def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
@@ -64,7 +64,7 @@ def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
         _open(question.factors),
         {**loads, **{pair.name: sense * size for pair, sense, size in frictions}},
         {pair.name: pair for pair in rubs.pairs},
-        _bearings(unfolding),
+        *_besides(unfolding),
     )
 
 
@@ -94,6 +94,12 @@ def _open(factors: Factors) -> frozenset[int]:
     if len(factors.pivots) == factors.width:
         return frozenset()
     return frozenset(i for i in range(factors.width) if not factors.determined(i))
+
+
+def _besides(unfolding: Unfolding) -> tuple[frozenset[Bearing], frozenset[str]]:
+    """Return what else presses: wheels, racks and screws, and the other copies."""
+    copies = unfolding.pose.mechanism.copies
+    return _bearings(unfolding), frozenset(copies.sharing if copies else ())
 
 
 def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:

@@ -20,7 +20,12 @@ ACTING: Kind[Acting] = record(
     "acting",
     "A force on a body and a couple beside it.",
     member("kind", "What it comes from.", one_of(*KINDS), lambda a: a.kind),
-    member("by", "A load, body or pin; ground; empty of losses in wheels.", TEXT, lambda a: a.by),
+    member(
+        "by",
+        "A load, body or pin, ground, branches (other copies); empty of losses in wheels.",
+        TEXT,
+        lambda a: a.by,
+    ),
     member("point", "Where, or empty for a couple alone.", TEXT, lambda a: a.point),
     member("force", "In N, along x and y; null if not known.", optional(PLANE), lambda a: a.force),
     member("magnitude", "Its size, N.", FLOAT, _magnitude),
@@ -50,7 +55,7 @@ FREE_BODY: Kind[FreeBody] = record(
 
 DIAGRAM: Kind[Diagram] = record(
     "free_body_diagram",
-    "All free bodies under one set of loads, at the pose of the figure.",
+    "All free bodies under one set of loads, at the pose of the figure; of copies one branch.",
     member("result", "Whose loads they are.", TEXT, lambda d: d.result),
     member(
         "motion",
