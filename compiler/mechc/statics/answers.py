@@ -18,7 +18,10 @@ INCONSISTENT = 1e-9
 """A residual above this, relative to the heaviest row, is an equation that does not hold."""
 
 ROUNDED = 2.0**-52
-"""What a force that is zero by two reasons is off: the rounding of a rounding, per largest."""
+"""What a force at a joint that is zero by two reasons is off, per largest force.
+
+It is the rounding of a rounding. A load may be tiny and right: 200 gears pass on 1e-60.
+"""
 
 UNBALANCED = "no forces at the joints balance the loads"
 
@@ -175,7 +178,8 @@ def combination(
         return Answer(math.nan, math.inf, f"equilibrium leaves {wanted} open")
     value = sum(weight * found[column] for column, weight in weights.items())
     sizes = factors.weights(found, right)
-    influence = ROUNDED * max(sizes, default=0.0) * sum(map(abs, weights.values()))
+    forces = sum(abs(w) for column, w in weights.items() if column < len(system.unknowns))
+    influence = ROUNDED * max(sizes, default=0.0) * forces
     for column, weight in weights.items():
         terms = zip(factors.adjoint(column), sizes, strict=True)
         influence += abs(weight) * sum(abs(share) * size for share, size in terms)
