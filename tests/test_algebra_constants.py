@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from mechc.algebra.angle import Angle
 from mechc.algebra.cyclotomic import short, unique
 from mechc.algebra.product import ZERO, Product
-from mechc.algebra.sums import add
+from mechc.algebra.sums import add, canonical
 from mechc.algebra.trigonometry import cosine, sine
 from mechc.formula.to_text import text
 
@@ -98,3 +98,12 @@ def test_constants_in_a_sum_never_make_two_forms_of_one_value(p, q, parts):
     two = [sine(at(A * 2, p + Fraction(q, parts))), sine(Angle.constant(p - Fraction(q, parts)))]
     assume(parts != 60)
     assert add([one, -add(x.scaled(Fraction(1, 2)) for x in two)]) == ZERO
+
+
+def test_constants_that_double_into_one_another_are_split_once_only():
+    """10°, 20°, 40°, 80° and sin 160° = sin 20° go round in a circle."""
+    angles = {d: Angle.constant(d) for d in (10, 20, 40)}
+    above = sine(angles[10]) * cosine(angles[10])
+    below = cosine(angles[40]) * sine(angles[20])
+    found = canonical(above / below)
+    assert found.evaluate({}) == pytest.approx(0.5 / cos(radians(40)), rel=1e-14)

@@ -218,14 +218,22 @@ def _split_one(product: Product) -> Product | None:
 
 def _is_part(part: Trig, whole: Trig) -> bool:
     """Tell whether halving the angle of one, again and again, comes to the other."""
-    angle = _as_sine(part)
-    return any(whole in sine(angle * 2**n).factors for n in range(1, _HALVINGS + 1))
+    angle, halvings = _as_sine(part), range(1, _HALVINGS + 1)
+    if not angle.terms:
+        return any(_as_sine(whole) == angle * 2**n for n in halvings)
+    return any(whole in sine(angle * 2**n).factors for n in halvings)
 
 
 def _as_sine(trig: Trig) -> Angle:
-    """Return B with trig = sin B."""
-    quarter = Angle.constant(90) if trig.function == "cos" else Angle()
-    return trig.angle + quarter
+    """Return B with trig = sin B.
+
+    Of constants it is at most 90°: doubled beyond that, they come round to where they began
+    (10°, 20°, 40°, 80°, sin 160° = sin 20°), and what is split would be split again for ever.
+    """
+    if trig.function == "sin":
+        return trig.angle
+    quarter = Angle.constant(90)
+    return trig.angle + quarter if trig.angle.terms else quarter - trig.angle
 
 
 def _join_one(product: Product) -> Product | None:
