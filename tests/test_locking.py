@@ -461,11 +461,14 @@ def test_an_efficiency_is_that_of_whichever_load_drives():
     assert mechanism.evaluate(alpha=-turn / 2)["eta_k"] < 0
 
 
-def test_a_constant_efficiency_takes_from_whichever_load_drives():
-    description = KNEE.format(low=1, more="efficiency 0.8").replace("friction pins 0.1", "#")
+@pytest.mark.parametrize(("motion", "sense"), [("tightening", 1), ("releasing", -1)])
+def test_a_constant_efficiency_takes_from_whichever_load_drives(motion, sense):
+    more = f"efficiency 0.8\nmotion {motion}"
+    description = KNEE.format(low=1, more=more).replace("friction pins 0.1", "#")
     mechanism = mechc.loads(description)
-    for alpha, share in ((0.2, 1 / 0.8), (-0.2, 0.8)):
+    for alpha in (0.2, -0.2):
         found = mechanism.evaluate(alpha=alpha)
+        share = 0.8 ** (-sense * math.copysign(1, alpha))
         assert found["k_f"] == pytest.approx(share * found["k"])
 
 
