@@ -7,6 +7,7 @@ coordinates. Poses are drawn from wide ranges, in which slips and forces change 
 import math
 import shutil
 from collections.abc import Iterable, Iterator
+from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
@@ -25,9 +26,11 @@ from force_samples import (
 from force_trains import train
 from grown import Grown
 from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
 from mechc.formula.tree import Implicit
 from mechc.formula.walk import walk
 from mechc.power.friction.results import FrictionResults
+from mechc.source import Source
 from reference_forces import Forces, NoBalance, arms_at
 from reference_geometry import Values
 from reference_strokes import Strokes
@@ -323,3 +326,21 @@ def test_the_samples_have_everything():
         assert sum(word in text for text in texts) > 5, word
     for word in ("mirror", "copies", "slide ", "torque P", "actuator P"):
         assert sum(word in text for text in texts) > 5, word
+
+
+LIBRARY = Path(__file__).parent.parent / "library"
+
+
+def test_a_pin_that_stands_still_may_rub_either_way():
+    """Hoeken's linkage at 180°, where the rocker's pin changes the sense of its slip."""
+    text = (LIBRARY / "hoeken.yaml").read_text(encoding="utf-8")
+    made = Compilation(
+        Source("hoeken.yaml", f"{text}\nfriction: {{pins: {{f: 0.1, diameter: 8 mm}}}}")
+    )
+    assert made.verdict.agrees
+
+
+def test_the_guide_of_a_nut_may_be_all_that_holds_its_slider():
+    text = (LIBRARY / "d45_10_two_screws.mech").read_text(encoding="utf-8")
+    made = compiled(f"{text}\nfind N_A\n", "screws.mech")
+    assert made.results(made.values())["N_A"] == 0

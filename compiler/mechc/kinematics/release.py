@@ -148,9 +148,6 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
     links = tuple(_renamed(k, point, own) if k.name == bond.of else k for k in mechanism.links)
     frame = {own if p == point else p: v for p, v in pose.frames[bond.of].items()}
     frames = {**pose.frames, bond.of: frame}
-    if not any(point in held for held in _holding(pose, links)):
-        pin = Link(f"pin {point}", (point,), mechanism.span)
-        links, frames = (*links, pin), {**frames, pin.name: {point: ()}}
     touches = tuple(
         t._replace(tail=own) if t.body == bond.of and t.tail == point else t for t in pose.touches
     )
@@ -164,6 +161,7 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
         frames=frames,
         touches=touches,
     )
+    apart = _with_pin(apart, point)
 
     def gap(graph: Graph, direction: Angle = along) -> Form:
         ahead, behind = (projection(graph.velocities[p], direction) for p in (own, point))
@@ -172,12 +170,22 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
     return Released(apart, gap, (lambda graph: gap(graph, along + QUARTER),))
 
 
-def _holding(pose: Pose, links: Iterable[Link]) -> Iterator[Collection[str]]:
+def _with_pin(pose: Pose, point: str) -> Pose:
+    """Let a pin be a body of its own where nothing is left that holds it."""
+    if any(point in held for held in _holding(pose)):
+        return pose
+    mechanism = pose.mechanism
+    pin = Link(f"pin {point}", (point,), mechanism.span)
+    with_pin = replace(mechanism, links=(*mechanism.links, pin))
+    return replace(pose, mechanism=with_pin, frames={**pose.frames, pin.name: {point: ()}})
+
+
+def _holding(pose: Pose) -> Iterator[Collection[str]]:
     """Yield the points of whatever gives a point its velocity."""
     mechanism = pose.mechanism
     yield {pivot.point for pivot in mechanism.pivots}
     yield pose.guides.keys()
-    yield from (link.points for link in links)
+    yield from (link.points for link in mechanism.links)
     yield from (slide.points for slide in mechanism.slides)
 
 
@@ -205,7 +213,7 @@ def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
         guides[point] = along
     free = replace(mechanism, pivots=pivots, sliders=sliders)
     return Released(
-        replace(pose, mechanism=free, guides=guides, left=left),
+        _with_pin(replace(pose, mechanism=free, guides=guides, left=left), point),
         lambda graph: projection(graph.velocities[point], along),
     )
 
