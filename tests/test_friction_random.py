@@ -137,9 +137,9 @@ def test_trains_with_friction_balance():
 @pytest.mark.slow
 @pytest.mark.parametrize("ratio", [True, False])
 def test_many_free_bodies_with_friction_balance(ratio, record_property):
-    tally = against_free_bodies(samples(range(12, 26), ratio), 6)
+    tally = against_free_bodies(samples(range(12, 16), ratio), 6)
     record_property("worst error", max(tally.errors))
-    assert len(tally.errors) > 180
+    assert len(tally.errors) > 40
     assert len(tally.only_there) < 0.05 * len(tally.errors), tally.only_there
     assert len(tally.only_here) < 0.05 * len(tally.errors), tally.only_here
 
@@ -156,9 +156,9 @@ def test_what_was_wrong_once(found):
 
 @pytest.mark.slow
 def test_many_trains_with_friction_balance(record_property):
-    tally = against_free_bodies(trains(range(16, 60)), 6)
+    tally = against_free_bodies(trains(range(16, 36)), 6)
     record_property("worst error", max(tally.errors))
-    assert len(tally.errors) > 600
+    assert len(tally.errors) > 250
     assert len(tally.only_there) < 0.05 * len(tally.errors), tally.only_there
     assert len(tally.only_here) < 0.05 * len(tally.errors), tally.only_here
 
@@ -210,9 +210,9 @@ def test_closed_mechanisms_with_friction_along_strokes():
 
 @pytest.mark.slow
 def test_many_closed_mechanisms_with_friction_along_strokes(record_property):
-    tally = along_strokes(range(30, 50))
+    tally = along_strokes(range(38, 46))
     record_property("worst error", max(tally.errors))
-    assert len(tally.errors) > 180
+    assert len(tally.errors) > 40
     assert len(tally.only_there) < 0.05 * len(tally.errors), tally.only_there
     assert len(tally.only_here) < 0.05 * len(tally.errors), tally.only_here
 
