@@ -88,11 +88,14 @@ def _touched(
                 yield Root(place, 1e-8 * max(abs(place), 1e-3))
 
 
-def lowest(function: Function, a: float, b: float) -> float:
-    """Return where a function with one minimum is least, by golden sections."""
+def lowest(function: Function, a: float, b: float, sections: int = 90) -> float:
+    """Return where a function with one minimum is least, by golden sections.
+
+    90 of them leave nothing between the ends.
+    """
     c, d = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
     at_c, at_d = function(c), function(d)
-    for _ in range(90):
+    for _ in range(sections):
         if at_c < at_d:
             b, d, at_d = d, c, at_c
             c = b - GOLDEN * (b - a)

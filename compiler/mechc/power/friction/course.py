@@ -4,17 +4,18 @@ import math
 from collections.abc import Iterator
 
 from ...formula.roots import lowest
-from ...model.locking import USUAL, Course
+from ...model.locking import USUAL, Course, Range
 from ...model.mechanism import Efficiency, WithFriction
 from ...model.result import Result
 from ..balance import Balance
 from .locking import sizes
 from .places import Places
-from .ranges import moved, range_of, spaced, spans, unit_of, varying
+from .ranges import moved, range_of, spans, unit_of, varying
+from .sampling import looked_at
 from .states import Moving
 
-PLACES, ITERATED = 48, 12
-"""Places at which a range is looked at; fewer where friction is found by iteration."""
+REFINED = 16
+"""Sections to the least or greatest, after which three figures of it are right."""
 
 SAME = 1e-9
 """What varies less is the same: the efficiency does not depend on that parameter."""
@@ -42,8 +43,7 @@ class _Run:
 
     def __init__(self, moving: Moving, low: float, high: float) -> None:
         self._moving, self._low, self._high = moving, low, high
-        number = ITERATED if moving.is_iterated else PLACES
-        self._places = spaced((low, high), number)
+        self._places = looked_at(moving, low, high)
 
     def course(self, name: str, unit: str) -> Course | None:
         """Return the whole, None where there is no efficiency anywhere."""
@@ -51,20 +51,25 @@ class _Run:
         if not values:
             return None
         least, greatest = self._extreme(min(values), 1), self._extreme(max(values), -1)
-        usual = tuple(spans(self._places, self._is_usual))
-        return Course(name, unit, (self._low, self._high), least, greatest, usual)
+        return Course(name, unit, (self._low, self._high), least, greatest, tuple(self._usual()))
 
     def _extreme(self, found: tuple[float, float], sense: int) -> float:
         """Return what is least, or greatest, near a place where it is less than beside it."""
         value, place = found
         i = self._places.index(place)
-        if self._moving.is_iterated or not 0 < i < len(self._places) - 1 or value in (0, 1):
+        if not 0 < i < len(self._places) - 1 or value in (0, 1):
             return value
         beside = self._places[i - 1], self._places[i + 1]
         near = self._moving.efficiency(
-            lowest(lambda x: sense * self._moving.efficiency(x), *beside)
+            lowest(lambda x: sense * self._moving.efficiency(x), *beside, REFINED)
         )
         return near if sense * near < sense * value else value
 
-    def _is_usual(self, place: float) -> bool:
-        return USUAL[0] <= self._moving.efficiency(place) <= USUAL[1]
+    def _usual(self) -> Iterator[Range]:
+        """Yield the stretches on which it is usual, if it only passes through that, too."""
+        low, high = USUAL
+        enough = spans(self._places, lambda x: self._moving.efficiency(x) >= low)
+        for first, last in list(enough):
+            inside = [x for x in self._places if first < x < last]
+            places = [first, *inside, last]
+            yield from spans(places, lambda x: self._moving.efficiency(x) <= high)

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from itertools import chain, groupby, pairwise
+from itertools import chain, groupby
 
 from ...algebra.from_formula import to_product
 from ...formula.operations import count_operations
@@ -16,22 +16,11 @@ from ...model.result import Result
 from ..balance import Balance
 from .places import Places
 from .ranges import EXACT, NEARLY, last, range_of, turns, unit_of, varying
+from .sampling import PLACES, dead_centre, looked_at
 from .states import Moving
-
-PLACES = 36
-"""Places at which a parameter is looked at."""
-
-HALVINGS = 8
-"""Further places beside a dead centre, each half as far from it as the one before."""
-
-ITERATED = (12, 3)
-"""The same where friction is found by iteration, which takes a hundred times as long."""
 
 BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""
-
-NEAR = 1e-9
-"""What is nearer to 0, against the distance of places, is 0."""
 
 SHORT = 12
 """An end of more operations than this is told as a figure."""
@@ -126,7 +115,7 @@ class _Stretches:
 
     def found(self, low: float, high: float) -> Iterator[Stretch]:
         """Yield the stretches in their order."""
-        places = self._places(low, high) if low < high else []
+        places = looked_at(self.moving, low, high, self.range or ()) if low < high else []
         first = 0
         for state, group in groupby(places, lambda x: self.moving.at(x).state):
             last = first + len(list(group)) - 1
@@ -144,32 +133,6 @@ class _Stretches:
         ends = places[last] if high is None else high.place
         return Stretch(state, low, high, self._within(begins, ends))
 
-    def _places(self, low: float, high: float) -> list[float]:
-        number, halvings = ITERATED if self.moving.is_iterated else (PLACES, HALVINGS)
-        step = (high - low) / number
-        even = [low + i * step for i in range(number)] + [high]
-        ends = self.range or ()
-        still = [z for a, b in pairwise(even) for z in self._still(a, b)]
-        near = [way * step / 2**i for way in (-1, 1) for i in range(1, halvings + 1)]
-        beside = (centre + away for centre in (low, high, *still) for away in near)
-        inside = (x for x in chain(even, beside, ends) if low <= x <= high)
-        return sorted(set(inside))
-
-    def _still(self, a: float, b: float) -> Iterator[float]:
-        """Yield the dead centre between two places."""
-        if self.moving.driven(b) != self.moving.driven(a):
-            yield self._dead_centre(a, b)
-
-    def _dead_centre(self, a: float, b: float) -> float:
-        """Return the dead centre between two places, 0 where it is nearly that."""
-        driven = self.moving.driven(a)
-
-        def is_alike(place: float) -> bool:
-            return driven is not None and self.moving.driven(place) == driven
-
-        place = last(is_alike, a, b)
-        return 0.0 if abs(place) < NEAR * abs(b - a) else place
-
     def _end(self, places: Sequence[float], i: int, way: int) -> Bound | None:
         """Return where a state ends that the place i is the last to have."""
         if not 0 <= i + way < len(places):
@@ -178,7 +141,9 @@ class _Stretches:
         here, there = self.moving.at(a), self.moving.at(b)
         if there.state is None or here.driven != there.driven:
             is_pose = not math.isnan(self.moving.places.of(self.moving.ideal, b))
-            return self._bound(self._dead_centre(a, b), self.moving.ideal, (zeros, poles), is_pose)
+            return self._bound(
+                dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
+            )
         state = here.state
         width = NEARLY if self.moving.is_iterated else EXACT
         place = last(lambda x: self.moving.at(x).state == state, a, b, width)
