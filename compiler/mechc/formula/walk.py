@@ -116,33 +116,57 @@ def evaluate(formula: Formula, values: Mapping[str, float]) -> float:
     >>> round(evaluate(Call("sin", (degrees(30),)), {}), 12)
     0.5
     """
-    try:
-        return _evaluate(formula, values)
-    except (ZeroDivisionError, ValueError, OverflowError):
-        return math.nan
+    return Evaluation(values).of(formula)
 
 
-def _evaluate(formula: Formula, values: Mapping[str, float]) -> float:
-    match formula:
-        case Number(value):
-            return value.numerator / value.denominator
-        case Pi():
-            return math.pi
-        case Symbol(name):
-            return values[name]
-        case Sum(terms):
-            return math.fsum(_evaluate(t, values) for t in terms)
-        case Product(factors):
-            return math.prod(_evaluate(f, values) for f in factors)
-        case Power(base, exponent):
-            result = _evaluate(base, values) ** _evaluate(exponent, values)
-            return result if isinstance(result, float) else math.nan
-        case Call(function, arguments):
-            return float(FUNCTIONS[function](*(_evaluate(a, values) for a in arguments)))
-        case Implicit(system, index, arguments):
-            return solution(system, tuple(_evaluate(a, values) for a in arguments))[index]
-        case _:
-            assert_never(formula)
+class Evaluation:
+    """Formulas on floats at one set of values: a part that several share is found once.
+
+    Parts are known by their identity, as large formulas are put together of the same ones.
+    Names may be added to ``values`` later on, but not change.
+    """
+
+    def __init__(self, values: Mapping[str, float]) -> None:
+        self._values = values
+        self._known: dict[int, float] = {}
+        self._alive: list[Formula] = []
+
+    def of(self, formula: Formula) -> float:
+        """Return the value of a formula; NaN where a function is not defined there."""
+        self._alive.append(formula)
+        try:
+            return self._of(formula)
+        except (ZeroDivisionError, ValueError, OverflowError):
+            return math.nan
+
+    def _of(self, formula: Formula) -> float:
+        match formula:
+            case Symbol(name):
+                return self._values[name]
+            case Number(value):
+                return value.numerator / value.denominator
+            case Pi():
+                return math.pi
+        known = self._known.get(id(formula))
+        if known is None:
+            known = self._known[id(formula)] = self._compute(formula)
+        return known
+
+    def _compute(self, formula: Sum | Product | Power | Call | Implicit) -> float:
+        match formula:
+            case Sum(terms):
+                return math.fsum(map(self._of, terms))
+            case Product(factors):
+                return math.prod(map(self._of, factors))
+            case Power(base, exponent):
+                result = self._of(base) ** self._of(exponent)
+                return result if isinstance(result, float) else math.nan
+            case Call(function, arguments):
+                return float(FUNCTIONS[function](*map(self._of, arguments)))
+            case Implicit(system, index, arguments):
+                return solution(system, tuple(map(self._of, arguments)))[index]
+            case _:
+                assert_never(formula)
 
 
 # ------------------------------------------------------------------------- systems
@@ -175,8 +199,7 @@ def numeric(system: System) -> Equations:
     names = (*system.unknowns, *(name for name, _ in system.anchor))
 
     def at(unknowns: Sequence[float], outer: Sequence[float]) -> tuple[list[float], Matrix]:
-        values = dict(zip(names, (*unknowns, *outer), strict=True))
-        residuals = [evaluate(e, values) for e in system.equations]
-        return residuals, [[evaluate(e, values) for e in row] for row in rows]
+        here = Evaluation(dict(zip(names, (*unknowns, *outer), strict=True)))
+        return list(map(here.of, system.equations)), [list(map(here.of, row)) for row in rows]
 
     return at

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping
 
 from ...formula.tree import Formula
-from ...formula.walk import evaluate, symbols
+from ...formula.walk import Evaluation, evaluate, symbols
 from ...kinematics.plan import Plan
 from ...model.result import Definition, Result
 from ...model.values import Chain, allowed, defaults, dependent
@@ -34,9 +34,11 @@ class Places:
     def varying(self, result: Result) -> set[str]:
         """Return the parameter and the names that vary with it, those of a result among them."""
         formulas = {**self._formulas, **dict(result.where)}
-        varying = {self._parameter}
-        for _ in formulas:
-            varying |= {n for n, f in formulas.items() if not varying.isdisjoint(symbols(f))}
+        needed = {name: symbols(formula) for name, formula in formulas.items()}
+        varying, before = {self._parameter}, 0
+        while len(varying) > before:
+            before = len(varying)
+            varying |= {n for n, needs in needed.items() if not varying.isdisjoint(needs)}
         return varying
 
     def of(self, result: Result, place: float) -> float:
@@ -48,9 +50,10 @@ class Places:
         if result.name not in self._needed:
             self._needed[result.name] = [(d, symbols(d.formula)) for d in result.where]
         found = dict(self.values(place))
+        here = Evaluation(found)
         for (name, formula), needs in self._needed[result.name]:
             if name not in found and needs <= found.keys():
-                found[name] = evaluate(formula, found)
+                found[name] = here.of(formula)
         return found
 
 
