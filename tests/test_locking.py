@@ -630,6 +630,8 @@ def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
 
 # ----------------------------------------------------------------------------------- laws
 
+LIBRARY = Path(__file__).parents[1] / "library"
+
 RUBBING = [
     "claw", "d45_05_wedge_roller_lever", "d45_06_double_wedge", "d45_11_screw_lever",
     "d45_15_cam_lever", "d45_16_wedge_hook", "fedoriv_fig1", "fedoriv_fig2a", "fedoriv_fig2b",
@@ -663,9 +665,19 @@ find i = F / M
 }  # fmt: skip
 
 
+def rubbing_everywhere(name: str) -> str:
+    """Return a mechanism of the library with friction in all its pins."""
+    source = (LIBRARY / f"{name}.mech").read_text(encoding="utf-8")
+    lines = [line for line in source.splitlines() if not line.startswith("expect")]
+    return "\n".join((*lines, "friction pins 0.1 diameter 6 mm", ""))
+
+
+OWN |= {name: rubbing_everywhere(name) for name in ("crank_rocker", "watt_closed")}
+
+
 def along(ends: tuple[float, float]) -> list[float]:
     low, high = ends
-    return [low + (high - low) * (i + 0.37) / 23 for i in range(23)]
+    return [low + (high - low) * (i + 0.37) / 61 for i in range(61)]
 
 
 def is_within(place: float, parts: Iterable[tuple[float, float] | None]) -> bool:
@@ -732,7 +744,7 @@ def test_an_efficiency_has_no_course_over_what_it_does_not_depend_on():
 
 def test_a_pose_at_which_a_joint_turns_back_is_no_fault(tmp_path, capsys):
     """Half a turn of its crank turns the coupler of Hoeken's linkage back: no slip there."""
-    text_ = (Path(__file__).parents[1] / "library" / "hoeken.yaml").read_text("utf-8")
+    text_ = (LIBRARY / "hoeken.yaml").read_text("utf-8")
     path = tmp_path / "m.yaml"
     path.write_text(f"{text_}\nfriction: {{pins: {{f: 0.1, diameter: 1 mm}}}}\n", encoding="utf-8")
     assert main(["check", str(path)]) == 0

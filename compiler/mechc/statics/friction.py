@@ -28,6 +28,7 @@ from ..model.mechanism import (
 from ..model.targets import SIGNS
 from .answers import (
     INCONSISTENT,
+    ROUNDED,
     STANDS,
     UNBALANCED,
     Answer,
@@ -173,8 +174,10 @@ def _answer(question: Question, weights: Weights, parts: Sequence[tuple[Row, flo
     for load, size in parts:
         found = question.factors.solve(load)
         sizes = question.factors.weights(found, load)
+        rounding = ROUNDED * max(sizes, default=0.0)
         for column, weight in weights.items():
             value += weight * size * found[column]
+            influence += 0.0 if column == question.drive else abs(weight * size) * rounding
             shares = zip(question.factors.adjoint(column), sizes, strict=True)
             influence += abs(weight * size) * sum(abs(share) * s for share, s in shares)
     return Answer(value, influence)
