@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from ..diagnostics import Diagnostic, syntax
+from ..diagnostics import Diagnostic, near_miss, syntax
 from ..source import Span
 from .fault import Fault
 from .grammar import Start, keywords, reading, spelling, statement_words
@@ -156,6 +156,9 @@ def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
         return DOUBLED[text]
     if previous in FUNCTIONS or previous in TWINS:
         return f"a function needs brackets: {previous}({text})"
+    words = [word for name in allowed if (word := spelling().get(name, "")).isalpha()]
+    if token.type == "NAME" and (hint := near_miss(text, words)):
+        return hint
     if token.type in ("NAME", "LEFT") and before is not None and before.type in ENDS:
         return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
     if text == "," and previous.isdecimal() and "RIGHT" not in allowed:
