@@ -450,6 +450,13 @@ def test_faces_of_a_wedge_lock_between_both_slopes():
     assert degrees(*under.within) == pytest.approx([2, 5])
 
 
+def test_a_constant_efficiency_is_held_against_friction_that_is_iterated():
+    """Beside a dead centre nothing arrives, on however short a stretch."""
+    description = f"{rubbing_everywhere('crank_rocker')}efficiency 0.97\n"
+    (message,) = (m for m in warned(description) if m.startswith("W511"))
+    assert message.count("0 … 0.92 for phi") == 2
+
+
 def test_an_efficiency_is_that_of_whichever_load_drives():
     """Beyond the dead centre F drives the knee along P, and P takes what arrives."""
     mechanism = mechc.loads(KNEE.format(low=1, more=""))

@@ -17,6 +17,7 @@ from .locking import sizes
 from .places import Places
 from .ranges import moved, range_of, shown, spaced, spans, turns
 from .results import FrictionResults
+from .sampling import looked_at
 from .states import Moving
 
 FAR = 0.05
@@ -29,8 +30,8 @@ take a tenth of the force."""
 STEP = 1e-6
 """Half the distance over which k is differenced, as a part of a radian or of the stroke."""
 
-PLACES, ITERATED = 48, 12
-"""Places at which a range is looked at; fewer where friction is found by iteration."""
+PLACES = 48
+"""Places at which a range is looked at for steep ratios."""
 
 
 def remark_on_constant(balance: Balance, friction: FrictionResults, report: Report) -> None:
@@ -96,7 +97,7 @@ class _Beside:
         ends, moving = range_of(name, self._mechanism), self._moving(name)
         if ends is None:
             return
-        places = spaced(ends, ITERATED if moving.is_iterated else PLACES)
+        places = looked_at(moving, *ends)
         for part in spans(places, lambda x: self._is_far(moving, x)):
             inside = [x for x in places if part[0] <= x <= part[1]]
             values = [moving.efficiency(x) for x in (*part, *inside)]
