@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterator, Sequence
-from itertools import chain, groupby
+from itertools import chain, groupby, pairwise
 
 from ...algebra.from_formula import to_product
 from ...formula.operations import count_operations
@@ -16,7 +16,7 @@ from ...model.result import Result
 from ..balance import Balance
 from .places import Places
 from .ranges import EXACT, NEARLY, last, range_of, turns, unit_of, varying
-from .sampling import PLACES, dead_centre, looked_at
+from .sampling import PLACES, before_dead_centre, dead_centre, looked_at
 from .states import Moving
 
 BEYOND = math.pi / 2
@@ -82,23 +82,22 @@ def _window(name: str, moving: Moving, balance: Balance) -> Range | None:
         return given
     here = moving.places.defaults[name]
     low, high = given or (here, here)
-    return _dead_centre(low, -BEYOND, moving), _dead_centre(high, BEYOND, moving)
+    return (
+        _next_dead_centre(low, -BEYOND, moving),
+        _next_dead_centre(high, BEYOND, moving),
+    )
 
 
-def _dead_centre(start: float, beyond: float, moving: Moving) -> float:
+def _next_dead_centre(start: float, beyond: float, moving: Moving) -> float:
     """Return the place of the next dead centre, or where nothing more is looked at."""
     driven = moving.driven(start)
-
-    def is_alike(place: float) -> bool:
-        return driven is not None and moving.driven(place) == driven
-
-    before = start
-    for step in range(1, PLACES + 1) if is_alike(start) else ():
-        place = start + beyond * step / PLACES
-        if not is_alike(place):
-            return last(is_alike, before, place)
-        before = place
-    return before
+    if driven is None:
+        return start
+    places = [start + beyond * step / PLACES for step in range(PLACES + 1)]
+    for before, place in pairwise(places):
+        if moving.driven(place) != driven:
+            return before_dead_centre(moving, before, place)
+    return places[-1]
 
 
 # --------------------------------------------------------------------------- stretches

@@ -9,7 +9,7 @@ from ...formula.tree import ZERO, Call, Formula, Symbol, product, total
 from ...model.mechanism import Link
 from .bodies import Bodies, Kind, Pull
 from .lever import moment
-from .signs import Signs
+from .signs import Signs, exact_sign
 from .steps import Kind as StepKind
 from .steps import Step
 
@@ -26,12 +26,13 @@ class Notes:
 
     def rod(self, rod: Link, sense: Product, resistances: Sequence[Product], turn: Product) -> None:
         """Note the line of a rod's force."""
-        kind: StepKind = "crossed" if len(set(map(_sign, resistances))) == 1 else "outer"
+        senses = {exact_sign(r.coefficient) for r in resistances}
+        kind: StepKind = "crossed" if len(senses) == 1 else "outer"
         if len(resistances) == 1:
             kind = "single"
         elif not turn:
             kind = "parallel"
-        self._note(kind, rod.name, sense=_sign(sense))
+        self._note(kind, rod.name, sense=exact_sign(sense.coefficient))
 
     def face(self, point: str) -> None:
         """Note the line of a force on a face."""
@@ -49,7 +50,7 @@ class Notes:
         pivot, sense = "", 0
         match kind:
             case "lever":
-                pivot, sense = self._bodies.pivot(body), _sign(friction)
+                pivot, sense = self._bodies.pivot(body), exact_sign(friction.coefficient)
                 equations = [self._moments(body, pulls, friction)]
             case "slider":
                 equations = [self._along(body, pulls, friction)]
@@ -110,7 +111,3 @@ def _across(pulls: Sequence[Pull], found: Mapping[str, Product]) -> list[Pair]:
 
 def _sum(terms: Iterable[Product]) -> Formula:
     return total(canonical(term).formula() for term in terms if term)
-
-
-def _sign(value: Product) -> int:
-    return (value.coefficient > 0) - (value.coefficient < 0)

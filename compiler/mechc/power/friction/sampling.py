@@ -50,10 +50,11 @@ def _still(moving: Moving, a: float, b: float) -> Iterator[float]:
 
 def dead_centre(moving: Moving, a: float, b: float) -> float:
     """Return the dead centre between two places, 0 where it is nearly that."""
-    driven = moving.driven(a)
-
-    def is_alike(place: float) -> bool:
-        return driven is not None and moving.driven(place) == driven
-
-    place = last(is_alike, a, b)
+    place = before_dead_centre(moving, a, b)
     return 0.0 if abs(place) < NEAR * abs(b - a) else place
+
+
+def before_dead_centre(moving: Moving, a: float, b: float) -> float:
+    """Return the last place, from the first of two on, that is still before the dead centre."""
+    driven = moving.driven(a)
+    return last(lambda x: driven is not None and moving.driven(x) == driven, a, b)

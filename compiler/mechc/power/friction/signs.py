@@ -189,7 +189,7 @@ class AtOnePose(_Names):
         """
         if not value:
             return line
-        sign = _exact(value.coefficient)
+        sign = exact_sign(value.coefficient)
         for factor, exponent in value.factors.items():
             sign *= _sign(Product.of(factor, exponent).evaluate(self._values)) or 1
         size = value.scaled(sign)
@@ -234,10 +234,10 @@ def _is_single(value: Product) -> bool:
 def bare(value: Product) -> Product:
     """Return a product of the same sign, with no more in it than that needs."""
     odd = {factor: 1 for factor, exponent in value.factors.items() if exponent % 2}
-    return Product(_exact(value.coefficient), odd)
+    return Product(exact_sign(value.coefficient), odd)
 
 
-def _exact(value: Rational) -> int:
+def exact_sign(value: Rational) -> int:
     """Return the sign of a coefficient, which may be as small as it likes."""
     return (value > 0) - (value < 0)
 
