@@ -31,6 +31,11 @@ def valued(product: Product) -> Product:
     return _rewritten(product, _valued)
 
 
+def is_fine(name: object) -> bool:
+    """Tell whether a symbol stands for a fine constant."""
+    return isinstance(name, str) and name.endswith("°")
+
+
 def _rewritten(product: Product, rule: Callable[[Angle], Angle]) -> Product:
     result = Product(product.coefficient)
     for factor, e in product.factors.items():
@@ -57,6 +62,6 @@ def _named(angle: Angle) -> Angle:
 def _valued(angle: Angle) -> Angle:
     known = Angle.constant(angle.degrees)
     for name, c in angle.terms:
-        if name.endswith("°"):
+        if is_fine(name):
             known = known + Angle.constant(Fraction(name[:-1]) * c)
-    return Angle(tuple(t for t in angle.terms if not t[0].endswith("°"))) + known
+    return Angle(tuple(t for t in angle.terms if not is_fine(t[0]))) + known

@@ -1,11 +1,12 @@
-"""Sines and cosines of half an angle that divide a sum.
+"""Sines and cosines that divide a sum, or half the angle of which does.
 
 cos θ + sin(θ − α) vanishes with cos α on one of the two branches on which cos α does:
-both hold cos(45° + α/2). Sums are factored in the angles that they mention, so that only
-what stands on the other side of the line tells that its half is wanted.
+both hold cos(45° + α/2). Sums are factored in the angles and constants that they mention,
+so that only what stands on the other side of the line tells what else is wanted.
 """
 
 import math
+from collections.abc import Iterator
 from zlib import crc32
 
 from .angle import Angle
@@ -17,34 +18,49 @@ from .trigonometry import cosine, sine
 
 NIL = 1e-9
 
+FINEST = 64
+"""Angles are halved down to this part of a symbol, and no further."""
 
-def split_by_half(sum_: Sum, trig: Trig) -> Product | None:
-    """Return a sum as (half of the trig's angle) · (rest), None if no half divides it.
+
+def split_by(sum_: Sum, trig: Trig) -> Product | None:
+    """Return a sum as (the trig, or half of its angle's) · (rest), None if none divides it.
 
     >>> from ..formula.to_text import text
     >>> a, t = Angle.of("a"), Angle.of("t")
     >>> (c,) = cosine(a).factors
-    >>> split = split_by_half(Sum((cosine(t), sine(t - a))), c)
+    >>> split = split_by(Sum((cosine(t), sine(t - a))), c)
     >>> text(split.formula())
     '2*cos(a/2 + pi/4)*cos(a/2 - t + pi/4)'
     """
-    angle = trig.angle + (Angle.constant(90) if trig.function == "cos" else Angle())
-    for half in (*sine(angle.half()).factors, *cosine(angle.half()).factors):
-        if isinstance(half, Trig) and half.angle.terms and _vanishes_with(sum_, half):
-            ring = Ring([*sum_.terms, Product.of(half)])
+    for part in _parts(trig):
+        if _vanishes_with(sum_, part):
+            ring = Ring([*sum_.terms, Product.of(part)])
             scale, terms = ring.expand(sum_.terms)
-            quotient = ring.divide(terms, half)
+            quotient = ring.divide(terms, part)
             if quotient is not None:
-                return Product(2, {half: 1}) * factor(ring, Polynomial(scale, quotient))
+                return Product(2, {part: 1}) * factor(ring, Polynomial(scale, quotient))
     return None
 
 
-def _vanishes_with(sum_: Sum, half: Trig) -> bool:
+def _parts(trig: Trig) -> Iterator[Trig]:
+    """Yield a sine or cosine of what varies, and the two that it is the double product of."""
+    if not trig.angle.terms:
+        return
+    yield trig
+    angle = trig.angle + (Angle.constant(90) if trig.function == "cos" else Angle())
+    half = angle.half()
+    if all(c.denominator <= FINEST for _, c in half.terms):
+        for part in (*sine(half).factors, *cosine(half).factors):
+            assert isinstance(part, Trig)
+            yield part
+
+
+def _vanishes_with(sum_: Sum, part: Trig) -> bool:
     """Tell by numbers, before the division, whether a sum is zero where a factor is."""
     values = _Anything()
-    name, c = half.angle.terms[0]
-    zero = 0.0 if half.function == "sin" else math.pi / 2
-    values[name] += (zero - half.angle.evaluate(values)) / float(c)
+    name, c = part.angle.terms[0]
+    zero = 0.0 if part.function == "sin" else math.pi / 2
+    values[name] += (zero - part.angle.evaluate(values)) / float(c)
     parts = [term.evaluate(values) for term in sum_.terms]
     return abs(math.fsum(parts)) <= NIL * max(map(abs, parts))
 

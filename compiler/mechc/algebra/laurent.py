@@ -132,6 +132,13 @@ class Ring:
         powers = self.exponents(key)[len(self._names) :]
         return {f: e for f, e in zip(self._factors, powers, strict=True) if e}
 
+    def width(self, terms: Terms) -> dict[object, Fraction]:
+        """Return how far the exponents of a sum reach, for each symbol and factor."""
+        columns = zip(*map(self.exponents, terms), strict=True)
+        parts = [self._scale] * len(self._names) + [1] * len(self._factors)
+        places = zip(self._fields, columns, parts, strict=True)
+        return {x: Fraction(max(c) - min(c), part) for x, c, part in places}
+
     @property
     def scale(self) -> int:
         """Return the common denominator of the coefficients of angles."""
