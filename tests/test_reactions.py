@@ -186,3 +186,42 @@ find N_W
 def test_the_guide_of_a_slide_has_a_normal_force():
     """F·b = N·a·cos β about O, and the guide holds what the wedge pushes down: N·cos β."""
     assert mechc.loads(WEDGE).evaluate(F=10.0)["N_W"] == pytest.approx(20.0)
+
+
+FRAME = """
+param h = 1 m
+param s = 2.4 m
+pivot E at (0 m, 0 m)
+slider F along x
+link ACE
+link BDF
+link AB
+link CD
+EC = (0 m, h)
+EA = (0 m, 4*h)
+FD = (0 m, 2*h)
+FB = (0 m, 3*h)
+AB = (s, -h)
+CD = (s, h)
+force P at A along x
+force Q at F along x
+force W at F along -y
+find Q, N_F, N_AB, N_CD
+expect N_F = 4*h*P/s + W
+expect N_AB = -8*sqrt(h^2 + s^2)*P/(5*s)
+expect N_CD = 12*sqrt(h^2 + s^2)*P/(5*s)
+"""
+
+
+def test_a_slanting_rod_given_by_components_has_its_whole_force():
+    """Two uprights and two braces: after Beer, Johnston, Vector mechanics, problem 6.6."""
+    results = mechc.loads(FRAME).evaluate(P=3000.0, W=0.0)
+    assert results["N_AB"] == pytest.approx(-5200)
+    assert results["N_CD"] == pytest.approx(7800)
+
+
+def test_a_load_that_a_reaction_shows_has_an_influence():
+    """W does no work, but presses the guide of F."""
+    assert not mechc.loads(FRAME).warnings
+    (warning,) = mechc.loads(FRAME.replace("N_F, ", "").replace("expect N_F", "#")).warnings
+    assert warning.code == "W501"

@@ -5,10 +5,13 @@ from itertools import groupby
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..algebra.sums import canonical
-from ..formula.tree import ZERO, Formula, Sum, Symbol, product, quotient, total
-from ..model.mechanism import Axial, Force, Load, Mechanism, Normal, Reaction, Thrust, Torque
+from ..algebra.sums import add, canonical
+from ..algebra.trigonometry import cosine, sine
+from ..formula.tree import ZERO, Call, Formula, Sum, Symbol, product, quotient, total
+from ..frozen import replace
+from ..model.mechanism import Axial, Force, Load, Normal, Reaction, Thrust, Torque
 from ..model.result import Definition
+from ..pose.pose import Pose, Vector
 from ..power.balance import Balance, Release, Solved, Term
 from ..power.definitions import resting_on
 from .steps import Account, Equation, Passage, Saying
@@ -28,7 +31,7 @@ def of_forces(balance: Balance) -> Iterator[Account]:
         if place is None:
             continue
         solved = tuple(group)
-        writer = _Writer(pose.mechanism, solved, told)
+        writer = _Writer(pose, solved, told)
         if not told and solved[0].releases:
             opening = (Passage(Saying.RELEASED, names={"held": solved[0].releases[0].held}),)
         passages = (*opening, *writer.passages())
@@ -53,8 +56,9 @@ def _place(solved: Solved) -> tuple[str, ...] | None:
 class _Writer:
     """Tells of one force."""
 
-    def __init__(self, mechanism: Mechanism, solved: Sequence[Solved], told: Set[str]) -> None:
-        self._mechanism, self._told = mechanism, told
+    def __init__(self, pose: Pose, solved: Sequence[Solved], told: Set[str]) -> None:
+        mechanism = pose.mechanism
+        self._pose, self._mechanism, self._told = pose, mechanism, told
         self.names = tuple(s.result.name for s in solved)
         self._target = solved[0].result.target
         self._releases = solved[0].releases
@@ -65,6 +69,11 @@ class _Writer:
     def passages(self) -> Iterator[Passage]:
         """Yield one passage for each direction in which the bond is let go."""
         releases = self._releases
+        if isinstance(self._target, Axial) and self._is_slanting():
+            told = [self._passage(release) for release in releases]
+            yield from told[:-1]
+            yield replace(told[-1], equations=(*told[-1].equations, self._projected()))
+            return
         if isinstance(self._target, Axial):
             releases = releases[:1]
         elif self._is_rod():
@@ -91,6 +100,28 @@ class _Writer:
             and len(link.points) == 2
             and not any(self._releases[1].amounts.values())
         )
+
+    def _is_slanting(self) -> bool:
+        """Tell whether a rod's vector is a sum, so that no release is along the rod itself."""
+        return len(self._releases) > 1 and len(self._rod(self._releases[0])) > 1
+
+    def _rod(self, release: Release) -> Vector:
+        """Return the vector of a rod from its other end to the point of a release."""
+        link = next(k for k in self._mechanism.links if k.name == release.of)
+        other = next(p for p in link.points if p != release.point)
+        return self._pose.vector(link.name, other, release.point)
+
+    def _projected(self) -> Equation:
+        """Return the force along a slanting rod as what its components have along the rod."""
+        ahead = self._releases[0].direction
+        arms = self._rod(self._releases[0])
+        sides = [
+            add(arm.length * turn(arm.angle - ahead) for arm in arms).formula()
+            for turn in (cosine, sine)
+        ]
+        parts = zip(self._releases, sides, strict=True)
+        whole = total(product([(side, 1), (self._component(r)[0], 1)]) for r, side in parts)
+        return Equation(Symbol(self.names[0]), quotient(whole, Call("hypot", tuple(sides))))
 
     def _one_sided(self) -> Passage:
         """Say why a force has one component."""
@@ -142,12 +173,15 @@ class _Writer:
 
     def _component(self, release: Release) -> tuple[Symbol, int]:
         """Return the symbol of a component, and -1 if it counts against the release."""
-        if not isinstance(self._target, Reaction):
+        slanting = isinstance(self._target, Axial) and self._is_slanting()
+        if not isinstance(self._target, Reaction) and not slanting:
             name = self.names[0]
             return Symbol(name), self._outwards(release) if isinstance(self._target, Axial) else 1
-        if self._is_rod():
+        if self._is_rod() and not slanting:
             return Symbol(f"N_{release.of}"), self._outwards(release)
-        base = next(n for n in self.names if n + "_x" in self.names)
+        base = f"R_{release.point}"
+        if not slanting:
+            base = next(n for n in self.names if n + "_x" in self.names)
         if not release.direction.terms and release.direction.degrees % 90 == 0:
             turn = release.direction.degrees % 360
             return Symbol(f"{base}_{'y' if turn % 180 else 'x'}"), 1 if turn < 180 else -1

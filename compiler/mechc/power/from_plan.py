@@ -65,11 +65,12 @@ class _Asked:
 
     def balance(self) -> Balance:
         """Return the whole."""
-        self._remark()
+        self._warn_of_idle_motions()
         solved = self._solved_so_far
         for find in self._mechanism.finds:
             if (found := self._find(find)) is not None:
                 solved.append(found)
+        self._warn_of_idle_loads()
         self._report.stop_on_errors()
         results = [s.result for s in solved]
         solved.extend(Solved(r) for r in let_results(self._plan, results))
@@ -82,16 +83,23 @@ class _Asked:
             remark_on_constant(done, self._friction_results(silent), self._report)
         return done
 
-    def _remark(self) -> None:
-        idle = () if self._mechanism.friction.rubbing else self._equations.idle_loads
-        for name in idle:
-            self._report.add(words.load_does_no_work(self._loads[name].span, name))
-        asks_for_loads = any(not isinstance(f.target, SpeedRatio) for f in self._mechanism.finds)
-        if self._equations.idle_motions and asks_for_loads:
-            self._warn_of_idle_motions()
+    def _warn_of_idle_loads(self) -> None:
+        """Warn of loads without work, but not where friction or a result shows them."""
+        if self._mechanism.friction.rubbing:
+            return
+        shown = [let.value for let in self._mechanism.lets]
+        for solved in self._solved_so_far:
+            shown += [solved.result.formula, *(d.formula for d in solved.result.where)]
+        seen = {name for formula in shown for name in symbols(formula)}
+        for name in self._equations.idle_loads:
+            if name not in seen:
+                self._report.add(words.load_does_no_work(self._loads[name].span, name))
 
     def _warn_of_idle_motions(self) -> None:
         """Name what the idle motions are measured by: links that turn, points that move."""
+        asks_for_loads = any(not isinstance(f.target, SpeedRatio) for f in self._mechanism.finds)
+        if not self._equations.idle_motions or not asks_for_loads:
+            return
         graph = self._plan.graph
         drives = [graph.unknowns[self._plan.drives[i]] for i in self._equations.idle_motions]
         spans = {f"link {k.name}": k.span for k in self._mechanism.links}
@@ -220,7 +228,8 @@ class _Asked:
             self._report.add(words.reaction_undetermined(find.span, called(target)))
             return None
         where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
-        given = [Definition(n, f) for n in self._equations.columns if (f := self._given(n))]
+        loads = (*self._equations.columns, *self._equations.idle_loads)
+        given = [Definition(n, f) for n in loads if (f := self._given(n))]
         used = symbols(found.formula)
         given = [g for g in given if g.name in used]
         before = intermediates(self._plan, [*(g.formula for g in given), found.formula])

@@ -1,25 +1,26 @@
 """What was asked of the forces at joints: components, sizes, directions."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
+from ..algebra.product import ONE, Product
 from ..algebra.product import ZERO as NONE
-from ..algebra.product import Product
 from ..algebra.sums import add
+from ..algebra.trigonometry import cosine
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..kinematics.release import Bond, held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
-from ..pose.pose import Pose
+from ..pose.pose import Arm, Pose, Vector
 from .balance import Release
 from .numbers import pose_values
 from .reactions import Reactions, Transmitted
-from .speeds import magnitude, root
+from .speeds import length, magnitude, root
 
 HALF_TURN = Angle.constant(180)
 
@@ -52,7 +53,7 @@ def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactio
         case Reaction(part="size" | "direction" as part):
             return _whole(part, transmitted, pose.mechanism)
         case _:
-            return _linear(transmitted, transmitted.along(line_of(target, pose)))
+            return _linear(transmitted, component(transmitted, line_of(target, pose)))
 
 
 def called(target: Reaction | Axial | Normal) -> str:
@@ -92,28 +93,54 @@ def guiding(point: str, pose: Pose) -> Bond:
     return Bond("slide", point, name) if name else Bond("ground", point)
 
 
-def line_of(target: Reaction | Axial | Normal, pose: Pose) -> Angle:
-    """Return the direction along which a force, or a component of it, counts as positive."""
+def component(transmitted: Transmitted, line: Vector) -> dict[str, Product]:
+    """Return the component of a force along a unit vector, as a linear form in the loads."""
+    if len(line) == 1:
+        return transmitted.along(line[0].angle)
+    ahead = [transmitted.along(arm.angle) for arm in line]
+    aside = [transmitted.along(arm.angle + QUARTER) for arm in line]
+    loads = dict.fromkeys(load for amounts in ahead for load in amounts)
+    return {n: _along([a[n] for a in ahead], [a[n] for a in aside], line) for n in loads}
+
+
+def _along(ahead: Sequence[Product], aside: Sequence[Product], line: Vector) -> Product:
+    """Return Σ R·eᵢ·lᵢ for a unit vector Σ lᵢ·eᵢ; where R is along it that is R·e₁ over its own.
+
+    ``aside`` are the R·nᵢ, nᵢ being eᵢ turned by +90°: Σ R·nᵢ·lᵢ vanishes along the vector.
+    """
+    whole = add(part * arm.length for part, arm in zip(ahead, line, strict=True))
+    if add(part * arm.length for part, arm in zip(aside, line, strict=True)):
+        return whole
+    first = line[0].angle
+    return ahead[0] / add(arm.length * cosine(arm.angle - first) for arm in line)
+
+
+def line_of(target: Reaction | Axial | Normal, pose: Pose) -> Vector:
+    """Return the unit vector along which a force, or a component of it, counts as positive."""
     match target:
         case Reaction(part=part):
-            return QUARTER if part == "y" else Angle()
+            return (Arm(ONE, QUARTER if part == "y" else Angle()),)
         case Axial(link, tail, head):
             end = bond_of(target, pose).point
             return _outwards(link, *((tail, head) if end == head else (head, tail)), pose)
         case Normal(point):
             touch = next((t for t in pose.touches if t.point == point), None)
             guide = pose.guide_of(point) or Angle()
-            return touch.normal if touch else guide + QUARTER
+            return (Arm(ONE, touch.normal if touch else guide + QUARTER),)
 
 
-def _outwards(link: str, tail: str, head: str, pose: Pose) -> Angle:
-    """Return the direction of a rod; its length may be a difference such as (m − 1)·a."""
-    arm = pose.vector(link, tail, head)[0]
+def _outwards(link: str, tail: str, head: str, pose: Pose) -> Vector:
+    """Return the unit vector of a rod; its length may be a difference such as (m − 1)·a."""
+    arms = pose.vector(link, tail, head)
+    if len(arms) > 1:
+        whole = length(arms)
+        return tuple(Arm(arm.length / whole, arm.angle) for arm in arms)
+    (arm,) = arms
     try:
         turned = arm.length.evaluate(pose_values(pose)) < 0
     except KeyError:
         turned = False
-    return arm.angle + HALF_TURN if turned else arm.angle
+    return (Arm(ONE, arm.angle + HALF_TURN if turned else arm.angle),)
 
 
 def _linear(transmitted: Transmitted, amounts: Amounts) -> Found:

@@ -4,13 +4,14 @@ from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 
 from ...algebra.angle import Angle
-from ...algebra.product import Product
+from ...algebra.product import ONE, Product
 from ...formula.tree import Call, Formula, Symbol, number, product, total
 from ...kinematics.forms import QUARTER
 from ...kinematics.plan import Plan
 from ...model.mechanism import Axial, Normal, Reaction
+from ...pose.pose import Arm
 from ..balance import Term
-from ..joint_forces import bond_of, line_of
+from ..joint_forces import bond_of, component, line_of
 from ..reactions import Reactions
 from .closed import Named, Printed, conditions
 from .exact import Sizes, named_factor
@@ -62,17 +63,19 @@ class ForceWithFriction:
             load_of(p.rub): self._resisting(p, factor(p.rub), sign(p.slip)) for p in self._pressed
         }
 
-        def along(direction: Angle) -> Formula:
+        def along(*line: Arm) -> Formula:
             assert self.transmitted is not None
-            return _form(self.transmitted.along(direction), frictions)
+            return _form(component(self.transmitted, line), frictions)
+
+        x, y = Arm(ONE, Angle()), Arm(ONE, QUARTER)
 
         match self._target:
             case Reaction(part="size"):
-                return Call("hypot", (along(Angle()), along(QUARTER)))
+                return Call("hypot", (along(x), along(y)))
             case Reaction(part="direction"):
-                return Call("atan2", (along(QUARTER), along(Angle())))
+                return Call("atan2", (along(y), along(x)))
             case _:
-                return along(line_of(self._target, self._pose))
+                return along(*line_of(self._target, self._pose))
 
     def _resisting(self, pressed: Pressed, factor: Product, sign: Formula) -> Formula:
         """Return a friction as a load on its slip: its size, against the sign of the slip."""
