@@ -96,14 +96,21 @@ CONSTRUCTS = [
     ("copies 3 sharing A", "copies: {n: 3, sharing: [A]}"),
     ("force P at A along 180 deg", "forces: {P: {at: A, along: 180 deg}}"),
     ("force T = f*R at C along x", "forces: {T: {at: C, along: x, is: f*R}}"),
+    ("force F at P on NP along -y", "forces: {F: {at: P, link: NP, along: -y}}"),
     ("force F at K along y times 1/2", "forces: {F: {at: K, along: y, times: 1/2}}"),
     ("torque M on OA", "torques: {M: {link: OA}}"),
     ("torque M = r*P on OA times 2", "torques: {M: {link: OA, is: r*P, times: 2}}"),
     ("actuator P between A and B", "actuators: {P: {between: [A, B]}}"),
+    ("actuator P between A on OA and B", "actuators: {P: {between: [A on OA, B]}}"),
     (
         "spring 5 N/mm between A and B free l0",
         "springs: [{between: [A, B], rate: 5 N/mm, free: l0}]",
     ),
+    (
+        "spring c between A and B on BCD free l0",
+        "springs: [{between: [A, B on BCD], rate: c, free: l0}]",
+    ),
+    ("weight W mass m at G on OGA", "weights: {W: {mass: m, at: G, link: OGA}}"),
     ("weight W mass m at G\ngravity along -y", "weights: {W: {mass: m, at: G}}\ngravity: -y"),
     (
         "friction pins 0.1 diameter 20 mm coulomb",

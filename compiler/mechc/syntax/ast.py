@@ -308,13 +308,14 @@ class Assembly(Statement):
 
 @frozen
 class Force(Statement):
-    """``force P = tie at A along θ times n``."""
+    """``force P = tie at A on AB along θ times n``; ``link`` is what carries it at a pin."""
 
     name: Name
     point: Name
     along: Direction
     tie: Expr | None = None
     times: Expr | None = None
+    link: Name | None = None
 
 
 @frozen
@@ -329,33 +330,38 @@ class Torque(Statement):
 
 @frozen
 class Actuator(Statement):
-    """``actuator P between A and B times n``: pushes A and B apart."""
+    """``actuator P between A on OA and B on BC times n``: pushes A and B apart."""
 
     name: Name
     first: Name
     second: Name
     times: Expr | None = None
+    first_link: Name | None = None
+    second_link: Name | None = None
 
 
 @frozen
 class Spring(Statement):
-    """``spring c between A and B free l0 times n``."""
+    """``spring c between A on OA and B on BC free l0 times n``."""
 
     rate: Expr
     first: Name
     second: Name
     free: Expr
     times: Expr | None = None
+    first_link: Name | None = None
+    second_link: Name | None = None
 
 
 @frozen
 class Weight(Statement):
-    """``weight W mass m at G times n``."""
+    """``weight W mass m at G on OG times n``."""
 
     name: Name
     mass: Expr
     point: Name
     times: Expr | None = None
+    link: Name | None = None
 
 
 @frozen

@@ -24,7 +24,8 @@ NAMED = key("name", Kind.NAME)
 AT_POINT = key("point", Kind.POINT)
 TIMES = optional("times", Kind.EXPRESSION)
 TIE = optional("is", Kind.EXPRESSION, "tie")
-BETWEEN = key("between", Kind.PAIR, "first", "second")
+ON_LINK = optional("link", Kind.POINTS)
+BETWEEN = key("between", Kind.PAIR, "first", "first_link", "second", "second_link")
 SHARING = optional("sharing", Kind.SHARED)
 WHEELS = (
     Key("", Kind.EXPRESSION, ("first", "first_radius")),
@@ -194,6 +195,7 @@ SECTIONS: tuple[Section, ...] = (
             NAMED,
             keys=(
                 key("at", Kind.POINT, "point"),
+                ON_LINK,
                 key("along", Kind.DIRECTION),
                 TIE,
                 TIMES,
@@ -224,7 +226,12 @@ SECTIONS: tuple[Section, ...] = (
         Entry(
             ast.Weight,
             NAMED,
-            keys=(key("mass", Kind.EXPRESSION), key("at", Kind.POINT, "point"), TIMES),
+            keys=(
+                key("mass", Kind.EXPRESSION),
+                key("at", Kind.POINT, "point"),
+                ON_LINK,
+                TIMES,
+            ),
         ),
     ),
     one("gravity", "direction of gravity", ast.Gravity, plain(Kind.DIRECTION, "along")),

@@ -20,6 +20,7 @@ ANY_NAME = "^[A-Za-z][A-Za-z0-9_']*$"
 # YAML readers see numbers where mechc sees text, so both are let in.
 EXPRESSION: Schema = {"type": ["string", "number"], "description": "an expression: 2*a, 40 mm"}
 CARTESIAN: Schema = {"type": "array", "items": EXPRESSION, "minItems": 2, "maxItems": 2}
+END: Schema = {"type": "string", "pattern": f"^{POINT}(?: on (?:{POINT}){{2,}})?$"}
 POLAR: Schema = {
     "type": "object",
     "properties": {"length": EXPRESSION, "angle": EXPRESSION},
@@ -42,7 +43,7 @@ KINDS: dict[Kind, Schema] = {
     Kind.CORNER: points(3, 3),
     Kind.BODY: points(1),
     Kind.PIN: {"type": "string", "pattern": f"^(?:pins|{POINT})$"},
-    Kind.PAIR: {"type": "array", "items": points(1, 1), "minItems": 2, "maxItems": 2},
+    Kind.PAIR: {"type": "array", "items": END, "minItems": 2, "maxItems": 2},
     Kind.SHARED: {"anyOf": [points(1, 1), {"type": "array", "items": points(1, 1)}]},
     Kind.EXPRESSION: EXPRESSION,
     Kind.DIRECTION: {**EXPRESSION, "description": "a direction: 90 deg, x, -y, AB, perp AB"},

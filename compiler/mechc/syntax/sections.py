@@ -21,7 +21,7 @@ class Kind(Enum):
     CORNER = auto()
     BODY = auto()
     PIN = auto()  # a point, or the word 'pins' for all of them
-    PAIR = auto()  # [A, B]
+    PAIR = auto()  # [A, B on BC]
     SHARED = auto()  # [K, L]
     EXPRESSION = auto()
     DIRECTION = auto()

@@ -21,6 +21,7 @@ Start = Literal[
     "result",
     "condition",
     "expectation",
+    "end",
 ]
 """What a text may be read as: a whole statement, or what one YAML scalar holds."""
 

@@ -124,6 +124,11 @@ def result(found: ast.Find) -> str:
     return f"{name}{expression(found.target)}{on}"
 
 
+def end(point: ast.Name, link: ast.Name | None) -> str:
+    """Return ``A``, or ``A on OA``."""
+    return f"{point.text} on {link.text}" if link else point.text
+
+
 def condition(required: ast.Require) -> str:
     """Return ``a < b < c``."""
     first, *rest = map(expression, required.operands)

@@ -35,11 +35,13 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Assembly: "assembly {points} {mode}",
     ast.Mirror: "mirror across {across}[ sharing {sharing}]",
     ast.Copies: "copies {number}[ sharing {sharing}]",
-    ast.Force: "force {name}[ = {tie}] at {point} along {along}[ times {times}]",
+    ast.Force: "force {name}[ = {tie}] at {point}[ on {link}] along {along}[ times {times}]",
     ast.Torque: "torque {name}[ = {tie}] on {link}[ times {times}]",
-    ast.Actuator: "actuator {name} between {first} and {second}[ times {times}]",
-    ast.Spring: "spring {rate} between {first} and {second} free {free}[ times {times}]",
-    ast.Weight: "weight {name} mass {mass} at {point}[ times {times}]",
+    ast.Actuator: "actuator {name} between {first}[ on {first_link}] and {second}[ on {second_link}]"
+    "[ times {times}]",
+    ast.Spring: "spring {rate} between {first}[ on {first_link}] and {second}[ on {second_link}]"
+    " free {free}[ times {times}]",
+    ast.Weight: "weight {name} mass {mass} at {point}[ on {link}][ times {times}]",
     ast.Gravity: "gravity along {along}",
     ast.GuideFriction: "friction slider {point} {coefficient}[ guide {length} overhang {overhang}]"
     "[ {law}]",

@@ -201,8 +201,8 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return "true" if value else "false"
         case Kind.RANGE, [low, high]:
             return scalar(text.range_of(low, high), flow)
-        case Kind.PAIR, [first, second]:
-            return f"[{first.text}, {second.text}]"
+        case Kind.PAIR, [first, first_link, second, second_link]:
+            return f"[{text.end(first, first_link)}, {text.end(second, second_link)}]"
         case Kind.SHARED, [points]:
             return f"[{', '.join(point.text for point in points)}]"
         case Kind.RESULT, [target, name, on]:

@@ -94,11 +94,39 @@ def force(
     name: ast.Name,
     tie: ast.Expr | None,
     point: ast.Name,
+    link: ast.Name | None,
     along: ast.Direction,
     times: ast.Expr | None,
 ) -> ast.Force:
-    """Return ``force P = tie at A along θ times n``."""
-    return ast.Force(NOWHERE, name, point, along, tie, times)
+    """Return ``force P = tie at A on AB along θ times n``."""
+    return ast.Force(NOWHERE, name, point, along, tie, times, link)
+
+
+def weight(
+    name: ast.Name,
+    mass: ast.Expr,
+    point: ast.Name,
+    link: ast.Name | None,
+    times: ast.Expr | None,
+) -> ast.Weight:
+    """Return ``weight W mass m at G on OG times n``."""
+    return ast.Weight(NOWHERE, name, mass, point, times, link)
+
+
+End = tuple[ast.Name, ast.Name | None]
+"""An end of a pair of forces: a point, and the link that carries it there."""
+
+
+def actuator(name: ast.Name, first: End, second: End, times: ast.Expr | None) -> ast.Actuator:
+    """Return ``actuator P between A on OA and B times n``."""
+    return ast.Actuator(NOWHERE, name, first[0], second[0], times, first[1], second[1])
+
+
+def spring(
+    rate: ast.Expr, first: End, second: End, free: ast.Expr, times: ast.Expr | None
+) -> ast.Spring:
+    """Return ``spring c between A on OA and B free l0 times n``."""
+    return ast.Spring(NOWHERE, rate, first[0], second[0], free, times, first[1], second[1])
 
 
 def torque(
@@ -211,9 +239,6 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "screw": ast.Screw,
     "geometry": ast.Vector,
     "turn": ast.Turn,
-    "actuator": ast.Actuator,
-    "spring": ast.Spring,
-    "weight": ast.Weight,
     "gravity": ast.Gravity,
     "friction_roller": ast.RollerFriction,
     "friction_contact": ast.ContactFriction,
@@ -237,6 +262,9 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "copies": copies,
     "force": force,
     "torque": torque,
+    "actuator": actuator,
+    "spring": spring,
+    "weight": weight,
     "friction_pins": friction_pins,
     "friction_pin": friction_pin,
     "friction_guide": friction_guide,
@@ -254,6 +282,7 @@ PARTS: Mapping[str, Made] = {
     "setting": tupled,
     "range": tupled,
     "shared": tupled,
+    "end": tupled,
     "name": name,
     "dimension": dimension,
     "polar": expressions.polar,

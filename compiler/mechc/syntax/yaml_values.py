@@ -148,11 +148,19 @@ def dimension(node: Node, source: Source) -> Fields:
 
 
 def pair(node: Node, source: Source) -> Fields:
-    """Read ``[A, B]``."""
+    """Read ``[A, B]``; each may name the link that carries it there: ``[A on OA, B]``."""
     match node:
         case Listing(items=(first, second)):
-            return point_name("point", first), point_name("point", second)
+            return (*end(first, source), *end(second, source))
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "two points [A, B]"))
+
+
+def end(node: Node, source: Source) -> Fields:
+    """Read ``A``, or ``A on OA``."""
+    if isinstance(node, Scalar) and " on " in node.text:
+        point, link = parsed("end", "a point, or a point and its link", node, source)
+        return point, link
+    return point_name("point", node), None
 
 
 def shared(node: Node, source: Source) -> Fields:
