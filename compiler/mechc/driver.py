@@ -126,7 +126,12 @@ class Compilation:
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
         return self._sound(
-            program(self.pose.mechanism, self.balance.results, dict(self.pose.definitions))
+            program(
+                self.pose.mechanism,
+                self.balance.results,
+                dict(self.pose.definitions),
+                self.pose.loops,
+            )
         )
 
     @cached_property

@@ -125,9 +125,11 @@ def _group_lines(group: Definition | Solved) -> list[str]:
 def condition_lines(function: Function) -> list[str]:
     """Return the conditions outside which the function gives NaN."""
     known = {i.name for i in function.inputs} | {step.name for step in function.where}
-    told = [g for g in function.guards if symbols(g.left) | symbols(g.right) <= known]
-    lines = [_condition(guard) for guard in told]
-    if len(told) < len(function.guards):
+    closing = [f"the loop {guard.loop} closes" for guard in function.guards if guard.loop]
+    others = [guard for guard in function.guards if not guard.loop]
+    told = [g for g in others if symbols(g.left) | symbols(g.right) <= known]
+    lines = [*closing, *(_condition(guard) for guard in told)]
+    if len(told) < len(others):
         lines.append("every force keeps the sense that it has without friction")
     return lines
 

@@ -37,7 +37,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
-    mechanism, found, rates, limits = close(mechanism, terms, compass, vectors, report)
+    mechanism, found, rates, limits, loops = close(mechanism, terms, compass, vectors, report)
     mechanism = with_directions(mechanism, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
     guides, axis = survey.guides(), survey.axis()
@@ -58,6 +58,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         touches=held,
         radii={radius: terms.length(radius) for radius in radii(mechanism)},
         limits=limits,
+        loops=loops,
         closing=tuple(terms.definitions),
         vectors=vectors.given(),
     )

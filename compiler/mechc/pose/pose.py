@@ -70,6 +70,18 @@ class Limit(NamedTuple):
                 return ()
 
 
+class ClosedLoop(NamedTuple):
+    """A loop that closes at some values of its symbols only.
+
+    ``names`` are the definitions that have no value where it does not; ``margin`` is not
+    negative where it closes, and negative or NaN elsewhere.
+    """
+
+    loop: str
+    names: frozenset[str]
+    margin: Formula
+
+
 class Touch(NamedTuple):
     """A pin that slides along a body: in a slot of it, or touching a face.
 
@@ -104,7 +116,8 @@ class Pose:
     direction in which a pair of forces pushes its second point, or its first one where the
     second is the twin of it. ``radii`` is what each radius and pitch comes to.
     ``limits`` are where the closures of the loops meet, in names that ``closing`` defines,
-    those among them that nothing else needs. ``vectors`` are those between two points that
+    those among them that nothing else needs. ``loops`` are the loops that may fail to close,
+    each after those that it rests on. ``vectors`` are those between two points that
     the description gives, or that a loop gives it a place by, whatever bodies they are on.
     ``left[point]`` is the direction of a guide that was let go, along which a rack or a nut
     is still led.
@@ -123,6 +136,7 @@ class Pose:
     touches: tuple[Touch, ...] = ()
     radii: Mapping[Formula, Product] = MappingProxyType({})
     limits: tuple[Limit, ...] = ()
+    loops: tuple[ClosedLoop, ...] = ()
     closing: tuple[Definition, ...] = ()
     vectors: Mapping[tuple[str, str], Vector] = MappingProxyType({})
     left: Mapping[str, Angle] = MappingProxyType({})

@@ -1,7 +1,8 @@
 """Definitions that closing made and nothing needs in the end."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
+from ..algebra.product import Product
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
@@ -14,19 +15,31 @@ def pruned(pose: Pose) -> Pose:
     """Return the pose with only those definitions that it rests on, in their order.
 
     A direction that turned out to be a known one leaves its triangle behind, which need not
-    have a value where the loop lies flat. Rates count as needed, where the name does.
+    have a value where the loop lies flat. Rates count as needed, where the name does, and what
+    a loop finds that may fail to close and that nothing else shows to have closed.
     """
     formulas = {d.name: d.formula for d in pose.definitions}
-    used, waiting = set[str](), list(_names(pose))
+    used = _reached(_names(pose), formulas, pose.rates)
+    for loop in pose.loops:
+        if loop.names.isdisjoint(used):
+            used |= _reached(loop.names, formulas, pose.rates)
+    return replace(pose, definitions=tuple(d for d in pose.definitions if d.name in used))
+
+
+def _reached(
+    names: Iterable[str], formulas: Mapping[str, Formula], rates: Mapping[str, Product]
+) -> set[str]:
+    """Return the definitions that names lead to, those of their rates included."""
+    used, waiting = set[str](), list(names)
     while waiting:
         name = waiting.pop()
         if name in used or name not in formulas:
             continue
         used.add(name)
         waiting.extend(symbols(formulas[name]))
-        if name in pose.rates:
-            waiting.extend(symbols(pose.rates[name].formula()))
-    return replace(pose, definitions=tuple(d for d in pose.definitions if d.name in used))
+        if name in rates:
+            waiting.extend(symbols(rates[name].formula()))
+    return used
 
 
 def _names(pose: Pose) -> Iterator[str]:

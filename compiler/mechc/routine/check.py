@@ -18,6 +18,10 @@ def _formulas(function: Function) -> list[Formula]:
     return [*(f for step in function.steps for f in formulas_of(step)), function.output]
 
 
+def _compared(function: Function) -> list[Formula]:
+    return [side for guard in function.guards for side in (guard.left, guard.right)]
+
+
 def _open_names(function: Function) -> Iterator[str]:
     known = {i.name for i in function.inputs}
     for step in function.steps:
@@ -25,13 +29,13 @@ def _open_names(function: Function) -> Iterator[str]:
         yield from (f"{', '.join(names)} uses {n} too early" for n in used - known)
         yield from (f"{name} means two things" for name in names if name in known)
         known.update(names)
-    sides = [side for guard in function.guards for side in (guard.left, guard.right)]
-    for formula in (function.output, *sides):
+    for formula in (function.output, *_compared(function)):
         yield from (f"{n} is not defined" for n in symbols(formula) - known)
 
 
 def _idle_inputs(function: Function) -> Iterator[str]:
-    used = frozenset[str]().union(*map(symbols, _formulas(function)))
+    formulas = [*_formulas(function), *_compared(function)]
+    used = frozenset[str]().union(*map(symbols, formulas))
     yield from (f"input {i.name} is not used" for i in function.inputs if i.name not in used)
 
 

@@ -1,6 +1,6 @@
 """From results to straight-line programs, one function per ``find`` and ``let``."""
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, assert_never
 
 from ..formula.operations import count_operations
@@ -24,8 +24,10 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Result
+from ..pose.pose import ClosedLoop
 from ..units import FORCE, TORQUE
 from .lengths import with_roots
+from .loops import closing_guard, unseen_loops
 from .scope import Definitions, Scope, rename
 from .sharing import share
 from .steps import (
@@ -47,35 +49,45 @@ def program(
     mechanism: Mechanism,
     results: tuple[Result, ...],
     definitions: Mapping[str, Formula] | None = None,
+    loops: Sequence[ClosedLoop] = (),
 ) -> Routine:
     """Return the routine that computes every result.
 
     Each function takes the parameters it depends on in declared order, then the loads
     it depends on, all in SI. A ``require`` guards those functions whose inputs decide
     it; one that needs more than a function is given is left to its caller. ``definitions``
-    are those of the pose, on which conditions may rest that no result does.
+    are those of the pose, on which conditions may rest that no result does; ``loops`` must
+    close for a result to have a value, needed for it or not.
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
     scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
-    functions = tuple(_function(result, scope, inputs) for result in results)
-    pose = _pose(scope, inputs)
+    functions = tuple(_function(result, scope, inputs, loops) for result in results)
+    pose = _pose(scope, inputs, loops)
     return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose)
 
 
-def _function(result: Result, scope: Scope, inputs: Mapping[str, Input]) -> Function:
+def _function(
+    result: Result, scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
+) -> Function:
+    unseen = unseen_loops(result, scope, loops)
     needed = [result.formula, *(side for g in result.guards for side in (g.left, g.right))]
-    used = _known(result, _free(result.name, needed, scope), inputs)
+    needed += [loop.margin for loop in unseen]
+    used = _known(result, scope.free(result.name, needed), inputs)
     requires = [r for r in scope.mechanism.requires if _decided(r, result.name, scope, used)]
     requires += result.guards
     sides = [side for r in requires for side in (r.left, r.right)]
-    definitions = scope.definitions(result.name, [result.formula, *sides])
+    definitions = scope.definitions(result.name, [result.formula, *sides, *needed])
     formula = rename(result.formula, definitions.names)
-    guards = tuple(_guard(r, definitions) for r in requires)
+    guards = (
+        *(_guard(r, definitions) for r in requires),
+        *(closing_guard(loop, definitions) for loop in unseen),
+    )
     asked = {name for g in guards for side in (g.left, g.right) for name in symbols(side)}
     taken = {*inputs, *scope.results, *(name for name, _ in definitions.formulas)}
     carried, formulas = in_unit_vectors(definitions.formulas, [formula], asked, taken)
     steps, (output,) = share(carried, formulas, [*inputs, *scope.results])
-    read = _read(result, formula, definitions.formulas)
+    shown = scope.definitions(result.name, [result.formula, *sides]).formulas
+    read = _read(result, formula, shown)
     return Function(
         name=result.name,
         title=title(result.target),
@@ -117,8 +129,12 @@ def _read(result: Result, formula: Formula, known: Iterable[tuple[str, Formula]]
     return _Read(printed.formula, tuple(where[::-1]), holds, iterated)
 
 
-def _pose(scope: Scope, inputs: Mapping[str, Input]) -> Pose | None:
+def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]) -> Pose | None:
     found = scope.intermediates()
+    needed = {name for name, _ in found.formulas}
+    unseen = [loop for loop in loops if loop.names.isdisjoint(needed)]
+    if unseen:
+        found = scope.intermediates(n for loop in unseen for n in sorted(loop.names))
     if not found.names:
         return None
     names = {*inputs, *scope.results, *(name for name, _ in found.formulas)}
@@ -215,15 +231,6 @@ def _constant(formula: Formula | None) -> float | None:
     return None if formula is None else evaluate(formula, {})
 
 
-def _free(owner: str, formulas: list[Formula], scope: Scope) -> frozenset[str]:
-    """Return the names that formulas and the definitions they need leave open."""
-    definitions = scope.definitions(owner, formulas)
-    defined = {name for name, _ in definitions.formulas}
-    parts = [*(rename(f, definitions.names) for f in formulas)]
-    parts += [formula for _, formula in definitions.formulas]
-    return frozenset[str]().union(*map(symbols, parts)) - defined
-
-
 def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) -> tuple[Input, ...]:
     strangers = sorted(used - inputs.keys())
     if strangers:
@@ -236,7 +243,7 @@ def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) ->
 
 def _decided(require: Require, owner: str, scope: Scope, used: tuple[Input, ...]) -> bool:
     """Return whether a function's inputs decide a condition."""
-    return _free(owner, [require.left, require.right], scope) <= {i.name for i in used}
+    return scope.free(owner, [require.left, require.right]) <= {i.name for i in used}
 
 
 def _guard(require: Require, definitions: Definitions) -> Guard:

@@ -4,7 +4,7 @@ A result's own ``where`` comes first; then parameters, dependent ones by their f
 then other results (a let may use a find, and gives a load its value); then loads.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ..formula.tree import Formula, Symbol
@@ -81,9 +81,18 @@ class Scope:
         found, chosen = self._named(wanted.values())
         return Definitions(tuple(found.items()), {n: chosen[k] for n, k in wanted.items()})
 
-    def intermediates(self) -> Definitions:
-        """Return what of the pose any ``where`` defines, and all that it needs."""
+    def free(self, owner: str, formulas: Sequence[Formula]) -> frozenset[str]:
+        """Return the names that formulas and the definitions they need leave open."""
+        definitions = self.definitions(owner, formulas)
+        defined = {name for name, _ in definitions.formulas}
+        parts = [rename(f, definitions.names) for f in formulas]
+        parts += [formula for _, formula in definitions.formulas]
+        return frozenset[str]().union(*map(symbols, parts)) - defined
+
+    def intermediates(self, others: Iterable[str] = ()) -> Definitions:
+        """Return what of the pose any ``where`` defines, others of it, and all that they need."""
         wanted = [Key(o, n) for o, names in self._where.items() for n in names if n in self._posed]
+        wanted += [Key("", name) for name in others if name in self._posed]
         found, chosen = self._named(wanted)
         return Definitions(tuple(found.items()), {chosen[k]: chosen[k] for k in wanted})
 

@@ -91,11 +91,15 @@ def mentioned(statements: Iterable[Statement], others: Iterable[Formula]) -> fro
 
 @frozen
 class Guard:
-    """A ``require``: where ``left OP right`` is false, the output is NaN."""
+    """A ``require``: where ``left OP right`` is false, the output is NaN.
+
+    ``loop`` names the loop that does not close there, if it is that.
+    """
 
     left: Formula
     operator: Literal["<", "<=", ">", ">=", "=", "!="]
     right: Formula
+    loop: str = ""
 
 
 @frozen

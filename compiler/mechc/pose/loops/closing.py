@@ -18,13 +18,14 @@ from ...frozen import replace
 from ...model.mechanism import Link, Mechanism, Parameter
 from ...units import ANGLE, LENGTH
 from ..compass import Compass
-from ..pose import Limit
+from ..pose import ClosedLoop, Limit
 from ..terms import Terms
 from ..vectors import Vectors
 from .branches import branches
 from .choosing import Choice
 from .dyads import Group
 from .groups import closures, remaining_blocks
+from .margins import in_closed_form, iterated
 from .rails import rails
 from .redundant import check_fit
 from .state import State
@@ -35,13 +36,14 @@ class Closed(NamedTuple):
     """The mechanism with the parameters that were found made dependent, and the names found.
 
     ``rates`` are the derivatives by the drive of all that moves with it; ``limits`` are where
-    the closures of the loops meet.
+    the closures of the loops meet, ``loops`` those that may fail to close.
     """
 
     mechanism: Mechanism
     found: frozenset[str]
     rates: Mapping[str, Product]
     limits: tuple[Limit, ...]
+    loops: tuple[ClosedLoop, ...]
 
 
 def close(
@@ -54,7 +56,7 @@ def close(
     """
     named, lines = _sought_parameters(mechanism), list(rails(mechanism, compass))
     if not (compass.sought or named or (lines and mechanism.drive)):
-        return Closed(mechanism, frozenset(), {}, ())
+        return Closed(mechanism, frozenset(), {}, (), ())
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
     lengths = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
     lengths -= {d.name for d in terms.definitions}
@@ -68,8 +70,9 @@ def close(
     vectors.put(state.directions)
     vectors.lay(state.laid())
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
-    found, bounds = frozenset(state.found), tuple(state.limits)
-    return Closed(_with_solved(mechanism, state), found, state.rates, bounds)
+    limits, loops = tuple(state.limits), tuple(state.loops)
+    mechanism = _with_solved(mechanism, state)
+    return Closed(mechanism, frozenset(state.found), state.rates, limits, loops)
 
 
 def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:
@@ -129,7 +132,9 @@ class _Closing:
         chosen = self._choice.choose(found, block)
         self._report.stop_on_errors()
         assert chosen is not None
-        self._state.limits.append(Limit(loop_name(block.cycle), "system", (), ()))
+        loop = loop_name(block.cycle)
+        self._state.limits.append(Limit(loop, "system", (), ()))
+        self._state.loops.append(iterated(loop, chosen.definitions))
         self._state.take(chosen, block.unknown, block.sides)
         return True
 
@@ -179,6 +184,8 @@ class _Closing:
         self._report.stop_on_errors()
         assert chosen is not None
         state.limits += [group.limit] if group.limit else []
+        if group.root is not None and any(chosen is way for way in ways):
+            state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
         state.take(chosen, wanted, [tuple(a for e in cycle for a in e.arms)])
         return True
 

@@ -81,10 +81,14 @@ class Group:
         name: Namer,
         values: Values,
     ) -> None:
-        """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose."""
+        """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
+
+        Once closures were made, ``root`` is what has no value where there is none.
+        """
         self._name, self._kept, self._fixed, self._values = name, kept, fixed, values
         self._shared: list[Definition] = []
         self.limit: Limit | None = None
+        self.root: Call | None = None
         self.cycle, self.unknown = cycle, unknown
         self.known = gathered(
             arm for edge in cycle for arm in edge.arms if unknown.isdisjoint(mentioned((arm,)))
@@ -207,7 +211,7 @@ class Group:
         d, psi = self._polar(self.known, self._span_name())
         p, q = first.size, second.size
         self.limit = Limit(loop_name(self.cycle), "triangle", self.known, (p, q))
-        area = heron(d, p, q)
+        self.root = area = heron(d, p, q)
         base, tip = (
             Call("atan2", (area, add([a * a, b * b, -(c * c)]).formula()))
             for a, b, c in ((d, p, q), (p, q, d))
@@ -263,6 +267,7 @@ class Group:
         sine_of = -(height / turn.size)
         flip = -1 if sine_of.coefficient < 0 else 1
         inclination = Call("asin", (sine_of.scaled(flip).formula(),))
+        self.root = inclination
         name = turn.name if turn.name in self._kept else self._name(_inclination(turn.name))
         for forward in (True, False):
             if turn.name in self._kept:
@@ -294,7 +299,7 @@ class Group:
                 yield self._closure([named], {turn.name: _aligned(turn, way - gamma)})
             return
         sides = d.formula(), across.formula()
-        root: Formula = Call(
+        self.root = root = Call(
             "sqrt", (product([(total([sides[0], negative(sides[1])]), 1), (total(sides), 1)]),)
         )
         for sign in (1, -1):

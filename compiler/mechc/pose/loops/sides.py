@@ -4,7 +4,7 @@ from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine
-from ...formula.tree import Call, Formula, product
+from ...formula.tree import Call, product
 from ..pose import Vector
 
 
@@ -24,7 +24,7 @@ def principal(angle: Angle) -> Angle:
     return Angle(angle.terms, -((180 - angle.degrees) % 360 - 180))
 
 
-def heron(d: Product, p: Product, q: Product) -> Formula:
+def heron(d: Product, p: Product, q: Product) -> Call:
     """Return four times the area of a triangle.
 
     The factors stay apart: two that are alike would else make a square, whose root has no sign.

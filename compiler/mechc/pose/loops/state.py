@@ -7,7 +7,7 @@ from ...algebra.angle import Angle
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ..nearby import Values, poses_nearby
-from ..pose import Definition, Limit, Vector, turned_by
+from ..pose import ClosedLoop, Definition, Limit, Vector, turned_by
 from ..terms import Terms
 from .dyads import Closure
 from .moving import given_rates
@@ -42,6 +42,7 @@ class State:
         drive = mechanism.drive.parameter if mechanism.drive else ""
         self.rates = given_rates(terms.definitions, drive) if drive else {}
         self.limits: list[Limit] = []
+        self.loops: list[ClosedLoop] = []
         self.values = poses_nearby(mechanism, terms.definitions)
         self._taken = {p.name for p in mechanism.parameters} | {n.name for n in mechanism.loads}
         for values in self.values:
