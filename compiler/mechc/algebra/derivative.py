@@ -8,8 +8,10 @@
 '1/cos(t)^2'
 """
 
+from collections.abc import Collection
 from fractions import Fraction
 
+from ..formula.walk import symbols
 from .angle import rational
 from .factors import CIRCLE, Factor, Length, Trig
 from .product import ZERO, Product, Sum
@@ -44,11 +46,12 @@ def _of_factor(factor: Factor, name: str) -> Product:
             return ZERO
 
 
-def depends_openly(product: Product) -> bool:
-    """Tell whether every factor is one that can be differentiated here."""
+def depends_openly(product: Product, on: Collection[str] | None = None) -> bool:
+    """Tell whether every factor is one that can be differentiated here, by names or by any."""
     return all(
         isinstance(f, Length | Trig)
         or f == CIRCLE
-        or (isinstance(f, Sum) and all(map(depends_openly, f.terms)))
+        or (isinstance(f, Sum) and all(depends_openly(term, on) for term in f.terms))
+        or (on is not None and symbols(f.formula()).isdisjoint(on))
         for f in product.factors
     )

@@ -83,9 +83,23 @@ def _touched(
         before, here, after = (abs(v) for v in values[i - 1 : i + 2])
         alike = values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0
         if alike and here <= min(before, after) and max(before, after) - here > NOISE * size:
-            place = lowest(lambda x: abs(function(x)), places[i - 1], places[i + 1])
-            if abs(function(place)) < NIL * size:
-                yield Root(place, 1e-8 * max(abs(place), 1e-3))
+            yield from _lowest(function, (places[i - 1], places[i + 1]), values[i], size)
+
+
+def _lowest(
+    function: Function, within: tuple[float, float], beside: float, size: float
+) -> Iterator[Root]:
+    """Yield the zeros about a place where a function comes nearest to zero: none, one or two.
+
+    ``beside`` is a value of the function nearby.
+    """
+    sense = math.copysign(1.0, beside)
+    place = lowest(lambda x: sense * function(x), *within)
+    least = sense * function(place)
+    if least < -NOISE * size:
+        yield from (halved(function, *sorted((end, place))) for end in within)
+    elif least < NIL * size:
+        yield Root(place, 1e-8 * max(abs(place), 1e-3))
 
 
 def lowest(function: Function, a: float, b: float, sections: int = 90) -> float:

@@ -53,21 +53,21 @@ def _touched(product: Product, pose: Pose, along: Along, places: Sequence[float]
 def _turning(
     margin: Function, slope: Product | None, along: Along, places: Sequence[float]
 ) -> Iterator[Root]:
-    """Yield where a margin may be least."""
+    """Yield where a margin may be least; one that only changes its sign is the end of a loop."""
     if slope is not None:
         yield from roots(lambda place: along.inside(slope, place), places)
         return
-    values = [abs(margin(x)) for x in places]
+    values = [margin(x) for x in places]
     for i in range(1, len(places) - 1):
         if values[i - 1] >= values[i] <= values[i + 1]:
-            place = lowest(lambda x: abs(margin(x)), places[i - 1], places[i + 1])
+            place = lowest(margin, places[i - 1], places[i + 1])
             yield Root(place, 1e-8 * (places[-1] - places[0]))
 
 
 def _slope(margin: Product, pose: Pose) -> Product | None:
     """Return the derivative of a margin by the drive, None where a rate is not known."""
     names = symbols(margin.formula()) & _moving(pose)
-    if not names or not depends_openly(margin) or not names <= rates_of(pose).keys():
+    if not names or not depends_openly(margin, names) or not names <= rates_of(pose).keys():
         return None
     return add(derivative(margin, name) * rates_of(pose)[name] for name in sorted(names))
 

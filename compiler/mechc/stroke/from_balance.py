@@ -14,26 +14,22 @@ from ..model.mechanism import Drive, LoadRatio, Mechanism, Parameter
 from ..model.result import Result
 from ..power.balance import Balance
 from ..units import ANGLE, LENGTH, Dimension
-from .along import NOT_ASSEMBLED, Along
+from .along import EXCLUDED, NOT_ASSEMBLED, Along
 from .branches import branch_points
 from .ends import end_of_branch
 from .extrema import extrema
 from .friction import courses, in_code, is_told, some, stuck
+from .places import SAMPLES, looked_at, spaced
+from .reached import with_reached
 from .singular import BESIDE, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
 from .velocities import velocities
 
-SAMPLES = 720
-"""Places at which the stroke is looked at for singular poses and extrema."""
-
 BEYOND = "not followed beyond the branch point"
 
 CROSSING = 1e-12
 """How exact a place is at which branches cross that are found by iteration."""
-
-ENOUGH = 180
-"""Places that are enough for a stretch."""
 
 FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
@@ -91,7 +87,7 @@ class _Runner:
         shown = [in_code(r, balance) for r in shown]
         self._results = [r for r in shown if not self._is_open(r)]
         self._ratios = [r for r in self._results if isinstance(r.target, LoadRatio)]
-        self._places = _spaced(low, high, SAMPLES)
+        self._places = spaced(low, high, SAMPLES)
         self._branches = branch_points(self._pose, self._along, self._places)
         self._crossings: list[Branch] = []
 
@@ -104,8 +100,13 @@ class _Runner:
     def stroke(self, points: int) -> Stroke:
         """Return the whole."""
         filled = list(self._columns())
-        stretches = tuple(self._stretches())
-        places = _spaced(self._low, self._high, points - 1)
+        stretches = with_reached(
+            tuple(self._stretches()),
+            self._along.defaults.get(self._parameter.name),
+            EXCLUDED,
+            self._parameter.dimension == ANGLE,
+        )
+        places = spaced(self._low, self._high, points - 1)
         branches = sorted((*self._branches, *self._crossings), key=lambda b: b.drive)
         singular = self._singular(stretches, branches)
         return Stroke(
@@ -218,11 +219,7 @@ class _Runner:
     # -------------------------------------------------------------------- singular, extreme
 
     def _within(self, stretch: Stretch) -> list[float]:
-        """Return places of a stretch, those that were looked at already where they are enough."""
-        inner = [x for x in self._places if stretch.low < x < stretch.high]
-        if len(inner) < ENOUGH:
-            return _spaced(stretch.low, stretch.high, SAMPLES)
-        return [stretch.low, *inner, stretch.high]
+        return looked_at(stretch, self._places)
 
     def _singular(
         self, stretches: Sequence[Stretch], branches: Sequence[Branch]
@@ -273,8 +270,3 @@ def _beyond(place: float, stretches: Sequence[Stretch]) -> str:
 def _plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:
     """Return the user's formulas; those that rest on loads stay without a value."""
     return {let.name: let.value for let in mechanism.lets}
-
-
-def _spaced(low: float, high: float, parts: int) -> list[float]:
-    parts = max(parts, 1)
-    return [low + (high - low) * i / parts for i in range(parts)] + [high]

@@ -33,12 +33,17 @@ class Column(NamedTuple):
 
 
 class Stretch(NamedTuple):
-    """A part of the stroke that can be run; what ends it at either side, '' at the stroke's end."""
+    """A part of the stroke that can be run; what ends it at either side, '' at the stroke's end.
+
+    It is ``reached`` unless the loops would have to be taken apart to get there from the
+    default pose.
+    """
 
     low: float
     high: float
     before: str
     after: str
+    reached: bool = True
 
 
 class Singular(NamedTuple):

@@ -117,6 +117,9 @@ def _stretch(stretch: Stretch, stroke: Stroke) -> Iterator[str]:
         yield f"below {_at(stretch.low, stroke)}: {stretch.before}"
     if stretch.after:
         yield f"above {_at(stretch.high, stroke)}: {stretch.after}"
+    if not stretch.reached:
+        span = _span(stretch.low, stretch.high, stroke)
+        yield f"{span} cannot be reached from the default pose without taking a loop apart"
 
 
 def _branch(found: Branch, stroke: Stroke) -> str:
