@@ -8,10 +8,21 @@ import pytest
 
 PACKAGE = Path(__file__).parents[1] / "compiler" / "mechc"
 
-BASE = ["frozen", "source", "units", "diagnostics", "data", "files", "words", "formula", "algebra"]
+BASE = [
+    "frozen",
+    "source",
+    "units",
+    "work",
+    "diagnostics",
+    "data",
+    "files",
+    "words",
+    "formula",
+    "algebra",
+]
 STAGES = ["syntax", "model", "pose", "kinematics", "power", "statics", "check", "stroke", "figure"]
 OUTPUT = ["derivation", "routine", "emit"]
-TOP = ["driver", "api", "cli", "__main__"]
+TOP = ["stage", "driver", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
 DATA = {
     "syntax.ast",
@@ -60,6 +71,7 @@ AGAIN = {"kinematics.release"}
 LATE = {
     ("driver.py", "figure.from_pose"),
     ("driver.py", "statics.diagrams"),
+    ("driver.py", "stroke.from_balance"),
     ("api.py", "routine.evaluate"),
     ("api.py", "sympy"),
     ("formula/to_sympy.py", "sympy"),

@@ -18,7 +18,6 @@ from .files import find, read
 from .formula.to_sympy import to_sympy
 from .model.result import Result
 from .source import Source
-from .stroke.from_balance import run
 from .stroke.stroke import Stroke
 
 if TYPE_CHECKING:
@@ -176,8 +175,7 @@ class SolvedMechanism:
         >>> [(e.kind, round(e.drive, 7), round(e.value, 7)) for e in claw.extrema][-1]
         ('minimum', 1.3805578, 1.3727737)
         """
-        done = self._compilation
-        return run(done.balance, done.results, points, done.report)
+        return self._compilation.stroke(points)
 
     def emit(self, target: str, **options: Any) -> str:
         """Return one self-contained file as text: ``python``, ``c``, ``latex`` or ``json``.

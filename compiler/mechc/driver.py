@@ -6,7 +6,6 @@ the pose. A stage that finds errors ends the compilation with :class:`MechcError
 """
 
 from collections.abc import Mapping
-from functools import cached_property
 from typing import TYPE_CHECKING, TypeVar
 
 from . import __version__
@@ -28,16 +27,19 @@ from .power.from_plan import balance
 from .routine.from_results import program
 from .routine.steps import Routine
 from .source import Source
+from .stage import Stage, within
 from .statics.referee import judge
 from .statics.verdict import Verdict
 from .stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, put_in
+from .work import Allowance
 
 if TYPE_CHECKING:
     from .figure.figure import Figure
     from .statics.diagram import Diagram
+    from .stroke.stroke import Stroke
 
 T = TypeVar("T")
 
@@ -69,60 +71,61 @@ class Compilation:
         self.source = source
         self.settings = settings or {}
         self.report = Report(source)
+        self.allowance = Allowance()
 
-    @cached_property
+    @Stage
     def tree(self) -> ast.File:
         """What was written, in either notation."""
         return self._sound(put_in(read(self.source, self.report), self.settings))
 
-    @cached_property
+    @Stage
     def mechanism(self) -> Mechanism:
         """Names resolved, quantities in SI, dimensions checked."""
         return self._sound(resolve(self.tree, self.report))
 
-    @cached_property
+    @Stage
     def pose(self) -> Pose:
         """Every direction, given or found by closing a loop."""
         return self._sound(settle(self.mechanism, self.report))
 
-    @cached_property
+    @Stage
     def plan(self) -> Plan:
         """The order in which velocities follow from one another."""
         return self._sound(arrange(self.pose, self.report))
 
-    @cached_property
+    @Stage
     def balance(self) -> Balance:
         """The power equation, solved for what was asked."""
         return self._sound(balance(self.plan, self.report))
 
-    @cached_property
+    @Stage
     def results(self) -> tuple[Result, ...]:
         """What was asked for, in the order of the text, with what follows from each."""
         return self._sound(conclude(self.balance))
 
-    @cached_property
+    @Stage
     def verdict(self) -> Verdict:
         """The second opinion: the results by equilibrium of the free bodies."""
         return self._sound(judge(self.pose, self.balance.results, self.report))
 
-    @cached_property
+    @Stage
     def findings(self) -> tuple[Finding, ...]:
         """What each ``expect`` came to."""
         pose, results = self.pose, self.balance.results
         definitions = [Definition(*d) for d in pose.definitions]
         return self._sound(compare(pose.mechanism, results, self.report, definitions))
 
-    @cached_property
+    @Stage
     def out_of_step(self) -> tuple[Link, ...]:
         """The links that do not follow the drive."""
         return self._sound(remark(self.plan, self.report))
 
-    @cached_property
+    @Stage
     def derivation(self) -> Derivation:
         """The derivation in steps, as on paper."""
         return self._sound(derive(self.balance, self.results))
 
-    @cached_property
+    @Stage
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
         return self._sound(
@@ -134,7 +137,7 @@ class Compilation:
             )
         )
 
-    @cached_property
+    @Stage
     def figure(self) -> "Figure | None":
         """The mechanism drawn at the default pose; None where it cannot be assembled."""
         return self.drawn({})
@@ -143,9 +146,10 @@ class Compilation:
         """Return the mechanism drawn at given values, in SI and radians."""
         from .figure.from_pose import draw
 
-        return draw(self.pose, values)
+        with within(Allowance(), self.report):
+            return draw(self.pose, values)
 
-    @cached_property
+    @Stage
     def free_bodies(self) -> "tuple[Diagram, ...]":
         """Each body with the forces on it, at the default pose."""
         return self.cut_free({}, {})
@@ -159,7 +163,15 @@ class Compilation:
         figure = self.drawn(values) if values else self.figure
         if figure is None:
             return ()
-        return diagrams(self.pose, self.balance.results, figure.values, figure.points, loads)
+        with within(Allowance(), self.report):
+            return diagrams(self.pose, self.balance.results, figure.values, figure.points, loads)
+
+    def stroke(self, points: int) -> "Stroke":
+        """Return the results along the stroke of the drive, in so many rows."""
+        from .stroke.from_balance import run
+
+        with within(Allowance(), self.report):
+            return run(self.balance, self.results, points, self.report)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -13,6 +13,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
+from ..work import spend
 from .constants import is_constant, without_relations
 from .factoring import factor, factored
 from .factors import Trig
@@ -29,10 +30,12 @@ LIMIT = 96
 
 def canonical(product: Product) -> Product:
     """Return the product with all cancelled that divides, and few sines of constants."""
+    spend(2 + len(product.factors))
     if not _may_cancel(product):
         return product
     before = None
     while product is not before:
+        spend(10 * len(product.factors))
         before = product
         product = joined(without_parts(_without_divisors(_without_common(product))))
     return without_relations(product)
@@ -108,6 +111,7 @@ def _without_divisors(product: Product) -> Product:
     Measure: the width of the sum, which that of the sine, or half of it, is taken from.
     """
     while (less := next(_divided(product), None)) is not None:
+        spend(10 * len(product.factors))
         product = less
     return product
 

@@ -16,6 +16,7 @@ from fractions import Fraction
 from functools import lru_cache
 from typing import NamedTuple
 
+from ..work import spend
 from .angle import Angle, Rational, rational
 from .factors import Factor, Trig
 from .product import Product
@@ -50,6 +51,7 @@ def without_relations(product: Product) -> Product:
         product.coefficient, {f: e for f, e in product.factors.items() if not is_constant(f)}
     )
     while (fewer := _fewer(sines)) is not None:
+        spend(100 * len(sines))
         sines, value = fewer
         rest = rest.scaled(rational(value))
     for degrees, e in sines.items():

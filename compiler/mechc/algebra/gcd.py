@@ -9,6 +9,7 @@ through remainders of primitive parts.
 import random
 from functools import lru_cache
 
+from ..work import spend
 from .modular import PRIME
 
 Poly = dict[tuple[int, ...], int]
@@ -86,6 +87,7 @@ def _content(f: Poly, x: int) -> Poly:
 
 def times(f: Poly, g: Poly) -> Poly:
     """Return a product."""
+    spend(len(f) * len(g))
     result: Poly = {}
     for a, v in f.items():
         for b, w in g.items():
@@ -100,6 +102,7 @@ def divided(f: Poly, g: Poly) -> Poly:
     inverse = pow(g[lead], -1, PRIME)
     rest, quotient = dict(f), Poly()
     while rest:
+        spend(len(rest) + len(g))
         top = max(rest)
         at, value = tuple(map(int.__sub__, top, lead)), rest[top] * inverse % PRIME
         quotient[at] = value
@@ -112,6 +115,7 @@ def divided(f: Poly, g: Poly) -> Poly:
 
 
 def _less(f: Poly, g: Poly) -> Poly:
+    spend(len(f) + len(g))
     result = {e: (f.get(e, 0) - g.get(e, 0)) % PRIME for e in f.keys() | g.keys()}
     return {e: v for e, v in result.items() if v}
 
@@ -185,6 +189,7 @@ def _along(values: Poly, x: int) -> list[int]:
 
 def _common_degree(f: list[int], g: list[int]) -> int:
     while g:
+        spend(1 + max(len(f) - len(g), 0) * len(g))
         inverse = pow(g[-1], -1, PRIME)
         while len(f) >= len(g):
             factor, at = f[-1] * inverse, len(f) - len(g)

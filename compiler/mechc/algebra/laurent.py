@@ -15,6 +15,7 @@ from fractions import Fraction
 from math import gcd, lcm
 from typing import NamedTuple
 
+from ..work import spend
 from .angle import Angle, Rational, rational
 from .cyclotomic import Directions, Gaussian, accumulate, rotated, short, stars, unique
 from .factors import Factor, Trig
@@ -235,6 +236,7 @@ class Ring:
         return Binomial(up, up_power, down, down_power)
 
     def _times_binomial(self, terms: Terms, by: Binomial) -> Terms:
+        spend(2 * len(terms))
         result: Terms = {}
         for key, value in terms.items():
             accumulate(result, *self.shifted(key, value, by.up, by.up_power))
@@ -243,6 +245,7 @@ class Ring:
 
     def times(self, left: Terms, right: Terms) -> Terms:
         """Return the product of two sums of terms."""
+        spend(len(left) * len(right))
         result: Terms = {}
         for key, value in right.items():
             for k, (re, im) in left.items():
@@ -275,6 +278,7 @@ class Ring:
 
     def _top(self, terms: Terms) -> Terms:
         """Take the terms with the highest exponents out of a sum."""
+        spend(len(terms))
         top = max(terms) >> self._low
         return self.unique({k: terms.pop(k) for k in [k for k in terms if k >> self._low == top]})
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
+from ..work import spend
 from .angle import Angle
 from .factoring import factored
 from .factors import Trig
@@ -38,6 +39,7 @@ def without_parts(product: Product) -> Product:
     twice the part's own away, and never makes a coefficient that is no multiple of it.
     """
     while (less := _one_part_less(product)) is not None:
+        spend(10 * len(product.factors))
         product = less
     return product
 
@@ -89,6 +91,7 @@ def joined(product: Product) -> Product:
     Measure: the number of sines and cosines of what varies, which each step lessens.
     """
     while (fewer := _join_one(product)) is not None:
+        spend(10 * len(product.factors))
         product = fewer
     return product
 

@@ -11,6 +11,7 @@
 
 from collections.abc import Iterable, Sequence
 
+from ..work import spend
 from .angle import Rational, rational
 from .cancelling import LIMIT, canonical
 from .factoring import factored
@@ -29,6 +30,7 @@ def add(products: Iterable[Product]) -> Product:
     that it is kept as written (equality is then tested, not structural).
     """
     terms = [p for p in products if p]
+    spend(sum(1 + len(t.factors) for t in terms))
     if len(terms) > 1:
         terms = _merged(terms)
     if len(terms) <= 1:

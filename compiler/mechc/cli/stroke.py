@@ -3,7 +3,6 @@
 import click
 
 from ..driver import checked, warnings
-from ..stroke.from_balance import run
 from ..stroke.to_text import to_csv, to_table
 from ..syntax.settings import Settings
 from .begin import begin
@@ -38,6 +37,6 @@ def command(
     mechc stroke --points 101 --csv clamp.mech > clamp.csv
     """
     compilation = checked(begin(file, stdin_name, settings))
-    found = run(compilation.balance, compilation.results, points, compilation.report)
+    found = compilation.stroke(points)
     session().accept(warnings(compilation), compilation.source)
     click.echo(to_csv(found) if as_csv else to_table(found, velocities), nl=False)

@@ -1,4 +1,4 @@
-"""The words of errors about size, found while reading the text (E81x)."""
+"""The words of errors about size: of the text (E811 … E816), and of the work it makes (E817)."""
 
 from ..source import Span
 from .diagnostic import Words, coded
@@ -49,3 +49,20 @@ def yaml_too_large(span: Span, what: str, limit: int) -> Words:
 def too_many_errors(span: Span, limit: int) -> Words:
     """Reading stopped after so many errors; mend the first ones and try again."""
     return Words(span, f"more than {limit} errors: the rest of the text was not read")
+
+
+@coded("E817")
+def too_much_work(span: Span, limit: int) -> Words:
+    """The formulas of this mechanism grow beyond what can be computed, or be read.
+
+    Algebra counts its steps: terms of sums added, multiplied and divided, factors compared. The
+    count depends on the description alone, not on the machine. Every known mechanism takes
+    less than a tenth of the limit. A great many bodies that are all coupled with one another
+    take more, as the length of their formula doubles with each. Describe a part of it with a
+    ``find`` of its own; for a formula that should not be so long, please report it.
+    """
+    return Words(
+        span,
+        f"algebra took more than {limit} steps, expected at most a tenth of them",
+        "describe a part of the mechanism by itself, with the forces between the parts as loads",
+    )

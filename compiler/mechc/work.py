@@ -1,0 +1,60 @@
+"""How much work one compilation may do, counted, so that none goes on without end.
+
+What is counted are elementary steps of algebra: terms of sums added, multiplied and
+divided, factors compared, each as dear as a microsecond or so. The count depends on the
+description alone, never on the machine or its load; steps whose results are kept for
+later (``lru_cache``) are not counted. The allowance is a context variable, so that
+compilations in other threads have their own.
+
+>>> with at_most(Allowance(3)):
+...     spend(2)
+>>> with at_most(Allowance(3)):
+...     spend(4)
+Traceback (most recent call last):
+mechc.work.WorkLimitError
+"""
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+
+LIMIT = 10_000_000
+"""Steps of one compilation: some ten seconds; no mechanism of the library takes a thirtieth."""
+
+
+class WorkLimitError(Exception):
+    """Raised where a compilation has used up its allowance."""
+
+
+class Allowance:
+    """The steps that are left."""
+
+    __slots__ = ("left",)
+
+    def __init__(self, steps: int = LIMIT) -> None:
+        self.left = steps
+
+
+_ALLOWANCE: ContextVar[Allowance | None] = ContextVar("allowance", default=None)
+
+
+@contextmanager
+def at_most(allowance: Allowance) -> Iterator[None]:
+    """Count what is done inside against an allowance."""
+    token = _ALLOWANCE.set(allowance)
+    try:
+        yield
+    finally:
+        _ALLOWANCE.reset(token)
+
+
+def spend(steps: int) -> None:
+    """Count steps; raise :class:`WorkLimitError` where the allowance is used up.
+
+    Outside of a compilation nothing is counted.
+    """
+    allowance = _ALLOWANCE.get()
+    if allowance is not None:
+        allowance.left -= steps
+        if allowance.left < 0:
+            raise WorkLimitError
