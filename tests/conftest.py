@@ -1,5 +1,8 @@
 """What the whole suite shares: goldens with ``--update``, and no text that runs."""
 
+import os
+import subprocess
+import sys
 from collections.abc import Callable
 from difflib import unified_diff
 from pathlib import Path
@@ -8,6 +11,7 @@ from typing import NoReturn
 import pytest
 
 GOLDEN = Path(__file__).parent / "golden"
+COMPILER = Path(__file__).parents[1] / "compiler"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:
@@ -29,6 +33,24 @@ def golden(request: pytest.FixtureRequest) -> Callable[[str, str], None]:
             pytest.fail("\n".join(unified_diff(*lines, "golden", "found", lineterm="")))
 
     return compare
+
+
+@pytest.fixture
+def run_shell() -> Callable[..., subprocess.CompletedProcess[str]]:
+    """Return a function that runs a line of the shell, in which ``$MECHC`` is the command."""
+
+    def call(line: str, **environment: str) -> subprocess.CompletedProcess[str]:
+        own = {"MECHC": f"{sys.executable} -m mechc", "PYTHONPATH": str(COMPILER)}
+        return subprocess.run(
+            ["bash", "-c", line],
+            capture_output=True,
+            text=True,
+            encoding="utf-8",
+            env={**os.environ, **own, **environment},
+            timeout=60,
+        )
+
+    return call
 
 
 @pytest.fixture(scope="session", autouse=True)

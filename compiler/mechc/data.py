@@ -1,23 +1,54 @@
 """Where the files that are not Python lie."""
 
+import atexit
 from functools import cache
+from importlib import import_module
 from pathlib import Path
+from shutil import rmtree
+from tempfile import mkdtemp
+from typing import TYPE_CHECKING
+
+if TYPE_CHECKING:
+    from importlib.resources.abc import Traversable
 
 PACKAGE = Path(__file__).parent
 
 
 @cache
 def data(folder: str) -> Path:
-    """Return the folder of data files, ``grammar`` or ``library``.
+    """Return the folder of data files, ``grammar`` or ``library``, or a package's own.
 
     In an installed package it lies inside the package; in a checkout, told by the
-    ``pyproject.toml`` beside it, at the top.
+    ``pyproject.toml`` beside it, at the top. Out of a zip file it is unpacked.
 
     >>> (data("grammar") / "mechc.lark").is_file()
     True
     """
     packaged = PACKAGE / folder
     checkout = PACKAGE.parent.parent
-    if not packaged.is_dir() and (checkout / "pyproject.toml").is_file():
+    if packaged.is_dir():
+        return packaged
+    if (checkout / "pyproject.toml").is_file():
         return checkout / folder
-    return packaged
+    return _unpacked(folder)
+
+
+def _unpacked(folder: str) -> Path:
+    """Return a copy of a folder out of the zip file that the package was imported from.
+
+    It goes when Python ends.
+    """
+    packed: Traversable = import_module("importlib.resources").files(__package__)
+    target = Path(mkdtemp(prefix="mechc-"))
+    atexit.register(rmtree, target, ignore_errors=True)
+    _copy(packed.joinpath(*folder.split("/")), target / folder)
+    return target / folder
+
+
+def _copy(packed: "Traversable", target: Path) -> None:
+    if packed.is_file():
+        target.write_bytes(packed.read_bytes())
+        return
+    target.mkdir(parents=True)
+    for part in packed.iterdir():
+        _copy(part, target / part.name)

@@ -71,8 +71,13 @@ def read(path: Path) -> Source:
 
 
 def read_stdin(name: str) -> Source:
-    """Return the text on standard input under a name for messages."""
-    return decode(sys.stdin.buffer.read(LARGEST + 1), name)
+    """Return the text on standard input under a name; :class:`MechcError` where there is none."""
+    if sys.stdin is None:
+        raise MechcError([words.file_unreadable(name, "standard input is closed")])
+    try:
+        return decode(sys.stdin.buffer.read(LARGEST + 1), name)
+    except OSError as error:
+        raise MechcError([words.file_unreadable(name, reason(error))]) from None
 
 
 def decode(content: bytes, name: str) -> Source:
@@ -130,11 +135,11 @@ def write_all(files: Mapping[Path, str]) -> None:
 def _prepare(path: Path, text: str) -> Iterator[_Pending]:
     target = path.resolve()
     if target.exists() and not target.is_file():
-        target.write_text(text, encoding="utf-8")
+        target.write_text(text, encoding="utf-8", errors="surrogateescape")
         return
     handle, name = mkstemp(prefix=f".{target.name}.", dir=target.parent)
     yield _Pending(Path(name), target)
-    with open(handle, "w", encoding="utf-8", newline="\n") as file:
+    with open(handle, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as file:
         file.write(text)
     Path(name).chmod(_mode(target))
 

@@ -6,13 +6,24 @@ compilation takes. Here the methods are written once and go by the names of the 
 """
 
 from collections.abc import Callable, Iterable, Mapping
+from copyreg import pickle
 from operator import attrgetter
+from types import MappingProxyType
 from typing import Any, NamedTuple, NoReturn, TypeVar, dataclass_transform
 
 T = TypeVar("T")
 
 REQUIRED: Any = object()
 """The default of a field that has none."""
+
+
+def read_only(content: dict[Any, Any]) -> MappingProxyType[Any, Any]:
+    """Return a mapping that cannot be changed."""
+    return MappingProxyType(content)
+
+
+# Defaults that are mappings cannot be changed either, and Python alone would not copy them.
+pickle(MappingProxyType, lambda mapping: (read_only, (dict(mapping),)))
 
 
 class Field(NamedTuple):

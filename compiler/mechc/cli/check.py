@@ -26,6 +26,7 @@ from ..words.en import WORDS
 from .begin import begin
 from .inputs import settings_option, stdin_option
 from .session import Command, session, session_options, status
+from .terminal import say
 
 
 @click.command("check", cls=Command)
@@ -60,7 +61,7 @@ def command(
         if session().werror and warnings(compilation):
             worst = max(worst, 1)
         for line in () if quiet else report(compilation, verbose):
-            click.echo(line)
+            say(line)
     click.get_current_context().exit(worst)
 
 

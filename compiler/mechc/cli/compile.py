@@ -11,9 +11,14 @@ from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
 from ..syntax.settings import Settings
 from .begin import begin
-from .inputs import description_argument, path_of, settings_option, stdin_option
+from .collisions import refuse_collisions
+from .inputs import claim_of, description_argument, path_of, settings_option, stdin_option
 from .outputs import Output, makefile_rule, outputs, placed
 from .session import Command, session, session_options
+from .terminal import give
+
+Text = tuple[Path, str]
+"""A file to be written."""
 
 
 def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> str | None:
@@ -51,8 +56,7 @@ def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> 
 @click.option(
     "--deps",
     metavar="FILE",
-    type=click.Path(dir_okay=False, path_type=Path),
-    help="Write a rule for make: the outputs depend on the description.",
+    help="Write a rule for make: the outputs depend on the description. - prints it.",
 )
 @stdin_option
 @session_options
@@ -63,7 +67,7 @@ def command(
     fragment: bool,
     language: Literal["en", "uk", "ru"],
     settings: Settings,
-    deps: Path | None,
+    deps: str | None,
     stdin_name: str,
 ) -> None:
     """Write the formula, its derivation or code.
@@ -82,7 +86,13 @@ def command(
     session().accept(warnings(compilation), compilation.source)
     options = Options(stem="", fragment=fragment, language=language)
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
-    _deliver(made, deps, path_of(file))
+    texts = [file for output, emitted in made for file in placed(output, emitted).items()]
+    printed = [emitted[0].text for output, emitted in made if output.path is None]
+    if deps:
+        rule = makefile_rule([path for path, _ in texts], path_of(file, stdin_name))
+        _add_rule(rule, deps, texts, printed)
+    refuse_collisions([path for path, _ in texts], claim_of(file), bool(printed))
+    _deliver(texts, printed, [output.path for output in wanted if output.folder])
 
 
 def _emitted(compilation: Compilation, output: Output, options: Options) -> tuple[Emitted, ...]:
@@ -91,20 +101,20 @@ def _emitted(compilation: Compilation, output: Output, options: Options) -> tupl
     return emit(compilation, registry.load(output.target), asked)
 
 
-def _deliver(
-    made: list[tuple[Output, tuple[Emitted, ...]]], deps: Path | None, read: Path | None
-) -> None:
+def _add_rule(rule: str, deps: str, texts: list[Text], printed: list[str]) -> None:
+    """Add a rule for make to the files, or to what is printed if nothing else is."""
+    if deps != "-":
+        texts.append((Path(deps), rule))
+    elif printed:
+        raise click.UsageError("standard output cannot take both the output and the rule for make")
+    else:
+        printed.append(rule)
+
+
+def _deliver(texts: list[Text], printed: list[str], folders: list[Path | None]) -> None:
     """Write all files, or none; then print what goes to standard output."""
-    files: dict[Path, str] = {}
-    for output, emitted in made:
-        if output.folder and output.path:
-            make_folder(output.path)
-        files |= placed(output, emitted)
-    if read and any(path.resolve() == read.resolve() for path in files):
-        raise click.UsageError(f"the output would overwrite the description {str(read)!r}")
-    if deps and read:
-        files[deps] = makefile_rule(files, read)
-    write_all(files)
-    for output, emitted in made:
-        if output.path is None:
-            click.echo(emitted[0].text, nl=False)
+    for folder in filter(None, folders):
+        make_folder(folder)
+    write_all(dict(texts))
+    for text in printed:
+        give(text)

@@ -4,6 +4,7 @@ import click
 from click.shell_completion import get_completion_class
 
 from .session import Command
+from .terminal import give
 
 
 @click.command("completions", cls=Command)
@@ -19,4 +20,4 @@ def command(shell: str) -> None:
     script = get_completion_class(shell)
     assert script
     root = click.get_current_context().find_root().command
-    click.echo(script(root, {}, "mechc", "_MECHC_COMPLETE").source(), nl=False)
+    give(script(root, {}, "mechc", "_MECHC_COMPLETE").source())

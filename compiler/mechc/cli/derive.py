@@ -1,7 +1,5 @@
 """``mechc derive``: the derivation, for the terminal."""
 
-import sys
-
 import click
 
 from ..derivation.to_text import render
@@ -10,6 +8,7 @@ from ..syntax.settings import Settings
 from .begin import begin
 from .inputs import description_argument, settings_option, stdin_option
 from .session import Command, session, session_options
+from .terminal import say, speaks_unicode
 
 
 @click.command("derive", cls=Command)
@@ -28,6 +27,5 @@ def command(file: str, settings: Settings, stdin_name: str) -> None:
     """
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    unicode = sys.stdout.encoding.lower().startswith("utf")
-    text = render(compilation.derivation, compilation.mechanism, unicode=unicode)
-    click.echo(text, nl=False)
+    text = render(compilation.derivation, compilation.mechanism, unicode=speaks_unicode())
+    say(text, end="")

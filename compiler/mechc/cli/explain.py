@@ -8,6 +8,7 @@ import click
 from .. import diagnostics
 from ..diagnostics import CATALOGUE, near_miss
 from .session import Command
+from .terminal import say
 
 
 @click.command("explain", cls=Command)
@@ -24,9 +25,9 @@ def command(code: str | None) -> None:
     load_all()
     if code is None:
         for known in sorted(CATALOGUE):
-            click.echo(f"{known}  {CATALOGUE[known].name}")
+            say(f"{known}  {CATALOGUE[known].name}")
     else:
-        click.echo(explanation(code))
+        say(explanation(code))
 
 
 def explanation(code: str) -> str:

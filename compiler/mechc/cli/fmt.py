@@ -16,6 +16,7 @@ from ..syntax.to_dsl import to_dsl
 from ..syntax.to_yaml import in_yaml_order, to_yaml
 from .inputs import source_of, stdin_option
 from .session import Command, session, session_options, status
+from .terminal import give, warn
 
 Notation = Literal["mech", "yaml"]
 
@@ -122,9 +123,9 @@ def _told(file: Formatted, diff: bool) -> int:
     if file.changed and diff:
         name = file.source.name
         before, after = (t.splitlines(keepends=True) for t in (file.source.text, file.text))
-        click.echo("".join(unified_diff(before, after, name, name)), nl=False)
+        give("".join(unified_diff(before, after, name, name)))
     elif file.changed:
-        click.echo(f"would change {file.source.name}", err=True)
+        warn(f"would change {file.source.name}")
     return int(file.changed)
 
 
@@ -133,4 +134,4 @@ def _put(files: list[Formatted], to: Notation | None) -> None:
     write_all({f.path: f.text for f in files if f.path and f.changed and not to})
     for file in files:
         if to or not file.path:
-            click.echo(file.text, nl=False)
+            give(file.text)

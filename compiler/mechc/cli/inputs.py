@@ -1,5 +1,6 @@
 """What commands that read a description have in common."""
 
+import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, TypeVar
@@ -11,18 +12,32 @@ from ..diagnostics import MechcError
 from ..files import find, library, read, read_stdin
 from ..source import Source
 from ..syntax.settings import Settings, parse
+from .collisions import Claim, claim, refuse_reading, streams
 
 F = TypeVar("F", bound=Callable[..., Any])
+
+NAMELESS = "<stdin>"
+"""What messages call standard input where no name was given."""
 
 
 def source_of(name: str, stdin_name: str) -> Source:
     """Return the text of a file, of a mechanism of the library, or of standard input."""
+    refuse_reading(claim_of(name))
     return read_stdin(stdin_name) if name == "-" else read(find(name))
 
 
-def path_of(name: str) -> Path | None:
-    """Return the path that is read for a name; None for standard input."""
-    return None if name == "-" else find(name)
+def claim_of(name: str) -> Claim:
+    """Return the file that is read for a name, be it on standard input."""
+    if name == "-":
+        return next(streams(sys.stdin), Claim(None, "standard input"))
+    return claim(find(name))
+
+
+def path_of(name: str, stdin_name: str) -> Path | None:
+    """Return the path that is read for a name; for standard input that of its given name."""
+    if name == "-":
+        return Path(stdin_name) if stdin_name != NAMELESS else None
+    return find(name)
 
 
 def _complete(ctx: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
@@ -45,7 +60,7 @@ stdin_option = click.option(
     "--stdin-filename",
     "stdin_name",
     metavar="NAME",
-    default="<stdin>",
+    default=NAMELESS,
     help="The name of standard input in messages; its suffix tells the notation.",
 )
 settings_option = click.option(

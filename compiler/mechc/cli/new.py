@@ -10,6 +10,7 @@ from ..files import SUFFIXES, write_all
 from ..source import Source
 from .fmt import layout
 from .session import Command
+from .terminal import give, say
 
 STARTER = """\
 # A toggle clamp: the drive pushes the knee B, the ram K presses on the work.
@@ -54,7 +55,7 @@ def command(name: str) -> None:
     mechc new clamp.yaml
     """
     if name == "-":
-        click.echo(starter(Path("mechanism_1.mech")), nl=False)
+        give(starter(Path("mechanism_1.mech")))
         return
     path = Path(name) if Path(name).suffix in SUFFIXES else Path(f"{name}.mech")
     if not (path.stem.isidentifier() and path.stem.isascii()):
@@ -64,7 +65,7 @@ def command(name: str) -> None:
     if path.exists():
         raise MechcError([file_exists(str(path))])
     write_all({path: starter(path)})
-    click.echo(path)
+    say(path)
 
 
 def starter(path: Path) -> str:

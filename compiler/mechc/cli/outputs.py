@@ -1,5 +1,6 @@
 """Where output goes: which target for which path, and which file under which name."""
 
+import re
 from collections.abc import Iterable
 from pathlib import Path
 from typing import NamedTuple
@@ -8,6 +9,12 @@ import click
 
 from ..emit import registry
 from ..emit.target import Emitted
+
+SPECIAL = re.compile(r"(\\*)([ #:])")
+"""What make reads as itself behind a backslash, for which backslashes in front are doubled."""
+
+UNSPEAKABLE = re.compile(r"[=;|*?\[\t-\r]|^~|\\$|\(.*\)$")
+"""What has a meaning in rules that nothing takes from it."""
 
 
 class Output(NamedTuple):
@@ -54,14 +61,23 @@ def placed(output: Output, emitted: tuple[Emitted, ...]) -> dict[Path, str]:
     return {output.path: main.text} | {output.path.with_name(n): text for n, text in others}
 
 
-def makefile_rule(made: Iterable[Path], read: Path) -> str:
-    r"""Return a rule for make.
+def makefile_rule(made: Iterable[Path], read: Path | None) -> str:
+    r"""Return a rule for make; standard input without a name has no place in it.
 
     >>> makefile_rule([Path("k.c"), Path("k.h")], Path("my clamp.mech"))
     'k.c k.h: my\\ clamp.mech\n'
     """
-    return f"{' '.join(map(_escaped, made))}: {_escaped(read)}\n"
+    targets = " ".join(_escaped(path).replace("%", "\\%") for path in made)
+    if not targets:
+        raise click.UsageError("a rule for make needs files: write the output to one with -o")
+    return f"{targets}:{f' {_escaped(read)}' if read else ''}\n"
 
 
 def _escaped(path: Path) -> str:
-    return str(path).replace("$", "$$").replace("#", "\\#").replace(" ", "\\ ")
+    """Return a path as make reads it; a usage error where no rule can name it."""
+    name = str(path)
+    if UNSPEAKABLE.search(name):
+        raise click.UsageError(
+            f"no rule for make can name {name!r}; rename it, or leave out --deps"
+        )
+    return SPECIAL.sub(r"\1\1\\\2", name).replace("$", "$$")

@@ -12,6 +12,7 @@ from ..diagnostics.render import Form, render
 from ..diagnostics.statics import BUGS
 from ..frozen import frozen, replace
 from ..source import Source
+from .terminal import give_message, warn
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -30,13 +31,16 @@ class Session:
         """Print diagnostics on standard error."""
         for diagnostic in diagnostics:
             text = render(diagnostic, source, self.form, self.colored)
-            click.echo(text, err=True, color=self.colored)
+            if self.form == "json":
+                give_message(text)
+            else:
+                warn(text, self.colored)
 
     @property
     def colored(self) -> bool:
         """Return whether messages are coloured: on a terminal, unless NO_COLOR is set."""
         if self.color == "auto":
-            return sys.stderr.isatty() and not os.environ.get("NO_COLOR")
+            return sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR")
         return self.color == "always"
 
     def accept(self, diagnostics: list[Diagnostic], source: Source) -> None:

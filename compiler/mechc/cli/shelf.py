@@ -12,6 +12,7 @@ from ..driver import Compilation
 from ..files import library, read
 from ..formula.to_text import text
 from .session import Command
+from .terminal import give, say
 
 TERMINAL = 80
 """Columns of a terminal, which names and titles share."""
@@ -41,9 +42,11 @@ def command(long: bool, as_json: bool) -> None:
     mechc list --json | jq -r .name
     """
     rows = [_row(name, path) for name, path in library().items()]
-    columns = 4 if long else 2
-    for line in map(_json, rows) if as_json else table(rows, columns):
-        click.echo(line)
+    if as_json:
+        give("".join(f"{_json(row)}\n" for row in rows))
+        return
+    for line in table(rows, 4 if long else 2):
+        say(line)
 
 
 def _row(name: str, path: Path) -> Row:

@@ -17,6 +17,7 @@ from .begin import begin
 from .inputs import description_argument, settings_option, stdin_option
 from .pretty import pretty
 from .session import Command, session_options
+from .terminal import say
 
 
 @click.command("show", cls=Command)
@@ -37,7 +38,7 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
     mechc show kinematics clamp.mech
     """
     compilation = begin(file, stdin_name, settings)
-    click.echo(_text(stage, compilation).rstrip("\n"))
+    say(_text(stage, compilation).rstrip("\n"))
 
 
 def _text(stage: str, compilation: Compilation) -> str:

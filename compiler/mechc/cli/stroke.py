@@ -8,6 +8,7 @@ from ..syntax.settings import Settings
 from .begin import begin
 from .inputs import description_argument, settings_option, stdin_option
 from .session import Command, session, session_options
+from .terminal import give, say
 
 
 @click.command("stroke", cls=Command)
@@ -39,4 +40,7 @@ def command(
     compilation = checked(begin(file, stdin_name, settings))
     found = compilation.stroke(points)
     session().accept(warnings(compilation), compilation.source)
-    click.echo(to_csv(found) if as_csv else to_table(found, velocities), nl=False)
+    if as_csv:
+        give(to_csv(found))
+    else:
+        say(to_table(found, velocities), end="")

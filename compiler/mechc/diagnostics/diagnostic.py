@@ -107,6 +107,10 @@ class MechcError(Exception):
         self.source = source
         super().__init__("\n".join(f"{d.code}: {d.message}" for d in self.diagnostics))
 
+    def __reduce__(self) -> tuple[type["MechcError"], tuple[object, ...]]:
+        """Return what makes it anew: copied or sent to another process, it keeps all it carries."""
+        return type(self), (self.diagnostics, self.source)
+
 
 class Report:
     """Collects diagnostics while one description goes through the stages.

@@ -47,7 +47,8 @@ def render(
         case "concise":
             return _headline(diagnostic, source, click.style if color else _plain)
         case "json":
-            return json.dumps(as_json(diagnostic, source), ensure_ascii=False)
+            text = json.dumps(as_json(diagnostic, source), ensure_ascii=False)
+            return text.encode("utf-8", "backslashreplace").decode()
         case _:
             assert_never(form)
 

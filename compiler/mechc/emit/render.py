@@ -1,12 +1,13 @@
 """Templates: the shape of a file, beside its target, filled from a frozen context."""
 
 from functools import cache
-from pathlib import Path
 from typing import NamedTuple, Protocol
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
-TEMPLATES = Path(__file__).parent
+from ..data import data
+
+TEMPLATES = data("emit")
 
 
 class Context(Protocol):

@@ -5,11 +5,11 @@ also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
 from collections.abc import Iterator, Sequence
-from pathlib import Path
 from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
+from ...data import data
 from ...derivation.remarks import called, conditions, reaction
 from ...derivation.sections import sections
 from ...derivation.steps import Derivation, Equation, Step
@@ -82,7 +82,7 @@ class Latex:
 TARGET = Latex()
 
 _TEMPLATES = Environment(
-    loader=FileSystemLoader(Path(__file__).parent),
+    loader=FileSystemLoader(data("emit/latex")),
     undefined=StrictUndefined,
     block_start_string="<%",
     block_end_string="%>",

@@ -1,0 +1,78 @@
+"""No command writes over what it reads, nor one output over another."""
+
+import os
+import stat
+import sys
+from collections.abc import Iterable, Iterator
+from contextlib import suppress
+from pathlib import Path
+from typing import NamedTuple, TextIO
+
+import click
+
+Key = tuple[object, ...]
+"""What tells one file from another, whatever path leads to it."""
+
+
+class Claim(NamedTuple):
+    """A file that is read or written, and what messages call it."""
+
+    key: Key | None
+    name: str
+
+
+def refuse_collisions(written: Iterable[Path], read: Claim, printed: bool) -> None:
+    """End with a usage error where an output is what was read, or another output.
+
+    ``printed`` tells that something goes to standard output, too.
+    """
+    taken: dict[Key, str] = {}
+    if read.key:
+        taken[read.key] = f"the description {read.name!r}"
+    claims = [claim(path) for path in written]
+    for key, name in [*claims, *(streams(sys.stdout) if printed else ())]:
+        if key in taken:
+            raise click.UsageError(f"the output {name!r} would overwrite {taken[key]}")
+        if key:
+            taken[key] = f"the output {name!r}"
+
+
+def refuse_reading(read: Claim) -> None:
+    """End with a usage error where the shell lets standard output write to what is read."""
+    for stream in (sys.stdout, sys.stderr):
+        for key, name in streams(stream):
+            if key and key == read.key:
+                raise click.UsageError(f"{name} is the description {read.name!r} itself")
+
+
+def claim(path: Path) -> Claim:
+    """Return what tells a path's file from others; nothing does where it is a device or a pipe.
+
+    A file that is there is known by its number on its disk, so that links and letters'
+    case do not matter; one that is not, by its folder and its name.
+    """
+    with suppress(OSError):
+        return Claim(_number(path.stat()), str(path))
+    place = path.resolve()
+    with suppress(OSError):
+        folder = place.parent.stat()
+        name = place.name.casefold() if _ignores_case(place.parent) else place.name
+        return Claim((folder.st_dev, folder.st_ino, name), str(path))
+    return Claim((str(place),), str(path))
+
+
+def streams(stream: TextIO | None) -> Iterator[Claim]:
+    """Yield what a standard stream writes to or reads from, where the shell made it a file."""
+    if stream is not None:
+        with suppress(OSError, ValueError):
+            yield Claim(_number(os.fstat(stream.fileno())), stream.name.strip("<>"))
+
+
+def _number(status: os.stat_result) -> Key | None:
+    return (status.st_dev, status.st_ino) if stat.S_ISREG(status.st_mode) else None
+
+
+def _ignores_case(folder: Path) -> bool:
+    """Tell whether a folder's disk takes ``A`` and ``a`` for one name."""
+    twin = folder.with_name(folder.name.swapcase())
+    return twin != folder and twin.exists() and twin.samefile(folder)

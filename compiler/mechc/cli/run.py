@@ -1,0 +1,69 @@
+"""From a command line to an exit status, whatever happens on the way."""
+
+import gc
+import os
+import sys
+from collections.abc import Sequence
+from contextlib import suppress
+
+import click
+
+from .. import __version__
+from ..files import reason
+from . import terminal
+from .commands import mechc
+from .session import ENVIRONMENT, INTERNAL
+
+PATIENT = 50_000
+"""Objects between two searches for garbage: a command ends before much can gather, and
+searching every 700 objects takes a twelfth of its time."""
+
+
+def run(arguments: Sequence[str] | None = None) -> int:
+    """Run one command and return its exit status; KeyboardInterrupt where it is interrupted."""
+    gc.set_threshold(PATIENT)
+    terminal.prepare()
+    try:
+        status = mechc.main(arguments, prog_name="mechc", standalone_mode=False)
+        terminal.flush()
+    except click.ClickException as error:
+        error.show()
+        return error.exit_code
+    except click.Abort:
+        raise KeyboardInterrupt from None
+    except BrokenPipeError:
+        return _hush(0)
+    except OSError as error:
+        return _hush(_refused(error))
+    except SystemExit as error:
+        return _hush(0) if error.code else 0
+    except Exception as error:
+        return _apologise(error)
+    return status if isinstance(status, int) else 0
+
+
+def _hush(status: int) -> int:
+    """Return the status; Python's own flush at exit finds a standard output that can be written."""
+    with suppress(OSError, ValueError, AttributeError):
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+    return status
+
+
+def _refused(error: OSError) -> int:
+    """Say what the operating system refused: a name too long, a full disk behind a pipe."""
+    place = f": {str(error.filename)[:80]!r}" if error.filename else ""
+    terminal.warn(f"mechc: error: {reason(error)}{place}")
+    return ENVIRONMENT
+
+
+def _apologise(error: Exception) -> int:
+    if os.environ.get("MECHC_TRACEBACK"):
+        sys.excepthook(type(error), error, error.__traceback__)
+    version = f"mechc {__version__}, Python {sys.version.split()[0]}, {sys.platform}"
+    terminal.warn(
+        f"mechc: internal error: {type(error).__name__}: {error}\n"
+        "This is a fault of mechc, not of the description. Nothing was written. Please report it\n"
+        f"with the description, the command and this line: {version}.\n"
+        "MECHC_TRACEBACK=1 in the environment shows where it happened."
+    )
+    return INTERNAL

@@ -1,0 +1,104 @@
+"""What a command writes: text for people, in their console's letters, and data, always UTF-8.
+
+A console that lacks a letter gets a likeness of it (``->`` for an arrow), never a crash.
+LaTeX, code, descriptions and tables of numbers are the same bytes whatever the console is.
+"""
+
+import codecs
+import errno
+import os
+import sys
+from typing import TextIO
+from unicodedata import normalize
+
+import click
+
+LIKENESS = {
+    "→": "->", "←": "<-", "⇒": "=>", "↔": "<->", "−": "-", "–": "-", "—": "-", "·": "*", "×": "*",
+    "÷": "/", "≤": "<=", "≥": ">=", "≠": "!=", "≈": "~", "≡": "==", "±": "+-", "°": " deg",
+    "′": "'", "″": '"', "‘": "'", "’": "'", "“": '"', "”": '"', "«": '"', "»": '"', "√": "sqrt",
+    "∞": "inf", "π": "pi", "∑": "sum", "Σ": "sum", "∂": "d", "⟂": "perp ", "⊥": "perp ",
+    "∥": "||", "∠": "angle ", "∈": "in", "α": "alpha", "β": "beta", "γ": "gamma", "δ": "delta",
+    "ε": "epsilon", "ζ": "zeta", "η": "eta", "θ": "theta", "ι": "iota", "κ": "kappa",
+    "λ": "lambda", "μ": "mu", "ν": "nu", "ξ": "xi", "ο": "omicron", "ρ": "rho", "σ": "sigma",
+    "τ": "tau", "υ": "upsilon", "φ": "phi", "χ": "chi", "ψ": "psi", "ω": "omega", "Γ": "Gamma",
+    "Δ": "Delta", "Θ": "Theta", "Λ": "Lambda", "Ξ": "Xi", "Π": "Pi", "Φ": "Phi", "Ψ": "Psi",
+    "Ω": "Omega",
+}  # fmt: skip
+"""What stands for a letter that a console lacks."""
+
+
+def plainer(character: str) -> str:
+    """Return an ASCII likeness of a character, ``?`` where it has none.
+
+    >>> [plainer(c) for c in "→é²Ж"]
+    ['->', 'e', '2', '?']
+    """
+    if character in LIKENESS:
+        return LIKENESS[character]
+    return normalize("NFKD", character).encode("ascii", "ignore").decode() or "?"
+
+
+def _plainer_text(error: UnicodeError) -> tuple[str, int]:
+    if not isinstance(error, UnicodeEncodeError):
+        raise error
+    part = error.object[error.start : error.end]
+    return "".join(map(plainer, part)), error.end
+
+
+def prepare() -> None:
+    """Let both streams write what their encoding lacks by its likeness."""
+    codecs.register_error("mechc.plainer", _plainer_text)
+    for stream in (sys.stdout, sys.stderr):
+        if reconfigure := getattr(stream, "reconfigure", None):
+            reconfigure(errors="mechc.plainer")
+
+
+def flush() -> None:
+    """Write out what waits, while an error can still be told."""
+    if sys.stdout is not None:
+        sys.stdout.flush()
+
+
+def speaks_unicode() -> bool:
+    """Return whether standard output takes every letter."""
+    return (getattr(_out(), "encoding", None) or "utf-8").lower().startswith("utf")
+
+
+def say(text: object, end: str = "\n") -> None:
+    """Write text for people on standard output."""
+    click.echo(f"{text}{end}", file=_out(), nl=False)
+
+
+def give(text: str) -> None:
+    """Write data on standard output: UTF-8, line ends as they are."""
+    _give(_out(), text)
+
+
+def warn(text: str, color: bool | None = None) -> None:
+    """Write a message for people on standard error."""
+    if sys.stderr is not None:
+        click.echo(text, file=sys.stderr, color=color)
+
+
+def give_message(text: str) -> None:
+    """Write a message for programs on standard error: UTF-8."""
+    if sys.stderr is not None:
+        _give(sys.stderr, f"{text}\n")
+
+
+def _give(stream: TextIO, text: str) -> None:
+    buffer = getattr(stream, "buffer", None)
+    if buffer is None:
+        stream.write(text)
+        return
+    stream.flush()
+    buffer.write(text.encode("utf-8", "surrogateescape"))
+    buffer.flush()
+
+
+def _out() -> TextIO:
+    """Return standard output; OSError where the shell closed it: nothing is lost in silence."""
+    if sys.stdout is None:
+        raise OSError(errno.EBADF, os.strerror(errno.EBADF), "standard output")
+    return sys.stdout
