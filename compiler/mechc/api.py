@@ -124,7 +124,7 @@ class SolvedMechanism:
 
         functions = self._compilation.routine.functions
         known = {i.name for f in functions for i in f.inputs}
-        for unknown in values.keys() - known:
+        for unknown in (name for name in values if name not in known):
             raise TypeError(f"no result depends on {unknown!r} {near_miss(unknown, known)}")
         given = {**self.defaults, **values}
         ready = (f for f in functions if all(i.name in given for i in f.inputs))
@@ -142,7 +142,7 @@ class SolvedMechanism:
         Plane(x=..., y=0.0)
         """
         parameters = [p.name for p in self._compilation.mechanism.parameters]
-        for unknown in values.keys() - set(parameters):
+        for unknown in (name for name in values if name not in parameters):
             raise TypeError(f"{unknown!r} is no parameter {near_miss(unknown, parameters)}")
         drawn = self._compilation.drawn(values)
         if drawn is None:

@@ -198,9 +198,9 @@ def _place(term: Product) -> tuple[int, list[tuple[tuple[int, str], int]]]:
 
 def _linear(ring: Ring, terms: Terms) -> list[Product]:
     """Return a real trigonometric polynomial as a sum of single sines and cosines."""
-    sums: dict[frozenset[tuple[Factor, int]], Rational] = {}
+    sums: dict[Product, Rational] = {}
     for key, value in ring.short(terms).items():
         for part in ring.single(key, value):
-            name = frozenset(part.factors.items())
-            sums[name] = rational(sums.get(name, 0) + part.coefficient)
-    return [Product(c, dict(name)) for name, c in sums.items() if c]
+            monomial = Product(1, part.factors)
+            sums[monomial] = rational(sums.get(monomial, 0) + part.coefficient)
+    return [monomial.scaled(c) for monomial, c in sums.items() if c]

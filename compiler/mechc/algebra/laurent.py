@@ -307,10 +307,10 @@ def _primitive(scale: Fraction, terms: Terms) -> Polynomial:
     return Polynomial(rational(scale * content), terms)
 
 
-def _generators(products: Iterable[Product], deep: bool) -> tuple[list[Angle], set[Factor]]:
+def _generators(products: Iterable[Product], deep: bool) -> tuple[list[Angle], list[Factor]]:
     """Return the angles and the whole factors that occur in products."""
     angles: list[Angle] = []
-    factors: set[Factor] = set()
+    factors: dict[Factor, None] = {}
     waiting = list(products)
     while waiting:
         for factor in waiting.pop().factors:
@@ -319,8 +319,8 @@ def _generators(products: Iterable[Product], deep: bool) -> tuple[list[Angle], s
             elif isinstance(factor, Sum) and deep:
                 waiting.extend(factor.terms)
             else:
-                factors.add(factor)
-    return angles, factors
+                factors[factor] = None
+    return angles, list(factors)
 
 
 def _common_part(angles: Iterable[Angle]) -> Fraction:

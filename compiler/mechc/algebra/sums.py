@@ -63,16 +63,16 @@ def _vanishes(terms: Sequence[Product]) -> bool:
 
 def _merged(products: Iterable[Product]) -> list[Product]:
     """Add up products that differ in their coefficient only."""
-    sums: dict[frozenset[tuple[Factor, int]], Rational] = {}
+    sums: dict[Product, Rational] = {}
     for p in products:
-        name = frozenset(p.factors.items())
-        sums[name] = rational(sums.get(name, 0) + p.coefficient)
-    return [Product(c, dict(name)) for name, c in sums.items() if c]
+        monomial = Product(1, p.factors)
+        sums[monomial] = rational(sums.get(monomial, 0) + p.coefficient)
+    return [monomial.scaled(c) for monomial, c in sums.items() if c]
 
 
 def _common(terms: Sequence[Product]) -> Product:
     """Return the lowest power of each factor over all terms (0 where it is absent)."""
-    factors = {f for t in terms for f in t.factors}
+    factors = dict.fromkeys(f for t in terms for f in t.factors)
     lowest = {f: min(t.factors.get(f, 0) for t in terms) for f in factors}
     return Product(1, {f: e for f, e in lowest.items() if e})
 

@@ -13,7 +13,7 @@ def begin(name: str, stdin_name: str, settings: Settings) -> Compilation:
     source = source_of(name, stdin_name)
     if settings:
         declared = [p.name.text for p in params(Compilation(source).tree.statements)]
-        for unknown in settings.keys() - set(declared):
+        for unknown in (name for name in settings if name not in declared):
             hint = near_miss(unknown, declared) or f"it has {', '.join(declared) or 'none'}"
             raise click.BadParameter(
                 f"{source.name} has no parameter {unknown!r}; {hint}", param_hint="-D"

@@ -156,7 +156,7 @@ class Ways:
     def _way(self, tail: str, head: str, vector: Vector) -> Way:
         base, parts = NOWHERE, dict[str, Plane]()
         for arm in vector:
-            names = symbols(arm.length.formula()) & self.pose.placeholders.keys()
+            names = sorted(symbols(arm.length.formula()) & self.pose.placeholders.keys())
             closed = {**self.values, **dict.fromkeys(names, 0.0)} if names else self.values
             fixed = Plane(*evaluate_vector((arm,), closed))
             base = base.plus(fixed)

@@ -208,7 +208,7 @@ def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
     pivots = tuple(p for p in mechanism.pivots if p.point != point)
     sliders = tuple(s for s in mechanism.sliders if s.point != point)
     guides = {p: direction for p, direction in pose.guides.items() if p != point}
-    left = {p: pose.guides[p] for p in pose.guides.keys() - guides.keys()}
+    left = {p: direction for p, direction in pose.guides.items() if p not in guides}
     if len(pivots) < len(mechanism.pivots):
         guides[point] = along
     free = replace(mechanism, pivots=pivots, sliders=sliders)

@@ -21,7 +21,7 @@ def ordered(needs: Needs) -> tuple[list[str], list[list[str]]]:
     circles: list[list[str]] = []
     while len(circles) < CIRCLES:
         try:
-            return list(TopologicalSorter(needs).static_order()), circles
+            return list(_sorter(needs).static_order()), circles
         except CycleError as error:
             circle: list[str] = error.args[1]
             # The sorter tells each name before the one that needs it.
@@ -31,9 +31,14 @@ def ordered(needs: Needs) -> tuple[list[str], list[list[str]]]:
     return list(_free(needs)), circles
 
 
+def _sorter(needs: Needs) -> TopologicalSorter[str]:
+    """Return a sorter that is told of the names in an order that no hash decides."""
+    return TopologicalSorter({name: sorted(wanted) for name, wanted in needs.items()})
+
+
 def _free(needs: Needs) -> Iterator[str]:
     """Yield the names that no circle blocks."""
-    sorter = TopologicalSorter(needs)
+    sorter = _sorter(needs)
     with suppress(CycleError):
         sorter.prepare()
     while ready := sorter.get_ready():

@@ -128,7 +128,7 @@ class Group:
         turns: dict[str, list[Arm]] = {}
         reaches: dict[str, Reaching] = {}
         for arm in self.moving:
-            lengths = [n for n in self.unknown if Length(n) in arm.length.factors]
+            lengths = [n for n in sorted(self.unknown) if Length(n) in arm.length.factors]
             angles = [n for n, _ in arm.angle.terms if n in self.unknown]
             if lengths:
                 scale = arm.length / Product.symbol(lengths[0])

@@ -88,7 +88,7 @@ class Web:
     def _clusters(self, within: Collection[str] | None) -> dict[str, int]:
         """Return for each point the number of its cluster."""
         number: dict[str, int] = {}
-        for start in {p for e in self.edges for p in (e.tail, e.head)}:
+        for start in dict.fromkeys(p for e in self.edges for p in (e.tail, e.head)):
             if start not in number:
                 for point in self._reach(start, within):
                     number[point] = len(number) if point == start else number[start]
