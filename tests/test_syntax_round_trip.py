@@ -1,6 +1,7 @@
 """Laws of the two notations: what is printed is read back, and printing is settled at once."""
 
 import pytest
+import yaml
 from hypothesis import HealthCheck, Phase, given, settings
 from hypothesis import strategies as st
 
@@ -103,3 +104,17 @@ def test_every_node_has_its_place(tree, notation):
 def test_brackets_only_where_they_are_needed(written, printed):
     tree = read(from_dsl, f"let k = {written}", "a.mech")
     assert to_dsl(tree) == f"let k = {printed}\n"
+
+
+WORDS_OF_YAML = ["null", "Null", "NULL", "true", "false", "yes", "no", "off", "y", "n", "NO", "e1"]
+
+
+@pytest.mark.parametrize("name", WORDS_OF_YAML)
+def test_a_name_that_yaml_gives_a_meaning(name):
+    text = f"param {name} = 2\nlet z = {name}\nlet {name}_1 = z\nfind {name}_2 = {name}_1/z\n"
+    tree = read(from_dsl, f'mechanism {name} "a\tb"\n{text}', "a.mech")
+    printed = to_yaml(tree)
+    assert read(from_yaml, printed, "a.yaml") == in_yaml_order(tree)
+    assert read(from_dsl, to_dsl(tree), "a.mech") == tree
+    keys = yaml.safe_load(printed)["params"]
+    assert name in "yn" or list(keys) == [name]

@@ -1,6 +1,8 @@
 """How a mistake inside one statement or one scalar leaves the parser, and how many may."""
 
-from ..diagnostics import Diagnostic, Report, syntax_limits
+import re
+
+from ..diagnostics import Diagnostic, Report, syntax, syntax_limits
 from ..source import Source, Span
 from . import limits
 
@@ -19,6 +21,17 @@ def note(diagnostic: Diagnostic, report: Report) -> None:
     if len(report.diagnostics) >= limits.FAULTS:
         span = diagnostic.span or Span(0, 0)
         raise report.fail(syntax_limits.too_many_errors(span, limits.FAULTS))
+
+
+UNPRINTABLE = re.compile(r"[\x00-\x08\x0b\x0e-\x1f\x7f-\x84\x86-\x9f\ud800-\udfff\ufffe\uffff]")
+"""Control characters, halves of characters, and what is no character."""
+
+
+def check_characters(text: str, span: Span | None, report: Report) -> None:
+    """Report a character that no text has; ``span`` is the text's place, None for a whole file."""
+    if found := UNPRINTABLE.search(text):
+        place = span or Span(found.start(), found.end())
+        note(syntax.unprintable_character(place, found[0]), report)
 
 
 def check_length(source: Source, report: Report) -> None:

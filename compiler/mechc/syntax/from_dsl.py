@@ -4,7 +4,7 @@ from ..diagnostics import Report
 from ..frozen import replace
 from ..source import Source
 from . import ast
-from .fault import Fault, check_length, note
+from .fault import Fault, check_characters, check_length, note
 from .lines import Line, lines
 from .once import check_once
 from .parse import parse as parse_line
@@ -24,6 +24,7 @@ def parse(source: Source, report: Report) -> ast.File:
     (Pivot(span=Span(start=0, end=7), point=Name(text='O', ...remark='left pin'),)
     """
     check_length(source, report)
+    check_characters(source.text, None, report)
     statements: list[ast.Statement] = []
     trailing: tuple[str, ...] = ()
     for line in lines(tokens(source.text)):

@@ -82,6 +82,9 @@ SUBJECT = {node: number for number, nodes in enumerate(SUBJECTS) for node in nod
 OPTIONAL = re.compile(r"\[([^\]]*)\]")
 FIELD = re.compile(r"\{(\w+)\}")
 
+STOP = "\0"
+"""Where a row may be aligned: a character that no text has (E129)."""
+
 
 def to_dsl(file: ast.File) -> str:
     r"""Return the canonical ``.mech`` text of a description.
@@ -121,15 +124,15 @@ def commented(comment: str) -> str:
 
 def aligned(rows: list[str]) -> list[str]:
     """Bring the first ``|`` of all rows that have one to the same column, as a space."""
-    column = max((row.index("\t") for row in rows if "\t" in row), default=0)
+    column = max((row.index(STOP) for row in rows if STOP in row), default=0)
     return [
-        f"{left:{column}} {right}" if tab else left
-        for left, tab, right in (row.partition("\t") for row in rows)
+        f"{left:{column}} {right}" if stop else left
+        for left, stop, right in (row.partition(STOP) for row in rows)
     ]
 
 
 def line(statement: ast.Statement) -> str:
-    """Return the text of one statement, a tab where it may be aligned."""
+    """Return the text of one statement, :data:`STOP` where it may be aligned."""
     match statement:
         case ast.Find():
             return f"find {text.result(statement)}"
@@ -153,7 +156,7 @@ def filled(template: str, statement: ast.Statement) -> str:
     def field(name: re.Match[str]) -> str:
         return written(name[1], getattr(statement, name[1]))
 
-    return FIELD.sub(field, OPTIONAL.sub(present, template).replace("|", "\t"))
+    return FIELD.sub(field, OPTIONAL.sub(present, template).replace("|", STOP))
 
 
 def given(value: object) -> bool:

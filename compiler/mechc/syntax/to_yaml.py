@@ -141,7 +141,7 @@ def result_lines(found: Statements) -> Iterator[str]:
         assert statement.name is not None
         nameless = ast.Find(statement.span, statement.target, None, statement.on)
         value = scalar(text.result(nameless))
-        yield from with_comments(f"  {statement.name.text}: {value}", statement, 2)
+        yield from with_comments(f"  {scalar(statement.name.text)}: {value}", statement, 2)
 
 
 def with_comments(line: str, statement: ast.Statement, indent: int) -> list[str]:

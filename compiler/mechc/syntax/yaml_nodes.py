@@ -13,7 +13,7 @@ from ..diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_
 from ..frozen import frozen
 from ..source import Span
 from . import limits
-from .fault import note
+from .fault import check_characters, note
 
 
 @frozen
@@ -74,15 +74,13 @@ def compose(report: Report) -> Node | None:
                     raise too_large(event, "levels", limits.YAML_DEPTH, report)
             case yaml.DocumentStartEvent() if roots:
                 raise report.fail(syntax_yaml.one_document(span_of(event)))
-            case yaml.ScalarEvent() | yaml.SequenceEndEvent() | yaml.MappingEndEvent():
-                node = closed(stack.pop(), event, report) if ends(event) else scalar(event)
+            case yaml.ScalarEvent(value=text):
+                check_characters(text, span_of(event), report)
+                (stack[-1].children if stack else roots).append(scalar(event))
+            case yaml.SequenceEndEvent() | yaml.MappingEndEvent():
+                node = closed(stack.pop(), event, report)
                 (stack[-1].children if stack else roots).append(node)
     return roots[0] if roots else None
-
-
-def ends(event: yaml.Event) -> bool:
-    """Tell whether an event closes a list or a mapping."""
-    return isinstance(event, yaml.CollectionEndEvent)
 
 
 def events(report: Report) -> Iterator[yaml.Event]:

@@ -9,6 +9,7 @@ IN_FLOW = re.compile(r"[,\[\]{}]")
 OTHER_TYPE = re.compile(
     r"(?i)~|null|true|false|yes|no|on|off|y|n|[-+.\d][\d_.,:eE+-]*|\.(?:inf|nan)|0[xo][\da-f]+|---.*|\.\.\..*"
 )
+NO_NAME = re.compile(r"(?i)null|true|false|yes|no|on|off")
 PRINTABLE = re.compile(
     r"[\x20-\x7e\xa0-\u2027\u202a-\ud7ff\ue000-\ufefe\uff00-\ufffd\U00010000-\U0010ffff]*"
 )
@@ -17,10 +18,12 @@ PRINTABLE = re.compile(
 def scalar(value: str, flow: bool = False) -> str:
     """Return an expression or a name as a scalar, inside ``[…]`` or ``{…}`` if ``flow``.
 
-    >>> scalar("a @ alpha - 90 deg"), scalar("atan2(y, x)", flow=True)
-    ('a @ alpha - 90 deg', "'atan2(y, x)'")
+    A name that some YAML reader takes for nothing or for a truth value is in quotes.
+
+    >>> scalar("a @ alpha - 90 deg"), scalar("atan2(y, x)", flow=True), scalar("null")
+    ('a @ alpha - 90 deg', "'atan2(y, x)'", "'null'")
     """
-    return value if is_plain(value, flow) else quoted(value)
+    return value if is_plain(value, flow) and not NO_NAME.fullmatch(value) else quoted(value)
 
 
 def text(value: str, flow: bool = False) -> str:
