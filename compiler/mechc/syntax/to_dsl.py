@@ -37,8 +37,8 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Copies: "copies {number}[ sharing {sharing}]",
     ast.Force: "force {name}[ = {tie}] at {point}[ on {link}] along {along}[ times {times}]",
     ast.Torque: "torque {name}[ = {tie}] on {link}[ times {times}]",
-    ast.Actuator: "actuator {name} between {first}[ on {first_link}] and {second}[ on {second_link}]"
-    "[ times {times}]",
+    ast.Actuator: "actuator {name} between {first}[ on {first_link}]"
+    " and {second}[ on {second_link}][ times {times}]",
     ast.Spring: "spring {rate} between {first}[ on {first_link}] and {second}[ on {second_link}]"
     " free {free}[ times {times}]",
     ast.Weight: "weight {name} mass {mass} at {point}[ on {link}][ times {times}]",
