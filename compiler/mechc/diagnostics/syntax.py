@@ -247,13 +247,13 @@ def not_a_name(span: Span, text: str, expected: str) -> Words:
 
 @coded("E129")
 def unprintable_character(span: Span, character: str) -> Words:
-    """A text has a control character, or half of a character.
+    r"""A text has a control character, or half of a character.
 
     No editor shows it, LaTeX and C cannot take it, and a file of it could not be read
     again. It comes from a damaged file or from an escape of YAML.
 
-        title: "a\\u0007b"        # wrong: a bell
-        title: "a\\ud800b"        # wrong: half of a character
+        title: "a\u0007b"        # wrong: a bell
+        title: "a\ud800b"        # wrong: half of a character
         title: "ab"              # right
     """
     message = f"found the character U+{ord(character):04X}, which no text has"
