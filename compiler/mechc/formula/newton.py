@@ -1,12 +1,13 @@
 """Newton's method along a path: which of several solutions a system's unknowns are.
 
-The outer symbols go from the anchor to their values on a straight line, in as few steps
-as Newton's method allows, one for a turn of up to 1.5 radians. A step is allowed where the
-corrections shrink at once: then the theorem of Newton and Kantorovich says that the
-solution found is the one that the start leads to (P. Deuflhard, *Newton Methods for
-Nonlinear Problems*, 2004, ch. 2 and 5). It is halved where the first correction is long,
-where the corrections do not shrink to :data:`CONTRACTION`, or where the determinant
-changes its sign: solutions that meet where a branch ends have unlike signs.
+The outer symbols go from the anchor to their values on a straight line (those that have no
+anchor have their values from the outset), in as few steps as Newton's method allows, one for
+a turn of up to 1.5 radians. A step is allowed where the corrections shrink at once: then the
+theorem of Newton and Kantorovich says that the solution found is the one that the start leads
+to (P. Deuflhard, *Newton Methods for Nonlinear Problems*, 2004, ch. 2 and 5). It is halved
+where the first correction is long, where the corrections do not shrink to :data:`CONTRACTION`,
+or where the determinant changes its sign: solutions that meet where a branch ends have unlike
+signs.
 
 Every target and the interpreter do the same, correction by correction.
 """
@@ -50,12 +51,13 @@ ROUNDING = 1e-17
 """Nor is one needed that is expected, from how the last two shrank, to be below this."""
 
 
-def scale(start: float) -> float:
+def scale(start: float | str | None) -> float:
     """Return the size by which changes are measured of what has this value at the outset.
 
-    A radian for angles; a length of several metres is measured by itself.
+    A radian for angles; a length of several metres is measured by itself. What has a name
+    instead of a number is of order one.
     """
-    return max(1.0, abs(start) / math.pi)
+    return 1.0 if start is None or isinstance(start, str) else max(1.0, abs(start) / math.pi)
 
 
 def follow(

@@ -73,16 +73,18 @@ class Call:
 class System:
     """Equations ``= 0`` in unknowns and outer symbols: a loop that no triangles close.
 
-    ``anchor`` has the outer symbols and their values at the default pose, ``start`` the
-    unknowns there: of several solutions, the branch that is meant. Both kinds of names
-    are bound, as a function's arguments are; what outer symbols stand for in a formula
-    is told by the :class:`Implicit` that mentions the system.
+    ``anchor`` has the outer symbols and their values where the way begins, such as those at
+    the default pose; None for what stays the same all along it. ``start`` are the unknowns
+    there: numbers, or outer symbols that stay the same. Of several solutions they tell the
+    branch that is meant. Both kinds of names are bound, as a function's arguments are; what
+    outer symbols stand for in a formula is shown by the :class:`Implicit` that mentions the
+    system.
     """
 
     unknowns: tuple[str, ...]
     equations: tuple["Formula", ...]
-    anchor: tuple[tuple[str, float], ...]
-    start: tuple[float, ...]
+    anchor: tuple[tuple[str, float | None], ...]
+    start: tuple[float | str, ...]
 
 
 @frozen

@@ -6,7 +6,7 @@ from functools import cache, lru_cache
 from typing import assert_never
 
 from .derivative import jacobian
-from .newton import Equations, Matrix, follow, side_of
+from .newton import Equations, Matrix, Status, follow, side_of
 from .tree import (
     Call,
     Formula,
@@ -179,17 +179,38 @@ def equations(formula: Implicit) -> tuple[Formula, ...]:
     return tuple(substitute(e, values) for e in formula.system.equations)
 
 
-@lru_cache(maxsize=64)
 def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
     """Return the unknowns at values of the outer symbols; NaN where the branch ends."""
-    anchor = tuple(value for _, value in system.anchor)
-    status, found = follow(numeric(system), anchor, system.start, outer)
+    status, found = _followed(system, outer)
     return found if status == 0 else (math.nan,) * len(found)
 
 
+def status(formula: Implicit, values: Mapping[str, float]) -> Status:
+    """Return how a solution was found, or why it was not."""
+    here = Evaluation(values)
+    return _followed(formula.system, tuple(map(here.of, formula.arguments)))[0]
+
+
+@lru_cache(maxsize=64)
+def _followed(system: System, outer: tuple[float, ...]) -> tuple[Status, tuple[float, ...]]:
+    anchor, start = _beginning(system, outer)
+    return follow(numeric(system), anchor, start, outer)
+
+
+def _beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
+    """Return the values of outer symbols and unknowns where the way begins."""
+    pairs = zip(system.anchor, outer, strict=True)
+    anchor = {name: end if value is None else value for (name, value), end in pairs}
+    return list(anchor.values()), [anchor[s] if isinstance(s, str) else s for s in system.start]
+
+
 def side(system: System) -> int:
-    """Return the sign of the Jacobian's determinant at the default pose."""
-    return side_of(numeric(system), system.start, [value for _, value in system.anchor])
+    """Return the sign of the Jacobian's determinant where the way begins.
+
+    It does not depend on what stays the same along it.
+    """
+    anchor, start = _beginning(system, (0.0,) * len(system.anchor))
+    return side_of(numeric(system), start, anchor)
 
 
 @cache

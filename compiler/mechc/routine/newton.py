@@ -30,17 +30,17 @@ def follow(equations: Equations, solver: Solver, outer: Sequence[Array]) -> tupl
 
 def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, Array]:
     poses = outer.shape[1]
-    start, anchor = (np.array(v)[:, None] for v in (solver.start, solver.anchor))
+    anchor, start = _beginning(solver, outer)
     scales = np.array([newton.scale(s) for s in solver.start])[:, None]
     status, result = np.full(poses, 2.0), np.full((len(start), poses), np.nan)
     longest = _longest(solver, anchor, outer)
     left = np.flatnonzero(longest)
-    base, longest = np.repeat(start, len(left), axis=1), longest[left]
+    base, longest = start[:, left], longest[left]
     found, step = base.copy(), longest
     reached, last = np.zeros(len(left)), np.zeros(len(left))
     for _ in range(newton.CORRECTIONS):
         aim = reached + step
-        residuals, matrix = equations(found, (1.0 - aim) * anchor + aim * outer[:, left])
+        residuals, matrix = equations(found, (1.0 - aim) * anchor[:, left] + aim * outer[:, left])
         sign = eliminate(matrix, residuals)
         size = np.sqrt(np.sum(residuals / scales * (residuals / scales), axis=0))
         allowed = np.where(last > 0, newton.CONTRACTION * last, newton.LONGEST)
@@ -62,6 +62,17 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
             break
     status[left] = np.where(step < newton.SHORTEST, 1.0, 2.0)
     return status, result
+
+
+def _beginning(solver: Solver, outer: Array) -> tuple[Array, Array]:
+    """Return outer symbols and unknowns where the way of each pose begins."""
+    pairs = zip(solver.anchor, outer, strict=True)
+    wide = [end if value is None else np.full_like(end, value) for value, end in pairs]
+    anchor = np.array(wide).reshape(outer.shape)
+    named = dict(zip(solver.outer, anchor, strict=True))
+    poses = outer.shape[1]
+    rows = [named[s] if isinstance(s, str) else np.full(poses, s) for s in solver.start]
+    return anchor, np.array(rows)
 
 
 def _longest(solver: Solver, anchor: Array, outer: Array) -> Array:

@@ -85,8 +85,9 @@ def solver(system: System) -> Solver:
 
 
 def used_outer(system: System) -> tuple[int, ...]:
-    """Return the places of those outer symbols that the equations mention."""
-    used = frozenset[str]().union(*map(symbols, system.equations))
+    """Return the places of those outer symbols that the equations or the start mention."""
+    used = frozenset(s for s in system.start if isinstance(s, str))
+    used = used.union(*map(symbols, system.equations))
     return tuple(i for i, (name, _) in enumerate(system.anchor) if name in used)
 
 

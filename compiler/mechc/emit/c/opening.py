@@ -20,6 +20,8 @@ def opening(solver: Solver, names: Mapping[str, str]) -> Opening | None:
     """Return the first correction; None where the slopes depend on more than unknowns."""
     values = _at_start(solver)
     entries = [entry for row in solver.jacobian for entry in row]
+    if any(isinstance(value, str) for value in solver.start):
+        return None
     mixed = {step.name for step in solver.steps if step.name not in values}
     mixed -= fixed_steps(solver)
     if any(symbols(f) - values.keys() for f in entries):
@@ -45,7 +47,8 @@ def fixed_steps(solver: Solver) -> set[str]:
 
 def _at_start(solver: Solver) -> dict[str, float]:
     """Return the values at the default pose of the unknowns and of what they alone decide."""
-    values = dict(zip(solver.unknowns, solver.start, strict=True))
+    pairs = zip(solver.unknowns, solver.start, strict=True)
+    values = {name: value for name, value in pairs if not isinstance(value, str)}
     for step in solver.steps:
         if symbols(step.formula) <= values.keys():
             values[step.name] = evaluate(step.formula, values)

@@ -65,9 +65,10 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
     space = Names(RESERVED | _OWN, {name})
     steps = [step.name for step in solver.steps]
     names = mangle((*solver.unknowns, *solver.outer, *steps), space)
-    ends = {n: space.claim(f"{names[n]}_end") for n in solver.outer}
+    ends = {n: space.claim(f"{names[n]}_end") for n, _ in _anchored(solver)}
     printer = QuickPrinter(names)
-    heads = [*(f"double {ends[n]}" for n in solver.outer), "double *found"]
+    heads = [*(f"double {ends.get(n, names[n])}" for n in solver.outer), "double *found"]
+    start = [names[s] if isinstance(s, str) else repr(s) for s in solver.start]
     unknowns = [Line(names[n], f"found[{i}]") for i, n in enumerate(solver.unknowns)]
     lines = {s.name: Line(names[s.name], printer.print(s.formula)) for s in solver.steps}
     fixed, left = fixed_steps(solver), reduced(solver.jacobian)
@@ -76,7 +77,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         [harmless(text(equation)) for equation in solver.equations],
         wrapped(f"static int {name}(", heads),
         len(solver.unknowns),
-        f"{{{', '.join(map(repr, solver.start))}}}",
+        f"{{{', '.join(start)}}}",
         [
             *(_between(n, names, ends, a) for n, a in _anchored(solver)),
             *(line for n, line in lines.items() if n in fixed),
@@ -94,7 +95,9 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
 
 
 def _anchored(solver: Solver) -> Iterator[tuple[str, float]]:
-    return zip(solver.outer, solver.anchor, strict=True)
+    """Yield what changes along the way, and from what on."""
+    pairs = zip(solver.outer, solver.anchor, strict=True)
+    return ((name, anchor) for name, anchor in pairs if anchor is not None)
 
 
 def _between(name: str, names: Mapping[str, str], ends: Mapping[str, str], anchor: float) -> Line:

@@ -60,20 +60,22 @@ def _node(**members: Json) -> Json:
 _TREES: Json = {"type": "array", "items": {"$ref": "#/$defs/tree"}}
 _PAIR: Json = {"type": "array", "items": {"$ref": "#/$defs/tree"}, "minItems": 2, "maxItems": 2}
 _NAMES: Json = {"type": "array", "items": {"type": "string"}}
-_VALUES: Json = {"type": "array", "items": {"type": "number"}}
+_START: Json = {"type": "array", "items": {"type": ["number", "string"]}}
+_ANCHOR: Json = {"type": "array", "items": {"type": ["number", "null"]}}
 _SOLUTION = _node(
     solution={"type": "string"},
     unknowns=_NAMES,
-    start=_VALUES,
+    start=_START,
     equations=_TREES,
     outer=_NAMES,
-    anchor=_VALUES,
+    anchor=_ANCHOR,
     arguments=_TREES,
 )
 _SCHEMA: Json = {
     "description": "A formula's tree. A number is an exact rational such as 2 or -1/3. A solution "
     "is an unknown of equations = 0 in unknowns and outer names; it is the one that is reached "
-    "from start when the outer names' values go from anchor to arguments on a straight line.",
+    "from start when the outer names' values go from anchor to arguments on a straight line. An "
+    "anchor of null is the argument itself, and a name in start is the value of that outer name.",
     "anyOf": [
         _node(number={"type": "string", "pattern": r"^-?\d+(/\d+)?$"}),
         _node(pi={"const": True}),

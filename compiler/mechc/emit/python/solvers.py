@@ -23,8 +23,8 @@ class SolverContext(NamedTuple):
     zeros: list[str]
     body: list[Line]
     rows: list[list[str]]
-    start: list[float]
-    anchor: list[float]
+    start: list[str]
+    anchor: list[str]
     side: int
     scales: list[float]
 
@@ -48,8 +48,11 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         zeros(solver),
         [Line(names[s.name], printer.print(s.formula)) for s in solver.steps],
         [[printer.print(f) for f in row] for row in (solver.residuals, *solver.jacobian)],
-        list(solver.start),
-        list(solver.anchor),
+        [names[s] if isinstance(s, str) else repr(s) for s in solver.start],
+        [
+            names[n] if a is None else repr(a)
+            for n, a in zip(solver.outer, solver.anchor, strict=True)
+        ],
         solver.side,
         [newton.scale(s) for s in solver.start],
     )

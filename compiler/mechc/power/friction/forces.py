@@ -14,7 +14,8 @@ from ..balance import Term
 from ..joint_forces import bond_of, component, line_of
 from ..reactions import Reactions
 from .closed import Named, Printed, conditions
-from .exact import Sizes, named_factor
+from .coupled import Sizes
+from .exact import named_factor
 from .pressing import Pressed, load_of, term_of
 from .rubs import Rub, radii
 from .signs import AtOnePose
@@ -44,7 +45,8 @@ class ForceWithFriction:
         formula = self._formula(
             lambda rub: rub.factor, lambda slip: Call("sign", (slip.formula(),))
         )
-        return Named(formula, self._sizes.definitions, inside=self._sizes.inside)
+        sizes = self._sizes
+        return Named(formula, sizes.definitions, sizes.positive, inside=sizes.inside)
 
     def at_one_pose(self, signs: AtOnePose) -> Printed:
         """Return the force as it is printed, for the signs of one pose."""

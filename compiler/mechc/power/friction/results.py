@@ -39,8 +39,9 @@ from ..trends import allowed
 from .bodies import Entangled, Task
 from .chain import Chain
 from .closed import Named, Printed, Way, closed_form, printed_form
+from .coupled import Sizes, true_sizes
 from .efficiency import Drives
-from .exact import Sizes, exact, exact_case, first_order, first_order_case, true_sizes
+from .exact import exact, exact_case, first_order, first_order_case
 from .forces import ForceWithFriction
 from .pressing import Idle, Pressed, PressedByAnother, Undetermined, press
 from .rubs import Rub, rubs
