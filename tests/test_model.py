@@ -4,6 +4,7 @@ from fractions import Fraction
 
 import pytest
 
+from mechc.cli.dump import dump
 from mechc.diagnostics import MechcError, Report
 from mechc.formula.to_text import text
 from mechc.formula.tree import PI, ZERO, Number, Symbol
@@ -22,7 +23,6 @@ from mechc.model.mechanism import (
     SpeedRatio,
     Torque,
 )
-from mechc.model.to_text import describe
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.settings import parse, put_in
@@ -284,17 +284,6 @@ def test_a_point_inside_a_word_is_marked_itself() -> None:
     assert source.text[span.start : span.end] == "Z1"
 
 
-def test_describe_prints_a_fact_a_line() -> None:
-    lines = describe(model("mirror across y sharing K")).splitlines()
-    assert lines[0] == 'mechanism clamp "A clamp"'
-    assert "param alpha: an angle (deg) = pi/15 in pi/90 .. 2*pi/9" in lines
-    assert "link OBA through O B A" in lines
-    assert "vector OA: length b, direction alpha - pi/2" in lines
-    assert "force P at A along pi" in lines
-    assert "mirror across pi/2 sharing K" in lines
-    assert lines[-1] == "find k = P / F"
-
-
 def test_both_notations_mean_the_same() -> None:
     yaml = """\
 mechanism: clamp
@@ -314,7 +303,7 @@ forces:
   F: {at: K, along: y}
 find: {k: P / F}
 """
-    assert describe(model(base=yaml, name="clamp.yaml")) == describe(model())
+    assert dump("model", model(base=yaml, name="clamp.yaml")) == dump("model", model())
 
 
 def test_pi_is_exact() -> None:

@@ -21,7 +21,6 @@ from mechc.routine.evaluate import evaluate
 from mechc.routine.from_results import program
 from mechc.routine.sharing import share
 from mechc.routine.steps import Function, Step
-from mechc.routine.to_text import to_text
 from mechc.units import NUMBER
 from routine_samples import (
     LIBRARY,
@@ -235,16 +234,3 @@ def test_the_pose_has_no_part_in_friction() -> None:
     assert pose is not None
     assert pose.outputs == ("beta",)
     assert [item.name for item in pose.inputs] == ["l_A", "l", "phi"]
-
-
-def test_the_text_of_a_routine() -> None:
-    mechanism, results = clamp()
-    assert to_text(program(mechanism, results)) == (
-        "k(a, b, alpha, beta)  # force ratio P/F, 9 operations\n"
-        "    # a [mm] 0.05 .. 0.1 SI\n"
-        "    # b [mm] 0.125 .. 0.25 SI\n"
-        "    # alpha [deg] 0.10472 .. 0.20944 SI\n"
-        "    # beta [deg] 0.0610865 .. 0.122173 SI\n"
-        "    require alpha + beta < pi/2\n"
-        "    return a*sin(alpha + beta)/(2*b*cos(alpha)*cos(beta))\n"
-    )

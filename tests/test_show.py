@@ -2,49 +2,86 @@
 
 import pytest
 
-from mechc.driver import Compilation, compile_source
+from mechc.cli.show import text_of
+from mechc.driver import VIEWS, Compilation
 from mechc.files import find, read
-from mechc.kinematics import to_text as kinematics
-from mechc.pose import to_text as pose
-from mechc.power import to_text as power
+from mechc.source import Source
 
 
-def compiled(name: str) -> Compilation:
-    return compile_source(read(find(name)))
+def opened(name: str) -> Compilation:
+    return Compilation(read(find(name)))
+
+
+def show(stage: str, name: str) -> list[str]:
+    return text_of(stage, opened(name)).splitlines()
+
+
+def test_the_tree_shows_what_was_written() -> None:
+    lines = show("syntax", "slider_crank_claw")
+    assert "    Vector(points=OC, value=Cartesian(x=x_C, y=-h))" in lines
+    assert "    Expect(subject=k, value=(h + f*x_C)*cos(beta)/(l_A*sin(phi + beta)))" in lines
+
+
+def test_a_mechanism_shows_quantities_joints_and_what_is_asked_for() -> None:
+    lines = show("model", "slider_crank_claw")
+    assert "    Parameter(name=h, dimension=length in m, value=3/25, unit=mm)" in lines
+    assert "    Link(name=OAC, points=(O, A, C))" in lines
+    assert "  finds: (Find(name=k, target=LoadRatio(above=P, below=R)))" in lines
 
 
 def test_a_pose_shows_directions_and_vectors() -> None:
-    lines = pose.describe(compiled("slider_crank_claw").pose).splitlines()
-    assert "  OA = l_A @ -phi + 90 deg" in lines
-    assert "  OC = (x_C @ 0 deg) + (h @ -90 deg)" in lines
-    assert "guide of B along -90 deg" in lines
-    assert "len_AB: a length that is not given" in lines
+    lines = show("pose", "slider_crank_claw")
+    assert "  mechanism: as in model" in lines
+    assert "      A: (Arm(length=l_A, angle=-phi + 90 deg))" in lines
+    assert "  guides: {B: -90 deg}" in lines
+    assert "  placeholders: {len_AB: none}" in lines
 
 
 def test_a_plan_shows_unknowns_rules_order_and_speeds() -> None:
-    shown = kinematics.describe(compiled("equalising_clamp").plan)
-    for line in (
-        "mobility 2: u0, u1 taken as given",
-        "  u3: angular velocity of the link BAC, counter-clockwise",
-        "  B: (u0 @ -90 deg) + (b*u3 @ phi - 90 deg)",
-        "  u3 from 0",
-        "  u2 = (b + c)*u0/b - c*u1/b",
-    ):
-        assert line in shown.splitlines()
-    assert "(projection, BD: B, D; on -90 deg)" in shown
+    lines = show("kinematics", "equalising_clamp")
+    assert "    pose: as in pose" in lines
+    assert "      Unknown(kind=spin, of=BAC)" in lines
+    assert "        rule: projection" in lines
+    assert "  drives: (0, 1)" in lines
+    assert any(line.startswith("  speeds:") and "2: ((b + c)/b, -c/b)" in line for line in lines)
 
 
 def test_a_balance_shows_powers_ties_and_what_follows() -> None:
-    claw = compiled("slider_crank_claw")
-    lines = power.describe(claw.balance, claw.results).splitlines()
-    assert "  P: P*u1" in lines
-    assert "    T = f*R" in lines
-    assert any(line.startswith("  infinite where sin(beta + phi) = 0") for line in lines)
+    lines = show("power", "slider_crank_claw")
+    assert "  plan: as in kinematics" in lines
+    assert "      tie: (R, f)" in lines
+    assert lines.index("results:") > lines.index("  solved:")
+    pole = "Vanishing(factor=sin(beta + phi), at=(beta, -phi), kind=drive locked)"
+    assert f"    poles: ({pole})" in lines
+
+
+def test_a_routine_shows_its_steps_as_a_program() -> None:
+    lines = show("routine", "claw_with_friction")
+    assert "        t1 = sqrt((1 - p1)*(1 + p1))" in lines
+    assert "      inputs: as in routine.functions.k_f.inputs" in lines
+
+
+def test_a_figure_shows_points_and_parts() -> None:
+    lines = show("figure", "crank_rocker")
+    assert any("O2: (0.1, 0)" in line for line in lines)
+    assert (
+        "    Link(name=O1A, points=(O1, A), outline=(O1, A), rods=((O1, A)), label=crank)" in lines
+    )
+
+
+def test_where_nothing_can_be_assembled_there_is_no_figure() -> None:
+    compilation = opened("crank_rocker")
+    compilation.figure = None  # type: ignore[misc]
+    assert text_of("figure", compilation).startswith("There is no figure")
+
+
+def test_a_description_without_a_result_shows_what_it_can() -> None:
+    source = Source("lever.mech", "mechanism lever\nparam a = 1 m\npivot O\nfind k = P/F\n")
+    assert "    Pivot(point=O)" in text_of("syntax", Compilation(source))
 
 
 @pytest.mark.parametrize("name", ["wheelbarrow", "triad_press", "peaucellier", "scissor_2"])
 def test_no_record_of_python_is_shown(name: str) -> None:
-    it = compiled(name)
-    shown = pose.describe(it.pose) + kinematics.describe(it.plan)
-    shown += power.describe(it.balance, it.results)
-    assert not any(sign in shown for sign in ("Angle(", "Product(", "None", "=<", "'"))
+    shown = "".join(text_of(stage, opened(name)) for stage in VIEWS)
+    for sign in ("Angle(", "Product(", "Fraction(", "Span(", "None", "=<", "Number(", "object at"):
+        assert sign not in shown

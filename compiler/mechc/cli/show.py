@@ -3,19 +3,13 @@
 import click
 
 from ..derivation.to_text import render
-from ..driver import VIEWS, Compilation
-from ..figure import to_text as figure
-from ..kinematics import to_text as kinematics
-from ..model import to_text as model
-from ..pose import to_text as pose
-from ..power import to_text as power
-from ..routine import to_text as routine
+from ..driver import STAGES, VIEWS, Compilation
 from ..statics import bodies_to_text
 from ..statics import to_text as statics
 from ..syntax.settings import Settings
 from .begin import begin
+from .dump import dump
 from .inputs import description_argument, settings_option, stdin_option
-from .pretty import pretty
 from .session import Command, session_options
 from .terminal import say
 
@@ -31,36 +25,45 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
 
     The stages, in order: syntax, model, pose, kinematics, power, statics, derivation,
     routine. Later stages are not run. Formulas are printed in the notation of the
-    language, quantities in SI. "figure" is what a drawing of the default pose shows,
-    "bodies" the forces on each body there.
+    language, quantities in SI; "as in model.links" is what `mechc show model` prints
+    under links. "figure" is what a drawing of the default pose shows, "bodies" the
+    forces on each body there.
 
     \b
     mechc show kinematics clamp.mech
     """
     compilation = begin(file, stdin_name, settings)
-    say(_text(stage, compilation).rstrip("\n"))
+    say(text_of(stage, compilation).rstrip("
+"))
 
 
-def _text(stage: str, compilation: Compilation) -> str:
-    """Return a stage's own text where it has one, else its record."""
+def text_of(stage: str, compilation: Compilation) -> str:
+    """Return the text of a stage: the value that it hands on, as it is.
+
+    Three are results by themselves and have the text in which people read them: the table of
+    `mechc check --verbose`, the derivation of `mechc derive`, the forces on free bodies.
+    """
     match stage:
-        case "model":
-            return model.describe(compilation.mechanism)
-        case "pose":
-            return pose.describe(compilation.pose)
-        case "kinematics":
-            return kinematics.describe(compilation.plan)
-        case "power":
-            return power.describe(compilation.balance, compilation.results)
         case "statics":
-            return statics.to_text(compilation.verdict)
+            return statics.to_text(compilation.verdict) + "\n"
         case "derivation":
             return render(compilation.derivation, compilation.mechanism)
-        case "routine":
-            return routine.to_text(compilation.routine)
-        case "figure":
-            return figure.describe(compilation.figure)
         case "bodies":
             return bodies_to_text.describe(compilation.free_bodies)
+        case "figure" if compilation.figure is None:
+            return "There is no figure: the mechanism cannot be assembled at these values.\n"
         case _:
-            return pretty(getattr(compilation, VIEWS[stage]))
+            return dump(stage, _value(stage, compilation), _earlier(stage, compilation))
+
+
+def _value(stage: str, compilation: Compilation) -> object:
+    """Return the value of a stage; of power, what was concluded from it too."""
+    if stage == "power":
+        return {"balance": compilation.balance, "results": compilation.results}
+    return getattr(compilation, VIEWS[stage])
+
+
+def _earlier(stage: str, compilation: Compilation) -> dict[str, object]:
+    """Return the values of the stages that had to run for one, by name."""
+    had_run = [s for s, attribute in STAGES.items() if attribute in vars(compilation)]
+    return {s: _value(s, compilation) for s in had_run if s != stage}
