@@ -131,7 +131,9 @@ def params(draw):
     dimension = draw(st.none() | named(["length", "angle", "force"]))
     if value is None and dimension is None and low is None:
         value = draw(expressions)
-    return ast.Param(NOWHERE, name, value, low, high, dimension, draw(spoken), draw(spoken))
+    texts = draw(spoken), draw(spoken)
+    tolerance = draw(maybe) if value is not None else None
+    return ast.Param(NOWHERE, name, value, low, high, dimension, *texts, tolerance)
 
 
 @st.composite
@@ -224,7 +226,7 @@ MANY = [
     statement(ast.Let, names, expressions),
     statement(ast.Find, expressions, st.none() | names, st.none() | bodies),
     requires(),
-    statement(ast.Expect, expressions, expressions, settings),
+    statement(ast.Expect, expressions, expressions, settings, maybe),
 ]
 
 

@@ -178,6 +178,8 @@ def _figures(finding: Finding) -> tuple[str, str]:
         found, expected = f"{finding.found:.{digits}g}", f"{finding.expected:.{digits}g}"
         if found != expected:
             break
+    if finding.expect.stated:
+        return found, f"{expected} ± {float(finding.expect.tolerance):.6g}"
     return found, expected
 
 

@@ -258,3 +258,15 @@ def unprintable_character(span: Span, character: str) -> Words:
     """
     message = f"found the character U+{ord(character):04X}, which no text has"
     return Words(span, message, "remove it; in doubt type the line anew")
+
+
+@coded("E130")
+def tolerance_of_nothing(span: Span, name: str) -> Words:
+    """A parameter without a value has a tolerance.
+
+    A tolerance says how far the value may be off, so there is a value.
+
+        param a: length +- 0.1 mm        # wrong
+        param a = 40 mm +- 0.1 mm        # right
+    """
+    return Words(span, f"'{name}' has a tolerance but no value", f"write {name} = … +- …")

@@ -66,7 +66,8 @@ class Parameter:
 
     ``value`` is None (declared by dimension only), a constant in SI, or a formula of
     other parameters (a *dependent* parameter). ``unit`` is what the user wrote, for
-    output ('' when bare). ``low`` … ``high`` is the range of a free parameter.
+    output ('' when bare). ``low`` … ``high`` is the range of a free parameter, and
+    ``tolerance`` how far its value may be off, a constant in SI.
     """
 
     name: str
@@ -78,6 +79,7 @@ class Parameter:
     label: str = ""
     about: str = ""
     dependent: bool = False
+    tolerance: Formula | None = None
 
 
 # ------------------------------------------------------------------------ geometry
@@ -227,7 +229,8 @@ class Require:
 class Expect:
     """What a book says of a result: a formula, or a number ``at`` given values.
 
-    ``tolerance`` is half a unit of the last digit written, in SI (0 for a formula).
+    ``tolerance`` is the one ``stated``, or half a unit of the last digit written, in SI
+    (0 for a formula).
     """
 
     subject: str
@@ -235,6 +238,7 @@ class Expect:
     at: Mapping[str, Formula]
     tolerance: Fraction
     span: Span
+    stated: bool = False
 
 
 @frozen

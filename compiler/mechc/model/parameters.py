@@ -5,7 +5,9 @@ from collections.abc import Iterator, Mapping
 from itertools import chain
 
 from ..diagnostics.model import names, quantities
+from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
+from ..frozen import replace
 from ..syntax import ast
 from ..units import DIMENSIONS, UNITS, Dimension
 from .constants import leaves, names_in, out_of_reach
@@ -39,6 +41,7 @@ def read_parameter(
         about=statement.about,
         dependent=bool(value and symbols(value.formula)),
     )
+    parameter = replace(parameter, tolerance=_tolerance(parameter, statement, scope))
     _note_value(parameter, statement, scope)
     _check_range(parameter, statement, scope)
     return parameter
@@ -51,6 +54,32 @@ def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
             scope.report.add(quantities.not_constant(symbol.span, symbol.name, what))
             return None
     return Reader(scope, DESCRIPTION).read(expression)
+
+
+def read_tolerance(
+    expression: ast.Expr, dimension: Dimension | None, what: str, scope: Scope
+) -> Formula | None:
+    """Read how far a quantity may be off: a positive constant of its dimension."""
+    found = constant(expression, scope, "a tolerance")
+    if found is None:
+        return None
+    if dimension and not Reader(scope, DESCRIPTION).fits(found, dimension, f"the tolerance {what}"):
+        return None
+    size = evaluate(found.formula, {})
+    if not size > 0 or out_of_reach(size, found.dimension):
+        scope.report.add(quantities.tolerance_not_positive(expression.span, what))
+        return None
+    return found.formula
+
+
+def _tolerance(parameter: Parameter, statement: ast.Param, scope: Scope) -> Formula | None:
+    if statement.tolerance is None:
+        return None
+    if parameter.dependent:
+        place = statement.tolerance.span
+        scope.report.add(quantities.tolerance_of_dependent(place, parameter.name))
+        return None
+    return read_tolerance(statement.tolerance, parameter.dimension, f"of '{parameter.name}'", scope)
 
 
 def _range(statement: ast.Param, scope: Scope) -> Ends | None:

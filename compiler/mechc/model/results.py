@@ -14,8 +14,9 @@ from .definitions import Definitions, written_out
 from .expressions import Quantity, Reader
 from .finds import read_target
 from .mechanism import Expect, Find, Require
-from .parameters import constant
+from .parameters import constant, read_tolerance
 from .scope import CONDITION, EXPECTED, Scope
+from .sorts import Nature
 from .statements import every
 
 HOLDS = {
@@ -84,9 +85,23 @@ def read_expects(
         if subject is None or value is None or not _suits(value, subjects[subject], scope):
             continue
         formula = _of_parameters(value, lets, scope)
-        tolerance = half_a_digit(statement.value)
-        expects.append(Expect(subject, formula, at, tolerance, statement.span))
+        tolerance = _tolerance(statement, value, formula, scope)
+        stated = statement.tolerance is not None
+        expects.append(Expect(subject, formula, at, tolerance, statement.span, stated))
     return expects
+
+
+def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: Scope) -> Fraction:
+    """Return how far a figure may be off, in SI: as stated, or half of its last digit."""
+    if statement.tolerance is None:
+        return half_a_digit(statement.value)
+    if symbols(formula):
+        scope.report.add(words.tolerance_of_formula(statement.tolerance.span))
+        return Fraction(0)
+    anything = value.sort.nature is Nature.ZERO
+    dimension = None if anything else value.dimension
+    found = read_tolerance(statement.tolerance, dimension, "of the figure", scope)
+    return Fraction(evaluate(found, {})) if found else Fraction(0)
 
 
 def _subjects(

@@ -165,7 +165,7 @@ class SourceNote(Statement):
 
 @frozen
 class Param(Statement):
-    """``param NAME = VALUE in LOW .. HIGH as "label"`` or ``param NAME: dimension``."""
+    """``param NAME = VALUE +- TOLERANCE in LOW .. HIGH as "label"``, ``param NAME: dimension``."""
 
     name: Name
     value: Expr | None = None
@@ -174,6 +174,7 @@ class Param(Statement):
     dimension: Name | None = None
     label: str = ""
     about: str = ""
+    tolerance: Expr | None = None
 
 
 @frozen
@@ -507,11 +508,12 @@ class Require(Statement):
 
 @frozen
 class Expect(Statement):
-    """``expect k = FORMULA`` or ``expect k = NUMBER at alpha = 35 deg, beta = 7 deg``."""
+    """``expect k = FORMULA`` or ``expect k = NUMBER +- TOLERANCE at alpha = 35 deg``."""
 
     subject: Expr
     value: Expr
     at: tuple[tuple[Name, Expr], ...] = ()
+    tolerance: Expr | None = None
 
 
 @frozen

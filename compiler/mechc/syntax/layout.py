@@ -60,7 +60,7 @@ FRICTION = (
     Entry(ast.ScrewFriction, AT_POINT, keys=SCREW_FRICTION),
 )
 PARAM_KEYS = (
-    optional("value", Kind.EXPRESSION),
+    optional("value", Kind.MEASURE, "value", "tolerance"),
     optional("range", Kind.RANGE, "low", "high"),
     optional("dimension", Kind.DIMENSION),
     optional("label", Kind.TEXT),
@@ -81,7 +81,7 @@ SECTIONS: tuple[Section, ...] = (
     named(
         "params",
         "parameters: a value with its unit, a range, a dimension",
-        Entry(ast.Param, NAMED, plain(Kind.EXPRESSION, "value"), PARAM_KEYS),
+        Entry(ast.Param, NAMED, plain(Kind.MEASURE, "value", "tolerance"), PARAM_KEYS),
     ),
     bare(
         "drive",
@@ -267,7 +267,7 @@ SECTIONS: tuple[Section, ...] = (
     listed(
         "expect",
         "what a book or a colleague says",
-        Entry(ast.Expect, short=plain(Kind.EXPECTATION, "subject", "value", "at")),
+        Entry(ast.Expect, short=plain(Kind.EXPECTATION, "subject", "value", "at", "tolerance")),
     ),
 )
 

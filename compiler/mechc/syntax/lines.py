@@ -11,9 +11,8 @@ from typing import NamedTuple
 from .grammar import statement_words
 from .lalr import Token
 
-GOES_ON = frozenset(
-    {"PLUS", "MINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX", "COMMA", "EQUAL", "AT_SIGN", "COMPARISON"}
-)
+OPERATORS = "PLUS MINUS PLUSMINUS TIMES_SIGN OVER CIRCUMFLEX COMMA EQUAL AT_SIGN COMPARISON"
+GOES_ON = frozenset(OPERATORS.split())
 
 
 class Line(NamedTuple):

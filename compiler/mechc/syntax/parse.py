@@ -15,7 +15,7 @@ NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DR
 """After these words a name is given."""
 
 OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
-OPERATORS = frozenset({"PLUS", "MINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
+OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
 
 ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these."""
@@ -163,6 +163,8 @@ def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
         return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
     if text == "," and previous.isdecimal() and "RIGHT" not in allowed:
         return "decimals are written with a point"
+    if text == "+-":
+        return "a tolerance belongs to a param or an expect; a difference is written a - b"
     if text == ":" and "TIMES_SIGN" in allowed:
         return "a quotient is written with '/'"
     if text in keywords() and "NAME" in allowed:

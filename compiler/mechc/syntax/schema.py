@@ -54,6 +54,7 @@ KINDS: dict[Kind, Schema] = {
     Kind.RESULT: EXPRESSION,
     Kind.CONDITION: {"type": "string", "description": "a condition: 0 deg < alpha < 90 deg"},
     Kind.EXPECTATION: {"type": "string", "description": "k = 7.1 at alpha = 35 deg"},
+    Kind.MEASURE: {**EXPRESSION, "description": "a value: 40 mm, 2*a, 40 mm +- 0.1 mm"},
     Kind.DIMENSION: {"enum": sorted(DIMENSIONS)},
     Kind.TEXT: {"type": ["string", "number", "null"]},
     Kind.FLAG: {"type": "boolean"},

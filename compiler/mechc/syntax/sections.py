@@ -32,6 +32,7 @@ class Kind(Enum):
     RESULT = auto()
     CONDITION = auto()
     EXPECTATION = auto()
+    MEASURE = auto()  # 40 mm +- 0.1 mm
     DIMENSION = auto()
     TEXT = auto()
     WORD = auto()

@@ -117,6 +117,12 @@ def range_of(low: ast.Expr, high: ast.Expr) -> str:
     return f"{expression(low)} .. {expression(high)}"
 
 
+def measure(value: ast.Expr, tolerance: ast.Expr | None) -> str:
+    """Return ``value +- tolerance``."""
+    within = f" +- {expression(tolerance)}" if tolerance else ""
+    return f"{expression(value)}{within}"
+
+
 def result(found: ast.Find) -> str:
     """Return ``k = P/F`` or ``R_B on AB``."""
     name = f"{found.name.text} = " if found.name else ""
@@ -140,4 +146,4 @@ def expectation(expected: ast.Expect) -> str:
     """Return ``k = 7.1 at alpha = 35 deg``."""
     settings = ", ".join(f"{name.text} = {expression(value)}" for name, value in expected.at)
     at = f" at {settings}" if settings else ""
-    return f"{expression(expected.subject)} = {expression(expected.value)}{at}"
+    return f"{expression(expected.subject)} = {measure(expected.value, expected.tolerance)}{at}"

@@ -16,8 +16,8 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Version: "mechc {number}",
     ast.Heading: "mechanism {name}[ {title}]",
     ast.SourceNote: "source {text}",
-    ast.Param: "param {name}[: {dimension}][|= {value}][ in {low} .. {high}][ as {label}]"
-    "[ about {about}]",
+    ast.Param: "param {name}[: {dimension}][|= {value}][ +- {tolerance}]"
+    "[ in {low} .. {high}][ as {label}][ about {about}]",
     ast.Drive: "drive {name}[ from {low} to {high}]",
     ast.Pivot: "pivot {point}[ at {at}]",
     ast.Slider: "slider {point} along {along}[ through {through}]",

@@ -210,8 +210,10 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
         case Kind.CONDITION, [operands, operators]:
             required = ast.Require(operands[0].span, operands, operators)
             return scalar(text.condition(required), flow)
-        case Kind.EXPECTATION, [subject, value, at]:
-            expected = ast.Expect(subject.span, subject, value, at)
+        case Kind.MEASURE, [value, tolerance]:
+            return scalar(text.measure(value, tolerance), flow)
+        case Kind.EXPECTATION, [subject, value, at, tolerance]:
+            expected = ast.Expect(subject.span, subject, value, at, tolerance)
             return scalar(text.expectation(expected), flow)
         case _, [value]:
             return value_of(value, flow)

@@ -54,8 +54,13 @@ LOOKALIKES = {
 
 def tokens(text: str, places: Places | None = None) -> list[Token]:
     """Return the tokens of a text, with comments and line ends, units joined to numbers."""
-    found = list(with_units(text, list(lexed(text))))
+    found = list(with_units(text, [plus_minus(token) for token in lexed(text)]))
     return [moved(token, places) for token in found] if places else found
+
+
+def plus_minus(token: Token) -> Token:
+    """Return the sign ± as ``+-``, which it is another spelling of."""
+    return Token("PLUSMINUS", "+-", *span_of(token)) if token == "±" else token
 
 
 def moved(token: Token, places: Places) -> Token:

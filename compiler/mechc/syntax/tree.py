@@ -17,6 +17,7 @@ from .spans import NOWHERE, span_of
 
 Made = Callable[..., object]
 Ends = tuple[ast.Expr, ast.Expr]
+Measure = tuple[ast.Expr, ast.Expr | None]
 Wheel = tuple[ast.Name, ast.Expr, ast.Name, ast.Expr]
 
 
@@ -46,16 +47,19 @@ def param(
     name: ast.Name,
     dimension: ast.Name | None,
     value: ast.Expr | None,
+    tolerance: ast.Expr | None,
     ends: Ends | None,
     label: Token | None,
     about: Token | None,
 ) -> ast.Param:
     """Return a parameter, which has a value or a dimension or at least a range."""
+    if tolerance and value is None:
+        raise Fault(syntax.tolerance_of_nothing(tolerance.span, name.text))
     if dimension is None and value is None and ends is None:
         raise Fault(syntax.empty_parameter(name.span, name.text))
     low, high = ends or (None, None)
     texts = unquoted(label), unquoted(about)
-    return ast.Param(NOWHERE, name, value, low, high, dimension, *texts)
+    return ast.Param(NOWHERE, name, value, low, high, dimension, *texts, tolerance)
 
 
 def link(points: ast.Name, label: Token | None) -> ast.Link:
@@ -190,10 +194,17 @@ def require(condition: tuple[Any, Any]) -> ast.Require:
     return ast.Require(NOWHERE, *condition)
 
 
-def expectation(subject: ast.Expr, value: ast.Expr, *at: Any) -> ast.Expect:
-    """Return ``k = 7.1 at alpha = 35 deg``."""
+def measure(value: ast.Expr, tolerance: ast.Expr | None) -> Measure:
+    """Return ``40 mm +- 0.1 mm``, a value with or without a tolerance."""
+    return value, tolerance
+
+
+def expectation(
+    subject: ast.Expr, value: ast.Expr, tolerance: ast.Expr | None, *at: Any
+) -> ast.Expect:
+    """Return ``k = 7.1 +- 0.1 at alpha = 35 deg``."""
     settings = tuple(setting for setting in at if setting is not None)
-    return ast.Expect(NOWHERE, subject, value, settings)
+    return ast.Expect(NOWHERE, subject, value, settings, tolerance)
 
 
 def name(token: Token) -> ast.Name:
@@ -279,6 +290,7 @@ PARTS: Mapping[str, Made] = {
     "named_result": named_result,
     "condition": expressions.chain,
     "expectation": expectation,
+    "measure": measure,
     "setting": tupled,
     "range": tupled,
     "shared": tupled,

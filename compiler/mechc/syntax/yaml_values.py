@@ -200,7 +200,13 @@ def condition(node: Node, source: Source) -> Fields:
 def expectation(node: Node, source: Source) -> Fields:
     """Read ``k = 7.1 at alpha = 35 deg``."""
     found = parsed("expectation", "an expectation such as k = 7.1", node, source)
-    return found.subject, found.value, found.at
+    return found.subject, found.value, found.at, found.tolerance
+
+
+def measure(node: Node, source: Source) -> Fields:
+    """Read ``40 mm +- 0.1 mm``."""
+    value, tolerance = parsed("measure", "an expression", node, source)
+    return value, tolerance
 
 
 def text_of(node: Node, source: Source) -> Fields:
@@ -261,6 +267,7 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.RESULT: result,
     Kind.CONDITION: condition,
     Kind.EXPECTATION: expectation,
+    Kind.MEASURE: measure,
     Kind.DIMENSION: dimension,
     Kind.TEXT: text_of,
     Kind.FLAG: flag,

@@ -192,3 +192,29 @@ def condition_broken(span: Span) -> Words:
         require alpha < 90 deg     # warned of
     """
     return Words(span, "the given values break this condition")
+
+
+@coded("E232")
+def tolerance_not_positive(span: Span, what: str) -> Words:
+    """A tolerance is zero or negative.
+
+    It says how far a value may be off, to either side; an exact value has none.
+
+        param a = 40 mm +- -0.1 mm       # wrong
+        param a = 40 mm +- 0.1 mm        # right
+    """
+    return Words(span, f"the tolerance {what} is not positive", "write how far it may be off")
+
+
+@coded("E233")
+def tolerance_of_dependent(span: Span, name: str) -> Words:
+    """A parameter that depends on others has a tolerance of its own.
+
+    Its tolerance follows from theirs.
+
+        param b = 2*a +- 0.1 mm          # wrong
+        param a = 20 mm +- 0.05 mm       # right
+        param b = 2*a
+    """
+    message = f"'{name}' follows from other parameters, so its tolerance does too"
+    return Words(span, message, "give a tolerance to what it follows from")

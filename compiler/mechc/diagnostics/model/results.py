@@ -92,3 +92,17 @@ def let_too_long(span: Span, name: str) -> Words:
     """
     message = f"'{name}' is too long to stand here, written out in parameters"
     return Words(span, message, "state the condition in parameters")
+
+
+@coded("E234")
+def tolerance_of_formula(span: Span) -> Words:
+    """The formula that a result is expected to be has a tolerance.
+
+    A formula is proved equal, or refuted; a figure holds within bounds.
+
+        expect k = 2*tan(alpha) +- 0.01              # wrong
+        expect k = 2*tan(alpha)                      # right
+        expect k = 0.35 +- 0.01 at alpha = 10 deg    # right
+    """
+    message = "a tolerance belongs to a figure, found it behind a formula"
+    return Words(span, message, "leave it out, or write the figure and `at …`")

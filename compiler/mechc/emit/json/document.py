@@ -84,6 +84,7 @@ PARAMETER: Kind[Parameter] = record(
     member("unit", "SI unit of the values, or empty.", TEXT, lambda p: si_unit(p.dimension)),
     member("written_in", "The unit the author wrote, or empty.", TEXT, lambda p: p.unit),
     member("value", "Of the default pose, in SI and radians.", FLOAT, _value),
+    member("tolerance", "How far it may be off, SI.", FLOAT, lambda p: _number(p.tolerance)),
     member("low", "Lower end of the range, SI.", FLOAT, lambda p: _number(p.range and p.range.low)),
     member("high", "Upper end, SI.", FLOAT, lambda p: _number(p.range and p.range.high)),
     member("formula", "Of a dependent parameter.", optional(FORMULA), _dependence),

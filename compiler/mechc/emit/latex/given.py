@@ -65,7 +65,15 @@ def _value(parameter: Parameter, words: Words, style: Notation) -> str:
         return words.any_value
     if parameter.dependent:
         return math(latex(parameter.value, style, parameter.name in style.angles))
-    return math(quantity(parameter.value, parameter.dimension, parameter.unit, words, style))
+    dimension, unit = parameter.dimension, parameter.unit
+    value = quantity(parameter.value, dimension, unit, words, style)
+    if parameter.tolerance is None:
+        return math(value)
+    mark = unit_symbol(unit or usual_unit(dimension), words)
+    off = quantity(parameter.tolerance, dimension, unit, words, style)
+    if mark:
+        return math(rf"({value.removesuffix(mark)} \pm {off.removesuffix(mark)}){mark}")
+    return math(rf"{value} \pm {off}")
 
 
 def _range(parameter: Parameter, words: Words, style: Notation) -> str:

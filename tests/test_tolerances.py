@@ -1,0 +1,63 @@
+"""Tolerances: read in both notations, kept in the model, shown; figures checked within bounds."""
+
+import json
+
+import pytest
+
+import mechc
+
+TOGGLE = """\
+param l = 200 mm{length}
+param alpha = 10 deg{angle} in 2 deg .. 40 deg
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+force P at B along 0 deg
+force F at K along -90 deg
+find k = P/F
+{expect}
+"""
+
+
+def toggle(length: str = "", angle: str = "", expect: str = "") -> mechc.SolvedMechanism:
+    return mechc.loads(TOGGLE.format(length=length, angle=angle, expect=expect), "a.mech")
+
+
+@pytest.mark.parametrize("sign", ["+-", "±", " +- ", " ± "])
+def test_a_tolerance_does_not_change_the_value(sign):
+    kept = json.loads(toggle(f"{sign}0.5 mm", f"{sign}6 mrad").emit("json"))["parameters"]
+    assert [p["value"] for p in kept] == [p["value"] for p in parameters_without()]
+    assert [p["tolerance"] for p in kept] == [0.0005, 0.006]
+
+
+def parameters_without() -> list[dict[str, float]]:
+    without: list[dict[str, float]] = json.loads(toggle().emit("json"))["parameters"]
+    assert [p["tolerance"] for p in without] == [None, None]
+    return without
+
+
+@pytest.mark.parametrize(("language", "decimal"), [("en", "."), ("uk", "{,}"), ("ru", "{,}")])
+def test_reports_show_it(language, decimal):
+    text = toggle(" +- 0.5 mm", " +- 0.1 deg").emit("latex", language=language)
+    assert rf"$(200 \pm 0{decimal}5)\,\text{{" in text
+    assert rf"$(10 \pm 0{decimal}1)^\circ$" in text
+
+
+@pytest.mark.parametrize("figure", ["0.3 +- 0.06", "0.35 +- 0.0027", "0.4 ± 0.05", "1 +- 0.65"])
+def test_a_figure_within_bounds_agrees(figure):
+    (finding,) = toggle(expect=f"expect k = {figure}")._compilation.findings
+    assert finding.outcome == "agrees"
+
+
+@pytest.mark.parametrize("figure", ["0.3 +- 0.05", "0.35 +- 0.0026", "0.4 ± 0.04", "1 +- 0.64"])
+def test_a_figure_out_of_bounds_is_refuted(figure):
+    with pytest.raises(mechc.MechcError, match="±"):
+        toggle(expect=f"expect k = {figure}")
+
+
+def test_plus_and_minus_apart_are_no_tolerance():
+    spaced = mechc.loads(TOGGLE.format(length=" + -0.1 m", angle="", expect=""), "a.mech")
+    assert spaced.defaults["l"] == pytest.approx(0.1)
