@@ -15,7 +15,7 @@ from .constants import names_in
 from .expressions import Reader
 from .mechanism import Let, Parameter
 from .order import ordered
-from .parameters import read_parameter
+from .parameters import note_unitless, read_parameter
 from .scope import FORMULA, Scope
 from .statements import every
 
@@ -87,6 +87,7 @@ def _read_let(statement: ast.Let, scope: Scope) -> Let | None:
         return Let(name, found.formula, entry.dimension, statement.span)
     plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
     scope.define(name, found.dimension, plain, posed, _solved(found.formula, scope))
+    note_unitless(name, found, scope)
     return Let(name, found.formula, found.dimension, statement.span)
 
 

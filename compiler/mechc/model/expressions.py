@@ -31,7 +31,7 @@ from ..syntax import ast
 from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension
 from .constants import LARGEST_EXPONENT, rational, too_large
 from .forms import FORMS, Form, form_of
-from .scope import Scope, Usage
+from .scope import Bare, Scope, Usage
 from .sorts import Nature, Sort, agreed, multiplied, raised
 
 VELOCITIES = "the name of a result: a ratio of velocities is asked for with 'find'"
@@ -40,6 +40,12 @@ ANGLE_TO_NUMBER = frozenset({"sin", "cos", "tan", "cot", "sec", "csc"})
 NUMBER_TO_ANGLE = frozenset({"asin", "acos", "atan"})
 NUMBER_TO_NUMBER = frozenset({"exp", "log"})
 ALIKE = frozenset({"abs", "min", "max", "hypot", "atan2"})
+
+
+def shown(formula: Formula) -> str:
+    """Return a number without unit for a message."""
+    value = rational(formula)
+    return text(formula) if value is None or too_large(value) else f"{float(value):g}"
 
 
 class Quantity(NamedTuple):
@@ -77,17 +83,21 @@ class Reader:
         if found.sort.fits(dimension):
             return True
         if found.sort.nature is Nature.BARE:
-            value = rational(found.formula)
-            shown = (
-                text(found.formula) if value is None or too_large(value) else f"{float(value):g}"
-            )
-            self.report.add(quantities.bare_number(found.span, shown, dimension))
+            digits = shown(found.formula)
+            self.report.add(quantities.bare_number(found.span, digits, dimension))
+        elif bare := self._bare(found):
+            self.report.add(quantities.bare_number(bare.span, bare.digits, dimension))
         else:
             name = found.formula.name if isinstance(found.formula, Symbol) else ""
             self.report.add(
                 quantities.wrong_dimension(found.span, found.dimension, dimension, what, name)
             )
         return False
+
+    def _bare(self, found: Quantity) -> Bare | None:
+        """Return the number without unit that a quantity is made of, where it is one."""
+        unitless = found.sort.nature is Nature.UNITLESS
+        return self.scope.bare(found.formula) if unitless else None
 
     def read(self, expression: ast.Expr) -> Quantity | None:
         """Read an expression; None where an error in it was reported."""
@@ -136,7 +146,8 @@ class Reader:
         entry = self.scope.look_up(node, self.usage)
         if entry is None or entry.dimension is None:
             return None
-        return Quantity(Symbol(node.name), Sort.of(entry.dimension), node.span)
+        known = Sort(NUMBER, Nature.UNITLESS) if entry.unitless else Sort.of(entry.dimension)
+        return Quantity(Symbol(node.name), known, node.span)
 
     def _of_the_pose(self, node: ast.Symbol, form: Form) -> Quantity | None:
         """Return a direction or a length that the pose has; refuse other such quantities."""
@@ -198,7 +209,7 @@ class Reader:
 
     def _differ(self, first: Quantity, part: Quantity, act: str) -> None:
         for bare, other in ((part, first), (first, part)):
-            if bare.sort.nature is Nature.BARE:
+            if bare.sort.nature is Nature.BARE or self._bare(bare):
                 self.fits(bare, other.dimension, "a term")
                 return
         self.report.add(

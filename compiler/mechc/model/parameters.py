@@ -11,9 +11,9 @@ from ..frozen import replace
 from ..syntax import ast
 from ..units import DIMENSIONS, UNITS, Dimension
 from .constants import leaves, names_in, out_of_reach
-from .expressions import Quantity, Reader
+from .expressions import Quantity, Reader, shown
 from .mechanism import Interval, Parameter
-from .scope import DESCRIPTION, Scope
+from .scope import DESCRIPTION, Bare, Scope
 from .sorts import Nature
 
 Ends = tuple[Quantity, Quantity]
@@ -30,6 +30,9 @@ def read_parameter(
         return None
     name = statement.name.text
     scope.define(name, dimension)
+    given = value or (ends and ends[1])
+    if given and statement.dimension is None:
+        note_unitless(name, given, scope)
     parameter = Parameter(
         name=name,
         dimension=dimension,
@@ -54,6 +57,14 @@ def constant(expression: ast.Expr, scope: Scope, what: str) -> Quantity | None:
             scope.report.add(quantities.not_constant(symbol.span, symbol.name, what))
             return None
     return Reader(scope, DESCRIPTION).read(expression)
+
+
+def note_unitless(name: str, given: Quantity, scope: Scope) -> None:
+    """State of a number without unit that it is one: 30 could be radians, but who means them?"""
+    if given.sort.nature is Nature.BARE:
+        scope.without_unit(name, Bare(shown(given.formula), given.span))
+    elif given.sort.nature is Nature.UNITLESS:
+        scope.without_unit(name, scope.bare(given.formula))
 
 
 def read_tolerance(

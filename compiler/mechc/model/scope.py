@@ -23,7 +23,8 @@ class Entry(NamedTuple):
 
     ``plain`` tells of a ``let`` that it depends on no loads and results, ``solved`` that it
     depends on results, ``posed`` that it depends on directions and lengths that the pose has,
-    so that the pose cannot rest on it.
+    so that the pose cannot rest on it. ``unitless`` tells of a quantity that is made of
+    numbers without unit only; where it is one such number, that is ``bare``.
     """
 
     kind: Kind
@@ -32,6 +33,15 @@ class Entry(NamedTuple):
     plain: bool = True
     posed: bool = False
     solved: bool = False
+    unitless: bool = False
+    bare: "Bare | None" = None
+
+
+class Bare(NamedTuple):
+    """A number without unit that a parameter was given, and where it stands."""
+
+    digits: str
+    span: Span
 
 
 class Usage(NamedTuple):
@@ -105,6 +115,15 @@ class Scope:
         self.entries[name] = self.entries[name]._replace(
             dimension=dimension, plain=plain, posed=posed, solved=solved
         )
+
+    def without_unit(self, name: str, bare: Bare | None = None) -> None:
+        """State that a declared name is a number without unit, which is no angle."""
+        self.entries[name] = self.entries[name]._replace(unitless=True, bare=bare)
+
+    def bare(self, formula: Formula) -> Bare | None:
+        """Return the number without unit that a formula is made of, where it is one."""
+        found = {self.entries[name].bare for name in symbols(formula) if name in self.entries}
+        return found.pop() if len(found) == 1 else None
 
     def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
         vector = len(points_of(symbol.name)) > 1

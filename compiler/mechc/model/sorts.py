@@ -19,6 +19,7 @@ class Nature(Enum):
     FIRM = "as stated"
     LOOSE = "a computed ratio: a pure number or an angle, as needed"
     BARE = "made of literals without unit"
+    UNITLESS = "made of parameters given without unit: a pure number, never an angle"
     ZERO = "the literal 0: of any dimension"
 
 
@@ -53,6 +54,11 @@ def agreed(a: Sort, b: Sort) -> Sort | None:
             return b
         case _, Nature.ZERO:
             return a
+        case (Nature.UNITLESS, Nature.BARE | Nature.LOOSE) | (
+            Nature.BARE | Nature.LOOSE,
+            Nature.UNITLESS,
+        ):
+            return Sort(NUMBER, Nature.UNITLESS)
         case Nature.LOOSE, Nature.FIRM if b.dimension in (NUMBER, ANGLE):
             return b
         case Nature.FIRM, Nature.LOOSE if a.dimension in (NUMBER, ANGLE):
@@ -72,6 +78,8 @@ def multiplied(factors: Sequence[tuple[Sort, int]]) -> Sort:
     solid = [(s, e) for s, e in factors if s.nature not in (Nature.BARE, Nature.ZERO)]
     if not solid:
         return Sort(NUMBER, Nature.BARE)
+    if all(s.nature is Nature.UNITLESS for s, _ in solid):
+        return Sort(NUMBER, Nature.UNITLESS)
     if len(solid) == 1 and solid[0][1] == 1:
         return solid[0][0]
     dimension = NUMBER
@@ -82,6 +90,6 @@ def multiplied(factors: Sequence[tuple[Sort, int]]) -> Sort:
 
 def raised(base: Sort, exponent: Fraction) -> Sort:
     """Return the sort of a power with a constant exponent."""
-    if exponent == 1 or base.nature in (Nature.BARE, Nature.ZERO):
+    if exponent == 1 or base.nature in (Nature.BARE, Nature.ZERO, Nature.UNITLESS):
         return base
     return Sort.of(base.dimension.scaled(exponent))
