@@ -49,6 +49,14 @@ def value_of(formula: Formula, scope: Scope) -> float | None:
     return evaluate(formula, scope.values)
 
 
+def check_sign(formula: Formula | None, span: Span, what: str, scope: Scope) -> None:
+    """Report a quantity that cannot be negative and is; ``what`` names it in messages."""
+    value = value_of(formula, scope) if formula else None
+    if value is not None and value < 0:
+        written = scope.report.source.text[span.start : span.end]
+        scope.report.add(quantities.negative_quantity(span, what, written))
+
+
 def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope: Scope) -> None:
     """Report a value that is no real number, or none to compute with.
 

@@ -27,7 +27,7 @@ from .scope import Scope
 from .statements import every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
 from .thrusts import spring_name
-from .transmissions import read_joints
+from .transmissions import check_belts, read_joints
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:
@@ -70,6 +70,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     pivots, places = read_pivots(file, scope)
     sliders, guides, guide_places = read_sliders(file, scope)
     joints = read_joints(file, scope)
+    check_belts(joints.meshes, places, scope)
     geometry = read_geometry(file, scope)
     drive = read_drive(file, scope)
     assemblies = read_assemblies(file, scope)

@@ -23,7 +23,7 @@ from ..source import Span
 from ..syntax import ast
 from ..units import ACCELERATION, FORCE, MASS, NUMBER, TORQUE, Dimension
 from .constants import rational
-from .directions import read_direction
+from .directions import check_sign, read_direction
 from .expressions import Reader
 from .mechanism import GRAVITY, Absolute, Direction, Force, Load, Torque
 from .order import ordered
@@ -79,6 +79,7 @@ def _torque(statement: ast.Torque, scope: Scope) -> Torque | None:
 def _weight(statement: ast.Weight, along: Direction | None, scope: Scope) -> Force | None:
     points = scope.points.acting(statement.point)
     mass = Reader(scope, DESCRIPTION).wanted(statement.mass, MASS, "a mass")
+    check_sign(mass, statement.mass.span, "a mass", scope)
     times = _times(statement.times, scope)
     g = _acceleration(statement.span, scope)
     if not points or not mass or not along or not g:

@@ -9,7 +9,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..syntax import ast
-from ..units import DIMENSIONS, UNITS, Dimension
+from ..units import DIMENSIONS, MASS, STIFFNESS, UNITS, Dimension
 from .constants import leaves, names_in, out_of_reach
 from .expressions import Quantity, Reader, shown
 from .mechanism import Interval, Parameter
@@ -183,6 +183,10 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
     if any(out_of_reach(end, parameter.dimension) for end in (low, high)):
         scope.report.add(quantities.out_of_reach(edge, parameter.dimension))
         return
+    if low < 0 and parameter.dimension in (MASS, STIFFNESS):
+        what = "a mass" if parameter.dimension == MASS else "a stiffness"
+        written = scope.report.source.text[statement.low.span.start : statement.low.span.end]
+        scope.report.add(quantities.negative_quantity(statement.low.span, what, written))
     value = scope.values.get(parameter.name)
     if parameter.dependent:
         scope.report.add(quantities.range_of_dependent(edge, parameter.name))

@@ -4,6 +4,7 @@ from collections.abc import Sequence
 
 from ..diagnostics.model import joints as words
 from ..diagnostics.model import loads as load_words
+from ..diagnostics.model import symmetry as apart_words
 from ..source import Span
 from ..syntax import ast
 from ..units import NUMBER
@@ -20,6 +21,7 @@ from .mechanism import (
     Mirror,
     Slide,
     Slider,
+    Thrust,
 )
 from .parameters import constant
 from .scope import DESCRIPTION, Scope
@@ -51,6 +53,8 @@ def read_mirror(
         if common and not parallel(body.along, across, scope):
             what = f"the guide of the shared {common}"
             scope.report.add(load_words.off_the_mirror(body.along.span, what, statement.span))
+    if not statement.sharing and not any(isinstance(load, Thrust) for load in loads):
+        scope.report.add(apart_words.halves_apart(statement.span))
     return Mirror(across, shared, statement.span)
 
 
@@ -100,5 +104,5 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
         scope.report.add(words.copies_not_whole(span, shown))
         return None
     if not statement.sharing:
-        scope.report.add(words.copies_apart(statement.span))
+        scope.report.add(apart_words.copies_apart(statement.span))
     return Copies(value, shared, statement.span)

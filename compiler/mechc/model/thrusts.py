@@ -7,6 +7,7 @@ from ..diagnostics.model import names
 from ..formula.tree import Symbol, negative, product, total
 from ..syntax import ast
 from ..units import LENGTH, STIFFNESS
+from .directions import check_sign
 from .expressions import Reader
 from .mechanism import Thrust
 from .scope import DESCRIPTION, Scope
@@ -35,6 +36,8 @@ def read_thrust(
     reader = Reader(scope, DESCRIPTION)
     rate = reader.wanted(statement.rate, STIFFNESS, "the rate of a spring")
     free = reader.wanted(statement.free, LENGTH, "the free length of a spring")
+    check_sign(rate, statement.rate.span, "the rate of a spring", scope)
+    check_sign(free, statement.free.span, "the free length of a spring", scope)
     if not rate or not free:
         return None
     stretch = total([free, negative(Symbol(f"len_{first}{second}"))])

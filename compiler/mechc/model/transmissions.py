@@ -1,5 +1,6 @@
 """Joints beyond pins and guides: slides, telescopes, slots, contacts, gears, racks, screws."""
 
+import math
 from collections.abc import Collection, Iterable
 from typing import Protocol, TypeVar
 
@@ -11,7 +12,7 @@ from ..syntax import ast
 from ..units import LENGTH
 from .directions import read_direction, value_of
 from .expressions import Reader
-from .mechanism import Contact, Link, Mesh, Rack, Screw, Slide, Slot, Telescope
+from .mechanism import Contact, Geometry, Link, Mesh, Offset, Rack, Screw, Slide, Slot, Telescope
 from .scope import DESCRIPTION, Scope
 from .statements import every
 
@@ -159,6 +160,28 @@ def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> Me
         same,
         statement.span,
     )
+
+
+def check_belts(meshes: Iterable[Mesh], places: Iterable[Geometry], scope: Scope) -> None:
+    """Report belts whose wheels overlap, where the places of both pivots are given."""
+    known = [place for place in places if isinstance(place, Offset)]
+    located = {place.head: _values((place.x, place.y), scope) for place in known}
+    for mesh in meshes:
+        ends = [located.get(pivot) for pivot in (mesh.first, mesh.second)]
+        radii = _values((mesh.first_radius, mesh.second_radius), scope)
+        if mesh.kind != "belt" or ends[0] is None or ends[1] is None or radii is None:
+            continue
+        apart = math.dist(ends[0], ends[1])
+        if apart < sum(radii) * (1 - 1e-9):
+            pivots = f"{mesh.first} and {mesh.second}"
+            scope.report.add(words.wheels_overlap(mesh.span, pivots, apart, sum(radii)))
+
+
+def _values(formulas: Iterable[Formula], scope: Scope) -> list[float] | None:
+    """Return the values at the given parameters; None where one of them has none."""
+    values = [value_of(formula, scope) for formula in formulas]
+    known = [value for value in values if value is not None]
+    return known if len(known) == len(values) else None
 
 
 def _joins_halves(statement: ast.Gear | ast.Belt, scope: Scope) -> bool:

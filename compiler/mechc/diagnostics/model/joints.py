@@ -305,6 +305,23 @@ def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool)
     )
 
 
+@coded("E236")
+def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Words:
+    """The wheels of a belt stand where they overlap.
+
+    A belt runs round both wheels in one plane, so that their pivots are farther apart than
+    the sum of their radii::
+
+        pivot O at (0, 0)
+        pivot Q at (60 mm, 0)
+        belt O 40 mm, Q 30 mm     # wrong: 70 mm
+        belt O 20 mm, Q 30 mm     # right
+    """
+    message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and overlap"
+    hint = f"their radii make {radii * 1000:.7g} mm: are they diameters?"
+    return Words(span, message, hint)
+
+
 @coded("W241")
 def guided_twice(at: Span, slide: str, point: str) -> Words:
     """A point of a slide is a slider as well.
@@ -321,13 +338,3 @@ def guided_twice(at: Span, slide: str, point: str) -> Words:
         f"slider {point} is a point of the slide {slide}, which guides it by itself",
         f"leave the slider {point} out",
     )
-
-
-@coded("W242")
-def copies_apart(at: Span) -> Words:
-    """Equal branches share no point, so that each is a mechanism of its own.
-
-    copies 3               # warned of: k is that of one branch alone
-    copies 3 sharing K     # right: K belongs to all three
-    """
-    return Words(at, "the copies share no point, so each stands alone", "add `sharing K`")

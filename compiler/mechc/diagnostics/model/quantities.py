@@ -218,3 +218,17 @@ def tolerance_of_dependent(span: Span, name: str) -> Words:
     """
     message = f"'{name}' follows from other parameters, so its tolerance does too"
     return Words(span, message, "give a tolerance to what it follows from")
+
+
+@coded("E235")
+def negative_quantity(span: Span, what: str, found: str) -> Words:
+    """A mass, the rate or the free length of a spring is negative.
+
+    Nothing has a negative mass, and no spring pushes the harder the less it is pressed. The
+    way a load acts is its direction: gravity, the arrow of a force.
+
+        weight W mass -2 kg at G                     # wrong
+        weight W mass 2 kg at G                      # right
+        spring -5 N/mm between A and B free 80 mm    # wrong
+    """
+    return Words(span, f"{what} is negative: {found}", "leave out its minus sign")
