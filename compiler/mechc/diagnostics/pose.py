@@ -134,8 +134,27 @@ def points_coincide(at: Span, points: str) -> Words:
 MEET = "the closures meet there, in one line: change a length or the default pose"
 
 
+def one_of(closures: Sequence[str]) -> str:
+    """Return the hint that lists the lines of each closure."""
+    return "add " + " or ".join(closures)
+
+
+def the_closures(closures: Sequence[str]) -> str:
+    """Return the hint that says what the closures are."""
+    return "the closures are " + " and ".join(closures)
+
+
+def no_line_tells(closures: Sequence[str], drive: str) -> str:
+    """Return the hint where closures have all turns alike: how they differ, what may help."""
+    named = f"the default of {drive}" if drive else "the default pose"
+    return (
+        f"no turn of three points tells {' from '.join(closures)}: "
+        f"move {named} to where the closures are farther apart"
+    )
+
+
 @coded("E307")
-def closure_open(at: Span, loop: str, closures: Sequence[str]) -> Words:
+def closure_open(at: Span, loop: str, number: int, hint: str) -> Words:
     """A loop closes in two ways or more, and the description does not say which is meant.
 
     With its lengths and the drive given, a triangle can lie on either side of its base,
@@ -148,16 +167,13 @@ def closure_open(at: Span, loop: str, closures: Sequence[str]) -> Words:
 
     ``assembly B forward`` takes the place of B farther along its guide, ``back`` the other.
     """
-    ways = "two" if len(closures) == 2 else str(len(closures))
-    return Words(
-        at,
-        f"the loop {loop} closes in {ways} ways, and nothing says which is meant",
-        "add " + " or ".join(closures) if all(closures) else MEET,
-    )
+    ways = "two" if number == 2 else str(number)
+    message = f"the loop {loop} closes in {ways} ways, and nothing says which is meant"
+    return Words(at, message, hint)
 
 
 @coded("E308")
-def assembly_undecided(at: Span, points: str, closures: Sequence[str]) -> Words:
+def assembly_undecided(at: Span, points: str, hint: str) -> Words:
     """An ``assembly`` line does not tell the closures of its loop apart at the default pose.
 
     Either both closures have the turn that it asks for, or none has, or the default pose
@@ -168,11 +184,8 @@ def assembly_undecided(at: Span, points: str, closures: Sequence[str]) -> Words:
 
     A default pose away from the dead centre helps where the line is right.
     """
-    return Words(
-        at,
-        f"the assembly of {points} does not tell the closures apart at the default pose",
-        "the closures are " + " and ".join(closures) if all(closures) else MEET,
-    )
+    message = f"the assembly of {points} does not tell the closures apart at the default pose"
+    return Words(at, message, hint)
 
 
 @coded("E309")
@@ -248,6 +261,24 @@ def assembly_idle(at: Span, points: str) -> Words:
         at,
         f"the assembly of {points} decides nothing",
         "leave it out, or name the points of a loop that mechc is to close",
+    )
+
+
+@coded("E318")
+def assembly_refuted(at: Span, points: str, mode: str) -> Words:
+    """An ``assembly`` line says of given points what they are not.
+
+    The directions given, or loops that close in one way only, place its points, and they
+    turn the other way round at the default pose::
+
+        OB = l @ 100 deg
+        BK = l @ 80 deg
+        assembly OBK ccw     # wrong: O, B, K turn clockwise
+    """
+    return Words(
+        at,
+        f"{points} turns {mode} at the default pose, whatever an assembly says",
+        "leave the line out, or correct the directions",
     )
 
 

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from ..diagnostics.model import joints as words
 from ..formula.tree import Formula
+from ..formula.walk import symbols
 from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, LENGTH
@@ -75,10 +76,15 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
 
 
 def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
-    if value_of(offset.x, scope) == value_of(offset.y, scope) == 0:
+    """Tell a vector from none; a coordinate may be zero at the default pose and pass it."""
+    if value_of(offset.x, scope) == value_of(offset.y, scope) == 0 and not _runs(offset):
         scope.report.add(words.length_not_positive(offset.span, statement.points.text, "0"))
         return False
     return True
+
+
+def _runs(offset: Offset) -> bool:
+    return bool(symbols(offset.x) | symbols(offset.y))
 
 
 def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | None:
@@ -86,7 +92,7 @@ def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | 
     if angle is None:
         return None
     value = value_of(angle, scope)
-    if value is not None and not 0 <= value <= 2 * math.pi:
+    if value is not None and abs(value) > 2 * math.pi:
         shown = f"{math.degrees(value):g} deg"
         scope.report.add(
             words.turn_out_of_range(statement.angle.span, statement.points.text, shown)

@@ -49,6 +49,13 @@ class Chain:
         """Return the names that the formulas define."""
         return frozenset(name for name, _, _ in self._steps)
 
+    def needed_by(self, names: Iterable[str]) -> set[str]:
+        """Return all that the formulas of some names use, through one another."""
+        used = set(names)
+        for name, _, needs in reversed(self._steps):
+            used |= needs if name in used else frozenset()
+        return used
+
     def complete(self, values: Values) -> dict[str, float]:
         """Return values with those that follow from them; what has one keeps it."""
         found = dict(values)

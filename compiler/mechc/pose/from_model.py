@@ -14,7 +14,9 @@ from .asked import with_directions
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .compass import Compass
-from .loops.closing import close
+from .idle import remarks
+from .loops.closing import Closed, close
+from .loops.groups import Open
 from .loops.rails import with_lines
 from .loops.web import mentioned
 from .nearby import poses_nearby
@@ -22,6 +24,7 @@ from .pose import Pose, Vector
 from .pruning import pruned
 from .terms import Terms
 from .thrusts import Pairing, thrust_line
+from .unfound import explained, unfound_angles
 from .vectors import Vectors
 from .wheels import misfits, radii
 
@@ -37,7 +40,11 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
-    mechanism, found, rates, limits, loops = close(mechanism, terms, compass, vectors, report)
+    closed = close(mechanism, terms, compass, vectors, report)
+    mechanism, found = closed.mechanism, closed.found
+    for fault in unfound_angles(mechanism, vectors, found, closed.left):
+        report.add(fault)
+    report.stop_on_errors()
     mechanism = with_directions(mechanism, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
     guides, axis = survey.guides(), survey.axis()
@@ -53,26 +60,32 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
         definitions=tuple(terms.definitions),
         placeholders=dict.fromkeys(vectors.placeholders),
         free=tuple(p.name for p in mechanism.parameters if not p.dependent),
-        rates=rates,
+        rates=closed.rates,
         slides=slides,
         touches=held,
         radii={radius: terms.length(radius) for radius in radii(mechanism)},
-        limits=limits,
-        loops=loops,
+        limits=closed.limits,
+        loops=closed.loops,
         closing=tuple(terms.definitions),
         vectors=vectors.given(),
     )
-    unfound = survey.report_unfound(pose, found)
+    unfound = survey.report_unfound(pose, found, closed.left)
     survey.close_loops(pose, unfound)
     report.stop_on_errors()
-    _remark(pose, vectors, found, report)
+    _remark(pose, vectors, closed, report)
     return pruned(pose)
 
 
-def _remark(pose: Pose, vectors: Vectors, found: frozenset[str], report: Report) -> None:
-    """Remark on what the default pose breaks: conditions on what was found, centre distances."""
+def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> None:
+    """Remark on what the default pose breaks: conditions on what was found, centre distances.
+
+    E318 reports an assembly that it refutes; W301 remarks on others that decide nothing.
+    """
     default = poses_nearby(pose.mechanism, pose.definitions)[0]
-    given = {p.name for p in pose.mechanism.parameters} - found
+    for assembly in closed.idle:
+        for remark in remarks(assembly, vectors, default):
+            report.add(remark)
+    given = {p.name for p in pose.mechanism.parameters} - closed.found
     for condition in pose.mechanism.requires:
         judged = symbols(condition.left) | symbols(condition.right) <= given
         if not judged and not holds(condition, default):
@@ -191,19 +204,16 @@ class _Survey:
             return vector[0].angle + Angle.constant(90 * quarter + (0 if sign > 0 else 180))
         return None
 
-    def report_unfound(self, pose: Pose, found: frozenset[str]) -> frozenset[str]:
-        """Report the links whose direction nothing gives and no loop closes; name directions."""
-        open_ = {n: at for n, at in self._compass.sought.items() if n not in found}
-        reported: set[str] = set()
+    def report_unfound(self, pose: Pose, found: frozenset[str], left: Open) -> frozenset[str]:
+        """Report why the directions of links are open that no loop gives; name directions."""
+        sought = {n: at for n, at in self._compass.sought.items() if n not in found}
+        needed: dict[str, Link] = {}
         for link in self._mechanism.links:
             used = {n for vector in pose.frames[link.name].values() for n in mentioned(vector)}
-            for name in sorted(used & open_.keys()):
-                tail, head, _ = open_[name]
-                self._report.add(
-                    words.missing_direction(link.span, f"{tail}{head}", f"link {link.name}")
-                )
-                reported.add(name)
-        return frozenset(reported)
+            needed |= dict.fromkeys(sorted(used & sought.keys() - needed.keys()), link)
+        for fault in explained(self._mechanism, self._vectors, sought, needed, left):
+            self._report.add(fault)
+        return frozenset(needed)
 
     def close_loops(self, pose: Pose, unfound: frozenset[str]) -> None:
         """Report every loop that does not close for independent symbols, all of them known."""

@@ -9,6 +9,7 @@ from collections.abc import Iterator, Mapping
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as words
+from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..model.mechanism import Contact, Force, Link, Mechanism, Slide, Slot, Telescope, Thrust
 from ..pose.pose import Pose, Vector, evaluate_vector
@@ -40,6 +41,8 @@ def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
 def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
     """Yield the links whose direction matters and does not follow the drive."""
     pose = plan.graph.pose
+    if not _mentioned(pose) <= along.values(place).keys():
+        return
     if plan.mobility != 1 or any(along.trouble(place + s) for s in (-STEP, 0, STEP)):
         return
     drawn = {link.name: _turning(pose, link, along, place) for link in pose.mechanism.links}
@@ -55,6 +58,17 @@ def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
             here, there = float(abs(here) > SLACK), float(abs(there) > SLACK)
         if abs(here - there) > SLACK * max(abs(there), *map(abs, drawn.values())):
             yield link
+
+
+def _mentioned(pose: Pose) -> set[str]:
+    """Return the names that the links' vectors rest on: all must have values."""
+    vectors = (vector for frame in pose.frames.values() for vector in frame.values())
+    return {
+        name
+        for vector in vectors
+        for arm in vector
+        for name in (*symbols(arm.length.formula()), *arm.angle.names)
+    }
 
 
 def _turning(pose: Pose, link: Link, along: Along, place: float) -> float:

@@ -88,18 +88,19 @@ def length_not_positive(span: Span, points: str, value: str) -> Words:
 
 @coded("E246")
 def turn_out_of_range(span: Span, points: str, value: str) -> Words:
-    """An angle between vectors lies outside 0 … 360 deg.
+    """An angle between vectors is more than a full turn.
 
-    ``angle ABC`` is the counter-clockwise turn at B from BA to BC, so it is never
-    negative.
+    ``angle ABC`` is the turn at B from BA to BC, counter-clockwise, or clockwise where it
+    is negative.
 
-        angle ABC = -30 deg     # wrong
-        angle CBA = 30 deg      # right: the same, turned the other way
+        angle ABC = 400 deg     # wrong
+        angle ABC = 40 deg      # right
+        angle CBA = -40 deg     # the same, turned the other way
     """
     return Words(
         span,
-        f"angle {points} is {value}, expected 0 … 360 deg",
-        "an angle is reversed by exchanging its outer points",
+        f"angle {points} is {value}, expected -360 … 360 deg",
+        "leave out full turns",
     )
 
 

@@ -6,16 +6,19 @@ systems that are solved by iteration. Every unknown becomes a definition of the 
 put in where it is a sum of named angles.
 """
 
-from collections.abc import Mapping
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...diagnostics import Report
+from ...diagnostics import open_loops as open_words
 from ...diagnostics import pose as words
 from ...formula.tree import Formula
 from ...frozen import replace
-from ...model.mechanism import Link, Mechanism, Parameter
+from ...model.mechanism import Assembly, Link, Mechanism, Parameter
+from ...model.values import Chain, dependent
 from ...units import ANGLE, LENGTH
 from ..compass import Compass
 from ..pose import ClosedLoop, Limit
@@ -24,19 +27,20 @@ from ..vectors import Vectors
 from .branches import branches
 from .choosing import Choice
 from .dyads import Group
-from .groups import closures, remaining_blocks
+from .groups import NOTHING, Open, closures, left_open, remaining_blocks
 from .margins import in_closed_form, iterated
-from .rails import rails
+from .rails import Rail, rails
 from .redundant import check_fit
 from .state import State
-from .web import Cycle, Names, Web, loop_name, mentioned
+from .web import Cycle, Edge, Names, Web, loop_name, mentioned
 
 
 class Closed(NamedTuple):
     """The mechanism with the parameters that were found made dependent, and the names found.
 
     ``rates`` are the derivatives by the drive of all that moves with it; ``limits`` are where
-    the closures of the loops meet, ``loops`` those that may fail to close.
+    the closures of the loops meet, ``loops`` those that may fail to close. ``left`` are the
+    unknowns of the loops that did not close, ``idle`` the lines that decided nothing.
     """
 
     mechanism: Mechanism
@@ -44,6 +48,8 @@ class Closed(NamedTuple):
     rates: Mapping[str, Product]
     limits: tuple[Limit, ...]
     loops: tuple[ClosedLoop, ...]
+    left: Open
+    idle: tuple[Assembly, ...]
 
 
 def close(
@@ -55,16 +61,20 @@ def close(
     E309 where there is none at the default pose.
     """
     named, lines = _sought_parameters(mechanism), list(rails(mechanism, compass))
-    if not (compass.sought or named or (lines and mechanism.drive)):
-        return Closed(mechanism, frozenset(), {}, (), ())
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
-    lengths = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
-    lengths -= {d.name for d in terms.definitions}
+    lengths = _open_lengths(edges, terms)
+    if not (compass.sought or named or (lines and mechanism.drive)):
+        crossed = _crossed(lines)
+        if not crossed:
+            return Closed(mechanism, frozenset(), {}, (), (), NOTHING, mechanism.assemblies)
+        edges = [e for e in edges if mentioned(e.arms) & lengths <= crossed]
+        lengths = crossed
     turning = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
     angles = frozenset({*compass.sought, *(named & turning)})
     sought = {*angles, *named, *lengths}
     state = State(mechanism, terms, Web(edges, sought), lines, angles, named)
-    _Closing(state, report).run()
+    closing = _Closing(state, report)
+    closing.run()
     report.stop_on_errors()
     compass.put(state.directions)
     vectors.put(state.directions)
@@ -72,7 +82,22 @@ def close(
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
     limits, loops = tuple(state.limits), tuple(state.loops)
     mechanism = _with_solved(mechanism, state)
-    return Closed(mechanism, frozenset(state.found), state.rates, limits, loops)
+    left, idle = left_open(state), closing.idle
+    return Closed(mechanism, frozenset(state.found), state.rates, limits, loops, left, idle)
+
+
+def _open_lengths(edges: Iterable[Edge], terms: Terms) -> Names:
+    named = {n for e in edges for n in mentioned(e.arms) if n.startswith("len_")}
+    return frozenset(named - {d.name for d in terms.definitions})
+
+
+def _crossed(lines: Sequence[Rail]) -> Names:
+    """Return the distances along lines to the pins that two lines give a place.
+
+    They follow with all directions given, with no drive, and tie nothing.
+    """
+    pins = Counter(rail.pin for rail in lines)
+    return frozenset(rail.length for rail in lines if pins[rail.pin] == 2)
 
 
 def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:
@@ -113,7 +138,11 @@ class _Closing:
             self._close_body(link)
         while self._state.is_open and (self._close_next() or self._close_block()):
             pass
-        self._choice.warn_of_unused()
+
+    @property
+    def idle(self) -> tuple[Assembly, ...]:
+        """Return the lines that decided nothing."""
+        return self._choice.unused
 
     def _close_block(self) -> bool:
         """Close a group of class III or higher, as a system; False where none is left."""
@@ -122,21 +151,37 @@ class _Closing:
         block = next(remaining_blocks(self._state), None)
         if block is None:
             return False
+        self._check_values(block.cycle)
         found = closures(block, self._state)
         if not found:
+            self._report.stop_on_errors()
             span = max((e.span for e in block.cycle), key=lambda s: s.start)
             loop, drive = loop_name(block.cycle), self._state.mechanism.drive
             reach = branches(block, self._state)
             name = drive.parameter if drive else ""
             raise self._report.fail(words.cannot_assemble(span, loop, name, reach))
         chosen = self._choice.choose(found, block)
-        self._report.stop_on_errors()
-        assert chosen is not None
         loop = loop_name(block.cycle)
         self._state.limits.append(Limit(loop, "system", (), ()))
         self._state.loops.append(iterated(loop, chosen.definitions))
         self._state.take(chosen, block.unknown, block.sides)
         return True
+
+    def _check_values(self, cycle: Cycle) -> None:
+        """Stop at a loop with a length that has no value: how it closes is not known."""
+        used = {name for edge in cycle for name in mentioned(edge.arms)}
+        chain = Chain({**dependent(self._state.mechanism), **dict(self._state.definitions)})
+        used |= chain.needed_by(used)
+        missing = [
+            p
+            for p in self._state.mechanism.parameters
+            if p.value is None and p.dimension == LENGTH and p.name in used - self._state.named
+        ]
+        for parameter in missing:
+            fault = open_words.length_without_value(parameter.span, parameter.name)
+            self._report.add(fault)
+        if missing:
+            self._report.stop_on_errors()
 
     def _close_body(self, link: Link) -> None:
         """Close the triangles of a body whose sides are given, one direction apart."""
@@ -151,8 +196,8 @@ class _Closing:
             return
         reference = min(inside, key=self._place)
         state.web.sought.discard(reference)
-        for values in state.values:
-            values[reference] = 0.0
+        for i, values in enumerate(state.values):
+            values[reference] = 0.3 * i
         while self._close_next(points):
             pass
         for values in state.values:
@@ -174,15 +219,15 @@ class _Closing:
         if len(wanted) == 1:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
-        group = Group(cycle, wanted, state.named, self._fixed, state.free_name, state.base)
+        name, base = state.free_name, state.base
+        group = Group(cycle, wanted, state.named, self._fixed, name, base, state.signed)
         ways = group.closures()
         if not ways:
             return False
+        self._check_values(cycle)
         familiar = self._familiar(cycle)
         candidates = [state.recognised(c, wanted, familiar) for c in ways]
         chosen = self._choice.choose(candidates, group, within)
-        self._report.stop_on_errors()
-        assert chosen is not None
         state.limits += [group.limit] if group.limit else []
         if group.root is not None and any(chosen is way for way in ways):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
@@ -201,5 +246,6 @@ class _Closing:
             return False
         fault = check_fit(name, cycle, self._state)
         if fault:
+            self._report.stop_on_errors()
             raise self._report.fail(fault)
         return True

@@ -80,12 +80,15 @@ class Group:
         fixed: Names,
         name: Namer,
         values: Values,
+        signed: Names = frozenset(),
     ) -> None:
         """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
 
+        ``signed`` are the names of lengths that may be negative somewhere on the stroke.
         Once closures were made, ``root`` is what has no value where there is none.
         """
         self._name, self._kept, self._fixed, self._values = name, kept, fixed, values
+        self._signed = signed
         self._shared: list[Definition] = []
         self.limit: Limit | None = None
         self.root: Call | None = None
@@ -164,13 +167,15 @@ class Group:
         edges = [e for e in self.cycle if turn.name in mentioned(e.arms)]
         return any(p in self._fixed for e in edges for p in (e.tail, e.head))
 
-    def _polar(self, vector: Vector, name: str) -> tuple[Product, Angle]:
+    def _polar(self, vector: Vector, name: str, positive: bool = False) -> tuple[Product, Angle]:
         """Return a vector as one length and one direction, both named where it is a sum.
 
-        The length is positive: a difference or a place on a line may have to be turned round.
+        The length is positive at the default pose: a difference or a place on a line may have
+        to be turned round. Where it must be ``positive`` at others as well, a coordinate that
+        may pass zero is the size of a vector that turns round there.
         What turns as one body has a direction within it, ``delta``, that does not turn.
         """
-        if len(vector) == 1:
+        if len(vector) == 1 and not (positive and self._may_turn(vector[0].length)):
             length, angle = vector[0]
             behind = is_behind(length, [self._values])
             return (-length, angle + HALF_TURN) if behind else (length, angle)
@@ -182,6 +187,9 @@ class Group:
         self._shared.append(Definition(size, Call("hypot", parts)))
         self._shared.append(Definition(within_name, Call("atan2", parts[::-1])))
         return Product.symbol(size), turn + Angle.of(within_name)
+
+    def _may_turn(self, length: Product) -> bool:
+        return not self._signed.isdisjoint(mentioned((Arm(length, Angle()),)))
 
     def _span_name(self) -> str:
         """Return the name of the known side of the loop, by the points at its ends."""
@@ -208,7 +216,7 @@ class Group:
         """RRR: a triangle of three known sides d, p, q."""
         if not self.known:
             return
-        d, psi = self._polar(self.known, self._span_name())
+        d, psi = self._polar(self.known, self._span_name(), positive=True)
         p, q = first.size, second.size
         self.limit = Limit(loop_name(self.cycle), "triangle", self.known, (p, q))
         self.root = area = heron(d, p, q)
@@ -288,10 +296,10 @@ class Group:
         """RPR: the part that is reached along turns with the unknown direction."""
         if not self.known:
             return
-        d, psi = self._polar(self.known, self._span_name())
         gamma = reach.direction - Angle.of(turn.name) * turn.sense
         lean = turn.offset - gamma
         across, ahead = turn.size * sine(lean), turn.size * cosine(lean)
+        d, psi = self._polar(self.known, self._span_name(), positive=bool(across))
         self.limit = Limit(loop_name(self.cycle), "slot", self.known, (across,))
         if not across:
             for side, way in ((d, psi + HALF_TURN), (-d, psi)):

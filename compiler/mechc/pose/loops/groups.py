@@ -72,16 +72,25 @@ class Block(NamedTuple):
         return list(found.values())
 
 
+class Open(NamedTuple):
+    """What loops leave open: all their unknowns, and how many of these they do not determine."""
+
+    unknown: frozenset[str]
+    missing: int
+
+
+NOTHING = Open(frozenset(), 0)
+"""No loop is left."""
+
+
 def remaining_blocks(state: State) -> Iterator[Block]:
     """Yield the blocks of what is left, each after those that it rests on.
 
     A loop of one unknown is a body's, turns as a whole and says nothing.
     """
-    loops = [loop for loop in state.web.fundamental() if len(_unknown(loop, state)) > 1]
+    loops = _open_loops(state)
     equations = [(i, part) for i in range(len(loops)) for part in (0, 1)]
-    names = sorted({n for loop in loops for n in _unknown(loop, state)})
-    number = {n: i for i, n in enumerate(names)}
-    columns = [frozenset(number[n] for n in _unknown(loops[i], state)) for i, _ in equations]
+    names, columns = _columns(loops, state)
     matched = match(columns)
     determined = _determined(columns, matched, len(names))
     kept = {u: r for u, r in matched.items() if u in determined}
@@ -92,6 +101,24 @@ def remaining_blocks(state: State) -> Iterator[Block]:
         rows = tuple((used.index(i), part) for i, part in chosen)
         unknown = frozenset(names[u] for u in group)
         yield Block(tuple(loops[i] for i in used), rows, unknown)
+
+
+def _open_loops(state: State) -> list[Cycle]:
+    return [loop for loop in state.web.fundamental() if len(_unknown(loop, state)) > 1]
+
+
+def _columns(loops: Sequence[Cycle], state: State) -> tuple[list[str], list[frozenset[int]]]:
+    """Return the unknowns of loops, and which of them are in each equation, two a loop."""
+    names = sorted({n for loop in loops for n in _unknown(loop, state)})
+    number = {n: i for i, n in enumerate(names)}
+    twice = [loop for loop in loops for _ in (0, 1)]
+    return names, [frozenset(number[n] for n in _unknown(loop, state)) for loop in twice]
+
+
+def left_open(state: State) -> Open:
+    """Return what the loops that did not close leave open."""
+    names, columns = _columns(_open_loops(state), state)
+    return Open(frozenset(names), len(names) - len(match(columns)))
 
 
 def _unknown(loop: Cycle, state: State) -> set[str]:

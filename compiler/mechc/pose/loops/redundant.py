@@ -9,7 +9,7 @@ from ...diagnostics import pose as words
 from ...formula.tree import Call
 from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
 from .dyads import Closure
-from .sides import principal
+from .sides import common_turn, principal
 from .state import State
 from .web import Cycle, mentioned
 
@@ -65,16 +65,18 @@ def _side_gap(known: Vector, moving: list[Arm], values: dict[str, float]) -> tup
 
 
 def _closure(name: str, known: Vector, moving: list[Arm], state: State) -> Closure:
-    x, y = components(known)
+    """Return the unknown; what turns as one body has a direction within it, ``delta``."""
     if name not in state.angles:
         theta = moving[0].angle
         reach = components(tuple(Arm(a.length, a.angle - theta) for a in known))[0]
         return Closure((Definition(name, (-reach).formula()),), {})
     sense = int(dict(moving[0].angle.terms)[name])
     offset = moving[0].angle - Angle.of(name) * sense
-    own = state.free_name(f"phi_{name.removeprefix('phi_')}_")
+    turn = common_turn(known)
+    x, y = components(tuple(Arm(a.length, a.angle - turn) for a in known))
+    own = state.free_name(f"{'delta' if turn.terms else 'phi'}_{name.removeprefix('phi_')}_")
     direction = Definition(own, Call("atan2", (y.formula(), x.formula())))
-    angle = principal((Angle.of(own) + Angle.constant(180) - offset) * sense)
+    angle = principal((turn + Angle.of(own) + Angle.constant(180) - offset) * sense)
     if name in state.named:
         return Closure((direction, Definition(name, angle.formula())), {})
     return Closure((direction,), {name: angle})

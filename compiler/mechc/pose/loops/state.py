@@ -4,8 +4,11 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 
 from ...algebra.angle import Angle
+from ...formula.tree import Formula
+from ...formula.walk import evaluate
 from ...model.mechanism import Mechanism
 from ...model.values import completed
+from ...units import LENGTH
 from ..nearby import Values, poses_nearby
 from ..pose import ClosedLoop, Definition, Limit, Vector, turned_by
 from ..terms import Terms
@@ -44,6 +47,7 @@ class State:
         self.limits: list[Limit] = []
         self.loops: list[ClosedLoop] = []
         self.values = poses_nearby(mechanism, terms.definitions)
+        self.signed = frozenset({*_passing_zero(mechanism), *(r.length for r in self.rails)})
         self._taken = {p.name for p in mechanism.parameters} | {n.name for n in mechanism.loads}
         for values in self.values:
             for name in named:
@@ -64,7 +68,7 @@ class State:
     @property
     def is_open(self) -> bool:
         """Tell whether a direction, a place on a line or what the user named is still sought."""
-        driven = self.mechanism.drive is not None
+        driven = self.mechanism.drive is not None or not (self.angles or self.named)
         places = {rail.length for rail in self.rails if driven}
         return bool(self.web.sought & (self.angles | self.named | places))
 
@@ -119,19 +123,39 @@ class State:
         return closure
 
 
+def _passing_zero(mechanism: Mechanism) -> Iterator[str]:
+    """Yield the lengths that the user lets run through zero."""
+    drive = mechanism.drive
+    for parameter in mechanism.parameters:
+        ends: list[Formula] = []
+        if parameter.range is not None:
+            ends += [parameter.range.low, parameter.range.high]
+        if drive and drive.parameter == parameter.name and drive.low and drive.high:
+            ends += [drive.low, drive.high]
+        places = [evaluate(end, {}) for end in ends]
+        if parameter.dimension == LENGTH and places and min(places) < 0 < max(places):
+            yield parameter.name
+
+
 def _alike(name: str, angle: Angle, poses: Iterable[Values]) -> Angle | None:
-    """Return an angle, turned by quarters, if the unknown is the same at all poses."""
-    gaps = []
-    for values in poses:
-        if name in values and angle.names <= values.keys():
-            gaps.append((values[name] - angle.evaluate(values)) % (2 * math.pi))
+    """Return an angle, or its opposite, turned by quarters, if the unknown is it at all poses."""
+    known = [v for v in poses if name in v and angle.names <= v.keys()]
+    for sense in (1, -1):
+        gaps = [values[name] - sense * angle.evaluate(values) for values in known]
+        if (quarters := _quarters(gaps)) is not None:
+            return angle * sense + Angle.constant(quarters % 4 * 90)
+    return None
+
+
+def _quarters(gaps: Sequence[float]) -> int | None:
+    """Return how many quarters of a turn all gaps are, None where they are not alike."""
     if len(gaps) < 3 or not all(map(math.isfinite, gaps)):
         return None
     quarters = round(gaps[0] / (math.pi / 2))
     turned = quarters * math.pi / 2
     if any(abs(math.remainder(gap - turned, 2 * math.pi)) > ALIKE for gap in gaps):
         return None
-    return angle + Angle.constant(quarters % 4 * 90)
+    return quarters
 
 
 def _rewritten(closure: Closure, name: str, angle: Angle, keep: bool) -> Closure:

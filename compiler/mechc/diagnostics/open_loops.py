@@ -1,0 +1,126 @@
+"""Words of the pose stage for what keeps a loop from closing: what it has too little of."""
+
+from collections.abc import Sequence
+
+from ..source import Span
+from .diagnostic import Words, coded
+
+
+@coded("E312")
+def pivot_without_place(at: Span, pivot: str, other: str) -> Words:
+    """A pivot has no place, so no loop closes through it.
+
+    With lengths and a ``drive`` the directions follow from loops, and a loop goes over the
+    ground from one pivot to the next::
+
+        pivot O                      # wrong: where is O, seen from C?
+        pivot C at (100 mm, 0 mm)
+
+        pivot O at (0 mm, 0 mm)      # right; or a vector, OC = (100 mm, 0 mm)
+        pivot C at (100 mm, 0 mm)
+    """
+    seen = f", seen from {other}" if other else ""
+    return Words(
+        at,
+        f"{pivot} has no place{seen}, and no loop closes through it",
+        f"write `pivot {pivot} at (0 mm, 0 mm)`",
+    )
+
+
+@coded("E313")
+def length_without_value(at: Span, name: str) -> Words:
+    """A length in a loop has no value, so the directions of the loop do not follow.
+
+    ::
+
+        param a: length                    # wrong: how far does OA = a @ phi reach?
+        param a in 30 mm .. 50 mm          # wrong: a range is no value
+        param a = 40 mm in 30 mm .. 50 mm  # right
+    """
+    return Words(
+        at,
+        f"{name} has no value, and a loop needs it to close",
+        f"give it one: `param {name} = 40 mm`",
+    )
+
+
+@coded("E314")
+def guide_without_line(at: Span, slider: str, through: str) -> Words:
+    """A guide has a direction and no line, so no loop closes through its slider.
+
+    ::
+
+        slider B along x             # wrong: on which line does B run?
+        slider B along x through A   # right
+    """
+    return Words(
+        at,
+        f"the guide of {slider} has a direction and no place, and no loop closes through it",
+        f"write `slider {slider} along … through {through}`",
+    )
+
+
+@coded("E315")
+def inputs_missing(at: Span, points: Sequence[str], missing: int) -> Words:
+    """The loops leave more open than the drive gives: the linkage needs more inputs.
+
+    A loop determines two directions or places. A five-bar linkage has one direction more
+    than its loop determines, so it needs two inputs::
+
+        OA = a @ phi
+        AB = b
+        BD = b
+        CD = a               # wrong: three directions are open, the loop determines two
+        CD = a @ psi         # right: the second input
+    """
+    several = "inputs are" if missing > 1 else "input is"
+    names = ", ".join(points)
+    return Words(
+        at,
+        f"the directions of {names} are open, and the loops leave {_counted(missing)} of them"
+        f" undetermined: {_counted(missing)} more {several} needed",
+        f"give {_counted(missing)} of them, as in `{points[-1]} = … @ psi`",
+    )
+
+
+def _counted(number: int) -> str:
+    words = ("none", "one", "two", "three", "four")
+    return words[number] if number < len(words) else str(number)
+
+
+@coded("E316")
+def directions_in_a_cycle(at: Span, points: Sequence[str]) -> Words:
+    """Directions are given by one another, all the way round.
+
+    ::
+
+        OB = l @ BK
+        BK = l @ OB          # wrong: each is given by the other
+        OB = l @ alpha       # right
+    """
+    message = (
+        f"the directions of {' and '.join(points)} are given by one another, none by an angle"
+        if len(points) > 1
+        else f"the direction of {points[0]} is given by itself"
+    )
+    return Words(at, message, f"give one of them, as in `{points[0]} = … @ alpha`")
+
+
+@coded("E317")
+def angle_not_found(at: Span, name: str, drive: str) -> Words:
+    """An angle has no value, and no loop finds it, while a drive is to move the mechanism.
+
+    A parameter without a value is found by the loop that it closes. Without such a loop it
+    is a free symbol, which cannot be where something else drives::
+
+        param psi: angle             # wrong: no loop gives it
+        CB = @ psi
+
+        param psi = 40 deg           # right, if it is given
+        CB = l                       # right: a length, so that the loop closes
+    """
+    return Words(
+        at,
+        f"{name} has no value, and no loop that {drive} drives finds it",
+        f"give it a value, as in `param {name} = 40 deg`, or give the lengths of its loop",
+    )

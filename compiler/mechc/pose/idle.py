@@ -1,0 +1,39 @@
+"""Lines ``assembly`` that decide nothing: true ones, and ones that the pose refutes."""
+
+from collections.abc import Iterator, Mapping
+
+from ..diagnostics import Diagnostic
+from ..diagnostics import pose as words
+from ..model.mechanism import Assembly
+from .pose import evaluate_vector
+from .vectors import Vectors
+
+FLAT = 1e-9
+"""A triangle whose height is below this part of its longest side has no turn."""
+
+
+def remarks(
+    assembly: Assembly, vectors: Vectors, values: Mapping[str, float]
+) -> Iterator[Diagnostic]:
+    """Yield the error of a line that is false at the default pose, or that it decides nothing."""
+    points = "".join(assembly.points)
+    area = _area(assembly, vectors, values)
+    if area is not None and (area > 0) != (assembly.mode == "ccw"):
+        yield words.assembly_refuted(assembly.span, points, "ccw" if area > 0 else "cw")
+    else:
+        yield words.assembly_idle(assembly.span, points)
+
+
+def _area(assembly: Assembly, vectors: Vectors, values: Mapping[str, float]) -> float | None:
+    """Return twice the area that three points turn about; None where it is flat, or open."""
+    if len(assembly.points) != 3:
+        return None
+    first, *others = assembly.points
+    paths = [vectors.path(first, point) for point in others]
+    try:
+        (bx, by), (cx, cy) = (evaluate_vector(path or (), values) for path in paths)
+    except (KeyError, ZeroDivisionError):
+        return None
+    area = bx * cy - by * cx
+    longest = max(bx * bx + by * by, cx * cx + cy * cy)
+    return area if abs(area) > FLAT * longest else None

@@ -1,0 +1,147 @@
+"""What tells closures apart: the ``assembly`` lines that hold in one of them only."""
+
+import math
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from itertools import combinations
+from typing import Protocol
+
+from ...diagnostics import pose as words
+from ...model.mechanism import Assembly
+from ...source import Span
+from ..nearby import Values
+from ..pose import Limit
+from .rails import Rail
+from .web import Cycle, Names
+
+
+class Loops(Protocol):
+    """Loops that close together, a dyad's or those of a larger group."""
+
+    @property
+    def cycle(self) -> Cycle:
+        """Return the edges of the loops."""
+        ...
+
+    @property
+    def unknown(self) -> Names:
+        """Return the unknowns."""
+        ...
+
+    @property
+    def limit(self) -> Limit | None:
+        """Return where closures meet, if that is a function of what is known."""
+        ...
+
+    def triples(self) -> Sequence[tuple[str, str, str]]:
+        """Return points whose turn may tell the closures apart."""
+        ...
+
+
+Measure = Callable[[Assembly, Values], float | None]
+"""Twice the area of three points, or a place along a guide; None where that is open."""
+
+FLAT = 1e-9
+"""Places that differ by less than this part are one."""
+
+SAME = 1e-6
+"""Directions in radians that differ by less are one."""
+
+
+class Telling:
+    """Looks for lines that tell the closures of loops apart."""
+
+    def __init__(
+        self, group: Loops, rails: Mapping[str, Rail], measure: Measure, angles: Collection[str]
+    ) -> None:
+        """``rails`` are the lines whose pins the group places, ``angles`` unknown directions."""
+        self._group, self._rails, self._measure = group, rails, measure
+        self._angles = sorted(n for n in group.unknown if n in angles)
+
+    def hint(self, poses: Sequence[Values], drive: str, refuted: bool) -> str:
+        """Return what to add for one closure or another; what to do where no line tells.
+
+        Where the lines given are ``refuted`` it is said what the closures are instead.
+        """
+        lines = [self._lines(values, poses) for values in poses]
+        alike = [p for p, own in zip(poses, lines, strict=True) if lines.count(own) > 1]
+        if alike and self._is_one(alike):
+            return words.MEET
+        if alike:
+            return words.no_line_tells(self._apart(alike), drive)
+        found = (self._described(p, own) for p, own in zip(poses, lines, strict=True))
+        return words.the_closures(list(found)) if refuted else words.one_of(list(found))
+
+    def _is_one(self, poses: Sequence[Values]) -> bool:
+        """Tell whether poses are one, so that it is no matter of lines."""
+        names = sorted(self._group.unknown)
+        return all(
+            abs(math.remainder(p.get(n, 0.0) - poses[0].get(n, 0.0), 2 * math.pi)) < SAME
+            for p in poses
+            for n in names
+        )
+
+    def _apart(self, poses: Sequence[Values]) -> list[str]:
+        """Return each closure by the direction in which the first differs most from another."""
+
+        def gap(name: str) -> float:
+            turns = (math.remainder(p[name] - poses[0][name], 2 * math.pi) for p in poses)
+            return max(map(abs, turns))
+
+        name = max((n for n in self._angles if n in poses[0]), key=gap, default="")
+        return [f"{name} = {_degrees(p[name])}" for p in poses] if name else []
+
+    def _described(self, values: Values, lines: Sequence[str]) -> str:
+        """Return the lines that choose a closure, and its angles in degrees."""
+        shown, quoted = self._shown(values), " with ".join(f"`{line}`" for line in lines)
+        return f"{quoted} ({shown})" if quoted and shown else quoted
+
+    def _shown(self, values: Values) -> str:
+        return ", ".join(f"{n} = {_degrees(values[n])}" for n in self._angles if n in values)
+
+    def _lines(self, values: Values, poses: Sequence[Values]) -> list[str]:
+        """Return as many lines as it takes to tell a closure from all others."""
+        others, lines = [p for p in poses if p is not values], list[str]()
+        for probe in self._probes():
+            if not others:
+                break
+            mine = self._mode(probe, values, poses)
+            left = [p for p in others if self._mode(probe, p, poses) == mine]
+            if mine and len(left) < len(others):
+                lines.append(f"assembly {''.join(probe.points)} {mine}")
+                others = left
+        return lines
+
+    def _probes(self) -> Iterator[Assembly]:
+        span = group_span(self._group)
+        for point in self._rails:
+            yield Assembly((point,), "forward", span)
+        for triple in (*self._group.triples(), *combinations(_points(self._group), 3)):
+            yield Assembly(triple, "ccw", span)
+
+    def _mode(self, probe: Assembly, values: Values, poses: Sequence[Values]) -> str:
+        """Return the word that fits a closure, '' where the points are in one line."""
+        mine = self._measure(probe, values) or 0.0
+        if len(probe.points) == 1:
+            places = [self._measure(probe, p) or 0.0 for p in poses]
+            return "forward" if is_ahead(mine, places) else "back"
+        return "" if mine == 0 else "ccw" if mine > 0 else "cw"
+
+
+def is_ahead(place: float, places: Sequence[float]) -> bool:
+    """Tell whether a place is the farthest along the guide; several closures may share it."""
+    known = [p for p in places if not math.isnan(p)]
+    return place > max(known) - FLAT * max(map(abs, known))
+
+
+def _degrees(angle: float) -> str:
+    return f"{math.degrees(math.remainder(angle, 2 * math.pi)):.4g} deg"
+
+
+def _points(group: Loops) -> list[str]:
+    """Return the points of the loops, the ground's origin apart."""
+    return [p for p in dict.fromkeys(e.tail for e in group.cycle) if p]
+
+
+def group_span(group: Loops) -> Span:
+    """Return the last place in the text that says anything of a loop."""
+    return max((e.span for e in group.cycle), key=lambda s: s.start)

@@ -1,0 +1,127 @@
+"""Why a direction is open: what is missing for a loop to give it.
+
+First what hides the loop (pivots that have no place, guides that have no line), then what
+leaves too much open in it; a direction of its own is asked for only where no loop is there.
+"""
+
+from collections.abc import Collection, Iterator, Mapping, Sequence
+
+from ..diagnostics import Diagnostic
+from ..diagnostics import open_loops as words
+from ..diagnostics import pose as plain
+from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter
+from ..source import Span
+from ..units import ANGLE, LENGTH
+from .loops.groups import Open
+from .loops.web import Names, mentioned
+from .vectors import Vectors
+
+Sought = Mapping[str, tuple[str, str, Span]]
+
+
+def explained(
+    mechanism: Mechanism, vectors: Vectors, sought: Sought, needed: Mapping[str, Link], left: Open
+) -> Iterator[Diagnostic]:
+    """Yield why directions are open that nothing gives: ``needed`` of them by links.
+
+    ``sought`` are the directions that only a loop can give, with the points and the place
+    in the text that ask for each.
+    """
+    if not needed:
+        return
+    causes = (
+        _cycles(mechanism),
+        _without_value(mechanism.parameters, left.unknown),
+        _without_place(mechanism, vectors),
+        _without_input(needed, sought, left),
+    )
+    for cause in causes:
+        if found := list(cause):
+            yield from found
+            return
+    for name, link in needed.items():
+        tail, head, _ = sought[name]
+        yield plain.missing_direction(link.span, f"{tail}{head}", f"link {link.name}")
+
+
+def unfound_angles(
+    mechanism: Mechanism, vectors: Vectors, found: Collection[str], left: Open
+) -> Iterator[Diagnostic]:
+    """Yield what keeps loops from giving the angles that the user left open, with a drive."""
+    used = {n for edge in vectors.edges for n in mentioned(edge.arms)}
+    open_ = [p for p in mechanism.parameters if _is_open(p) and p.name in used - {*found}]
+    drive = mechanism.drive
+    if drive is None or all(p.name == drive.parameter for p in open_):
+        return
+    causes = (
+        _without_value(mechanism.parameters, left.unknown),
+        _without_place(mechanism, vectors),
+        _without_line(mechanism),
+    )
+    for cause in causes:
+        if reasons := list(cause):
+            yield from reasons
+            return
+    for parameter in open_:
+        if parameter.name != drive.parameter:
+            yield words.angle_not_found(parameter.span, parameter.name, drive.parameter)
+
+
+def _is_open(parameter: Parameter) -> bool:
+    return parameter.dimension == ANGLE and parameter.value is None and parameter.range is None
+
+
+def _without_value(parameters: Sequence[Parameter], unknown: Names) -> Iterator[Diagnostic]:
+    for parameter in parameters:
+        if parameter.name in unknown and parameter.dimension == LENGTH:
+            yield words.length_without_value(parameter.span, parameter.name)
+
+
+def _without_place(mechanism: Mechanism, vectors: Vectors) -> Iterator[Diagnostic]:
+    """Yield the pivots from which no vectors on the ground lead to the others."""
+    ground = {"", *(p.point for p in mechanism.pivots)}
+    ground |= {s.through for s in mechanism.sliders if s.through}
+    joined = [{q for q in ground if vectors.chain(p.point, q, ground)} for p in mechanism.pivots]
+    home = max(joined, key=len, default=set())
+    for pivot, others in zip(mechanism.pivots, joined, strict=True):
+        if pivot.point not in home and others.isdisjoint(home):
+            yield words.pivot_without_place(pivot.span, pivot.point, _beside(home))
+
+
+def _beside(ground: Collection[str]) -> str:
+    return min((p for p in ground if p), default="")
+
+
+def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    near = _beside([p.point for p in mechanism.pivots]) or "(0 mm, 0 mm)"
+    for slider in mechanism.sliders:
+        if not slider.through:
+            yield words.guide_without_line(slider.span, slider.point, near)
+
+
+def _without_input(needed: Mapping[str, Link], sought: Sought, left: Open) -> Iterator[Diagnostic]:
+    """Yield one message for loops that leave some of their unknowns open."""
+    names = [name for name in needed if name in left.unknown]
+    if names and left.missing:
+        points = ["".join(sought[name][:2]) for name in names]
+        yield words.inputs_missing(needed[names[0]].span, points, left.missing)
+
+
+def _cycles(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the directions that are given by one another, all round."""
+    after = {
+        frozenset((g.tail, g.head)): (g, frozenset((g.direction.tail, g.direction.head)))
+        for g in mechanism.geometry
+        if isinstance(g, Arrow) and isinstance(g.direction, Along)
+    }
+    seen: set[frozenset[str]] = set()
+    for start in after:
+        chain, following = [start], after[start][1]
+        while following in after and following not in chain:
+            chain.append(following)
+            following = after[following][1]
+        if following == start and start not in seen:
+            seen.update(chain)
+            entries = [after[pair][0] for pair in chain]
+            names = [f"{entry.tail}{entry.head}" for entry in entries]
+            yield words.directions_in_a_cycle(entries[0].span, names)
