@@ -33,8 +33,7 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
     mechc show kinematics clamp.mech
     """
     compilation = begin(file, stdin_name, settings)
-    say(text_of(stage, compilation).rstrip("
-"))
+    say(text_of(stage, compilation).rstrip("\n"))
 
 
 def text_of(stage: str, compilation: Compilation) -> str:
