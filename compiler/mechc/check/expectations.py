@@ -1,21 +1,25 @@
 """Expectations against results: proved equal by algebra, or refuted by a pose.
 
 Two formulas that are equal as rational functions of lengths and exp(iα) are proved so
-exactly. Otherwise they are evaluated at the default pose and at random ones: the first
-that tells them apart refutes the expectation, and where none does the finding says only
-that they agree. A formula is compared with what is printed: a result with friction in the
-case of the default pose. A number is compared with what code gives at its pose.
+exactly. Otherwise they are evaluated at the default pose and at random ones that can be
+assembled: the first that tells them apart, by more than rounding does, refutes the
+expectation, and where none does the finding says only that they agree. A formula is
+compared with what is printed: a result with friction in the case of the default pose. A
+number is compared with what code gives at its pose.
 """
 
 import math
 import random
 from collections.abc import Sequence
+from itertools import islice
 from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as words
+from ..formula.rounding import Rounded, rounded
+from ..formula.rounding import completed as with_errors
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
@@ -28,8 +32,15 @@ from .poses import complete, default_pose, random_poses
 POSES = 12
 """Random poses beside the default one."""
 
+DRAWS = 60
+"""How many are drawn, at most, to find so many that can be assembled."""
+
 CLOSE = 1e-9
 """Relative difference below which two formulas agree at a pose."""
+
+
+ROUNDINGS = 4
+"""How many times the rounding of both values a difference may have: it is a first-order bound."""
 
 
 class Finding(NamedTuple):
@@ -60,7 +71,7 @@ def compare(
     """
     named = {r.name: r for r in results}
     findings = tuple(
-        _judge(e, _with_names_of(e, named[e.subject], definitions), mechanism)
+        _judge(e, _with_names_of(e, named[e.subject], definitions), mechanism, definitions)
         for e in mechanism.expects
     )
     for finding in findings:
@@ -80,13 +91,15 @@ def _with_names_of(expect: Expect, result: Result, definitions: Sequence[Definit
     return replace(result, where=tuple(where)) if chosen else result
 
 
-def _judge(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
+def _judge(
+    expect: Expect, result: Result, mechanism: Mechanism, definitions: Sequence[Definition]
+) -> Finding:
     if _is_number(expect):
         return _compare_number(expect, result, mechanism)
     printed = result.printed()
     if not expect.at and _proved(expect.value, printed, mechanism):
         return Finding(expect, "proved")
-    return _compare_formula(expect, printed, mechanism)
+    return _compare_formula(expect, printed, mechanism, definitions)
 
 
 # ------------------------------------------------------------------------- numbers
@@ -104,8 +117,10 @@ def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Fin
     missing = sorted(symbols(result.formula) - values.keys())
     if missing:
         return Finding(expect, "undecided", missing=missing[0])
-    found, expected = evaluate(result.formula, values), evaluate(expect.value, values)
+    exact = with_errors(values, ())
+    (found, error), (expected, other) = (rounded(f, exact) for f in (result.formula, expect.value))
     slack = float(expect.tolerance) * (1 + CLOSE) + abs(expected) * 1e-12
+    slack += ROUNDINGS * (error + other)
     outcome: Literal["agrees", "refuted"] = (
         "agrees" if abs(found - expected) <= slack else "refuted"
     )
@@ -125,23 +140,39 @@ def _proved(value: Formula, result: Result, mechanism: Mechanism) -> bool:
     return equal(value, result.formula, definitions)
 
 
-def _compare_formula(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
+def _compare_formula(
+    expect: Expect, result: Result, mechanism: Mechanism, definitions: Sequence[Definition]
+) -> Finding:
     finding = Finding(expect, "undecided", poses=0)
-    for pose in (default_pose(mechanism), *random_poses(mechanism, POSES)):
-        values = _everything(complete(mechanism, {**pose, **_at(expect)}), expect, result)
-        found, expected = evaluate(result.formula, values), evaluate(expect.value, values)
-        at = _shown_at(expect, result, mechanism, values)
+    drawn = (default_pose(mechanism), *random_poses(mechanism, DRAWS))
+    everything = (
+        _everything(complete(mechanism, {**pose, **_at(expect)}), expect, result) for pose in drawn
+    )
+    assembled = (values for values in everything if _is_assembled(values, definitions))
+    for given in islice(assembled, POSES + 1):
+        values = with_errors(given, result.where)
+        found, expected = rounded(result.formula, values), rounded(expect.value, values)
+        at = _shown_at(expect, result, mechanism, given)
         if _differ(found, expected):
-            return Finding(expect, "refuted", found, expected, at)
-        if math.isfinite(found):
-            finding = Finding(expect, "agrees", found, expected, at, poses=finding.poses + 1)
+            return Finding(expect, "refuted", found.value, expected.value, at)
+        if math.isfinite(found.value):
+            poses = finding.poses + 1
+            finding = Finding(expect, "agrees", found.value, expected.value, at, poses=poses)
     return finding
 
 
-def _differ(found: float, expected: float) -> bool:
-    if math.isnan(found) or math.isnan(expected):
-        return math.isnan(found) != math.isnan(expected)
-    return abs(found - expected) > CLOSE * max(abs(found), abs(expected), 1e-9)
+def _is_assembled(values: Values, definitions: Sequence[Definition]) -> bool:
+    """Tell a pose from values at which a loop does not close: nothing can be compared there."""
+    found = completed(values, definitions)
+    return not any(math.isnan(found.get(name, 0.0)) for name, _ in definitions)
+
+
+def _differ(found: Rounded, expected: Rounded) -> bool:
+    """Tell whether two values differ by more than a relative part, and by more than rounding."""
+    if math.isnan(found.value) or math.isnan(expected.value):
+        return math.isnan(found.value) != math.isnan(expected.value)
+    slack = CLOSE * max(abs(found.value), abs(expected.value))
+    return abs(found.value - expected.value) > slack + ROUNDINGS * (found.error + expected.error)
 
 
 def _everything(values: Values, expect: Expect, result: Result) -> Values:
@@ -151,7 +182,7 @@ def _everything(values: Values, expect: Expect, result: Result) -> Values:
     inner = {d.name for d in result.where}
     chance = random.Random(2)
     made_up = {n: chance.uniform(0.5, 1.5) for n in sorted(wanted - inner - values.keys())}
-    return completed({**values, **made_up}, result.where)
+    return {**values, **made_up}
 
 
 # ------------------------------------------------------------------------- wording

@@ -153,7 +153,9 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
 
 
 def half_a_digit(value: ast.Expr) -> Fraction:
-    """Return half a unit of the last decimal written, in SI; 0 for formulas and whole numbers.
+    """Return half a unit of the last digit written, in SI; 0 for formulas and whole numbers.
+
+    A number with an exponent is no whole number: 353e-3 is 3.53e-1 is 0.353.
 
     >>> from ..source import Span
     >>> half_a_digit(ast.Number("7.1407", "", Span(0, 6)))
@@ -169,7 +171,7 @@ def half_a_digit(value: ast.Expr) -> Fraction:
 def _half_a_digit(number: ast.Number) -> Fraction:
     mantissa, _, exponent = number.digits.lower().partition("e")
     _, point, decimals = mantissa.partition(".")
-    if not point:
+    if not point and not exponent:
         return Fraction(0)
     unit = UNITS.get(number.unit)
     factor = unit.factor if unit else Fraction(1)
