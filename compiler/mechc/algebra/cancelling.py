@@ -28,6 +28,10 @@ LIMIT = 96
 """A sum with more terms than this when multiplied out keeps its inner sums whole."""
 
 
+DIVIDED = 1024
+"""A sum with more terms than this when multiplied out is not divided by sines."""
+
+
 def canonical(product: Product) -> Product:
     """Return the product with all cancelled that divides, and few sines of constants."""
     spend(2 + len(product.factors))
@@ -118,7 +122,7 @@ def _without_divisors(product: Product) -> Product:
 
 def _divided(product: Product) -> Iterator[Product]:
     for whole, e in product.factors.items():
-        if isinstance(whole, Sum) and sum(map(size, whole.terms)) <= LIMIT:
+        if isinstance(whole, Sum) and sum(map(size, whole.terms)) <= DIVIDED:
             opposite = [f for f, d in product.factors.items() if isinstance(f, Trig) and e * d < 0]
             for trig in opposite:
                 if (split := split_by(whole, trig)) is not None:

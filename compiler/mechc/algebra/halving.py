@@ -6,7 +6,7 @@ so that only what stands on the other side of the line tells what else is wanted
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from zlib import crc32
 
 from .angle import Angle
@@ -33,13 +33,39 @@ def split_by(sum_: Sum, trig: Trig) -> Product | None:
     '2*cos(a/2 + pi/4)*cos(a/2 - t + pi/4)'
     """
     for part in _parts(trig):
-        if _vanishes_with(sum_, part):
-            ring = Ring([*sum_.terms, Product.of(part)])
-            scale, terms = ring.expand(sum_.terms)
-            quotient = ring.divide(terms, part)
-            if quotient is not None:
-                return Product(2, {part: 1}) * factor(ring, Polynomial(scale, quotient))
+        if (rest := _divided(sum_, part)) is not None:
+            return Product.of(part) * rest
     return None
+
+
+def without(sum_: Sum, trigs: Iterable[Trig]) -> Product:
+    """Return a sum divided by each of some sines and cosines as often as it can be.
+
+    Measure: the width of the sum.
+    """
+    rest = Product.of(sum_)
+    for trig in trigs:
+        while (split := _split_off(rest, trig)) is not None:
+            rest = split
+    return rest
+
+
+def _split_off(product: Product, trig: Trig) -> Product | None:
+    """Return a product with one of its sums divided by a trig, None if that divides none."""
+    for whole in product.factors:
+        if isinstance(whole, Sum) and (rest := _divided(whole, trig)) is not None:
+            return product * Product(1, {whole: -1}) * rest
+    return None
+
+
+def _divided(sum_: Sum, part: Trig) -> Product | None:
+    """Return a sum divided by a sine or cosine, None if it is no divisor."""
+    if not _vanishes_with(sum_, part):
+        return None
+    ring = Ring([*sum_.terms, Product.of(part)])
+    scale, terms = ring.expand(sum_.terms)
+    quotient = ring.divide(terms, part)
+    return None if quotient is None else Product(2) * factor(ring, Polynomial(scale, quotient))
 
 
 def _parts(trig: Trig) -> Iterator[Trig]:
@@ -56,13 +82,16 @@ def _parts(trig: Trig) -> Iterator[Trig]:
 
 
 def _vanishes_with(sum_: Sum, part: Trig) -> bool:
-    """Tell by numbers, before the division, whether a sum is zero where a factor is."""
+    """Tell by numbers, before the division, whether a sum is zero where a factor is.
+
+    It is measured by its terms somewhere else: there all of them may be zero.
+    """
     values = _Anything()
+    size = max(abs(term.evaluate(values)) for term in sum_.terms)
     name, c = part.angle.terms[0]
     zero = 0.0 if part.function == "sin" else math.pi / 2
     values[name] += (zero - part.angle.evaluate(values)) / float(c)
-    parts = [term.evaluate(values) for term in sum_.terms]
-    return abs(math.fsum(parts)) <= NIL * max(map(abs, parts))
+    return abs(math.fsum(term.evaluate(values) for term in sum_.terms)) <= NIL * size
 
 
 class _Anything(dict[str, float]):

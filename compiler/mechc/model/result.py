@@ -48,7 +48,10 @@ class Case:
     holds: tuple[Require, ...]
 
 
-Trend = Literal["rises", "falls", "constant", "turns", "unknown"]
+Trend = Literal[
+    "rises", "falls", "rises between poles", "falls between poles", "constant", "turns", "unknown"
+]
+"""``between poles``: on each side of the values at which a result is infinite, not across them."""
 
 
 @frozen

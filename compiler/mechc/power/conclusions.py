@@ -51,7 +51,7 @@ def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> R
         return replace(result, derivatives=_along_the_stroke(item.value, balance.plan.graph.pose))
     slopes = {name: derivative(item.value, name) for name in names}
     box = ranges(mechanism)
-    trends: dict[str, Trend] = {name: trend(slope, name, box) for name, slope in slopes.items()}
+    trends: dict[str, Trend] = {name: trend(item.value, slopes[name], name, box) for name in names}
     return replace(
         result,
         swaps=_swaps(result.formula, mechanism, names),

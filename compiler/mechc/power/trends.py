@@ -7,8 +7,8 @@ value, and a length without a value is anything positive.
 import math
 from collections.abc import Iterator
 
-from ..algebra.product import Product
-from ..formula.walk import evaluate
+from ..algebra.product import Product, Sum
+from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Trend
 from ..units import ANGLE
@@ -16,6 +16,10 @@ from .intervals import Box, Interval, sign, widened
 
 PARTS = 48
 """A factor's sign is looked for on at most this many parts of the box."""
+
+
+PLACES = 16
+"""Values along a parameter at which a divisor's sign is looked at."""
 
 
 def ranges(mechanism: Mechanism) -> Box:
@@ -52,16 +56,45 @@ def _range(parameter: Parameter) -> Interval | None:
     return None if parameter.dimension == ANGLE else Interval(5e-324, math.inf)
 
 
-def trend(slope: Product, name: str, box: Box) -> Trend:
-    """Return how a result moves with a parameter, from its derivative by it."""
+def trend(value: Product, slope: Product, name: str, box: Box) -> Trend:
+    """Return how a result moves with a parameter, from its derivative by it.
+
+    Where the derivative keeps its sign a result still jumps from one infinity to the other
+    at a pole: it rises on either side, not across.
+    """
     if not slope:
         return "constant"
     ends = {sign(slope, _corner(box, name, end)) for end in (0, 1)}
     if ends == {1, -1}:
         return "turns"
-    if ends in ({1}, {-1}) and _keeps_sign(slope, box):
+    if ends not in ({1}, {-1}) or not _keeps_sign(slope, box):
+        return "unknown"
+    divisors = [d for d in _divisors(value) if name in symbols(d.formula())]
+    if all(_is_free_of_zeros(d, box) for d in divisors):
         return "rises" if ends == {1} else "falls"
+    if any(_changes_sign(d, name, box) for d in divisors):
+        return "rises between poles" if ends == {1} else "falls between poles"
     return "unknown"
+
+
+def _divisors(product: Product) -> Iterator[Product]:
+    """Yield what a product is divided by, in its sums, too: nothing else makes it infinite."""
+    for factor, exponent in product.factors.items():
+        if exponent < 0:
+            yield Product.of(factor)
+        if isinstance(factor, Sum):
+            for term in factor.terms:
+                yield from _divisors(term)
+
+
+def _changes_sign(divisor: Product, name: str, box: Box) -> bool:
+    """Prove that a divisor is zero somewhere along a parameter, the others in the middle."""
+    if name not in box:
+        return False
+    low, high = box[name]
+    places = [low + (high - low) * i / PLACES for i in range(PLACES + 1)]
+    signs = {sign(divisor, {**_corner(box, name, 0), name: widened(x, x)}) for x in places}
+    return {1, -1} <= signs
 
 
 def _corner(box: Box, name: str, end: int) -> Box:

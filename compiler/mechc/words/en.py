@@ -186,6 +186,10 @@ WORDS = Words(
     trends={
         "rises": "Within the ranges given, {result} rises with {names}.",
         "falls": "Within the ranges given, {result} falls with increasing {names}.",
+        "rises between poles": "Within the ranges given, {result} rises with {names} on either "
+        "side of each value at which it becomes infinite.",
+        "falls between poles": "Within the ranges given, {result} falls with increasing {names} "
+        "on either side of each value at which it becomes infinite.",
         "constant": "{result} does not change with {names}.",
         "turns": "Within the ranges given, {result} does not vary monotonically with {names}.",
         "unknown": "",

@@ -4,6 +4,7 @@ The document and its JSON Schema are both made from what stands here.
 """
 
 from collections.abc import Mapping
+from typing import get_args
 
 from ...derivation.steps import (
     Account,
@@ -32,7 +33,7 @@ from ...model.mechanism import (
     Target,
     WithFriction,
 )
-from ...model.result import Definition, Result, Vanishing
+from ...model.result import Definition, Result, Trend, Vanishing
 from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
 from ..describe import condition_lines, dimension_name, si_unit
@@ -45,7 +46,7 @@ from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, op
 VERSION = 1
 """Raised whenever a member changes its meaning or goes."""
 
-TRENDS = ("rises", "falls", "constant", "turns", "unknown")
+TRENDS = get_args(Trend)
 VANISHINGS = ("output still", "drive locked", "perpendicular load", "other")
 KINDS: Mapping[type[Target] | type[None], str] = {
     LoadRatio: "load ratio",

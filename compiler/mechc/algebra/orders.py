@@ -1,0 +1,199 @@
+"""The order of a whole product where an angle takes a value: of its zero, or of its pole.
+
+Near that value, at δ from it, a product is c·δ^order·(1 + …). It is evaluated as a power
+series in δ over a finite field, all other symbols being random: exact, whatever the
+factors have in common there.
+
+>>> from .trigonometry import cosine
+>>> a, right = Angle.of("a"), Angle.constant(90)
+>>> order(cosine(a * 3) / cosine(a), "a", right), order(cosine(a * 3) / cosine(a) ** 2, "a", right)
+(0, -1)
+"""
+
+from collections.abc import Iterator
+from contextlib import suppress
+from fractions import Fraction
+from math import gcd, lcm
+from typing import NamedTuple
+
+from ..formula.walk import symbols
+from ..work import spend
+from .angle import Angle
+from .factors import Factor, Length, Opaque, Trig
+from .modular import PARTS, PRIME, Point
+from .product import Bound, Product, Sum
+from .trigonometry import sine
+
+TERMS = (2, 8)
+"""Terms of a series, first few: what is zero to the last order is not looked into any further."""
+
+
+class Root(NamedTuple):
+    """One of the values, half turns apart, at which a sine or cosine vanishes.
+
+    ``factor`` vanishes there only; ``name`` is a symbol of its angle and ``value`` what
+    the symbol is there.
+    """
+
+    factor: Trig
+    name: str
+    value: Angle
+
+
+def roots(trig: Trig, product: Product) -> list[Root]:
+    """Return the roots of a sine or cosine, as far as a product may tell them apart.
+
+    cos 3a has three, at 30°, 90° and 150°; beside sin(a/2) it has six, up to 360°.
+
+    >>> from .trigonometry import cosine
+    >>> (c,) = cosine(Angle.of("a") * 3).factors
+    >>> [str(r.value) for r in roots(c, Product.of(c))]
+    ['30°', '90°', '150°']
+    """
+    scale = lcm(*(Fraction(c).denominator for a in angles(product) for _, c in a.terms))
+    parts = gcd(*(int(c * scale) for _, c in trig.angle.terms))
+    first = -trig.angle.degrees + (90 if trig.function == "cos" else 0)
+    unit = Angle(trig.angle.terms) * Fraction(1, parts)
+    name, c = next((t for t in unit.terms if abs(t[1]) == 1), unit.terms[0])
+    found = []
+    for i in range(parts):
+        place = Angle.constant(Fraction(first + 180 * i, parts))
+        (factor,) = sine(unit - place).factors
+        assert isinstance(factor, Trig)
+        found.append(Root(factor, name, (place - unit + Angle(((name, c),))) * (1 / Fraction(c))))
+    return found
+
+
+def angles(product: Product) -> Iterator[Angle]:
+    """Yield the angles that a product depends on, those inside of its sums included."""
+    for factor in product.factors:
+        match factor:
+            case Trig(angle=angle):
+                yield angle
+            case Sum(terms=terms):
+                for term in terms:
+                    yield from angles(term)
+            case Bound():
+                yield from angles(factor.definition)
+
+
+class Series(NamedTuple):
+    """``δ^order · Σ coefficients[i]·δ^i``, the first coefficient not zero."""
+
+    order: int
+    coefficients: tuple[int, ...]
+
+
+class UnknownError(Exception):
+    """Raised where a series begins beyond its known terms, or with something opaque."""
+
+
+def order(product: Product, name: str, value: Angle) -> int | None:
+    """Return the order of a product where a symbol has a value, which may rest on others.
+
+    Positive for a zero, negative for a pole; None where that is not found out.
+    """
+    if not product:
+        return None
+    for terms in TERMS:
+        with suppress(UnknownError, ZeroDivisionError):
+            return _Place(name, value, terms).series(product).order
+    return None
+
+
+class _Place:
+    """The value of one symbol, on the way through it; everything else is random."""
+
+    def __init__(self, name: str, value: Angle, terms: int) -> None:
+        self._name, self._value, self._terms = name, {name: value}, terms
+        self._point = Point()
+        self._bound: dict[str, Series] = {}
+
+    def series(self, product: Product) -> Series:
+        """Return the series of a product."""
+        result = self._constant(self._point.rational(product.coefficient))
+        for factor, exponent in product.factors.items():
+            result = _times(result, _power(self._factor(factor), exponent))
+        return result
+
+    def _factor(self, factor: Factor) -> Series:
+        match factor:
+            case Trig(function, angle):
+                return self._trig(function == "cos", angle)
+            case Sum(terms=terms):
+                return _sum([self.series(t) for t in terms])
+            case Bound(name=name):
+                if name not in self._bound:
+                    self._bound[name] = self.series(factor.definition)
+                return self._bound[name]
+            case Length(name=name) if name == self._name:
+                raise UnknownError
+            case Opaque(inside=inside) if self._name in symbols(inside):
+                raise UnknownError
+            case _:
+                return self._constant(factor.residue(self._point))
+
+    def _trig(self, is_cosine: bool, angle: Angle) -> Series:
+        """Return sin(A + cδ) or cos(A + cδ) by Taylor's theorem."""
+        speed = self._point.rational(dict(angle.terms).get(self._name, 0))
+        here = angle.put(self._value)
+        if any(PARTS % Fraction(x).denominator for x in (here.degrees, *dict(here.terms).values())):
+            raise UnknownError
+        sin, cos = self._point.trig("sin", here), self._point.trig("cos", here)
+        slopes = [cos, -sin, -cos, sin] if is_cosine else [sin, cos, -sin, -cos]
+        values, scale = list[int](), 1
+        for i in range(self._terms):
+            values.append(slopes[i % 4] * scale % PRIME)
+            scale = scale * speed * pow(i + 1, -1, PRIME) % PRIME
+        return _led(0, values)
+
+    def _constant(self, value: int) -> Series:
+        if not value:
+            raise UnknownError
+        return Series(0, (value, *[0] * (self._terms - 1)))
+
+
+def _led(order_: int, values: list[int]) -> Series:
+    """Return a series without leading zeros; the terms that are lost count as unknown."""
+    first = next((i for i, v in enumerate(values) if v), None)
+    if first is None:
+        raise UnknownError
+    return Series(order_ + first, tuple(values[first:]))
+
+
+def _times(a: Series, b: Series) -> Series:
+    known = min(len(a.coefficients), len(b.coefficients))
+    spend(known * known)
+    values = [
+        sum(a.coefficients[j] * b.coefficients[i - j] for j in range(i + 1)) % PRIME
+        for i in range(known)
+    ]
+    return Series(a.order + b.order, tuple(values))
+
+
+def _power(a: Series, exponent: int) -> Series:
+    result = base = a if exponent > 0 else _inverse(a)
+    for _ in range(abs(exponent) - 1):
+        result = _times(result, base)
+    return result
+
+
+def _inverse(a: Series) -> Series:
+    first = pow(a.coefficients[0], -1, PRIME)
+    values = [first]
+    for i in range(1, len(a.coefficients)):
+        tail = sum(a.coefficients[j] * values[i - j] for j in range(1, i + 1))
+        values.append(-tail * first % PRIME)
+    return Series(-a.order, tuple(values))
+
+
+def _sum(terms: list[Series]) -> Series:
+    """Return a sum, as far as all of its terms are known."""
+    lowest = min(t.order for t in terms)
+    known = min(t.order + len(t.coefficients) for t in terms)
+    values = [0] * (known - lowest)
+    for t in terms:
+        for i, v in enumerate(t.coefficients):
+            if t.order + i < known:
+                values[t.order + i - lowest] += v
+    return _led(lowest, [v % PRIME for v in values])

@@ -1,0 +1,261 @@
+"""What a result is said to do, held against dense sampling: every kind of statement.
+
+Each function yields what sampling refutes, in words; nothing where all holds.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Mapping
+from itertools import pairwise
+from random import Random
+from types import CodeType
+
+from mechc.formula.to_text import text
+from mechc.formula.tree import Formula, Implicit
+from mechc.formula.walk import FUNCTIONS, symbols, walk
+from mechc.formula.walk import evaluate as slowly
+from mechc.model.mechanism import Mechanism
+from mechc.model.result import Result, Vanishing
+from mechc.model.values import bounds, defaults, dependent, independent
+
+Values = Mapping[str, float]
+Curve = Callable[[float], float]
+
+DENSE = 240
+"""Values along a range."""
+
+NEAR = 1e-6
+"""How far from a zero or a pole the order is looked at, as a part of the range."""
+
+
+CODE: dict[int, tuple[Formula, CodeType | None]] = {}
+"""Formulas as code, by what is faster than their hash; kept, so that none takes another's."""
+
+
+def _code(formula: Formula) -> CodeType | None:
+    """Return a formula as code; None where a part of it is iterated."""
+    if id(formula) not in CODE:
+        is_iterated = any(isinstance(f, Implicit) for f in walk(formula))
+        source = text(formula).replace("^", "**")
+        CODE[id(formula)] = (
+            formula,
+            None if is_iterated else compile(source, "formula", "eval"),
+        )
+    return CODE[id(formula)][1]
+
+
+def evaluate(formula: Formula, values: Values) -> float:
+    """Return the value of a formula, faster than the interpreter does; NaN where there is none."""
+    code = _code(formula)
+    if code is None:
+        return slowly(formula, values)
+    try:
+        return float(eval(code, {**FUNCTIONS, "pi": math.pi}, dict(values)))
+    except (ZeroDivisionError, OverflowError, TypeError, ValueError):
+        return math.nan
+
+
+def poses(mechanism: Mechanism, result: Result, number: int, seed: int) -> Iterator[Values]:
+    """Yield poses over the whole ranges; without one a parameter keeps its value."""
+    dice = Random(seed)
+    kept = defaults(mechanism)
+    for _ in range(number):
+        drawn = {
+            p.name: kept[p.name] if p.name in kept and p.range is None else dice.uniform(*bounds(p))
+            for p in independent(mechanism)
+        }
+        yield with_rest(mechanism, result, drawn)
+
+
+def with_rest(mechanism: Mechanism, result: Result, values: Values) -> Values:
+    """Return values with what follows from them."""
+    found = dict(values)
+    for name, formula in (*dependent(mechanism).items(), *result.where):
+        found[name] = evaluate(formula, found)
+    return found
+
+
+def value(mechanism: Mechanism, result: Result, values: Values) -> float:
+    return evaluate(result.formula, with_rest(mechanism, result, values))
+
+
+def refuted(mechanism: Mechanism, result: Result, seed: int = 0) -> Iterator[str]:
+    """Yield every statement on a result that sampling refutes."""
+    for pose in poses(mechanism, result, 3, seed):
+        yield from trends(mechanism, result, pose)
+        yield from proportions(mechanism, result, pose)
+    yield from limits(mechanism, result, seed)
+
+
+# ------------------------------------------------------------------------------ trends
+
+
+def trends(mechanism: Mechanism, result: Result, pose: Values) -> Iterator[str]:
+    ranged = {p.name: p for p in independent(mechanism) if p.range is not None}
+    for name, trend in (result.trends or {}).items():
+        if trend == "unknown" or name not in ranged:
+            continue
+        low, high = bounds(ranged[name])
+        places = [low + (high - low) * (i + 0.5) / DENSE for i in range(DENSE)]
+        found = [evaluate(result.formula, {**pose, name: x}) for x in places]
+        if said := _trend_refuted(trend, found):
+            yield f"{result.name} {trend} with {name}: {said}"
+
+
+def _trend_refuted(trend: str, found: list[float]) -> str:
+    steps = [b - a for a, b in pairwise(found)]
+    slack = [1e-9 * max(abs(a), abs(b)) for a, b in pairwise(found)]
+    up = sum(s > e for s, e in zip(steps, slack, strict=True))
+    down = sum(s < -e for s, e in zip(steps, slack, strict=True))
+    poles = sum(a * b < 0 and min(abs(a), abs(b)) > 0 for a, b in pairwise(found))
+    match trend:
+        case "rises":
+            return f"falls {down} times" if down else ""
+        case "falls":
+            return f"rises {up} times" if up else ""
+        case "constant":
+            return "changes" if up or down else ""
+        case "rises between poles":
+            return f"falls {down} times, changes sign {poles} times" if down > poles else ""
+        case "falls between poles":
+            return f"rises {up} times, changes sign {poles} times" if up > poles else ""
+    return ""
+
+
+# ------------------------------------------------------- proportions, swaps, independence
+
+
+def proportions(mechanism: Mechanism, result: Result, pose: Values) -> Iterator[str]:
+    k = value(mechanism, result, _free(mechanism, pose))
+    for name, power in (result.proportional or {}).items():
+        more = {**_free(mechanism, pose), name: 3 * pose[name]}
+        if not _close(value(mechanism, result, more), 3**power * k):
+            yield f"{result.name} is not proportional to {name}^{power}"
+    for name in result.independent:
+        if name in pose:
+            other = {**_free(mechanism, pose), name: 1.1 * pose[name] + 0.01}
+            if not _close(value(mechanism, result, other), k):
+                yield f"{result.name} depends on {name}"
+    for a, b in result.swaps:
+        swapped = {**_free(mechanism, pose), a: pose[b], b: pose[a]}
+        if not _close(value(mechanism, result, swapped), k):
+            yield f"{result.name} changes with {a}, {b} exchanged"
+
+
+def _free(mechanism: Mechanism, pose: Values) -> Values:
+    return {p.name: pose[p.name] for p in independent(mechanism) if p.name in pose}
+
+
+def _close(a: float, b: float) -> bool:
+    return not math.isfinite(a) or not math.isfinite(b) or math.isclose(a, b, rel_tol=1e-6)
+
+
+# ----------------------------------------------------------------------- zeros and poles
+
+
+def limits(mechanism: Mechanism, result: Result, seed: int) -> Iterator[str]:
+    """Yield the zeros and poles that are none."""
+    for pose, name, low, high in _sweeps(mechanism, result, seed):
+
+        def curve(x: float, name: str = name, pose: Values = pose) -> Values:
+            return with_rest(mechanism, result, {**_free(mechanism, pose), name: x})
+
+        for limit in (*result.zeros, *result.poles):
+            yield from _at_refuted(mechanism, result, limit, pose)
+        yield from _roots_refuted(result, name, curve, low, high)
+
+
+def _side(result: Result, limit: Vanishing) -> int:
+    return 1 if limit in result.zeros else -1
+
+
+def _at_refuted(
+    mechanism: Mechanism, result: Result, limit: Vanishing, pose: Values
+) -> Iterator[str]:
+    if limit.at is None or limit.at[0] not in {p.name for p in independent(mechanism)}:
+        return
+    name, formula = limit.at
+    if result.where and symbols(formula) - _free(mechanism, pose).keys():
+        return
+    x = evaluate(formula, pose)
+
+    def size(at: float) -> float:
+        return abs(value(mechanism, result, {**_free(mechanism, pose), name: at}))
+
+    found = order(size, x, NEAR)
+    if found is not None and found * _side(result, limit) < 0.5:
+        yield f"{result.name} has order {found:.2f} at {name} = {math.degrees(x):.4f}°"
+
+
+def order(size: Curve, x: float, near: float) -> float | None:
+    """Return the order of a zero (positive) or pole; None where rounding hides it."""
+    a, b = size(x + near), size(x + near / 2)
+    if not (math.isfinite(a) and math.isfinite(b) and a > 1e-250 and b > 1e-250):
+        return None
+    return math.log2(a / b)
+
+
+def _roots_refuted(
+    result: Result, name: str, curve: Callable[[float], Values], low: float, high: float
+) -> Iterator[str]:
+    for limit in (*result.zeros, *result.poles):
+
+        def factor(at: float, limit: Vanishing = limit) -> float:
+            return evaluate(limit.factor, curve(at))
+
+        for x in roots(factor, low, high):
+            found = _order_at(result, curve, x, high - low)
+            if found is not None and found * _side(result, limit) < 0.5:
+                yield f"{result.name} has order {found:.2f} at {name} = {x} where a factor vanishes"
+
+
+def _order_at(
+    result: Result, curve: Callable[[float], Values], x: float, wide: float
+) -> float | None:
+    return order(lambda at: abs(evaluate(result.formula, curve(at))), x, NEAR * wide)
+
+
+def missing(mechanism: Mechanism, result: Result, seed: int = 0) -> Iterator[str]:
+    """Yield the zeros and poles within the ranges that no statement is about."""
+    for pose, name, low, high in _sweeps(mechanism, result, seed):
+
+        def curve(x: float, name: str = name, pose: Values = pose) -> Values:
+            return with_rest(mechanism, result, {**_free(mechanism, pose), name: x})
+
+        for x in roots(lambda at: evaluate(result.formula, curve(at)), low, high):
+            found = _order_at(result, curve, x, high - low)
+            if found is not None and abs(found) > 0.5:
+                stated = result.zeros if found > 0 else result.poles
+                if not any(_is_near_zero(v, curve, x, high - low) for v in stated):
+                    yield f"{result.name} has order {found:.2f} at {name} = {x}: not stated"
+
+
+def _sweeps(
+    mechanism: Mechanism, result: Result, seed: int
+) -> Iterator[tuple[Values, str, float, float]]:
+    ranged = [p for p in independent(mechanism) if p.range is not None]
+    for pose in poses(mechanism, result, 2, seed + 1):
+        for p in ranged:
+            yield pose, p.name, *bounds(p)
+
+
+def _is_near_zero(
+    limit: Vanishing, curve: Callable[[float], Values], x: float, wide: float
+) -> bool:
+    here, there = (abs(evaluate(limit.factor, curve(x + h * wide))) for h in (0, 1e-3))
+    return here < 1e-4 * there or here < 1e-9
+
+
+def roots(curve: Curve, low: float, high: float) -> Iterator[float]:
+    """Yield where a curve changes its sign, through zero or infinity."""
+    places = [low + (high - low) * (i + 0.5) / DENSE for i in range(DENSE)]
+    values = [curve(x) for x in places]
+    for i in range(DENSE - 1):
+        if values[i] * values[i + 1] < 0:
+            a, b, at_a = places[i], places[i + 1], values[i]
+            while (middle := (a + b) / 2) not in (a, b):
+                here = curve(middle)
+                if here * at_a > 0:
+                    a = middle
+                else:
+                    b = middle
+            yield (a + b) / 2

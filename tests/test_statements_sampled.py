@@ -1,0 +1,107 @@
+"""Whatever is said of a result holds against sampling: over random chains with shared zeros."""
+
+import pytest
+
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
+from mechc.frozen import replace
+from mechc.source import Source
+from mechc.work import LIMIT
+from open_chains import Chain
+from statements import missing, refuted
+
+POLE = """
+param alpha = 85 deg in 80 deg .. 100 deg
+param L = 80 mm
+slider A along x
+slider C along -y
+link AC
+AC = L @ -90 deg + alpha
+force P at A along x
+force F at C along y
+find k = P/F
+"""
+
+TREBLED = """
+param al = {value} deg in {low} deg .. {high} deg
+slider A along 2*al
+slider C along x
+{more}
+link AC
+AC = 100 mm @ -al
+force P at A along 2*al
+force F at {load}
+find k = P/F
+"""
+
+
+def results(text):
+    compilation = Compilation(Source("chain.mech", text))
+    found = compilation.results
+    assert LIMIT - compilation.allowance.left < LIMIT / 10
+    return compilation.pose.mechanism, found
+
+
+def hold(seeds, equal=False):
+    """Compile chains and try what is said; return how many had a result."""
+    compiled, codes = 0, set[str]()
+    for seed in seeds:
+        try:
+            mechanism, found = results(Chain(seed, equal).text)
+        except MechcError as error:
+            codes |= {d.code for d in error.diagnostics}
+            continue
+        for result in found:
+            assert list(refuted(mechanism, result, seed)) == [], seed
+            assert equal or list(missing(mechanism, result, seed)) == [], seed
+        compiled += 1
+    assert "E817" not in codes
+    return compiled
+
+
+def test_nothing_that_is_said_is_refuted_and_no_zero_is_left_out():
+    assert hold(range(40)) > 30
+
+
+def test_lengths_that_are_equal_by_chance_make_no_false_zeros():
+    assert hold(range(1000, 1020), equal=True) > 15
+
+
+@pytest.mark.slow
+def test_nothing_that_is_said_of_hundreds_of_chains_is_refuted():
+    assert hold(range(2000, 2300)) > 250
+
+
+def test_k_is_not_said_to_rise_across_a_pole():
+    mechanism, (k,) = results(POLE)
+    assert k.trends == {"alpha": "rises between poles"}
+    assert list(refuted(mechanism, k)) == []
+    _, (k,) = results(POLE.replace("100 deg", "89 deg"))
+    assert k.trends == {"alpha": "rises"}
+
+
+def test_a_zero_that_cancels_is_no_pole():
+    text = TREBLED.format(value=20, low=5, high=80, more="", load="C along -x")
+    _, (k,) = results(text)
+    assert k.poles == ()
+    assert len(k.zeros) == 1
+
+
+def test_what_vanishes_less_than_it_is_divided_by_is_infinite_only():
+    more = "slider D along 60 deg - al\nlink CD\nCD = 100 mm @ 60 deg"
+    text = TREBLED.format(value=85, low=70, high=110, more=more, load="D along -120 deg - al")
+    mechanism, (k,) = results(text)
+    assert [v.at[0] for v in k.poles] == ["al"]
+    assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []
+
+
+@pytest.mark.parametrize("trend", ["rises", "falls", "constant"])
+def test_the_sampler_refutes_what_is_false(trend):
+    mechanism, (k,) = results(POLE)
+    assert list(refuted(mechanism, replace(k, trends={"alpha": trend})))
+
+
+def test_the_sampler_finds_zeros_that_are_none_and_those_left_out():
+    mechanism, (k,) = results(POLE)
+    assert list(refuted(mechanism, replace(k, zeros=k.poles)))
+    assert list(missing(mechanism, replace(k, poles=())))
