@@ -43,7 +43,9 @@ class Root(NamedTuple):
 def roots(trig: Trig, product: Product) -> list[Root]:
     """Return the roots of a sine or cosine, as far as a product may tell them apart.
 
-    cos 3a has three, at 30°, 90° and 150°; beside sin(a/2) it has six, up to 360°.
+    cos 3a has three, at 30°, 90° and 150°; beside sin(a/2) it has six, up to 360°. A sum
+    may vanish at one end of a diameter only: beside one, roots are told apart up to a whole
+    turn of the finest angle.
 
     >>> from .trigonometry import cosine
     >>> (c,) = cosine(Angle.of("a") * 3).factors
@@ -51,6 +53,8 @@ def roots(trig: Trig, product: Product) -> list[Root]:
     ['30°', '90°', '150°']
     """
     scale = lcm(*(Fraction(c).denominator for a in angles(product) for _, c in a.terms))
+    if any(isinstance(f, Sum | Bound) for f in product.factors):
+        scale *= 2
     parts = gcd(*(int(c * scale) for _, c in trig.angle.terms))
     first = -trig.angle.degrees + (90 if trig.function == "cos" else 0)
     unit = Angle(trig.angle.terms) * Fraction(1, parts)
