@@ -21,6 +21,7 @@ ELSEWHERE = {
     "E591": "test_stroke.py",
     "E592": "test_stroke.py",
     "W591": "test_stroke.py",
+    "W594": "test_stroke_ends.py",
     "E601": "test_statics.py",
     "E602": "test_statics.py",
     "E603": "test_statics_closure.py",

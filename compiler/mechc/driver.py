@@ -30,6 +30,7 @@ from .source import Source
 from .stage import Stage, within
 from .statics.referee import judge
 from .statics.verdict import Verdict
+from .stroke.gaps import remark as look_for_gaps
 from .stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
@@ -119,6 +120,11 @@ class Compilation:
     def out_of_step(self) -> tuple[Link, ...]:
         """The links that do not follow the drive."""
         return self._sound(remark(self.plan, self.report))
+
+    @Stage
+    def gaps(self) -> tuple[tuple[float, float], ...]:
+        """The parts of the stroke on which a loop does not close."""
+        return self._sound(look_for_gaps(self.plan, self.report))
 
     @Stage
     def derivation(self) -> Derivation:

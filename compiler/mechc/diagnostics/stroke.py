@@ -1,9 +1,11 @@
 """Words for strokes (E59x)."""
 
+import math
 from collections.abc import Iterable
 
 from ..source import Span
-from .diagnostic import Words, coded
+from ..units import ANGLE, Dimension
+from .diagnostic import Related, Words, coded
 
 
 @coded("E591")
@@ -36,6 +38,68 @@ def no_stroke(span: Span, name: str) -> Words:
         span,
         f"the stroke of {name} has no ends, expected two",
         f"write `drive {name} from … to …`, or give {name} a range",
+    )
+
+
+@coded("E593")
+def empty(span: Span, name: str) -> Words:
+    """A stroke begins and ends at one place.
+
+    ::
+
+        drive phi from 10 deg to 10 deg    # wrong
+        drive phi from 10 deg to 80 deg    # right
+    """
+    return Words(span, f"the stroke of {name} is empty", "give it two ends that differ")
+
+
+@coded("E594")
+def too_many_turns(span: Span, name: str, turns: float, most: int) -> Words:
+    """A stroke goes round more often than can be looked at.
+
+    Results repeat after a turn, and between the places that a stroke is looked at nothing
+    may be missed::
+
+        drive phi from 0 deg to 1e12 deg    # wrong
+        drive phi from 0 deg to 360 deg     # right
+    """
+    message = f"the stroke of {name} is {turns:.3g} turns, expected at most {most}"
+    return Words(span, message, "give it the turns after which everything repeats")
+
+
+@coded("W593")
+def beyond_range(span: Span, name: str, parameter: Span) -> Words:
+    """A stroke goes beyond the range of the driving parameter.
+
+    The range is what the parameter may be, the stroke what the drive runs over: one of the
+    two is probably mistyped::
+
+        param phi = 60 deg in 10 deg .. 80 deg
+        drive phi from 10 deg to 120 deg         # warned of
+    """
+    message = f"the stroke of {name} goes beyond its range"
+    related = (Related(parameter, "the range"),)
+    return Words(span, message, "widen the range, or shorten the stroke", related)
+
+
+@coded("W594")
+def not_assembled(
+    span: Span, name: str, parts: Iterable[tuple[float, float]], dimension: Dimension
+) -> Words:
+    """A loop does not close over a part of the stroke.
+
+    There is no pose there, results are NaN, and the drive cannot run through. ``mechc stroke``
+    shows where it ends, and what is singular there::
+
+        param phi = 60 deg
+        drive phi from 10 deg to 80 deg     # warned of, if it closes from 54 deg on only
+    """
+    unit, size = ("deg", math.pi / 180) if dimension == ANGLE else ("mm", 1e-3)
+    shown = " and ".join(f"from {a / size:.7g} to {b / size:.7g} {unit}" for a, b in parts)
+    return Words(
+        span,
+        f"the mechanism cannot be assembled for {name} {shown}",
+        "shorten the stroke, or change the lengths",
     )
 
 

@@ -1,17 +1,26 @@
 """What drives a mechanism, and which closure of a loop is meant."""
 
+import math
 from collections.abc import Iterable
 
-from ..diagnostics import Report
+from ..diagnostics import Report, stroke
 from ..diagnostics.model import joints as words
 from ..diagnostics.model import names
 from ..formula.tree import Formula
+from ..formula.walk import evaluate
 from ..syntax import ast
+from ..units import ANGLE
 from .expressions import Reader
 from .mechanism import Assembly, Drive, Parameter
 from .parameters import constant
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
+
+MOST_TURNS = 100
+"""Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
+
+ROUNDED = 1e-12
+"""The part of its greatest end below which a stroke is empty."""
 
 
 def read_drive(file: ast.File, scope: Scope) -> Drive | None:
@@ -31,9 +40,31 @@ def read_drive(file: ast.File, scope: Scope) -> Drive | None:
 
 
 def check_drive(drive: Drive | None, parameters: Iterable[Parameter], report: Report) -> None:
-    """Report a drive that follows from other parameters."""
-    if drive and any(p.dependent for p in parameters if p.name == drive.parameter):
+    """Report a drive that follows from other parameters, and a stroke that makes no sense."""
+    moved = next((p for p in parameters if drive and p.name == drive.parameter), None)
+    if drive is None or moved is None:
+        return
+    if moved.dependent:
         report.add(words.drive_depends(drive.span, drive.parameter))
+    elif drive.low is not None and drive.high is not None:
+        _check_stroke(drive, moved, (evaluate(drive.low, {}), evaluate(drive.high, {})), report)
+
+
+def _check_stroke(
+    drive: Drive, parameter: Parameter, ends: tuple[float, float], report: Report
+) -> None:
+    """Report a stroke that is empty, or far too long; remark on one beyond the range."""
+    low, high = sorted(ends)
+    slack = ROUNDED * max(abs(low), abs(high))
+    turns = (high - low) / (2 * math.pi)
+    if high - low <= slack:
+        report.add(stroke.empty(drive.span, drive.parameter))
+    elif parameter.dimension == ANGLE and turns > MOST_TURNS:
+        report.add(stroke.too_many_turns(drive.span, drive.parameter, turns, MOST_TURNS))
+    elif parameter.range is not None:
+        least, most = (evaluate(end, {}) for end in (parameter.range.low, parameter.range.high))
+        if low < least - slack or high > most + slack:
+            report.add(stroke.beyond_range(drive.span, drive.parameter, parameter.span))
 
 
 def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:

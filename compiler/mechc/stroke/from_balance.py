@@ -1,9 +1,9 @@
 """From the results to the stroke."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from itertools import pairwise
+from itertools import pairwise, product
 from typing import NamedTuple
 
 from ..diagnostics import Report
@@ -21,7 +21,7 @@ from .extrema import extrema
 from .friction import courses, in_code, is_told, some, stuck
 from .places import SAMPLES, looked_at, spaced
 from .reached import with_reached
-from .singular import BESIDE, singular_poses, told_apart
+from .singular import BESIDE, places_of, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
 from .velocities import velocities
@@ -45,14 +45,15 @@ def run(balance: Balance, results: Sequence[Result], points: int, report: Report
     if drive is None:
         raise report.fail(words.no_drive(pose.mechanism.span, pose.free))
     parameter = next(p for p in pose.mechanism.parameters if p.name == drive.parameter)
-    ends = _ends(drive, parameter)
+    ends = ends_of(drive, parameter)
     if ends is None:
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
     runner = _Runner(balance, results, parameter, *ends)
     return runner.stroke(points)
 
 
-def _ends(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
+def ends_of(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
+    """Return the ends of a stroke, the range's where none is given; None without either."""
     low, high = (
         (drive.low, drive.high) if drive.low and drive.high else parameter.range or (None, None)
     )
@@ -85,21 +86,22 @@ class _Runner:
         self._along = Along(balance.plan, _plain_lets(self._pose.mechanism))
         shown = [r for r in results if r.default is not None or r.target is not None]
         shown = [in_code(r, balance) for r in shown]
-        self._results = [r for r in shown if not self._is_open(r)]
+        self._results = [r for r in shown if not self._without(r)]
+        self._open = tuple((r.name, self._without(r)) for r in shown if self._without(r))
         self._ratios = [r for r in self._results if isinstance(r.target, LoadRatio)]
         self._places = spaced(low, high, SAMPLES)
         self._branches = branch_points(self._pose, self._along, self._places)
         self._crossings: list[Branch] = []
 
-    def _is_open(self, result: Result) -> bool:
-        """Tell a result that rests on loads whose size nobody gives."""
+    def _without(self, result: Result) -> tuple[str, ...]:
+        """Return the loads that a result rests on and whose size nobody gives."""
         loads = {load.name for load in self._pose.mechanism.loads}
         defined = {d.name for d in result.where}
-        return bool((symbols(result.formula) & loads) - defined)
+        return tuple(sorted((symbols(result.formula) & loads) - defined))
 
     def stroke(self, points: int) -> Stroke:
         """Return the whole."""
-        filled = list(self._columns())
+        filled = _named_apart(self._columns())
         stretches = with_reached(
             tuple(self._stretches()),
             self._along.defaults.get(self._parameter.name),
@@ -124,6 +126,7 @@ class _Runner:
             tuple(stuck(self._results, self._parameter.name)),
             tuple(courses(self._results, self._parameter.name)),
             self._along.defaults,
+            self._open,
         )
 
     # ------------------------------------------------------------------------------- columns
@@ -239,6 +242,17 @@ class _Runner:
         names = {ratio.name for ratio in self._ratios if ratio.target == ideal}
         return [s.drive for s in singular if s.result in names and s.value == "infinite"]
 
+    def _own_poles(self, result: Result, stretch: Stretch) -> list[float]:
+        """Return where a result that is no ratio of loads is infinite on a stretch."""
+        if isinstance(result.target, LoadRatio):
+            return []
+        places = self._within(stretch)
+        return [
+            root.place
+            for pole in result.poles
+            for root in places_of(result, pole, self._along, stretch, places)
+        ]
+
     def _extrema(
         self, stretches: Sequence[Stretch], singular: Sequence[Singular]
     ) -> tuple[Extremum, ...]:
@@ -247,17 +261,30 @@ class _Runner:
         Where a place that is looked at is a pole, what is beside it is none.
         """
         name, beside = self._parameter.name, 2 * (self._high - self._low) / SAMPLES
-        found = [
-            extremum
-            for stretch in stretches
-            for result in self._results
-            for extremum in extrema(result, name, self._along, some(self._within(stretch), result))
-            if is_told(extremum, result)
-            and all(abs(extremum.drive - p) > beside for p in self._poles(result, singular))
-        ]
+        found: list[Extremum] = []
+        for stretch, result in product(stretches, self._results):
+            poles = [*self._poles(result, singular), *self._own_poles(result, stretch)]
+            turning = extrema(result, name, self._along, some(self._within(stretch), result))
+            told = (e for e in turning if is_told(e, result))
+            found += [e for e in told if all(abs(e.drive - p) > beside for p in poles)]
         near = BESIDE * (self._high - self._low)
         clear = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]
         return tuple(sorted(clear, key=lambda e: e.drive))
+
+
+def _named_apart(columns: Iterable[_Filled]) -> list[_Filled]:
+    """Return columns under names that differ: the second of two says what it holds."""
+    taken: set[str] = set()
+    found: list[_Filled] = []
+    for filled in columns:
+        column, name = filled.column, filled.column.name
+        if name in taken:
+            name = f"{name} ({column.content})"
+        while name in taken:
+            name += "'"
+        taken.add(name)
+        found.append(filled._replace(column=column._replace(name=name)))
+    return found
 
 
 def _beyond(place: float, stretches: Sequence[Stretch]) -> str:

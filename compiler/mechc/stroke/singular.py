@@ -33,14 +33,16 @@ def singular_poses(
     conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
     conditions += [(v, "infinite") for v in result.poles]
     for vanishing, value in conditions:
-        for root in _places(result, vanishing, along, stretch, places):
+        for root in places_of(result, vanishing, along, stretch, places):
             exact = _exact(vanishing, drive, along, root)
             yield Singular(result.name, value, vanishing.kind, *root, exact)
 
 
-def _places(
+def places_of(
     result: Result, vanishing: Vanishing, along: Along, stretch: Stretch, places: Sequence[float]
 ) -> Iterator[Root]:
+    """Yield where on a stretch a result's factor vanishes."""
+
     def factor(place: float) -> float:
         return along.of(vanishing.factor, result, place)
 

@@ -94,7 +94,8 @@ class Stuck(NamedTuple):
 class Stroke:
     """Everything along the stroke of one mechanism; all in SI and radians.
 
-    ``courses`` tell of each efficiency what it runs through.
+    ``courses`` tell of each efficiency what it runs through. ``without`` are the loads asked
+    for that rest on loads without a value, with these.
     """
 
     drive: str
@@ -111,3 +112,4 @@ class Stroke:
     stuck: tuple[Stuck, ...]
     courses: tuple[tuple[str, Course], ...]
     defaults: Mapping[str, float]
+    without: tuple[tuple[str, tuple[str, ...]], ...] = ()

@@ -64,6 +64,7 @@ def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
         yield from _stretch(stretch, stroke)
     if not stroke.stretches:
         yield "There is no pose anywhere on the stroke."
+    yield from (_without(name, loads) for name, loads in stroke.without)
     yield from (_branch(b, stroke) for b in stroke.branches)
     yield from (_singular(s, stroke) for s in stroke.singular)
     yield from (_extremum(e, stroke) for e in stroke.extrema)
@@ -120,6 +121,11 @@ def _stretch(stretch: Stretch, stroke: Stroke) -> Iterator[str]:
     if not stretch.reached:
         span = _span(stretch.low, stretch.high, stroke)
         yield f"{span} cannot be reached from the default pose without taking a loop apart"
+
+
+def _without(name: str, loads: Sequence[str]) -> str:
+    values = " and ".join(f"`let {load} = …`" for load in loads)
+    return f"{name} is not shown: it rests on {', '.join(loads)}, without a value; add {values}"
 
 
 def _branch(found: Branch, stroke: Stroke) -> str:

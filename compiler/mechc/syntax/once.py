@@ -15,6 +15,7 @@ ONCE: dict[type[ast.Statement], str] = {
     ast.Copies: "copies",
     ast.Motion: "motion",
     ast.Efficiency: "efficiency",
+    ast.Drive: "drive",
 }
 
 
