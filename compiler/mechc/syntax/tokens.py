@@ -24,6 +24,9 @@ UNIT = re.compile(
     "(?:" + "|".join(re.escape(u) for u in sorted(UNITS, key=len, reverse=True)) + r")(?![\w'])"
 )
 
+BLANKS = frozenset(" \t\u00a0\u2007\u2009\u202f")
+"""What may stand between a number and its unit: word processors put spaces that do not break."""
+
 LOOKALIKES = {
     "−": "the minus sign is '-'",
     "–": "the minus sign is '-'",
@@ -86,7 +89,7 @@ def with_units(text: str, found: list[Token]) -> Iterator[Token]:
 
 def unit_behind(text: str, at: int) -> re.Match[str] | None:
     """Return the longest unit that begins here or after blanks; a keyword is none."""
-    while text[at : at + 1] in (" ", "\t"):
+    while text[at : at + 1] in BLANKS:
         at += 1
     unit = UNIT.match(text, at)
     return unit if unit and unit[0] not in keywords() else None
@@ -112,7 +115,9 @@ def strange(token: Token) -> Diagnostic:
     if character.startswith('"'):
         return syntax.unclosed_text(span)
     hint = LOOKALIKES.get(character, "")
-    if not hint and character.isalpha():
+    if character.isdecimal():
+        hint = f"digits are 0 to 9: write {int(character)}"
+    elif not hint and character.isalpha():
         hint = f"names are written in Latin letters; this is {script(character)}"
     return syntax.unexpected_character(Span(span.start, span.start + 1), character, hint)
 

@@ -52,7 +52,7 @@ CONSTANTS = frozenset({"pi"})
 POINT = re.compile(r"[A-Z][0-9]*'*")
 POINTS = re.compile(r"(?:[A-Z][0-9]*'*)+")
 NAME = re.compile(r"[A-Za-z][A-Za-z0-9_']*")
-QUANTITY = re.compile(r"([\d.]+(?:[eE][+-]?\d+)?)\s*(.*)", re.DOTALL)
+QUANTITY = re.compile(r"([0-9.]+(?:[eE][+-]?[0-9]+)?)\s*(.*)", re.DOTALL)
 
 
 def points_of(text: str) -> tuple[str, ...]:
