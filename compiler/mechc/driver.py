@@ -193,9 +193,10 @@ def compile_source(source: Source, settings: Settings | None = None) -> Compilat
 
 
 def complete(compilation: Compilation) -> Compilation:
-    """Run every stage that has not run yet."""
+    """Run every stage that has something to say: all but the program that targets emit."""
     for value in (*STAGES.values(), *SECOND_OPINIONS):
-        getattr(compilation, value)
+        if value != "routine":
+            getattr(compilation, value)
     return compilation
 
 

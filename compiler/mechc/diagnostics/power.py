@@ -223,3 +223,14 @@ def idle_freedom(at: Span, what: Sequence[str]) -> Words:
     """
     message = f"{listed(what, 'and')} can move without moving any load"
     return Words(at, message, "is a constraint missing?")
+
+
+@coded("E831")
+def too_many_lets(span: Span, name: str, number: int) -> Words:
+    """So many formulas rest on one another that no report or code could show them.
+
+    Every result is told with all that it rests on, so that a chain of a thousand lets
+    stands for half a million definitions. Such descriptions come from a program: let it
+    write the sum that it means.
+    """
+    return Words(span, f"'{name}' rests on {number} other formulas", "write fewer, longer ones")

@@ -3,14 +3,18 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.product import Bound, Product, Sum
+from ..diagnostics import Report
+from ..diagnostics.power import too_many_lets
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
-from ..model.mechanism import Let
 from ..model.result import Definition, Result
+from ..model.values import Chain
 
-Found = Mapping[str, Result]
-Lets = Mapping[str, Let]
+Needed = dict[str, Formula]
+
+MOST_STEPS = 100_000
+"""Definitions that all lets together may rest on: some 450 lets, each made of the one before."""
 
 
 def resting_on(plan: Plan, formula: Formula, values: Sequence[Product]) -> tuple[Definition, ...]:
@@ -56,26 +60,30 @@ def bound_names(value: Product) -> Iterator[str]:
                 yield from bound_names(term)
 
 
-def let_results(plan: Plan, results: Sequence[Result]) -> Iterator[Result]:
-    """Yield the formulas of the user's own, with what they use as definitions."""
+def let_results(plan: Plan, results: Sequence[Result], report: Report) -> Iterator[Result]:
+    """Yield the formulas of the user's own, with what they use as definitions.
+
+    E831 where so many of them rest on one another that nothing can be done with them.
+    """
     mechanism = plan.graph.pose.mechanism
-    found, lets = {r.name: r for r in results}, {k.name: k for k in mechanism.lets}
+    needs = _needs(results, {let.name: let.value for let in mechanism.lets})
+    if sum(map(len, needs.values())) > MOST_STEPS:
+        longest = max(mechanism.lets, key=lambda let: len(needs[let.name]))
+        raise report.fail(too_many_lets(longest.span, longest.name, len(needs[longest.name])))
     for let in mechanism.lets:
-        where: dict[str, Formula] = {}
-        _gather(let.value, found, lets, where)
+        where = needs[let.name]
         of_the_pose = intermediates(plan, [let.value, *where.values()])
         known = [d for d in of_the_pose if d.name not in where]
         definitions = (*known, *(Definition(n, f) for n, f in where.items()))
         yield Result(let.name, None, let.dimension, let.value, definitions)
 
 
-def _gather(formula: Formula, found: Found, lets: Lets, where: dict[str, Formula]) -> None:
-    """Put what a formula uses into ``where``, each definition after those it needs."""
-    for name in sorted(symbols(formula) - where.keys()):
-        if name in found:
-            for inner in found[name].where:
-                where.setdefault(inner.name, inner.formula)
-            where[name] = found[name].formula
-        elif name in lets:
-            _gather(lets[name].value, found, lets, where)
-            where[name] = lets[name].value
+def _needs(results: Sequence[Result], lets: Mapping[str, Formula]) -> dict[str, Needed]:
+    """Return what each let uses, each definition after those it needs."""
+    whole = {r.name: {**{d.name: d.formula for d in r.where}, r.name: r.formula} for r in results}
+    needs: dict[str, Needed] = {}
+    for name, formula in Chain(lets).definitions:
+        used = [whole[s] for s in sorted(symbols(formula)) if s in whole]
+        needs[name] = {n: f for part in used for n, f in part.items()}
+        whole[name] = {**needs[name], name: formula}
+    return needs

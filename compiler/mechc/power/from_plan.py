@@ -73,7 +73,7 @@ class _Asked:
         self._warn_of_idle_loads()
         self._report.stop_on_errors()
         results = [s.result for s in solved]
-        solved.extend(Solved(r) for r in let_results(self._plan, results))
+        solved.extend(Solved(r) for r in let_results(self._plan, results, self._report))
         done = Balance(self._plan, self._terms, tuple(solved))
         done = check_numbers(done, self._report)
         if self._mechanism.friction.efficiency is not None:
