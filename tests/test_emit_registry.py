@@ -11,7 +11,7 @@ from jinja2 import meta, nodes
 
 from mechc.diagnostics import MechcError, Report
 from mechc.emit import registry
-from mechc.emit.c import printer, to_c
+from mechc.emit.c import reserved, to_c
 from mechc.emit.names import Names, mangle, transliterate
 from mechc.emit.python import to_python
 from mechc.emit.render import TEMPLATES, environment
@@ -89,6 +89,7 @@ def test_the_registry_imports_no_target_and_no_target_imports_numpy() -> None:
         ("python/module.jinja", to_python.ModuleContext),
         ("c/header.jinja", to_c.HeaderContext),
         ("c/source.jinja", to_c.SourceContext),
+        ("c/functions.jinja", to_c.CodeContext),
     ],
 )
 def test_a_template_mentions_exactly_its_context(
@@ -118,11 +119,11 @@ def test_a_name_that_needs_no_change_keeps_it() -> None:
 
 @given(st.lists(st.text("aαAΑ_'1βbжЖé²x", min_size=1, max_size=5), unique=True, max_size=12))
 def test_no_two_names_become_one(names: list[str]) -> None:
-    found = mangle(names, Names(printer.RESERVED))
+    found = mangle(names, Names(reserved.RESERVED))
     assert len(set(found.values())) == len(names)
     assert all(n.isidentifier() and n.isascii() and "__" not in n for n in found.values())
-    assert not set(found.values()) & printer.RESERVED
-    assert mangle(names, Names(printer.RESERVED)) == found
+    assert not any(name in reserved.RESERVED for name in found.values())
+    assert mangle(names, Names(reserved.RESERVED)) == found
 
 
 @given(st.text(min_size=1, max_size=20))

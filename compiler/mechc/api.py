@@ -187,7 +187,7 @@ class SolvedMechanism:
 
     def emit_files(self, target: str, **options: Any) -> tuple[Emitted, ...]:
         """Return the files of a target by name, the main one first (``clamp.c``, ``clamp.h``)."""
-        asked = Options(**{"stem": self.name, **options})
+        asked = Options(**{"stem": self.name, "named": "stem" in options, **options})
         return emit(self._compilation, registry.load(target), asked)
 
     def _repr_latex_(self) -> str:

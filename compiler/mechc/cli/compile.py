@@ -97,7 +97,8 @@ def command(
 
 def _emitted(compilation: Compilation, output: Output, options: Options) -> tuple[Emitted, ...]:
     stem = output.stem(compilation.mechanism.name)
-    asked = options._replace(stem=stem, single=output.path is None)
+    single = output.path is None
+    asked = options._replace(stem=stem, single=single, named=not (single or output.folder))
     return emit(compilation, registry.load(output.target), asked)
 
 

@@ -38,6 +38,24 @@ def broken_target(name: str, origin: str, reason: str) -> Words:
     )
 
 
+@coded("E703")
+def file_hides_another(name: str, hidden: str, free: str) -> Words:
+    """A name of a file that the language's own library has, too.
+
+    A compiler that looks for headers in the folder of ``math.h`` finds that one and not the
+    header of the library; a ``string.py`` is imported in place of Python's module, which NumPy
+    needs. Where mechc chooses the names, in a folder, it appends ``_``.
+
+    Wrong: ``mechc compile clamp.mech -o math.c``
+    Right: ``mechc compile clamp.mech -o clamp.c``
+    """
+    return Words(
+        None,
+        f"the file {name} would hide {hidden}: expected a name that is free",
+        f"write -o {free}",
+    )
+
+
 @coded("W701")
 def left_out_target(name: str, origin: str, reason: str) -> Words:
     """A target of another package that does not load, though it was not asked for.

@@ -2,11 +2,11 @@
 
 A name goes verbatim into code, so this pass is the only way there. It writes Greek
 and Cyrillic in Latin letters and primes as words, appends ``_`` to what the language
-reserves, and never lets two names become one.
+reserves (where that is not enough, ``x_`` goes before it), and never lets two names become one.
 """
 
 import re
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Container, Iterable, Mapping
 from unicodedata import normalize
 
 _GREEK = """
@@ -50,6 +50,32 @@ def _ascii(character: str) -> str:
     return letters or ("_" if character.isascii() else f"u{ord(character):x}")
 
 
+class Reserved:
+    """What a language keeps for itself: words, beginnings and endings of words.
+
+    None begins with ``x_``, or ends with ``_``.
+
+    >>> kept = Reserved(["int"], beginnings=["str_"])
+    >>> [name in kept for name in ("int", "str_a", "x_str_a")], "n" in kept.besides(["n"])
+    ([True, True, False], True)
+    """
+
+    def __init__(
+        self, words: Iterable[str], beginnings: Iterable[str] = (), endings: Iterable[str] = ()
+    ) -> None:
+        self._words, self._ends = frozenset(words), (tuple(beginnings), tuple(endings))
+
+    def __contains__(self, name: object) -> bool:
+        beginnings, endings = self._ends
+        return isinstance(name, str) and (
+            name in self._words or name.startswith(beginnings) or name.endswith(endings)
+        )
+
+    def besides(self, words: Iterable[str], beginnings: Iterable[str] = ()) -> "Reserved":
+        """Return this with more words and beginnings."""
+        return Reserved(self._words.union(words), (*self._ends[0], *beginnings), self._ends[1])
+
+
 class Names:
     """The names given out in one space of names of one target.
 
@@ -58,20 +84,34 @@ class Names:
     ['int_', 'int_2', 'alpha', 'alpha_2']
     """
 
-    def __init__(self, reserved: Set[str], taken: Iterable[str] = ()) -> None:
+    def __init__(self, reserved: Container[str], taken: Iterable[str] = ()) -> None:
         self.reserved = reserved
         self.taken = set(taken)
 
     def claim(self, name: str) -> str:
         """Return a legal name near this one that was never given out, and take it."""
         plain = transliterate(name)
-        plain = f"{plain}_" if plain in self.reserved else plain
+        near = (plain, f"{plain}_", f"x_{plain}", f"x_{plain}_")
+        plain = next(n for n in near if n not in self.reserved)
         found, number = plain, 1
         while found in self.taken or found in self.reserved:
             number += 1
             found = f"{plain.rstrip('_')}_{number}"
         self.taken.add(found)
         return found
+
+
+def file_stem(stem: str, named: bool, taken: Container[str]) -> str | None:
+    """Return the files' name without suffix, None where a user named one that is taken.
+
+    Names that differ in case are one name in some file systems.
+
+    >>> file_stem("Math", True, {"math"}), file_stem("Math", False, {"math"})
+    (None, 'Math_')
+    """
+    if stem.lower() not in taken:
+        return stem
+    return None if named else f"{stem}_"
 
 
 def mangle(names: Iterable[str], space: Names) -> dict[str, str]:

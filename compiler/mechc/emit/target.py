@@ -67,6 +67,8 @@ class Options(NamedTuple):
     language: Literal["en", "uk", "ru"] = "en"
     single: bool = False
     """One self-contained file (for standard output)."""
+    named: bool = True
+    """Whether a user named the files; otherwise a target may rename them."""
 
 
 class Emitted(NamedTuple):

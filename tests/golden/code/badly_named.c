@@ -9,6 +9,12 @@
 #include <stdint.h>
 #include <string.h>
 
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || __FINITE_MATH_ONLY__ + 0
+#ifndef MECHC_ALLOW_FAST_MATH
+#error "NaN says where there is no pose: leave out -ffast-math, or define MECHC_ALLOW_FAST_MATH"
+#endif
+#endif
+
 /*
  * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:
  * Cody and Waite's reduction in four parts and the polynomials of fdlibm (Sun
@@ -47,16 +53,6 @@ static inline double mechc_circular(double x, uint64_t quarter)
 static inline double mechc_sin(double x)
 {
     return mechc_circular(x, 0u);
-}
-
-static inline double mechc_cos(double x)
-{
-    return mechc_circular(x, 1u);
-}
-
-static inline double mechc_tan(double x)
-{
-    return mechc_circular(x, 0u)/mechc_circular(x, 1u);
 }
 
 double class_k(

@@ -8,6 +8,12 @@
 #include <stdint.h>
 #include <string.h>
 
+#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || __FINITE_MATH_ONLY__ + 0
+#ifndef MECHC_ALLOW_FAST_MATH
+#error "NaN says where there is no pose: leave out -ffast-math, or define MECHC_ALLOW_FAST_MATH"
+#endif
+#endif
+
 /*
  * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:
  * Cody and Waite's reduction in four parts and the polynomials of fdlibm (Sun
@@ -53,11 +59,6 @@ static inline double mechc_cos(double x)
     return mechc_circular(x, 1u);
 }
 
-static inline double mechc_tan(double x)
-{
-    return mechc_circular(x, 0u)/mechc_circular(x, 1u);
-}
-
 /* The value where left < right, else NaN (all bits ones): by the sign, without a branch. */
 static inline double mechc_if_less(double left, double right, double value)
 {
@@ -80,12 +81,6 @@ static inline double mechc_if_no_more(double left, double right, double value)
     bits |= 0u - (sign >> 63);
     memcpy(&value, &bits, sizeof value);
     return value + (gap - gap);
-}
-
-/* The value where left != right, else NaN. */
-static inline double mechc_if_apart(double left, double right, double value)
-{
-    return left != right ? value : NAN;
 }
 
 double chained_k(double a, double b, double phi)

@@ -8,7 +8,8 @@ from ...routine.steps import Pose, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from .layout import harmless, wrapped
-from .printer import RESERVED, CPrinter
+from .printer import CPrinter
+from .reserved import RESERVED
 from .solvers import lines
 
 

@@ -5,7 +5,6 @@ from typing import NamedTuple
 
 from ...formula import newton
 from ...formula.to_text import text
-from ...formula.tree import Formula
 from ...routine.steps import Solve, Solver, Statement
 from ..names import Names, mangle
 from ..printer import Printer
@@ -13,7 +12,8 @@ from ..render import Line
 from .elimination import Reduced, reduced
 from .layout import harmless, wrapped
 from .opening import Opening, fixed_steps, opening
-from .printer import RESERVED, QuickPrinter
+from .printer import QuickPrinter
+from .reserved import RESERVED
 
 _WORDS = """
     base reached step last count i found aim rest right matrix sign size far longest good there
@@ -54,15 +54,9 @@ def solvers_of(statements: Iterable[Statement]) -> list[Solver]:
     return list(dict.fromkeys(s.solver for s in statements if isinstance(s, Solve)))
 
 
-def inner_formulas(solver: Solver) -> list[Formula]:
-    """Return what one correction computes."""
-    rows = [entry for row in solver.jacobian for entry in row]
-    return [*(step.formula for step in solver.steps), *solver.residuals, *rows]
-
-
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
-    space = Names(RESERVED | _OWN, {name})
+    space = Names(RESERVED.besides(_OWN), {name})
     steps = [step.name for step in solver.steps]
     names = mangle((*solver.unknowns, *solver.outer, *steps), space)
     ends = {n: space.claim(f"{names[n]}_end") for n, _ in _anchored(solver)}

@@ -1,14 +1,14 @@
 """C99: a header and a source that C++ reads too, each result for one pose and for many."""
 
 import re
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping, Set
 from types import ModuleType
 from typing import NamedTuple
 
 from ...diagnostics.diagnostic import MechcError
-from ...diagnostics.emission import unspeakable_file_name
+from ...diagnostics.emission import file_hides_another, unspeakable_file_name
 from ...formula import newton
-from ...formula.tree import Call, Formula, Pi
+from ...formula.tree import Call, Formula
 from ...formula.walk import walk
 from ...routine.steps import (
     Function,
@@ -21,16 +21,17 @@ from ...routine.steps import (
     names_of,
 )
 from .. import describe
-from ..names import Names, mangle, transliterate
+from ..names import Names, file_stem, mangle, transliterate
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from .helpers import BITS, helpers
 from .layout import harmless, wrapped
 from .pose import PoseContext, pose_context
-from .printer import CIRCULAR, RESERVED, CPrinter, QuickPrinter, guarded
+from .printer import CIRCULAR, CPrinter, QuickPrinter, guarded
+from .reserved import HEADERS, LINKED, RESERVED
 from .solvers import (
     SolverContext,
-    inner_formulas,
     lines,
     solver_context,
     solvers_of,
@@ -77,20 +78,26 @@ class HeaderContext(NamedTuple):
     functions: list[FunctionContext | PoseContext]
 
 
+class CodeContext(NamedTuple):
+    """Fields are what ``c/functions.jinja`` mentions."""
+
+    functions: list[FunctionContext]
+    pose: PoseContext | None
+    solvers: list[SolverContext]
+    newton: ModuleType
+
+
 class SourceContext(NamedTuple):
     """Fields are what ``c/source.jinja`` mentions; ``header`` is '' in a single file."""
 
     preface: list[str]
     header: str
-    functions: list[FunctionContext]
-    pose: PoseContext | None
-    solvers: list[SolverContext]
-    newton: ModuleType
-    pi: bool
-    circular: bool
-    guarded: bool
+    public: list[FunctionContext | PoseContext]
+    helpers: Set[str]
     choices: list[Line]
-    signs: bool
+    bits: bool
+    pi: bool
+    code: str
 
 
 class Symbols(NamedTuple):
@@ -122,12 +129,11 @@ class CTarget:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return source and header, or one file with the declarations in front."""
-        if re.search(r'["\\\n]', options.stem):
-            raise MechcError([unspeakable_file_name(options.stem)])
+        stem = _stem(options)
         parts = _parts(compiled)
         preface = _preface(compiled)
-        header = "" if options.single else f"{options.stem}.h"
-        source = Emitted(f"{options.stem}.c", _source(compiled, parts, preface, header))
+        header = "" if options.single else f"{stem}.h"
+        source = Emitted(f"{stem}.c", _source(parts, preface, header))
         if options.single:
             return (source,)
         guard = f"MECHC_{transliterate(compiled.routine.name).upper()}_H"
@@ -138,34 +144,30 @@ class CTarget:
 TARGET = CTarget()
 
 
-def _source(compiled: Compiled, parts: Parts, preface: list[str], header: str) -> str:
-    nodes = {node for formula in _all_formulas(compiled.routine) for node in walk(formula)}
-    called = {node.function for node in nodes if isinstance(node, Call)}
-    choices = [Line(name, sign) for name, sign in _CHOICES.items() if name in called]
+def _stem(options: Options) -> str:
+    if re.search(r'["\\\n]', options.stem):
+        raise MechcError([unspeakable_file_name(options.stem)])
+    stem = file_stem(options.stem, options.named, HEADERS)
+    if stem is None:
+        name = f"{options.stem}.h"
+        raise MechcError([file_hides_another(name, f"the header <{name}>", f"{options.stem}_.c")])
+    return stem
+
+
+def _source(parts: Parts, preface: list[str], header: str) -> str:
+    code = render("c/functions.jinja", CodeContext(*parts, newton))
+    called = helpers(code)
     context = SourceContext(
         preface=preface,
         header=header,
-        functions=parts.functions,
-        pose=parts.pose,
-        solvers=parts.solvers,
-        newton=newton,
-        pi=Pi() in nodes,
-        circular=any(f.quick for f in parts.functions) or bool(parts.solvers),
-        guarded=any(f.quick and f.plain.conditions for f in parts.functions),
-        choices=choices,
-        signs="sign" in called,
+        public=parts.public,
+        helpers=called,
+        choices=[Line(name, sign) for name, sign in _CHOICES.items() if name in called],
+        bits=not called.isdisjoint(BITS),
+        pi=CPrinter.pi in code,
+        code=code,
     )
     return render("c/source.jinja", context)
-
-
-def _all_formulas(routine: Routine) -> Iterator[Formula]:
-    """Yield every formula of a source."""
-    for function in routine.functions:
-        yield from _formulas(function)
-    for statement in _statements(routine):
-        yield from formulas_of(statement)
-        if isinstance(statement, Solve):
-            yield from inner_formulas(statement.solver)
 
 
 def _statements(routine: Routine) -> list[Statement]:
@@ -194,7 +196,7 @@ def _preface(compiled: Compiled) -> list[str]:
 
 
 def _parts(compiled: Compiled) -> Parts:
-    routine, space = compiled.routine, Names(RESERVED)
+    routine, space = compiled.routine, Names(LINKED)
     posed = routine.pose.inputs if routine.pose else ()
     inputs = [*(i.name for f in routine.functions for i in f.inputs), *(i.name for i in posed)]
     arguments = mangle(inputs, Names(RESERVED))

@@ -28,7 +28,7 @@ def pose_context(
 ) -> PoseContext:
     """Return the function of a mechanism's pose."""
     own = {i.name: arguments[i.name] for i in pose.inputs}
-    space = Names(RESERVED | {"found", "status"}, set(own.values()))
+    space = Names(RESERVED.besides(["found", "status"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in pose.steps for n in names_of(s)), space))
     used = mentioned(pose.steps, map(Symbol, pose.outputs))
     body: list[Line] = []

@@ -1,17 +1,38 @@
 """How Python writes formulas, for NumPy."""
 
+from ..names import Reserved
 from ..printer import Printer
 
-_WORDS = """
+_KEYWORDS = """
     False None True and as assert async await break class continue def del elif else except
     finally for from global if import in is lambda nonlocal not or pass raise return try while
-    with yield match case type np float print abs all any bin bool bytes chr complex dict dir
-    divmod eval exec filter format frozenset hash help hex id input int iter len list map max
-    min next object oct open ord pow range repr reversed round set slice sorted str sum super
-    tuple vars zip main
+    with yield match case type
 """
-RESERVED = frozenset(_WORDS.split())
-"""Keywords, the built-ins that a drawing might name, and what the template itself uses."""
+_BUILT_IN = """
+    abs aiter all anext any ascii bin bool breakpoint bytearray bytes callable chr classmethod
+    compile complex copyright credits delattr dict dir divmod enumerate eval exec exit filter float
+    format frozenset getattr globals hasattr hash help hex id input int isinstance issubclass iter
+    len license list locals map max memoryview min next object oct open ord pow print property quit
+    range repr reversed round set setattr slice sorted staticmethod str sum super tuple vars zip
+"""
+KEYWORDS = frozenset(_KEYWORDS.split())
+RESERVED = Reserved([*KEYWORDS, *_BUILT_IN.split(), "np", "main"])
+"""Keywords, built-in functions, and what the template itself uses."""
+
+_MODULES = """
+    abc argparse array ast asyncio atexit base64 binascii bisect builtins bz2 calendar cmath codecs
+    collections concurrent contextlib contextvars copy copyreg csv ctypes dataclasses datetime
+    decimal difflib dis email encodings enum errno faulthandler fcntl fnmatch fractions functools gc
+    genericpath getpass gettext glob grp gzip hashlib heapq hmac html http importlib inspect io
+    ipaddress itertools json keyword linecache locale logging lzma marshal math mmap multiprocessing
+    nt ntpath numbers numpy opcode operator os pathlib pickle pkgutil platform posix posixpath
+    pprint pwd queue random re reprlib runpy secrets select selectors shlex shutil signal site
+    socket sre_compile sre_constants sre_parse ssl stat statistics string struct subprocess sys
+    sysconfig tempfile textwrap threading time token tokenize traceback tracemalloc types typing
+    unittest urllib uuid warnings weakref zipfile zipimport zlib
+"""
+MODULES = frozenset(_MODULES.split())
+"""The modules that Python and NumPy load: one of that name beside a script is loaded instead."""
 
 _FUNCTIONS = {
     "asin": "np.arcsin",

@@ -37,7 +37,7 @@ def solver_names(statements: Iterable[Statement]) -> dict[Solver, str]:
 
 def solver_context(solver: Solver, name: str) -> SolverContext:
     """Return a system's function."""
-    space = Names(RESERVED | _OWN)
+    space = Names(RESERVED.besides(_OWN))
     steps = (step.name for step in solver.steps)
     names = mangle((*solver.unknowns, *solver.outer, *steps), space)
     printer = PythonPrinter(names)

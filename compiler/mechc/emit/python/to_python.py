@@ -4,17 +4,19 @@ from collections.abc import Mapping
 from types import ModuleType
 from typing import NamedTuple
 
+from ...diagnostics.diagnostic import MechcError
+from ...diagnostics.emission import file_hides_another
 from ...formula import newton
 from ...formula.tree import Call, Formula, Number, Power
 from ...formula.walk import symbols, walk
 from ...routine.steps import Function, Pose, Solve, Solver, formulas_of, mentioned, names_of
 from .. import describe
-from ..names import Names, mangle
+from ..names import Names, file_stem, mangle
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from .pose import PoseContext, pose_context
-from .printer import RESERVED, PythonPrinter
+from .printer import KEYWORDS, MODULES, RESERVED, PythonPrinter
 from .solvers import SolverContext, line, solver_context, solver_names
 
 _MAY_FAIL = ("asin", "acos", "sqrt", "log", "exp", "tan", "cot", "sec", "csc")
@@ -56,10 +58,20 @@ class PythonTarget:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return the module."""
-        return (Emitted(f"{options.stem}.py", render("python/module.jinja", _module(compiled))),)
+        text = render("python/module.jinja", _module(compiled))
+        return (Emitted(f"{_stem(options)}.py", text),)
 
 
 TARGET = PythonTarget()
+
+
+def _stem(options: Options) -> str:
+    taken = MODULES if options.named else MODULES | KEYWORDS
+    stem = file_stem(options.stem, options.named, taken)
+    if stem is None:
+        hidden, free = f"Python's module {options.stem}", f"{options.stem}_.py"
+        raise MechcError([file_hides_another(f"{options.stem}.py", hidden, free)])
+    return stem
 
 
 def _module(compiled: Compiled) -> ModuleContext:

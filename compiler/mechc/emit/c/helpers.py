@@ -1,0 +1,20 @@
+"""The helper functions of a source: those alone that it calls, as unused ones are remarked upon."""
+
+import re
+
+_CALL = re.compile(r"\bmechc_(\w+)\(")
+_NEEDS = {"sin": "circular", "cos": "circular", "tan": "circular"}
+BITS = frozenset({"circular", "if_less", "if_no_more"})
+"""Those that look at the bits of numbers, for which they need ``stdint.h`` and ``string.h``."""
+
+
+def helpers(code: str) -> set[str]:
+    """Return the helper functions that code calls, and those that these call.
+
+    Only helpers have names that begin with ``mechc_``: nothing else is given such a name.
+
+    >>> sorted(helpers("return mechc_sin(x)*y;"))
+    ['circular', 'sin']
+    """
+    called = set(_CALL.findall(code))
+    return called | {_NEEDS[name] for name in called if name in _NEEDS}
