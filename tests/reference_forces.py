@@ -22,6 +22,7 @@ from reference_geometry import (
     arms_of,
     assemble,
     assemble_half,
+    cylinders,
     evaluate,
     every,
     points_of,
@@ -135,6 +136,8 @@ class Forces:
     def _effect(self, load: Action) -> Array:
         if load.direction is None:
             return self.on_body(load.at, 0, 0, 1)
+        if load.at in self.rows:
+            return self.on_body(load.at, load.direction, 0)
         return self.on_point(load.at, load.direction)
 
     def _owner(self, tie: ast.Expr, loads: Mapping[str, Array]) -> tuple[str, float]:
@@ -154,6 +157,9 @@ class Forces:
                 apart = self.arms.between(first, second)
             apart /= abs(apart)
             pushes = [(second, apart), (first, -apart)]
+            for body, start, end in cylinders(self.tree):
+                if {start, end} == {first, second}:
+                    pushes = [(p if p == end else body, v) for p, v in pushes]
             if self.shared and second != first + "'":
                 axis = self._axis()
                 twin = {p: p if p in self.shared else p + "'" for p in (first, second)}

@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 
 from mechc.syntax import ast
-from reference_geometry import evaluate, every, points_of
+from reference_geometry import cylinders, evaluate, every, points_of
 from reference_kinematics import Array, Motion
 
 if TYPE_CHECKING:
@@ -72,6 +72,7 @@ class Rubs:
 
     def _pins(self) -> set[str]:
         links = [points_of(s.points.text) for s in every(self._tree, ast.Link)]
+        links += [ends for _, *ends in cylinders(self._tree)]
         often = [p for points in links for p in points]
         return {p for p in often if often.count(p) > 1 or p in self._carried_by_ground()}
 
@@ -84,7 +85,8 @@ class Rubs:
         f, d = (evaluate(x, self._values) for x in (s.coefficient, s.diameter))
         radius = d / 2 * (math.sin(math.atan(f)) if s.law == "coulomb" else f)
         links = [k.points.text for k in every(self._tree, ast.Link)]
-        links = [k for k in links if point in points_of(k)]
+        first = {name: start for name, start, _ in cylinders(self._tree)}
+        links = [k for k in (*links, *first) if point in points_of(k)]
         carrier = on or ("" if point in self._carried_by_ground() else links[0])
         for link in links:
             if link == carrier:
@@ -99,7 +101,8 @@ class Rubs:
                         other = carrier + twin if carrier + twin in self._forces.rows else carrier
                         effect = effect - self._forces.on_body(other, 0, 0, sense * turn)
                     at = point if not twin or point in self._forces.shared else point + "'"
-                    pressing = (self._forces.columns["pin", body, at, axis] for axis in "xy")
+                    held = at if ("pin", body, at, "x") in self._forces.columns else first[link]
+                    pressing = (self._forces.columns["pin", body, held, axis] for axis in "xy")
                     yield Rub(radius, tuple(pressing), effect)
 
     def _resistance(self, s: ast.GuideFriction | ast.RollerFriction) -> float:

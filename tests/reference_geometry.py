@@ -280,16 +280,34 @@ def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None =
     carried = {p for points in links.values() for p in points}
     slides |= {p: along for p, along in guides.items() if p not in carried}
     links |= {name: dict.fromkeys(points_of(name), 0j) for name in slides}
+    touches = list(_touches(file, values, arms, links, slides))
+    for name, first, second in cylinders(file):
+        links[name] = {first: 0j}
+        reach = arms.between(first, second)
+        touches.append(Touch(second, name, 1j * reach / abs(reach), reach))
     return Assembly(
         links,
         {s.point.text for s in every(file, ast.Pivot)},
         guides,
         slides,
-        list(_touches(file, values, arms, links, slides)),
+        touches,
         list(rollings(file, links, guides | slides, lambda e: evaluate(e, values))),
         _actions(file, values, arms),
         arms.lengths,
     )
+
+
+def cylinders(file: ast.File) -> Iterator[tuple[str, str, str]]:
+    """Yield the telescopes whose ends have friction: a body at one end, led by the other one.
+
+    That presses the body across, and a pair of forces inside acts on both.
+    """
+    if every(file, ast.PinFriction):
+        pairs = (*every(file, ast.Actuator), *every(file, ast.Spring))
+        loaded = [{s.first.text, s.second.text} for s in pairs]
+        for s in every(file, ast.Telescope):
+            if set(points_of(s.points.text)) in loaded:
+                yield s.points.text, *points_of(s.points.text)
 
 
 def _touches(

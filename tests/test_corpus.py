@@ -22,6 +22,7 @@ ELSEWHERE = {
     "E592": "test_stroke.py",
     "W591": "test_stroke.py",
     "W594": "test_stroke_ends.py",
+    "E540": "test_telescopes.py",
     "E601": "test_statics.py",
     "E602": "test_statics.py",
     "E603": "test_statics_closure.py",

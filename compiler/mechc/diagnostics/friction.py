@@ -1,4 +1,4 @@
-"""Words for friction in the balance of power (E510 … E514, W511 … W513)."""
+"""Words for friction in the balance of power (E510 … E514, E540, W511 … W541)."""
 
 from collections.abc import Sequence
 
@@ -97,3 +97,35 @@ def drive_jams(span: Span, name: str, drive: str) -> Words:
     """
     message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
     return Words(span, message, "move the default values away from the dead centre")
+
+
+@coded("W540")
+def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[str]) -> Words:
+    """A load acts at a pin with friction, and nobody says on which link.
+
+    A load at a shared pin is taken to act on the pin, which is fast in one of the links. The
+    friction of the pin is that of the others on it, and so depends on which link that is: a
+    lever before a rod, then the link nearest to a pivot.
+
+        force F at P along -y             # warned of where the pin at P rubs
+        force F at P on NP along -y       # right
+    """
+    others = " or ".join(f"'on {other}'" for other in links if other != link)
+    message = f"{load} acts on the pin at {point}, which is taken to be fast in {link}"
+    return Words(at, message, f"write 'at {point} on {link}' behind {load}, or {others}")
+
+
+@coded("W541")
+def pin_fast_in(at: Span, point: str, link: str, links: Sequence[str]) -> Words:
+    """Three bodies meet at a pin with friction, and nobody says in which of them it is fast.
+
+    The others turn on the pin, each with friction of its own: which link carries the pin
+    makes a difference.
+
+        friction pins 0.1 diameter 10 mm                  # warned of with links AB, BC and BD
+        friction pin B 0.1 diameter 10 mm on AB           # right
+    """
+    others = ", ".join(other for other in links if other != link)
+    message = f"the pin at {point} is taken to be fast in {link}; {others} turn on it"
+    hint = f"say so: 'friction pin {point} … on {link}', or on another one"
+    return Words(at, message, hint)

@@ -9,7 +9,7 @@ from .diagnostic import Words, coded
 
 REPORT_IT = "this is a bug in mechc, not in the description: please report it with this file"
 
-BUGS = frozenset({"E601", "E602", "E603"})
+BUGS = frozenset({"E540", "E601", "E602", "E603"})
 """Errors that speak of mechc, not of the description; the command line ends with status 70."""
 
 
@@ -115,3 +115,14 @@ def _measured(value: float, dimension: Dimension) -> str:
     if dimension == ANGLE:
         return f"{math.degrees(value):.6g} deg"
     return f"{value:.6g} {'' if dimension == NUMBER else base_units(dimension)}".strip()
+
+
+@coded("E540")
+def friction_not_counted(at: Span, pin: str) -> Words:
+    """Every pin is said to have friction, and one of them was left out: a bug in mechc.
+
+    Free bodies are cut at every pin, and all that turn there are counted. One on which no
+    friction acts was forgotten on the way from the description to the formula.
+    """
+    message = f"every pin is said to have friction, but none acts at {pin}"
+    return Words(at, message, REPORT_IT)

@@ -18,7 +18,7 @@ from ..algebra.product import Product
 from ..diagnostics import MechcError, Report
 from ..formula.tree import PI
 from ..frozen import frozen, replace
-from ..model.mechanism import Force, Link, Load, Mechanism, Thrust, Torque
+from ..model.mechanism import Force, Link, Load, Mechanism, Telescope, Thrust, Torque
 from ..pose.pose import Pose, Touch
 from ..source import Source, Span
 from .builder import Builder
@@ -46,9 +46,18 @@ class Bond(NamedTuple):
 
 
 def held_end(mechanism: Mechanism, link: Link) -> str:
-    """Return an end of a rod that something else holds: its last one, if that is."""
+    """Return an end of a rod that something else holds: its last one, if that is.
+
+    At an end where a load acts on the rod itself the pin gives not all of the force along it.
+    """
+    loaded = {k.point for k in mechanism.loads if isinstance(k, Force) and k.link == link.name}
+    for pair in (k for k in mechanism.loads if isinstance(k, Thrust)):
+        ends = (pair.first_link, pair.first), (pair.second_link, pair.second)
+        loaded |= {point for name, point in ends if name == link.name}
 
     def is_held(point: str) -> bool:
+        if point in loaded:
+            return False
         others = sum(point in k.points for k in mechanism.links) > 1
         joints = {p.point for p in mechanism.pivots} | {s.point for s in mechanism.sliders}
         touching = {s.point for s in mechanism.slots} | {c.point for c in mechanism.contacts}
@@ -93,7 +102,9 @@ def loosened(
     ``taken``.
     """
     let_go = _released(pose, bond, along)
-    measures = [*let_go.holding, *map(work_of, held)]
+    moved = {load.name: load for load in let_go.pose.mechanism.loads}
+    shares = [[(part, moved[load.name]) for part, load in free] for free in held]
+    measures = [*let_go.holding, *map(work_of, shares)]
     graph = _held_still(Builder(let_go.pose).graph(), measures, pose.mechanism.span)
     try:
         plan = plan_of(graph, Report(Source("", "")), taken)
@@ -143,7 +154,11 @@ def _released(pose: Pose, bond: Bond, along: Angle) -> Released:
 
 
 def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
-    """Give the link a point of its own that parts from the pin along one direction."""
+    """Give the link a point of its own that parts from the pin along one direction.
+
+    What acts on the link there goes with it. A telescope holds its ends at no distance, so
+    that its own point moves like a body.
+    """
     own, point, mechanism = bond.loose, bond.point, pose.mechanism
     links = tuple(_renamed(k, point, own) if k.name == bond.of else k for k in mechanism.links)
     frame = {own if p == point else p: v for p, v in pose.frames[bond.of].items()}
@@ -157,17 +172,37 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
     )
     apart = replace(
         pose,
-        mechanism=replace(_sharing(mechanism, bond), links=links, racks=racks),
+        mechanism=replace(
+            _sharing(mechanism, bond), links=links, racks=racks, loads=_carried(mechanism, bond)
+        ),
         frames=frames,
         touches=touches,
     )
-    apart = _with_pin(apart, point)
+    apart = _with_pin(_with_pin(apart, point), own)
 
     def gap(graph: Graph, direction: Angle = along) -> Form:
         ahead, behind = (projection(graph.velocities[p], direction) for p in (own, point))
         return subtract(ahead, behind)
 
     return Released(apart, gap, (lambda graph: gap(graph, along + QUARTER),))
+
+
+def _carried(mechanism: Mechanism, bond: Bond) -> tuple[Load, ...]:
+    """Return the loads, those on a link itself at the point that it has for itself now."""
+
+    def moved(load: Load) -> Load:
+        there = (bond.of, bond.point)
+        match load:
+            case Force() if (load.link, load.point) == there:
+                return replace(load, point=bond.loose)
+            case Thrust() if (load.first_link, load.first) == there:
+                return replace(load, first=bond.loose)
+            case Thrust() if (load.second_link, load.second) == there:
+                return replace(load, second=bond.loose)
+            case _:
+                return load
+
+    return tuple(map(moved, mechanism.loads))
 
 
 def _with_pin(pose: Pose, point: str) -> Pose:
@@ -196,8 +231,9 @@ def _renamed(link: Link, point: str, own: str) -> Link:
 def _sharing(mechanism: Mechanism, bond: Bond) -> Mechanism:
     """Let both halves share the link's own point where they share the whole link."""
     mirror = mechanism.mirror
-    link = next(k for k in mechanism.links if k.name == bond.of)
-    if mirror is None or not set(link.points) <= set(mirror.sharing):
+    bodies: list[Link | Telescope] = [*mechanism.links, *mechanism.cylinders]
+    points = next(b.points for b in bodies if b.name == bond.of)
+    if mirror is None or not set(points) <= set(mirror.sharing):
         return mechanism
     return replace(mechanism, mirror=replace(mirror, sharing=(*mirror.sharing, bond.loose)))
 

@@ -1,40 +1,38 @@
 """Friction: ``friction …``, ``motion …``, ``efficiency …``."""
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import Literal
 
 from ..diagnostics.model import friction as words
 from ..diagnostics.model.reactions import several_touch
 from ..formula.tree import Call, Formula, number, product, total
-from ..formula.walk import evaluate, symbols
-from ..source import Span
 from ..syntax import ast
-from ..units import LENGTH, NUMBER
+from ..units import NUMBER
+from .coefficients import checked, coefficient, positive_length, value_of
 from .expressions import Reader
 from .mechanism import Force, Load, Mechanism
+from .pins import Pins, remark_on_pairs
 from .rubbing import (
     Friction,
     Rubbing,
     RubbingFace,
     RubbingGuide,
     RubbingMesh,
-    RubbingPin,
     RubbingThread,
 )
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
-
-HALF = number(Fraction(1, 2))
 
 
 def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     """Return all that rubs; report what names no such joint or is said twice."""
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
+    pins = Pins(named, built, scope)
     rubbing: dict[object, Rubbing] = {}
     for statement in file.statements:
-        for rub in _read(statement, named, built, scope):
+        for rub in _read(statement, pins, built, scope):
             key = (type(rub), getattr(rub, "kind", "")), rub.point
             if key in rubbing:
                 first = rubbing[key].span
@@ -42,12 +40,23 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
             rubbing.setdefault(key, rub)
     _judge_halves(rubbing.values(), built, scope)
     motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
-    friction = Friction(
-        tuple(rubbing.values()), motion.sense if motion else "tightening", efficiency
-    )
+    sense = motion.sense if motion else "tightening"
+    everywhere = any(s.point is None for s in every(file, ast.PinFriction))
+    friction = Friction(tuple(rubbing.values()), sense, efficiency, everywhere)
+    if everywhere:
+        remark_on_pairs(built, scope)
+        _remark_on_slots(friction, built, scope)
     if motion and friction.is_ideal:
         scope.report.add(words.motion_for_nothing(motion.span))
     return friction
+
+
+def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None:
+    """Say which pins slide in slots without friction, though every pin is said to have it."""
+    rough = {rub.point for rub in friction.rubbing if isinstance(rub, RubbingFace)}
+    for slot in built.slots:
+        if slot.point not in rough:
+            scope.report.add(words.slot_without_friction(slot.span, slot.point))
 
 
 def _judge_halves(rubbing: Iterable[Rubbing], built: Mechanism, scope: Scope) -> None:
@@ -83,11 +92,11 @@ def _times(load: Load) -> Fraction:
 
 
 def _read(
-    statement: ast.Statement, named: set[str], built: Mechanism, scope: Scope
+    statement: ast.Statement, pins: Pins, built: Mechanism, scope: Scope
 ) -> Iterator[Rubbing]:
     match statement:
         case ast.PinFriction():
-            yield from _pins(statement, named, scope)
+            yield from pins.read(statement)
         case ast.GuideFriction():
             yield from _guide(statement, scope)
         case ast.RollerFriction():
@@ -100,67 +109,11 @@ def _read(
             return
 
 
-# ------------------------------------------------------------------------------ pins
-
-
-def _pins(statement: ast.PinFriction, named: set[str], scope: Scope) -> Iterator[Rubbing]:
-    radius = _radius(statement, scope)
-    if radius is None:
-        return
-    if statement.point is None:
-        for point in scope.points.carried:
-            if point not in named and _is_pin(point, scope):
-                yield RubbingPin(point, _carrier(point, scope), radius, statement.span)
-        return
-    point = statement.point.text
-    if point not in scope.points.places:
-        return
-    if not _is_pin(point, scope):
-        scope.report.add(words.nothing_turns(statement.point.span, point))
-        return
-    carrier = _carrier(point, scope)
-    if statement.link:
-        link = scope.points.link(statement.link)
-        if link is None:
-            return
-        if point not in link.points:
-            scope.report.add(words.pin_of_another(statement.link.span, point, link.name))
-            return
-        carrier = link.name
-    yield RubbingPin(point, carrier, radius, statement.span)
-
-
-def _is_pin(point: str, scope: Scope) -> bool:
-    """Tell whether bodies turn on one another at a point."""
-    points = scope.points
-    carried = len(points.carried.get(point, ()))
-    fast = point in points.fixed | points.guided or any(point in s for s in points.slides)
-    return carried > 1 or (carried == 1 and fast)
-
-
-def _carrier(point: str, scope: Scope) -> str:
-    """Return the link that a pin is fast in: none at a pivot or slider, else the first one."""
-    points = scope.points
-    if point in points.fixed | points.guided or any(point in s for s in points.slides):
-        return ""
-    return points.carried[point][0].name
-
-
-def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
-    f = _coefficient(statement.coefficient, scope)
-    diameter = _length(statement.diameter, "the diameter of a pin", scope)
-    if f is None or diameter is None:
-        return None
-    if statement.law == "coulomb":
-        f = Call("sin", (Call("atan", (f,)),))
-    return product([(HALF, 1), (f, 1), (diameter, 1)])
-
-
 # ------------------------------------------------------------ guides, rollers, faces
 
 
 def _guide(statement: ast.GuideFriction, scope: Scope) -> Iterator[Rubbing]:
-    f = _coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, scope)
     if not _is_guided(statement.point, scope) or f is None:
         return
     tilt: Formula | None = number(1)
@@ -180,12 +133,12 @@ def _tilt(
     the couple part of a linear pressure, 3x; ``linear`` all of it, 3x + 1/(12x) once the
     pressure reaches both sides (x > 1/6); ``edges`` contact at both ends, 2x once x > 1/2.
     """
-    overhang = _length(lengths[0], "the overhang of a plunger", scope)
-    length = _length(lengths[1], "the length of a guide", scope)
+    overhang = positive_length(lengths[0], "the overhang of a plunger", scope)
+    length = positive_length(lengths[1], "the length of a guide", scope)
     if length is None or overhang is None:
         return None
     x = product([(overhang, 1), (length, -1)])
-    share = _value(x, scope)
+    share = value_of(x, scope)
     match statement.law:
         case "linear":
             wide = x if share and share > 1 / 6 else Call("max", (x, number(Fraction(1, 6))))
@@ -201,9 +154,9 @@ def _tilt(
 
 
 def _roller(statement: ast.RollerFriction, scope: Scope) -> Iterator[Rubbing]:
-    f = _coefficient(statement.coefficient, scope)
-    axle = _length(statement.axle, "the diameter of an axle", scope)
-    wheel = _length(statement.wheel, "the diameter of a roller", scope)
+    f = coefficient(statement.coefficient, scope)
+    axle = positive_length(statement.axle, "the diameter of an axle", scope)
+    wheel = positive_length(statement.wheel, "the diameter of a roller", scope)
     if not _is_guided(statement.point, scope) or f is None or axle is None or wheel is None:
         return
     factor = product([(f, 1), (axle, 1), (wheel, -1)])
@@ -211,7 +164,7 @@ def _roller(statement: ast.RollerFriction, scope: Scope) -> Iterator[Rubbing]:
 
 
 def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[Rubbing]:
-    f = _coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, scope)
     if not scope.points.acting(statement.point) or f is None:
         return
     point = statement.point
@@ -230,7 +183,7 @@ def _transmission(
     scope: Scope,
 ) -> Iterator[Rubbing]:
     """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
-    f = _coefficient(statement.coefficient, scope)
+    f = coefficient(statement.coefficient, scope)
     point, span = statement.point, statement.span
     if not scope.points.acting(point) or f is None:
         return
@@ -249,7 +202,7 @@ def _transmission(
     elif there.count(point.text) > 1:
         scope.report.add(words.several_transmissions(point.span, kind, point.text))
     elif isinstance(statement, ast.ScrewFriction):
-        thread = _length(statement.thread, "the mean diameter of a thread", scope)
+        thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:
             yield RubbingThread(point.text, f, thread, span)
     elif kind != "screw":
@@ -270,40 +223,10 @@ def _is_guided(point: ast.Name, scope: Scope) -> bool:
     return False
 
 
-# -------------------------------------------------------------------------- numbers
-
-
-def _coefficient(expression: ast.Expr, scope: Scope) -> Formula | None:
-    formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, "a coefficient of friction")
-    return _checked(formula, expression.span, "a coefficient of friction", lambda v: v >= 0, scope)
-
-
-def _length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:
-    formula = Reader(scope, DESCRIPTION).wanted(expression, LENGTH, what)
-    return _checked(formula, expression.span, what, lambda v: v > 0, scope)
-
-
 def _efficiency(file: ast.File, scope: Scope) -> Formula | None:
     statement = only(file, ast.Efficiency)
     if statement is None:
         return None
     what, value = "an efficiency", statement.value
     formula = Reader(scope, DESCRIPTION).wanted(value, NUMBER, what)
-    return _checked(formula, value.span, what, lambda v: 0 < v <= 1, scope)
-
-
-def _checked(
-    formula: Formula | None, span: Span, what: str, fits: Callable[[float], bool], scope: Scope
-) -> Formula | None:
-    """Return a quantity whose default value makes sense; report one that makes none."""
-    value = None if formula is None else _value(formula, scope)
-    if value is not None and not fits(value):
-        scope.report.add(words.senseless(span, what, value))
-        return None
-    return formula
-
-
-def _value(formula: Formula, scope: Scope) -> float | None:
-    if not symbols(formula) <= scope.values.keys():
-        return None
-    return evaluate(formula, scope.values)
+    return checked(formula, value.span, what, lambda v: 0 < v <= 1, scope)

@@ -22,11 +22,12 @@ from .mechanism import Find, LoadForm, Mechanism
 from .motion import check_drive, read_assemblies, read_drive
 from .parameters import warn_unused
 from .points import Points
+from .reactions import check_rods
 from .results import read_expects, read_requires
 from .scope import Scope
 from .statements import every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
-from .thrusts import spring_name
+from .thrusts import inside_telescopes, spring_name
 from .transmissions import check_belts, read_joints
 
 
@@ -46,6 +47,8 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     mechanism = replace(_headed(file, report), finds=tuple(finds), spans=points.places)
     mechanism = _under_loads(_built(mechanism, file, scope), file, scope)
     mechanism = replace(mechanism, friction=read_friction(file, mechanism, scope))
+    mechanism = replace(mechanism, loads=inside_telescopes(mechanism.loads, mechanism, scope))
+    check_rods(mechanism, scope)
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)

@@ -30,7 +30,7 @@ from .order import ordered
 from .parameters import constant
 from .scope import DESCRIPTION, TIE, Scope
 from .statements import every, only
-from .thrusts import read_thrust
+from .thrusts import carrying, read_thrust
 
 
 def read_loads(file: ast.File, scope: Scope) -> list[Load]:
@@ -59,12 +59,14 @@ def read_loads(file: ast.File, scope: Scope) -> list[Load]:
 
 def _force(statement: ast.Force, scope: Scope) -> Force | None:
     points = scope.points.acting(statement.point)
+    link = carrying(statement.link, statement.point, scope)
     along = read_direction(statement.along, scope)
     times = _times(statement.times, scope)
     tie = _tie(statement.tie, FORCE, statement.name, scope) if statement.tie else None
-    if not points or not along or (statement.tie and not tie):
+    if not points or link is None or not along or (statement.tie and not tie):
         return None
-    return Force(statement.name.text, points[0], along, statement.span, tie, times)
+    name = statement.name.text
+    return Force(name, points[0], along, statement.span, tie, times, link=link)
 
 
 def _torque(statement: ast.Torque, scope: Scope) -> Torque | None:
@@ -78,14 +80,15 @@ def _torque(statement: ast.Torque, scope: Scope) -> Torque | None:
 
 def _weight(statement: ast.Weight, along: Direction | None, scope: Scope) -> Force | None:
     points = scope.points.acting(statement.point)
+    link = carrying(statement.link, statement.point, scope)
     mass = Reader(scope, DESCRIPTION).wanted(statement.mass, MASS, "a mass")
     check_sign(mass, statement.mass.span, "a mass", scope)
     times = _times(statement.times, scope)
     g = _acceleration(statement.span, scope)
-    if not points or not mass or not along or not g:
+    if not points or link is None or not mass or not along or not g:
         return None
-    tie = product([(mass, 1), (g, 1)])
-    return Force(statement.name.text, points[0], along, statement.span, tie, times, weight=True)
+    name, tie = statement.name.text, product([(mass, 1), (g, 1)])
+    return Force(name, points[0], along, statement.span, tie, times, weight=True, link=link)
 
 
 def _acceleration(span: Span, scope: Scope) -> Formula | None:

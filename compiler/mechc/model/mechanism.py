@@ -131,7 +131,8 @@ Geometry = Arrow | Offset | Turn
 class Force:
     """A force on a point; ``tie`` is a formula linear in one other load, or None.
 
-    ``times`` multiplies the load wherever it acts.
+    ``times`` multiplies the load wherever it acts. ``link`` is the link that carries it, ''
+    where it acts on the pin itself and so on whatever the pin is fast in.
     """
 
     name: str
@@ -141,6 +142,7 @@ class Force:
     tie: Formula | None = None
     times: Fraction = Fraction(1)
     weight: bool = False
+    link: str = ""
 
 
 @frozen
@@ -159,7 +161,9 @@ class Thrust:
     """A pair of equal and opposite forces that pushes two points apart.
 
     ``tie`` is None for an actuator; for a spring it is c·(l0 − len_AB), a known load, and
-    ``spring`` is True. Its power is the load times the rate of the distance.
+    ``spring`` is True. Its power is the load times the rate of the distance. Each end acts on
+    a link at its point, or on the pin there where the link is ''. A pair inside a telescope
+    whose end pins have friction acts on the telescope, along it at the piston.
     """
 
     name: str
@@ -169,6 +173,8 @@ class Thrust:
     tie: Formula | None = None
     times: Fraction = Fraction(1)
     spring: bool = False
+    first_link: str = ""
+    second_link: str = ""
 
 
 Load = Force | Torque | Thrust
@@ -273,3 +279,14 @@ class Mechanism:
     expects: tuple[Expect, ...] = ()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
+
+    @property
+    def cylinders(self) -> tuple[Telescope, ...]:
+        """Return the telescopes under load whose end pins have friction, which bends them."""
+        loaded = {load.first_link for load in self.loads if isinstance(load, Thrust)}
+        return tuple(t for t in self.telescopes if t.name in loaded)
+
+    def turning_at(self, point: str) -> tuple[str, ...]:
+        """Return the links and the cylinders that turn on a pin."""
+        bodies: tuple[Link | Telescope, ...] = (*self.links, *self.cylinders)
+        return tuple(body.name for body in bodies if point in body.points)

@@ -65,7 +65,8 @@ class Slide:
 class Telescope:
     """A two-part link of variable length, pinned at both ends (``AB``).
 
-    Its two parts turn together and slide along AB without resistance: no tension.
+    Its two parts turn together and slide along AB without resistance: no tension. They take
+    a side force and a couple, as friction at the end pins makes them.
     """
 
     name: str

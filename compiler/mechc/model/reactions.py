@@ -6,7 +6,7 @@ from ..diagnostics.model import reactions as words
 from ..syntax import ast
 from ..units import ANGLE, FORCE, Dimension
 from .forms import Form
-from .mechanism import Axial, Link, Normal, Part, Reaction, Target
+from .mechanism import Axial, Force, Link, Mechanism, Normal, Part, Reaction, Target, Thrust
 from .scope import Scope
 
 Asked = tuple[str, Target, Dimension]
@@ -75,6 +75,20 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
         scope.report.add(words.not_a_rod(symbol.span, link.name, len(link.points)))
         return None
     return Axial(link.name, tail, head)
+
+
+def check_rods(mechanism: Mechanism, scope: Scope) -> None:
+    """Report rods that loads act on at both ends: the force along them is not that of a pin."""
+    on = {(load.link, load.point) for load in mechanism.loads if isinstance(load, Force)} | {
+        end
+        for load in mechanism.loads
+        if isinstance(load, Thrust)
+        for end in ((load.first_link, load.first), (load.second_link, load.second))
+    }
+    for find in mechanism.finds:
+        match find.target:
+            case Axial(link, tail, head) if {(link, tail), (link, head)} <= on:
+                scope.report.add(words.loaded_at_both_ends(find.span, link))
 
 
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:

@@ -16,13 +16,15 @@ class RubbingPin:
 
     ``radius`` is that of the friction circle: f·d/2 where f is the journal coefficient,
     (d/2)·sin(atan f) by Coulomb's law. ``carrier`` is the link that the pin is fast in:
-    empty for the ground (a pivot) and for the slider of a guided point.
+    empty for the ground (a pivot) and for the slider of a guided point. It is ``assumed``
+    where the description does not say so and the mechanism does not either.
     """
 
     point: str
     carrier: str
     radius: Formula
     span: Span
+    assumed: bool = False
 
 
 @frozen
@@ -75,11 +77,13 @@ class Friction:
     """All that rubs in a mechanism, and which way it moves.
 
     ``tightening``: the driving load moves along its arrow. ``efficiency`` overrides the rest.
+    ``everywhere`` tells that every pin was said to have friction.
     """
 
     rubbing: tuple[Rubbing, ...] = ()
     sense: Sense = "tightening"
     efficiency: Formula | None = None
+    everywhere: bool = False
 
     @property
     def is_ideal(self) -> bool:

@@ -1,15 +1,17 @@
 """Pairs of forces: actuators, whose force is asked for or given, and springs."""
 
+from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from ..diagnostics.model import loads as words
 from ..diagnostics.model import names
 from ..formula.tree import Symbol, negative, product, total
+from ..frozen import replace
 from ..syntax import ast
 from ..units import LENGTH, STIFFNESS
 from .directions import check_sign
 from .expressions import Reader
-from .mechanism import Thrust
+from .mechanism import Load, Mechanism, RubbingPin, Thrust
 from .scope import DESCRIPTION, Scope
 
 
@@ -31,8 +33,12 @@ def read_thrust(
     if (_is_twin(second, scope) and second != f"{first}'") or _is_twin(first, scope):
         scope.report.add(words.pair_across_the_mirror(statement.span, first, second))
         return None
+    links = _links(statement, scope)
+    if links is None:
+        return None
     if isinstance(statement, ast.Actuator):
-        return Thrust(statement.name.text, first, second, statement.span, None, times)
+        name = statement.name.text
+        return Thrust(name, first, second, statement.span, None, times, False, *links)
     reader = Reader(scope, DESCRIPTION)
     rate = reader.wanted(statement.rate, STIFFNESS, "the rate of a spring")
     free = reader.wanted(statement.free, LENGTH, "the free length of a spring")
@@ -42,7 +48,43 @@ def read_thrust(
         return None
     stretch = total([free, negative(Symbol(f"len_{first}{second}"))])
     force = product([(rate, 1), (stretch, 1)])
-    return Thrust(spring_name(statement), first, second, statement.span, force, times, spring=True)
+    return Thrust(spring_name(statement), first, second, statement.span, force, times, True, *links)
+
+
+def _links(statement: ast.Actuator | ast.Spring, scope: Scope) -> tuple[str, str] | None:
+    """Return the links that carry the ends, '' for a pin; None where an error was reported."""
+    first = carrying(statement.first_link, statement.first, scope)
+    second = carrying(statement.second_link, statement.second, scope)
+    return None if first is None or second is None else (first, second)
+
+
+def carrying(name: ast.Name | None, point: ast.Name, scope: Scope) -> str | None:
+    """Return the link that is said to carry a load, '' where none is; report a wrong one."""
+    if name is None:
+        return ""
+    link = scope.points.link(name)
+    if link is None:
+        return None
+    if point.text not in link.points:
+        scope.report.add(words.load_on_another_link(name.span, point.text, link.name))
+        return None
+    return link.name
+
+
+def inside_telescopes(loads: Sequence[Load], built: Mechanism, scope: Scope) -> tuple[Load, ...]:
+    """Return loads with those that act in a telescope with rubbing ends put on its two parts."""
+    rough = {r.point for r in built.friction.rubbing if isinstance(r, RubbingPin)}
+    bent = {frozenset(t.points): t.name for t in built.telescopes if rough & {*t.points}}
+    return tuple(_inside(load, bent, scope) for load in loads)
+
+
+def _inside(load: Load, bent: Mapping[frozenset[str], str], scope: Scope) -> Load:
+    if not isinstance(load, Thrust):
+        return load
+    name = bent.get(frozenset((load.first, load.second)), "")
+    if name and (load.first_link or load.second_link):
+        scope.report.add(words.load_inside_telescope(load.span, load.name, name))
+    return replace(load, first_link=name, second_link=name) if name else load
 
 
 def spring_name(statement: ast.Spring) -> str:

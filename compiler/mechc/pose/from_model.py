@@ -8,7 +8,7 @@ from ..diagnostics import pose as words
 from ..diagnostics.model.quantities import condition_broken
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Thrust
+from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Telescope, Thrust
 from ..model.values import holds
 from .asked import with_directions
 from .bodies import aligned, on_the_line, touches
@@ -110,8 +110,17 @@ class _Survey:
 
     def frames(self) -> Mapping[str, Mapping[str, Vector]]:
         """Return the frames of links and slides."""
-        links = {link.name: self.frame(link) for link in self._mechanism.links}
-        return links | {slide.name: self.layout(slide) for slide in self._mechanism.slides}
+        frames = {link.name: self.frame(link) for link in self._mechanism.links}
+        frames |= {slide.name: self.layout(slide) for slide in self._mechanism.slides}
+        return frames | {t.name: self.stretched(t) for t in self._mechanism.cylinders}
+
+    def stretched(self, telescope: Telescope) -> Mapping[str, Vector]:
+        """Return the vector between the ends of a telescope as one arm along it.
+
+        The pair of forces inside has seen to that, or reported what is missing.
+        """
+        first, second = telescope.points
+        return {first: (), second: self._vectors.path(first, second) or ()}
 
     def frame(self, link: Link) -> Mapping[str, Vector]:
         """Return the vectors from a link's first point to each of its points."""

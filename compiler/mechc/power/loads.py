@@ -10,7 +10,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
 from ..kinematics.forms import parting
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, Load, Mechanism, Thrust
+from ..model.mechanism import Force, Load, Mechanism, Thrust, Torque
 from .balance import Term
 
 
@@ -72,8 +72,11 @@ def repeated(mechanism: Mechanism, points: Iterable[str]) -> Fraction:
 
 
 def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
-    if isinstance(load, Force):
-        return (load.point,)
-    if isinstance(load, Thrust):
-        return (load.first, load.second)
-    return next(k.points for k in mechanism.links if k.name == load.link)
+    links = {k.name: k.points for k in mechanism.links}
+    match load:
+        case Force(point=point, link=link):
+            return links[link] if link else (point,)
+        case Thrust(first=first, second=second):
+            return (first, second)
+        case Torque(link=link):
+            return links[link]

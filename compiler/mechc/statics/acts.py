@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 from ..pose.places import NOWHERE
-from .assembly import Action, Assembly, Body, Couple, Plane, Push, Wrench, scaled
+from .assembly import Action, Assembly, Body, Couple, Cylinder, Plane, Push, Wrench, scaled
 from .diagram import Acting, Kind
 from .free_bodies import Unknown
 from .friction import Pair
@@ -28,7 +28,10 @@ class Acts:
         translating = [slide.body for slide in assembly.slides]
         self.assembly = assembly
         self.slides = {slide.body.name: slide for slide in assembly.slides}
-        self.frames = {body.name: body for body in (*assembly.bodies, *translating)}
+        telescopes = [_whole(cylinder) for cylinder in assembly.cylinders]
+        self.frames = {b.name: b for b in (*assembly.bodies, *translating, *telescopes)}
+        self.parts = {c.part(p): (c.name, p) for c in assembly.cylinders for p in c.ends}
+        self.cylinders = {cylinder.name for cylinder in assembly.cylinders}
         self.guides = {guide.point: guide.along for guide in assembly.guides}
         self.normals = {(r.point, r.body): r.normal for r in assembly.rubbings}
         self.transfers = {transfer.name: transfer.actions for transfer in assembly.transfers}
@@ -40,6 +43,8 @@ class Acts:
     def unknown(self, unknown: Unknown, size: float | None) -> None:
         """Let an unknown act that equilibrium gives, or leaves open."""
         by, on, component = unknown
+        if by in self.cylinders and not on:
+            return  # what the parts of a telescope do to one another
         match component:
             case "x" | "y":
                 self._pin("ground" if by == "ground" else "pin", by, on, AXES[component], size)
@@ -94,9 +99,9 @@ class Acts:
 
     def _friction_at_pin(self, action: Action, point: str) -> None:
         assert isinstance(action, Couple)
-        frame = self.frames[action.body].points
-        on = point if point in frame else f"{point}'"
-        self._pin("pin", action.body, on, NOWHERE, 0.0, -action.moment)
+        body, on = self.parts.get(action.body, (action.body, point))
+        on = on if on in self.frames[body].points else f"{on}'"
+        self._pin("pin", body, on, NOWHERE, 0.0, -action.moment)
 
     def _exchange(self, kind: Kind, actions: tuple[Action, ...], size: float | None) -> None:
         """Let two things act on each other."""
@@ -113,6 +118,9 @@ class Acts:
                 self._pin(kind, by, point, force, size)
             case Couple(body, moment):
                 self._body(body, _acting(kind, by, "", NOWHERE, size, moment))
+            case Wrench(body, force, moment) if body in self.parts:
+                body, point = self.parts[body]
+                self._body(body, _acting(kind, by, point, force, size, moment))
             case Wrench(body, force, moment):
                 if kind == "friction":
                     self._body(body, _acting(kind, by, at, force, size))
@@ -161,6 +169,12 @@ class Acts:
                 if acting.by == by:
                     there = acting._replace(force=None, moment=0.0, gap="transmission")
                     self.on_bodies[place][i] = there
+
+
+def _whole(cylinder: Cylinder) -> Body:
+    """Return a telescope as one body, as it is drawn: what its parts do to each other is inside."""
+    first, second = cylinder.ends
+    return Body(cylinder.name, {first: NOWHERE, second: cylinder.along.times(cylinder.reach)})
 
 
 _TRANSMISSIONS: Mapping[str, Kind] = {

@@ -29,6 +29,23 @@ class Translation(NamedTuple):
     along: Plane
 
 
+class Cylinder(NamedTuple):
+    """A telescope as two bodies, each with one of its ends, that slide in one another.
+
+    They take any force across ``along``, the unit direction from the first end to the second,
+    and any couple.
+    """
+
+    name: str
+    ends: tuple[str, str]
+    reach: float
+    along: Plane
+
+    def part(self, point: str) -> str:
+        """Return the name of the body at an end; no description can have it."""
+        return f"{self.name} at {point}"
+
+
 class Rubbing(NamedTuple):
     """A pin held by a body across a line: the force on the pin is along the normal.
 
@@ -101,4 +118,5 @@ class Assembly:
     slides: tuple[Translation, ...]
     rubbings: tuple[Rubbing, ...]
     transfers: tuple[Transfer, ...]
+    cylinders: tuple[Cylinder, ...]
     loads: Mapping[str, tuple[Action, ...]]

@@ -19,6 +19,7 @@ from .assembly import (
     Assembly,
     Body,
     Couple,
+    Cylinder,
     Plane,
     Push,
     Rubbing,
@@ -127,6 +128,8 @@ def equilibrium(assembly: Assembly) -> System:
         _rubbing(sums, rubbing)
     for transfer in assembly.transfers:
         _transfer(sums, transfer)
+    for cylinder in assembly.cylinders:
+        _cylinder(sums, cylinder)
     loads = {name: _load(sums, actions) for name, actions in assembly.loads.items()}
     return System(tuple(sums.rows), tuple(sums.unknowns), loads)
 
@@ -167,6 +170,28 @@ def _rubbing(sums: _Sums, rubbing: Rubbing) -> None:
     first = sums.body(rubbing.body)
     sums.act(column, first, n.times(-1))
     sums.rows[first + 2][column] = rubbing.arm.y * n.x - rubbing.arm.x * n.y
+
+
+def _cylinder(sums: _Sums, cylinder: Cylinder) -> None:
+    """Let a pin act on each part of a telescope, and the parts on one another where they end.
+
+    The first part ends at the pin of the second, and pushes across with a force and a couple;
+    the moments of each are about its own pin.
+    """
+    for point in cylinder.ends:
+        part = sums.body(cylinder.part(point))
+        for component, along in (("x", X), ("y", Y)):
+            column = sums.force(Unknown(cylinder.name, point, component), point, along)
+            sums.act(column, part, along.times(-1))
+    first, second = (sums.body(cylinder.part(point)) for point in cylinder.ends)
+    across, couple = len(sums.unknowns), len(sums.unknowns) + 1
+    sums.unknowns.append(Unknown(cylinder.name, "", "side"))
+    sums.unknowns.append(Unknown(cylinder.name, "", "couple"))
+    sums.act(across, second, cylinder.along.turned())
+    sums.act(across, first, cylinder.along.turned().times(-1))
+    sums.rows[first + 2][across] = -cylinder.reach
+    sums.rows[second + 2][couple] = 1.0
+    sums.rows[first + 2][couple] = -1.0
 
 
 def _transfer(sums: _Sums, transfer: Transfer) -> None:

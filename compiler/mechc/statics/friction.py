@@ -133,7 +133,7 @@ def rubbed(
     """Return friction at every pair of surfaces, or why there is none that balances."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     drive = tied[driving]
-    pairs = tuple(_pairs(unfolding))
+    pairs = tuple(pairs_of(unfolding))
     question = _question(unfolding, pairs, drive.base)
     if not question.factors.determined(question.drive):
         return f"equilibrium leaves {drive.base} open"
@@ -267,7 +267,8 @@ def _pressing(system: System, pair: Pair) -> tuple[int, ...]:
 # ------------------------------------------------------------------------------ pairs
 
 
-def _pairs(unfolding: Unfolding) -> Iterator[Pair]:
+def pairs_of(unfolding: Unfolding) -> Iterator[Pair]:
+    """Yield the pairs of surfaces that have friction."""
     for rubbing in unfolding.pose.mechanism.friction.rubbing:
         yield from _of(rubbing, unfolding)
 
@@ -276,12 +277,12 @@ def _of(rubbing: Rubbing, unfolding: Unfolding) -> Iterator[Pair]:
     match rubbing:
         case RubbingPin(point, carrier, radius):
             size = evaluate(radius, unfolding.values)
-            for link in unfolding.pose.mechanism.links:
-                if point in link.points and link.name != carrier:
-                    couples = unfolding.couple(link.name, 1.0)
-                    back = unfolding.couple(carrier, -1.0) if carrier else ()
-                    name = f"pin {point} {link.name}"
-                    yield Pair("pin", name, (*couples, *back), link.name, point, size)
+            for body in unfolding.turning_on(point):
+                if body != carrier:
+                    couples = unfolding.turning(body, point, 1.0)
+                    back = unfolding.turning(carrier, point, -1.0) if carrier else ()
+                    name = f"pin {point} {body}"
+                    yield Pair("pin", name, (*couples, *back), body, point, size)
         case RubbingGuide(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
         case RubbingMesh(kind, point, factor_):

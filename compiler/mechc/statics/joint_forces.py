@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Set
 
-from ..model.mechanism import Axial, Normal, Reaction
+from ..model.mechanism import Axial, Force, Normal, Reaction, Thrust
 from .answers import Answer, combination, gather, ties
 from .assembly import Plane
 from .free_bodies import System, Unknown, equilibrium
@@ -38,11 +38,27 @@ def wanted_of(target: Target, unfolding: Unfolding, system: System) -> tuple[Wei
             asked = [axes[part]] if part in axes else list(axes.values())
             return tuple(_on_link_or_point(system, unfolding, point, link, a) for a in asked)
         case Axial(link, tail, head):
-            arm = unfolding.arm(link, tail, head)
+            end, other = (tail, head) if _is_loaded(link, head, unfolding) else (head, tail)
+            arm = unfolding.arm(link, other, end)
             along = arm.times(1 / math.hypot(*arm))
-            return (_on_link_or_point(system, unfolding, head, link, along),)
+            return (_on_link_or_point(system, unfolding, end, link, along),)
         case Normal(point):
             return (_normal(system, unfolding, point),)
+
+
+def _is_loaded(link: str, point: str, unfolding: Unfolding) -> bool:
+    """Tell whether a load acts on a link itself at a point, so that a pin gives not all of it."""
+    for load in unfolding.pose.mechanism.loads:
+        match load:
+            case Force(point=at, link=on):
+                ends = [(on, at)]
+            case Thrust(first=first, second=second, first_link=one, second_link=other):
+                ends = [(one, first), (other, second)]
+            case _:
+                ends = []
+        if (link, point) in ends:
+            return True
+    return False
 
 
 def _on_link_or_point(

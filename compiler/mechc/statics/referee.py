@@ -13,6 +13,7 @@ from typing import NamedTuple, assert_never
 from ..diagnostics import Diagnostic, MechcError, Report
 from ..diagnostics.statics import (
     BUGS,
+    friction_not_counted,
     methods_disagree,
     no_equilibrium,
     not_judged,
@@ -38,6 +39,7 @@ from ..source import Span
 from .answers import STANDS, Answer, load_coefficient, load_ratio
 from .closure import worst_gap
 from .contacts import pulling
+from .counted import uncounted
 from .poses import Replay, Values, candidates
 from .speeds import speed_ratio
 from .unfold import Unfolding
@@ -99,6 +101,8 @@ def judge(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
     for values in islice(poses, 1):
         for fault in pulling(results, Unfolding(pose, values)):
             report.add(fault)
+        if pose.mechanism.friction.everywhere:
+            _count_pins(Unfolding(pose, values), report)
     trials: list[Trial] = []
     remarks: list[str] = []
     for question in _questions(results, pose.mechanism):
@@ -119,6 +123,15 @@ def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
     gap = next((gap for gap in gaps if gap is not None), None)
     if gap is not None:
         report.add(pose_does_not_close(pose.mechanism.span, gap.what, gap.size))
+
+
+def _count_pins(unfolding: Unfolding, report: Report) -> None:
+    """See that friction acts at every pin where it is said to act."""
+    from .friction import pairs_of
+
+    friction = ((pair.on, pair.actions) for pair in pairs_of(unfolding) if pair.kind == "pin")
+    for pin in uncounted(unfolding, friction):
+        report.add(friction_not_counted(unfolding.pose.mechanism.span, pin))
 
 
 def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Question]:

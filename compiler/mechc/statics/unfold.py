@@ -24,6 +24,7 @@ from .assembly import (
     Assembly,
     Body,
     Couple,
+    Cylinder,
     Guide,
     Plane,
     Push,
@@ -95,6 +96,44 @@ class Unfolding:
         axis = self._axis
         return force if axis is None else axis.times(axis.dot(force))
 
+    def on(self, link: str, point: str, force: Plane) -> tuple[Action, ...]:
+        """Return what a force on a link at one of its points puts on the whole assembly.
+
+        On what the halves share the part of it counts that is the same for both.
+        """
+        share = force.times(self._parts(link))
+        if self._axis is not None and self._shared(link):
+            share = self._axial(share)
+        there = self._end(link, point, share)
+        return (there,) if self._shared(link) else (there, self._mirrored(there))
+
+    def turning(self, body: str, point: str, moment: float) -> tuple[Action, ...]:
+        """Return what a couple on a link or a telescope puts on it at the pin of a point."""
+        if body not in self._cylinders():
+            return self.couple(body, moment)
+        share = moment * self._parts(body)
+        there = Couple(f"{body} at {point}", share)
+        if not self._shared(body):
+            return (there, self._mirrored(there))
+        return (there,) if self._axis is None else ()
+
+    def turns(self, body: str) -> bool:
+        """Tell whether a body can turn: what both halves share is kept still by symmetry."""
+        return self._axis is None or not self._shared(body.removesuffix("'"))
+
+    def turning_on(self, point: str) -> Iterator[str]:
+        """Yield the links and telescopes that a pin joins, but no telescope that nothing loads."""
+        mechanism = self.pose.mechanism
+        pairs = [load for load in mechanism.loads if isinstance(load, Thrust)]
+        loaded = [{pair.first, pair.second} for pair in pairs]
+        yield from (link.name for link in mechanism.links if point in link.points)
+        for telescope in mechanism.telescopes:
+            if point in telescope.points and {*telescope.points} in loaded:
+                yield telescope.name
+
+    def _cylinders(self) -> set[str]:
+        return {telescope.name for telescope in self.pose.mechanism.cylinders}
+
     def couple(self, link: str, moment: float) -> tuple[Action, ...]:
         """Return what a couple on a link puts on the whole assembly."""
         share = moment * self._parts(link)
@@ -104,9 +143,10 @@ class Unfolding:
 
     def _actions(self, load: Load) -> tuple[Action, ...]:
         match load:
-            case Force(name, point):
+            case Force(name, point, link=link):
                 line = direction(self.pose.lines[name].evaluate(self.values))
-                return self.push(point, line.times(float(load.times)))
+                force = line.times(float(load.times))
+                return self.on(link, point, force) if link else self.push(point, force)
             case Torque(_, link):
                 return self.couple(link, float(load.times))
             case Thrust():
@@ -122,13 +162,25 @@ class Unfolding:
         line = direction(self.pose.lines[load.name].evaluate(self.values))
         push = line.times(float(load.times))
         if load.second == f"{load.first}'":
-            return self.push(load.first, push)
+            link = load.first_link
+            return self.on(link, load.first, push) if link else self.push(load.first, push)
         push = push.times(max(self._parts(load.first), self._parts(load.second)))
-        if self._shared(load.first) and self._shared(load.second):
-            push = self._axial(push)
-            return Push(load.second, push), Push(load.first, push.times(-1))
-        pair = Push(load.second, push), Push(load.first, push.times(-1))
-        return (*pair, *map(self._mirrored, pair))
+        shared = self._shared(load.first) and self._shared(load.second)
+        push = self._axial(push) if shared else push
+        pair = (
+            self._end(load.second_link, load.second, push),
+            self._end(load.first_link, load.first, push.times(-1)),
+        )
+        return pair if self._axis is None or shared else (*pair, *map(self._mirrored, pair))
+
+    def _end(self, link: str, point: str, push: Plane) -> Action:
+        """Return what an end of a pair does to a pin, to a link or to a part of a telescope."""
+        if not link:
+            return Push(point, push)
+        if link in self._cylinders():
+            return Wrench(f"{link} at {point}", push, 0.0)
+        arm = self.arm(link, next(iter(self.pose.frames[link])), point)
+        return Wrench(link, push, arm.x * push.y - arm.y * push.x)
 
     def apart(self, touch: Touch, along: Plane) -> tuple[Action, ...]:
         """Return a unit force on a pin and its reaction on the body under it, in both halves."""
@@ -271,12 +323,29 @@ class Unfolding:
             case Push(point, force):
                 return Push(self._twin(point), self._reflected(force))
             case Couple(body, moment):
-                return Couple(body if self._shared(body) else f"{body}'", -moment)
+                return Couple(self._twin_of(body), -moment)
             case Wrench(body, force, moment):
-                twin = body if self._shared(body) else f"{body}'"
-                return Wrench(twin, self._reflected(force), -moment)
+                return Wrench(self._twin_of(body), self._reflected(force), -moment)
             case _:
                 assert_never(action)
+
+    def _twin_of(self, body: str) -> str:
+        """Return what the twin of a link, a slide or a part of a telescope is called."""
+        whole, at, point = body.partition(" at ")
+        if self._shared(whole):
+            return body
+        return f"{whole}'{at}{self._twin(point) if point else ''}"
+
+    def _telescopes(self) -> Iterator[Cylinder]:
+        for telescope in self.pose.mechanism.cylinders:
+            first, second = telescope.points
+            arm = self.arm(telescope.name, first, second)
+            reach = math.hypot(arm.x, arm.y)
+            along = arm.times(1 / reach)
+            yield Cylinder(telescope.name, telescope.points, reach, along)
+            if not self._shared(telescope.name):
+                ends = self._twin(first), self._twin(second)
+                yield Cylinder(f"{telescope.name}'", ends, reach, self._reflected(along))
 
     def assembly(self, *more: tuple[str, tuple[Action, ...]]) -> Assembly:
         """Return the unfolded mechanism with its own loads and ``more`` named ones."""
@@ -288,5 +357,6 @@ class Unfolding:
             tuple(self._slides()),
             tuple(self._rubbings()),
             tuple(self._transfers()),
+            tuple(self._telescopes()),
             {**loads, **dict(more)},
         )

@@ -11,6 +11,8 @@ from typing import Any
 
 from . import ast, text
 
+BETWEEN = "between {first}[ on {first_link}] and {second}[ on {second_link}]"
+
 # A part in [ ] is left out where its field is empty; | is where a paragraph aligns.
 LINES: dict[type[ast.Statement], str] = {
     ast.Version: "mechc {number}",
@@ -37,10 +39,8 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Copies: "copies {number}[ sharing {sharing}]",
     ast.Force: "force {name}[ = {tie}] at {point}[ on {link}] along {along}[ times {times}]",
     ast.Torque: "torque {name}[ = {tie}] on {link}[ times {times}]",
-    ast.Actuator: "actuator {name} between {first}[ on {first_link}]"
-    " and {second}[ on {second_link}][ times {times}]",
-    ast.Spring: "spring {rate} between {first}[ on {first_link}] and {second}[ on {second_link}]"
-    " free {free}[ times {times}]",
+    ast.Actuator: f"actuator {{name}} {BETWEEN}[ times {{times}}]",
+    ast.Spring: f"spring {{rate}} {BETWEEN} free {{free}}[ times {{times}}]",
     ast.Weight: "weight {name} mass {mass} at {point}[ on {link}][ times {times}]",
     ast.Gravity: "gravity along {along}",
     ast.GuideFriction: "friction slider {point} {coefficient}[ guide {length} overhang {overhang}]"

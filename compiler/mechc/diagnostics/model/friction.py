@@ -201,3 +201,32 @@ def perhaps_a_half(span: Span, point: str, load: str) -> Words:
         "is left out would cancel there"
     )
     return Words(span, message, f"describe the half with 'mirror across … sharing {point}'")
+
+
+@coded("W243")
+def pair_without_pins(span: Span, load: str, first: str, second: str) -> Words:
+    """Every pin is said to have friction, and a pair of forces has no pins of its own.
+
+    An actuator or a spring is a pair of forces at two points. A telescope between them has
+    pins at its ends, which rub and bend it.
+
+        friction pins 0.1 diameter 10 mm
+        actuator P between A and B       # warned of without a line such as
+        telescope AB
+    """
+    message = f"{load} is a pair of forces: its ends at {first} and {second} have no friction"
+    return Words(span, message, f"add 'telescope {first}{second}' if pins hold its ends")
+
+
+@coded("W244")
+def slot_without_friction(span: Span, point: str) -> Words:
+    """Every pin is said to have friction, and one of them slides in a slot without any.
+
+    A pin in a slot has friction as a contact has, along the slot.
+
+        friction pins 0.1 diameter 10 mm
+        slot B in OC                     # warned of without a line such as
+        friction contact B 0.1
+    """
+    message = f"the pin {point} slides in its slot without friction"
+    return Words(span, message, f"add 'friction contact {point} …'")

@@ -88,3 +88,30 @@ def pair_across_the_mirror(at: Span, first: str, second: str) -> Words:
         f"a pair across the mirror joins a point to its own twin, found {first} and {second}",
         "write the point described first, and its twin second: `between A and A'`",
     )
+
+
+@coded("E257")
+def load_on_another_link(span: Span, point: str, link: str) -> Words:
+    """A load is put on a link that has no such point.
+
+    force F at P on NP along -y     # right where link NP has the point P
+    force F at P on HE along -y     # wrong
+    """
+    message = f"link {link} has no point {point}, so it cannot carry the load there"
+    return Words(span, message, f"name a link through {point}")
+
+
+@coded("E258")
+def load_inside_telescope(span: Span, load: str, telescope: str) -> Words:
+    """A pair of forces acts in a telescope, and names links that carry its ends.
+
+    The force of a telescope is that at its piston, along it. Friction at its end pins bends
+    it besides, and the pins press with both.
+
+        telescope AB
+        friction pins 0.1 diameter 20 mm
+        actuator P between A on OA and B     # wrong
+        actuator P between A and B           # right
+    """
+    message = f"{load} acts in the telescope {telescope}, which takes it at both ends"
+    return Words(span, message, "leave the links out")

@@ -102,3 +102,19 @@ def link_named_for_nothing(span: Span) -> Words:
     find R_B on AB     # right
     """
     return Words(span, "'on' stands only with a pin force such as R_B", "remove it")
+
+
+@coded("E259")
+def loaded_at_both_ends(span: Span, link: str) -> Words:
+    """The force along a rod is asked for, and loads act on the rod itself at both its ends.
+
+    N_AB is what the pin at an end without such a load gives the rod. Between two loaded ends
+    it is neither pin's force.
+
+        force F at B on AB along x
+        force G at A on AB along x
+        find N_AB                  # wrong
+        find R_A on AB             # right: what the pin at A does to the rod
+    """
+    message = f"loads act on {link} itself at both ends, so that no pin gives the force along it"
+    return Words(span, message, "ask for the forces at its pins, as in 'find R_A on AB'")

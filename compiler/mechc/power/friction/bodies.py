@@ -16,7 +16,7 @@ from ...kinematics.release import Bond, held_end
 from ...model.mechanism import Force, Link, Load, RubbingPin, Thrust, Torque
 from ...pose.pose import Pose, Touch, Vector, gathered
 from ..definitions import bound_names
-from ..loads import repeated
+from ..loads import occurrences
 from ..reactions import Reactions
 from .pressing import Given, Pressed
 
@@ -107,6 +107,8 @@ class Bodies:
         """Raise :class:`Entangled` for bodies and joints that are none of the four kinds."""
         m = self._mechanism
         bodies = any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
+        if m.cylinders or any(self._is_apart(load) for load in m.loads):
+            raise Entangled
         held = {*self._levers, *(s.name for s in m.slides)}
         afloat = any(t.body not in held for t in self._pose.touches)
         named = {t.point for t in self._pose.touches}
@@ -117,6 +119,18 @@ class Bodies:
         carried = [*turning, *(p for s in m.slides for p in s.points)]
         if len(set(carried)) < len(carried) or any(p in self._guides for p in turning):
             raise Entangled
+
+    def _is_apart(self, load: Load) -> bool:
+        """Tell whether a load acts on a rod itself, or on a lever at its pivot."""
+        match load:
+            case Force(point=point, link=link):
+                ends = [(link, point)]
+            case Thrust(first=first, second=second):
+                ends = [(load.first_link, first), (load.second_link, second)]
+            case _:
+                return False
+        named = [(link, point) for link, point in ends if link]
+        return any(link not in self._levers or point in self._fixed for link, point in named)
 
     def solvable(self) -> Iterator[str]:
         """Yield the levers, the slides, and the points that neither carries."""
@@ -147,41 +161,36 @@ class Bodies:
         """Yield the loads on a body, each in units of the free load that it is tied to."""
         for load in self._mechanism.loads:
             owner, factor = self._task.owners[load.name]
-            for point, line in self._acting(load):
-                if (point or getattr(load, "link", "")) in (*self._points(body), body):
-                    size = factor.scaled(self._part(load))
-                    if line is None:
-                        yield Pull(owner, "", None, ZERO, size)
-                    else:
-                        self._refuse_on_rod(point, body)
-                        yield Pull(owner, point, line, size)
+            for place, link, line in self._acting(load):
+                size = factor.scaled(self._part(load))
+                if line is None and link == body:
+                    yield Pull(owner, "", None, ZERO, size)
+                elif line is not None and place in self._points(body):
+                    if not link:
+                        self._refuse_on_rod(place, body)
+                    yield Pull(owner, place, line, size)
 
-    def _acting(self, load: Load) -> Iterator[tuple[str, Angle | None]]:
+    def _acting(self, load: Load) -> Iterator[tuple[str, str, Angle | None]]:
+        """Yield where a load acts, on which link if that is said, and along which line."""
         match load:
-            case Force(name, point):
-                yield point, self._pose.lines[name]
-            case Torque():
-                yield "", None
+            case Force(name, point, link=link):
+                yield point, link, self._pose.lines[name]
+            case Torque(link=link):
+                yield "", link, None
             case Thrust(name, first, second) if second == f"{first}'":
-                yield first, self._pose.lines[name]
+                yield first, load.first_link, self._pose.lines[name]
             case Thrust(name, first, second):
-                yield second, self._pose.lines[name]
-                yield first, self._pose.lines[name] + HALF_TURN
+                yield second, load.second_link, self._pose.lines[name]
+                yield first, load.first_link, self._pose.lines[name] + HALF_TURN
             case _:
                 assert_never(load)
 
     def _part(self, load: Load) -> Fraction:
         """Return how much of a load one half or branch takes."""
-        match load:
-            case Force(point=point):
-                points: tuple[str, ...] = (point,)
-            case Thrust(first=first, second=second):
-                points = (first, second)
-            case _:
-                points = next(k.points for k in self._mechanism.links if k.name == load.link)
+        counted = occurrences(self._mechanism, load)
         mirror, copies = self._mechanism.mirror, self._mechanism.copies
         whole = Fraction(2 if mirror else 1) * (copies.number if copies else 1)
-        return load.times * repeated(self._mechanism, points) / whole
+        return load.times * counted / whole
 
     def _refuse_on_rod(self, point: str, body: str) -> None:
         """A load on a pin that is fast in a rod and rubs in a lever would bend the rod."""

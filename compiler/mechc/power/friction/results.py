@@ -36,6 +36,7 @@ from ..equations import Equations
 from ..numbers import default_values, value_of
 from ..speeds import magnitude
 from ..trends import allowed
+from .assumed import assumptions
 from .bodies import Entangled, Task
 from .chain import Chain
 from .closed import Named, Printed, Way, closed_form, printed_form
@@ -143,6 +144,9 @@ class FrictionResults:
                 ),
             )
         closed = self._closed(case, pressed, sign)
+        pose, driving = self._plan.graph.pose, case.driving
+        for remark in assumptions(pose, driving, case.given, exact=closed is not None):
+            self._report.add(remark)
         if closed and self._stands(find, case.ideal, closed):
             return closed
         sizes = true_sizes(pressed, sign, self._taken())

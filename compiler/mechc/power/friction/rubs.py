@@ -83,11 +83,11 @@ def _of(rubbing: Rubbing, pose: Pose) -> Iterator[Rub]:
 
 
 def _pin(pin: RubbingPin, pose: Pose) -> Iterator[Rub]:
-    links = [k for k in pose.mechanism.links if pin.point in k.points and k.name != pin.carrier]
+    links = [name for name in pose.mechanism.turning_at(pin.point) if name != pin.carrier]
     for link in links:
-        name = pin.point if len(links) == 1 else f"{pin.point}{link.name}"
-        slip = _turning(link.name, pin.carrier)
-        bond = Bond("pin", pin.point, link.name)
+        name = pin.point if len(links) == 1 else f"{pin.point}{link}"
+        slip = _turning(link, pin.carrier)
+        bond = Bond("pin", pin.point, link)
         yield Rub(name, bond, to_product(pin.radius), slip)
 
 

@@ -1,0 +1,42 @@
+"""Coefficients and lengths of friction, checked for values that make sense."""
+
+from collections.abc import Callable
+
+from ..diagnostics.model import friction as words
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..source import Span
+from ..syntax import ast
+from ..units import LENGTH, NUMBER
+from .expressions import Reader
+from .scope import DESCRIPTION, Scope
+
+
+def coefficient(expression: ast.Expr, scope: Scope) -> Formula | None:
+    """Return a coefficient of friction; None where an error was reported."""
+    formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, "a coefficient of friction")
+    return checked(formula, expression.span, "a coefficient of friction", lambda v: v >= 0, scope)
+
+
+def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:
+    """Return a length above zero; None where an error was reported."""
+    formula = Reader(scope, DESCRIPTION).wanted(expression, LENGTH, what)
+    return checked(formula, expression.span, what, lambda v: v > 0, scope)
+
+
+def checked(
+    formula: Formula | None, span: Span, what: str, fits: Callable[[float], bool], scope: Scope
+) -> Formula | None:
+    """Return a quantity whose default value makes sense; report one that makes none."""
+    value = None if formula is None else value_of(formula, scope)
+    if value is not None and not fits(value):
+        scope.report.add(words.senseless(span, what, value))
+        return None
+    return formula
+
+
+def value_of(formula: Formula, scope: Scope) -> float | None:
+    """Return the default value of a formula; None where a parameter of it has none."""
+    if not symbols(formula) <= scope.values.keys():
+        return None
+    return evaluate(formula, scope.values)

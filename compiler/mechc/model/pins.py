@@ -1,0 +1,86 @@
+"""Friction at pins: which of them have it, what turns on each, and what the pin is fast in."""
+
+from collections.abc import Iterator
+from fractions import Fraction
+
+from ..diagnostics.model import friction as words
+from ..formula.tree import Call, Formula, number, product
+from ..source import Span
+from ..syntax import ast
+from .carriers import Carriers, is_held
+from .coefficients import coefficient, positive_length
+from .mechanism import Link, Mechanism, Telescope, Thrust
+from .rubbing import RubbingPin
+from .scope import Scope
+
+HALF = number(Fraction(1, 2))
+
+
+class Pins:
+    """Reads the friction of pins; ``named`` are those that have a line of their own."""
+
+    def __init__(self, named: set[str], built: Mechanism, scope: Scope) -> None:
+        self._named, self._built, self._scope = named, built, scope
+        self._carriers = Carriers(built, scope.values)
+
+    def read(self, statement: ast.PinFriction) -> Iterator[RubbingPin]:
+        """Yield the pins that a line speaks of; report one at which nothing turns."""
+        radius = _radius(statement, self._scope)
+        if radius is None:
+            return
+        if statement.point is None:
+            for point in dict.fromkeys(p for body in self._bodies() for p in body.points):
+                if point not in self._named and self._is_pin(point):
+                    yield self._pin(point, radius, statement.span)
+            return
+        point = statement.point.text
+        if point not in self._scope.points.places:
+            return
+        if not self._is_pin(point):
+            self._scope.report.add(words.nothing_turns(statement.point.span, point))
+            return
+        if statement.link is None:
+            yield self._pin(point, radius, statement.span)
+            return
+        link = self._scope.points.link(statement.link)
+        if link and point not in link.points:
+            found = words.pin_of_another(statement.link.span, point, link.name)
+            self._scope.report.add(found)
+        elif link:
+            yield RubbingPin(point, link.name, radius, statement.span)
+
+    def _is_pin(self, point: str) -> bool:
+        """Tell whether bodies turn on one another at a point."""
+        bodies = len(self._at(point))
+        return bodies > 1 or (bodies == 1 and is_held(point, self._built))
+
+    def _at(self, point: str) -> list[str]:
+        """Return the bodies that turn on a pin."""
+        return [body.name for body in self._bodies() if point in body.points]
+
+    def _bodies(self) -> tuple[Link | Telescope, ...]:
+        return (*self._built.links, *self._built.telescopes)
+
+    def _pin(self, point: str, radius: Formula, span: Span) -> RubbingPin:
+        """Return a pin with what it is taken to be fast in."""
+        carrier = self._carriers.of(point)
+        return RubbingPin(point, carrier, radius, span, assumed=bool(carrier))
+
+
+def remark_on_pairs(built: Mechanism, scope: Scope) -> None:
+    """Say which pairs of forces act at points, so that their ends are no pins with friction."""
+    ends = {frozenset(telescope.points) for telescope in built.telescopes}
+    for load in built.loads:
+        if isinstance(load, Thrust) and frozenset((load.first, load.second)) not in ends:
+            found = words.pair_without_pins(load.span, load.name, load.first, load.second)
+            scope.report.add(found)
+
+
+def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
+    f = coefficient(statement.coefficient, scope)
+    diameter = positive_length(statement.diameter, "the diameter of a pin", scope)
+    if f is None or diameter is None:
+        return None
+    if statement.law == "coulomb":
+        f = Call("sin", (Call("atan", (f,)),))
+    return product([(HALF, 1), (f, 1), (diameter, 1)])

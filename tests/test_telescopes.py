@@ -1,0 +1,174 @@
+"""Telescopes with friction: two free bodies, a couple at each end pin, no friction between.
+
+The pins at the ends press with P along the telescope and with what their couples make across
+it: |R| = P/cos δ, sin δ = ρ(σ₁ + σ₂)/s, σ the senses in which the telescope turns on each.
+"""
+
+import math
+from collections.abc import Mapping
+from random import Random
+
+import pytest
+
+import mechc
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
+from mechc.frozen import replace
+from mechc.pose.pose import Pose
+from mechc.source import Source
+from mechc.statics.counted import uncounted
+from mechc.statics.friction import pairs_of
+from mechc.statics.poses import candidates
+from mechc.statics.referee import judge
+from mechc.statics.unfold import Unfolding
+
+BOOM = """
+param s = 5 m
+pivot O at (0 m, 0 m)
+pivot G at (3 m, 0 m)
+link OC
+telescope GC
+OC = 4 m
+GC = s
+assembly OCG cw
+actuator P between G and C
+torque T on OC
+friction pins 0.1 diameter 300 mm
+find k = P/T
+find R_G
+"""
+
+
+def test_the_pins_at_both_ends_have_friction():
+    """T = P·(4·sin μ ± 2ρ) at the right angle, where R is along the telescope."""
+    results = mechc.loads(BOOM).evaluate(T=1.0)
+    assert results["k_f"] == pytest.approx(-1 / 2.43)
+    assert results["k_hold"] == pytest.approx(-1 / 2.37)
+
+
+def boom(dice: Random) -> tuple[str, float, float]:
+    """Return a boom on a cylinder at given directions, and T/P with friction both ways."""
+    alpha, beta = (dice.uniform(-math.pi, math.pi) for _ in range(2))
+    a, s, radius = dice.uniform(0.5, 2), dice.uniform(0.5, 2), dice.uniform(0.001, 0.03)
+    arm, along = (complex(math.cos(x), math.sin(x)) for x in (alpha, beta))
+    text = f"""
+    pivot O
+    pivot G
+    link OC
+    telescope GC
+    OC = {a} m @ {alpha} rad
+    GC = {s} m @ {beta} rad
+    actuator P between G and C
+    torque T on OC
+    friction pins {radius} diameter 2 m
+    find k = T/P
+    """
+    lever = a * (arm.conjugate() * along).imag
+    spin = math.copysign(1, lever)  # as P extends the cylinder
+    turning = spin * a * (arm.conjugate() * along).real / s
+
+    def balanced(sense: int) -> float:
+        """Return T where P is 1: friction on the boom at O and C, on the telescope at G and C."""
+        at_g, at_c, at_o = (sense * _sign(x) for x in (turning, turning - spin, spin))
+        sine = -radius * (at_g + at_c) / s
+        force = along * complex(1, sine / math.sqrt(1 - sine**2))
+        couples = radius * abs(force) * (at_c - at_o)
+        return -a * (arm.conjugate() * force).imag - couples
+
+    return text, balanced(1), balanced(-1)
+
+
+def _sign(value: float) -> float:
+    return math.copysign(1.0, value)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_random_booms_balance_as_two_free_bodies(seed):
+    """T drives, so k_f is where the cylinder is pushed in."""
+    text, out, back = boom(Random(seed))
+    results = mechc.loads(text).evaluate()
+    assert sorted((results["k_f"], results["k_hold"])) == pytest.approx(sorted((out, back)))
+
+
+def test_a_pair_without_a_telescope_has_no_pins():
+    free = BOOM.replace("telescope GC\n", "")
+    solved = mechc.loads(free)
+    assert [w.code for w in solved.warnings if w.code != "W502"] == ["W243"]
+    assert solved.evaluate(T=1.0)["k_f"] == pytest.approx(-1 / 2.415)
+
+
+def test_a_spring_beside_the_actuator_presses_the_same_pins():
+    spring = "spring 1 N/m between C and G free 6 m"
+    both = mechc.loads(f"{BOOM}\n{spring}\nfind P".replace("find k = P/T", "")).evaluate(T=1.0)
+    assert both["P_f"] == pytest.approx(-1 / 2.43 - 1)
+
+
+def test_mirrored_telescopes_have_friction_alike():
+    alone = mechc.loads(BOOM.replace("find R_G", "")).evaluate()
+    half = BOOM.replace("friction", "mirror across y sharing O\nfriction").replace("find R_G", "")
+    twins = mechc.loads(half).evaluate()
+    for name in ("k", "k_f", "k_hold"):
+        assert twins[name] == pytest.approx(alone[name])
+
+
+def test_a_telescope_under_no_load_has_no_friction():
+    """Nothing presses its pins; it is there for the drawing."""
+    idle = BOOM.replace("pivot G at", "pivot H at (0 m, 1 m)\ntelescope HC\npivot G at")
+    assert mechc.loads(idle).evaluate(T=1.0)["k_f"] == pytest.approx(-1 / 2.43)
+
+
+# --------------------------------------------------------------------------- the count
+
+
+def compiled(text: str) -> Compilation:
+    return Compilation(Source("counted.mech", text))
+
+
+def missed(pose: Pose, values: Mapping[str, float]) -> list[str]:
+    """Return the pins that a referee would miss friction at."""
+    unfolding = Unfolding(pose, values)
+    pairs = ((pair.on, pair.actions) for pair in pairs_of(unfolding))
+    return sorted(uncounted(unfolding, pairs))
+
+
+def without(compilation: Compilation, point: str) -> Pose:
+    """Return the pose without the friction of one pin, as a fault would leave it out."""
+    mechanism = compilation.pose.mechanism
+    rubbing = tuple(r for r in mechanism.friction.rubbing if r.point != point)
+    friction = replace(mechanism.friction, rubbing=rubbing)
+    return replace(compilation.pose, mechanism=replace(mechanism, friction=friction))
+
+
+@pytest.mark.parametrize(("point", "missing"), [("O", ["O on OC"]), ("C", ["C on OC", "C on GC"])])
+def test_the_referee_misses_a_pin_without_friction(point, missing):
+    compilation = compiled(BOOM)
+    values = next(iter(candidates(compilation.pose, 1)))
+    assert not missed(compilation.pose, values)
+    pose = without(compilation, point)
+    assert missed(pose, values) == sorted(missing)
+    with pytest.raises(MechcError) as caught:
+        judge(pose, compilation.balance.results, compilation.report)
+    assert "E540" in {d.code for d in caught.value.diagnostics}
+
+
+def test_a_pin_between_twins_is_counted():
+    """K is no slider: its pin joins a rod and its twin, and stands by symmetry."""
+    text = """
+    pivot O
+    link OB
+    link BK
+    OB = 100 mm @ 100 deg
+    BK = 80 mm @ 40 deg
+    mirror across y sharing K
+    torque M on OB
+    force F at K along -y
+    friction pins 0.1 diameter 8 mm
+    find k = M/F
+    """
+    compilation = compiled(text)
+    assert compilation.verdict.agrees
+    guided = compiled(text.replace("link OB", "slider K along y\nlink OB"))
+    one, two = ({r.name: r.formula for r in c.balance.results} for c in (compilation, guided))
+    assert one == two
+    values = next(iter(candidates(compilation.pose, 1)))
+    assert missed(without(compilation, "K"), values) == ["K on BK", "K on BK'"]
