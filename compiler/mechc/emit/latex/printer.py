@@ -15,37 +15,16 @@ be, so that ``latex_display`` can break what no line would hold.
 """
 
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from fractions import Fraction
-from typing import NamedTuple, assert_never
+from itertools import pairwise
+from typing import NamedTuple
 
-from ...formula.layout import (
-    TRIGONOMETRIC,
-    decimal,
-    fractions,
-    in_degrees,
-    is_angle,
-    short_decimal,
-    squares,
-)
-from ...formula.tree import (
-    Call,
-    Formula,
-    Implicit,
-    Number,
-    Pi,
-    Power,
-    Product,
-    Sum,
-    Symbol,
-    number,
-    power,
-)
-from ...formula.walk import equations
-from .notation import Notation, name
-
-SUM, FACTOR, BASE = 0, 1, 2
-"""What stands around a formula: nothing or a sum, a product, a power."""
+from ...formula.layout import TRIGONOMETRIC, in_degrees
+from ...formula.tree import Call, Formula, Number, Pi, Power, Product, Symbol
+from ...formula.typesetting import Row, Typesetter
+from .notation import Notation
+from .notation import name as name_of
 
 EM_PER_GLYPH = 0.58
 """Mean width of an italic letter with its share of space, in em of the text font."""
@@ -71,7 +50,12 @@ def latex(formula: Formula, style: Notation, angle: bool = False) -> str:
 
 def box(formula: Formula, style: Notation, angle: bool = False) -> Box:
     """Set a formula; one that is an angle, or is said to be one, has constants in degrees."""
-    return _set(formula, style, SUM, angle or is_angle(formula, style.angles))
+    return _Latex(style).whole(formula, angle)
+
+
+def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> Box:
+    """Return a term of a sum with the sign that joins it to what stands before."""
+    return _Latex(style).term(term, first, angle)
 
 
 def plain(tex: str, tall: bool = False) -> Box:
@@ -98,135 +82,104 @@ def row(boxes: Iterable[Box]) -> Box:
     return Box(tex, sum(p.width for p in parts), any(p.tall for p in parts), is_open)
 
 
-def parentheses(inner: Box) -> Box:
-    """Return a box in parentheses of its own height."""
-    left, right = (r"\left(", r"\right)") if inner.tall else ("(", ")")
-    return Box(left + inner.tex + right, inner.width + 0.9, inner.tall)
+class _Latex(Typesetter[Box]):
+    """Sets formulas as boxes of LaTeX."""
 
+    built = True
+    raised = True
 
-def _set(formula: Formula, style: Notation, around: int, angle: bool) -> Box:
-    constant = in_degrees(formula) if angle else None
-    if constant is not None and formula != number(0):
-        return _degrees(constant, style, around)
-    match formula:
-        case Number(value):
-            return _number(value, style, around)
-        case Pi():
-            return plain(r"\pi")
-        case Symbol(symbol):
-            return plain(name(symbol, style))._replace(open=symbol.startswith("len_"))
-        case Sum(terms):
-            joined = row(signed(t, style, i == 0, angle) for i, t in enumerate(terms))
-            return parentheses(joined) if around else joined
-        case Product():
-            return _product(formula, style, around, angle)
-        case Power(base, exponent):
-            return _power(base, exponent, style, around)
-        case Call(function, arguments):
-            return _call(function, arguments, style)
-        case Implicit(system, index, _):
-            return parentheses(_solution(system.unknowns[index], equations(formula), style))
-        case _:
-            assert_never(formula)
+    def __init__(self, style: Notation) -> None:
+        self.style, self.angles = style, style.angles
 
+    def numeral(self, figures: str) -> Box:
+        return plain(figures.replace(".", self.style.decimal))
 
-def _solution(unknown: str, zeros: Iterable[Formula], style: Notation) -> Box:
-    """Set an unknown and its equations in a row; where they are defined they have lines."""
-    lines = [row((_set(zero, style, SUM, False), plain("=0"))) for zero in zeros]
-    rest = (row((plain(r",\;"), line)) for line in lines[1:])
-    return row((plain(name(unknown, style) + r":\;"), lines[0], *rest))
-
-
-def signed(term: Formula, style: Notation, first: bool, angle: bool = False) -> Box:
-    """Return a term of a sum with the sign that joins it to what stands before."""
-    inner = _set(term, style, SUM, angle)
-    if first or inner.tex.startswith("-"):
-        return inner
-    return inner._replace(tex="+" + inner.tex, width=inner.width + 1.2)
-
-
-def _degrees(value: Fraction, style: Notation, around: int) -> Box:
-    figures = decimal(value)
-    inner = plain(figures.replace(".", style.decimal)) if figures else _number(value, style, SUM)
-    ends = inner.tex.find("}") if inner.tall else len(inner.tex)
-    whole = rf"{inner.tex[:ends]}^\circ{inner.tex[ends:]}"
-    marked = inner._replace(tex=whole, width=inner.width + 0.4)
-    return parentheses(marked) if value < 0 and around else marked
-
-
-def _number(value: Fraction, style: Notation, around: int) -> Box:
-    decimal = short_decimal(value)
-    if decimal is not None:
-        inner = plain(decimal.replace(".", style.decimal))
-    elif value.denominator == 1:
-        inner = plain(str(value))
-    else:
+    def ratio(self, value: Fraction) -> Box:
         sign = "-" if value < 0 else ""
-        inner = plain(rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}", tall=True)
-    needed = (value < 0 and around) or (around == BASE and inner.tall)
-    return parentheses(inner) if needed else inner
+        return plain(rf"{sign}\frac{{{abs(value.numerator)}}}{{{value.denominator}}}", tall=True)
 
+    def degrees(self, number: Box) -> Box:
+        """Return a number with its degree sign, above the line of a fraction."""
+        ends = number.tex.find("}") if number.tall else len(number.tex)
+        whole = rf"{number.tex[:ends]}^\circ{number.tex[ends:]}"
+        return number._replace(tex=whole, width=number.width + 0.4)
 
-def _product(formula: Product, style: Notation, around: int, angle: bool) -> Box:
-    whole = _as_decimal(formula, style, angle) or _as_fractions(formula, style, angle)
-    closed = around == BASE or (around == FACTOR and whole.tex.startswith("-"))
-    return parentheses(whole) if closed else whole
+    def pi(self) -> Box:
+        return plain(r"\pi")
 
+    def name(self, name: str) -> Box:
+        return plain(name_of(name, self.style))._replace(open=name.startswith("len_"))
 
-def _as_decimal(formula: Product, style: Notation, angle: bool) -> Box | None:
-    """Set a product that a short decimal leads, ``0.3 a cos α``; None for any other."""
-    match formula.factors:
-        case (Number(value), *rest) if short_decimal(value) is not None:
-            lead = _number(value, style, SUM)
-            tail = _product(Product(tuple(rest)), style, FACTOR, angle)
-            dot = r"\cdot " if tail.tex[0].isdigit() else r"\,"
-            return row((lead, plain(dot), tail))
-        case _:
-            return None
+    def parentheses(self, inner: Box) -> Box:
+        """Return a box in parentheses of its own height."""
+        left, right = (r"\left(", r"\right)") if inner.tall else ("(", ")")
+        return Box(left + inner.tex + right, inner.width + 0.9, inner.tall)
 
+    def minus(self, piece: Box) -> Box:
+        return row((plain("-"), piece))
 
-def _as_fractions(formula: Product, style: Notation, angle: bool) -> Box:
-    sign, first, second = fractions(formula)
-    parts = [fraction(*first, style, angle)]
-    if second != ((), ()):
-        follows = fraction(*second, style, angle)
-        both = parts[0].tall and follows.tall
-        parts += [plain(r"\cdot" if both else r"\," if follows.tall else ""), follows]
-    minus = (plain("-"),) if sign < 0 else ()
-    return row((*minus, *parts))
+    def joined(self, term: Box) -> Box:
+        if term.tex.startswith("-"):
+            return term
+        return term._replace(tex="+" + term.tex, width=term.width + 1.2)
 
+    def row(self, pieces: Sequence[Box]) -> Box:
+        return row(pieces)
 
-def fraction(
-    above: tuple[Formula, ...], below: tuple[Formula, ...], style: Notation, angle: bool = False
-) -> Box:
-    """Return the factors above and below one line, or side by side when nothing is below."""
-    if not below:
-        return factors(above, style, angle, FACTOR)
-    top = factors(above, style, angle)
-    bottom = factors(below, style, angle)
-    tex = rf"\frac{{{top.tex}}}{{{bottom.tex}}}"
-    return Box(tex, max(top.width, bottom.width) + 0.3, tall=True)
+    def factors(self, formulas: Row, pieces: Sequence[Box]) -> Box:
+        """Return factors side by side, with a dot where they would run together."""
+        boxes = [pieces[0]]
+        for (before, piece), formula in zip(pairwise(pieces), formulas[1:], strict=True):
+            if _runs_together(before, formula, piece):
+                boxes.append(plain(r"\cdot "))
+            elif _are_words(before, piece):
+                boxes.append(plain(r"\,"))
+            boxes.append(piece)
+        return row(boxes)
 
+    def over(self, above: Box, below: Box, several: bool) -> Box:
+        width = max(above.width, below.width) + 0.3
+        return Box(rf"\frac{{{above.tex}}}{{{below.tex}}}", width, tall=True)
 
-def factors(
-    formulas: tuple[Formula, ...], style: Notation, angle: bool = False, single: int = SUM
-) -> Box:
-    """Return factors side by side, with a dot where they would run together.
+    def beside(self, first: Box, second: Box) -> Box:
+        both = first.tall and second.tall
+        return row((first, plain(r"\cdot" if both else r"\," if second.tall else ""), second))
 
-    ``single`` is what stands around a factor that is alone.
-    """
-    if not formulas:
-        return plain("1")
-    around = FACTOR if len(formulas) > 1 else single
-    boxes: list[Box] = []
-    for formula in formulas:
-        current = _set(formula, style, around, angle)
-        if boxes and _runs_together(boxes[-1], formula, current):
-            boxes.append(plain(r"\cdot "))
-        elif boxes and _are_words(boxes[-1], current):
-            boxes.append(plain(r"\,"))
-        boxes.append(current)
-    return row(boxes)
+    def scaled(self, lead: Box, rest: Box) -> Box:
+        return row((lead, plain(r"\cdot " if rest.tex[0].isdigit() else r"\,"), rest))
+
+    def power(self, base: Box, exponent: Box) -> Box:
+        width = base.width + 0.7 * exponent.width
+        return Box(f"{base.tex}^{{{exponent.tex}}}", width, base.tall)
+
+    def holds(self, call: Box) -> bool:
+        return call.tex.startswith(r"\left|")
+
+    def root(self, inner: Box) -> Box:
+        return Box(rf"\sqrt{{{inner.tex}}}", inner.width + 0.9, tall=True)
+
+    def absolute(self, inner: Box) -> Box:
+        return Box(rf"\left|{inner.tex}\right|", inner.width + 0.6, inner.tall)
+
+    def applied(self, function: str, exponent: str, argument: Formula, inner: Box) -> Box:
+        """Return a function of one argument, without parentheses where none are needed."""
+        written = self.style.functions[function] + (f"^{{{exponent}}}" if exponent else "")
+        if inner.tall or not _is_bare(argument, function in TRIGONOMETRIC):
+            return row((plain(written), self.parentheses(inner)))
+        return row((plain(written), inner))._replace(open=True)
+
+    def called(self, function: str, arguments: Sequence[Box]) -> Box:
+        parts = (
+            Box(("," if i else "") + part.tex, part.width + 0.5, part.tall)
+            for i, part in enumerate(arguments)
+        )
+        return row((plain(self.style.functions[function]), self.parentheses(row(parts))))
+
+    def solution(self, unknown: str, zeros: Sequence[Box]) -> Box:
+        """Set an unknown and its equations in a row; where they are defined they have lines."""
+        first, *others = (row((zero, plain("=0"))) for zero in zeros)
+        rest = (row((plain(r",\;"), line)) for line in others)
+        return row((plain(name_of(unknown, self.style) + r":\;"), first, *rest))
 
 
 def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
@@ -241,55 +194,6 @@ def _are_words(before: Box, after: Box) -> bool:
     """Tell whether a name of several letters would be read as one with the next letter."""
     words = (re.match(r"\\math(rm|it)", box.tex) for box in (before, after))
     return any(words) and before.tex[-1] not in ")]" and after.tex[0] not in "(["
-
-
-def _power(base: Formula, exponent: Formula, style: Notation, around: int) -> Box:
-    match base, exponent:
-        case _, Number(value) if value < 0:
-            return fraction((), (power(base, Number(-value)),), style)
-        case _, Number(value) if value == Fraction(1, 2):
-            return _root(_set(base, style, SUM, False))
-        case Call(function, (argument,)), Number(value) if (
-            function in TRIGONOMETRIC and value.denominator == 1
-        ):
-            return _applied(f"{style.functions[function]}^{{{value}}}", argument, style)
-    raised = _set(exponent, style, SUM, False)
-    inner = _set(base, style, BASE, False)
-    if isinstance(base, Power | Call) and not inner.tex.startswith(r"\left|"):
-        inner = parentheses(inner)
-    whole = Box(f"{inner.tex}^{{{raised.tex}}}", inner.width + 0.7 * raised.width, inner.tall)
-    return parentheses(whole) if around == BASE else whole
-
-
-def _root(inner: Box) -> Box:
-    return Box(rf"\sqrt{{{inner.tex}}}", inner.width + 0.9, tall=True)
-
-
-def _call(function: str, arguments: tuple[Formula, ...], style: Notation) -> Box:
-    match function:
-        case "sqrt":
-            return _root(_set(arguments[0], style, SUM, False))
-        case "hypot":
-            return _root(_set(squares(arguments), style, SUM, False))
-        case "abs":
-            inner = box(arguments[0], style)
-            return Box(rf"\left|{inner.tex}\right|", inner.width + 0.6, inner.tall)
-        case _ if len(arguments) == 1:
-            return _applied(style.functions[function], arguments[0], style)
-    inner = row(
-        Box(("," if i else "") + (part := box(a, style)).tex, part.width + 0.5, part.tall)
-        for i, a in enumerate(arguments)
-    )
-    return row((plain(style.functions[function]), parentheses(inner)))
-
-
-def _applied(function: str, argument: Formula, style: Notation) -> Box:
-    """Set a function of one argument, without parentheses where none are needed."""
-    angle = function.partition("^")[0] in {style.functions[f] for f in TRIGONOMETRIC}
-    inner = _set(argument, style, SUM, angle)
-    if inner.tall or not _is_bare(argument, angle):
-        return row((plain(function), parentheses(inner)))
-    return row((plain(function), inner))._replace(open=True)
 
 
 def _is_bare(argument: Formula, angle: bool) -> bool:

@@ -1,0 +1,283 @@
+"""A formula set on paper, piece by piece: what is the same on a terminal and in LaTeX.
+
+What stands in parentheses, which functions are raised before their argument, what counts
+as a fraction and what leads a product is settled here once, on top of
+:mod:`mechc.formula.layout`. A :class:`Typesetter` says how the pieces look: text on one
+line, or boxes that know how wide they will be.
+"""
+
+from abc import ABC, abstractmethod
+from collections.abc import Sequence
+from enum import IntEnum
+from fractions import Fraction
+from typing import Generic, TypeVar, assert_never
+
+from .layout import (
+    TRIGONOMETRIC,
+    decimal,
+    fractions,
+    in_degrees,
+    is_angle,
+    short_decimal,
+    squares,
+)
+from .tree import (
+    ZERO,
+    Call,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    power,
+)
+from .walk import equations
+
+Piece = TypeVar("Piece")
+
+HALF = Number(Fraction(1, 2))
+
+Row = tuple[Formula, ...]
+
+
+class Around(IntEnum):
+    """What stands around a formula, by what must be put in parentheses there."""
+
+    SUM = 0
+    """Nothing, or a sum."""
+    FACTOR = 1
+    """Other factors."""
+    BASE = 2
+    """An exponent."""
+
+
+class Typesetter(ABC, Generic[Piece]):
+    """Sets formulas; ``angles`` are the names that are angles.
+
+    ``built`` says that fractions have a line and exponents are small, so that both hold
+    together without parentheses; ``raised`` that ``sin² α`` is written for a power.
+    """
+
+    built: bool
+    raised: bool
+    angles: frozenset[str]
+
+    # ------------------------------------------------------------- how pieces look
+
+    @abstractmethod
+    def numeral(self, figures: str) -> Piece:
+        """Return a whole number or a decimal, perhaps with a minus."""
+
+    @abstractmethod
+    def ratio(self, value: Fraction) -> Piece:
+        """Return a rational that no decimal stands for."""
+
+    @abstractmethod
+    def degrees(self, number: Piece) -> Piece:
+        """Return a number with the sign of degrees."""
+
+    @abstractmethod
+    def pi(self) -> Piece:
+        """Return π."""
+
+    @abstractmethod
+    def name(self, name: str) -> Piece:
+        """Return a quantity's name."""
+
+    @abstractmethod
+    def parentheses(self, inner: Piece) -> Piece:
+        """Return a piece in parentheses."""
+
+    @abstractmethod
+    def minus(self, piece: Piece) -> Piece:
+        """Return a piece with a minus before it."""
+
+    @abstractmethod
+    def joined(self, term: Piece) -> Piece:
+        """Return a term with the sign that joins it to those before; it may have a minus."""
+
+    @abstractmethod
+    def row(self, pieces: Sequence[Piece]) -> Piece:
+        """Return pieces side by side, as they are."""
+
+    @abstractmethod
+    def factors(self, formulas: Row, pieces: Sequence[Piece]) -> Piece:
+        """Return the factors of a row, kept apart where they would run together."""
+
+    @abstractmethod
+    def over(self, above: Piece, below: Piece, several: bool) -> Piece:
+        """Return a fraction; ``several`` says that more than one factor is below the line."""
+
+    @abstractmethod
+    def beside(self, first: Piece, second: Piece) -> Piece:
+        """Return the two parts of a product that are apart: ``b/a · cot α``."""
+
+    @abstractmethod
+    def scaled(self, lead: Piece, rest: Piece) -> Piece:
+        """Return a product that a decimal leads."""
+
+    @abstractmethod
+    def power(self, base: Piece, exponent: Piece) -> Piece:
+        """Return a power."""
+
+    @abstractmethod
+    def holds(self, call: Piece) -> bool:
+        """Return whether a call, as it is set, may have an exponent behind it."""
+
+    @abstractmethod
+    def root(self, inner: Piece) -> Piece:
+        """Return a square root."""
+
+    @abstractmethod
+    def absolute(self, inner: Piece) -> Piece:
+        """Return an absolute value."""
+
+    @abstractmethod
+    def applied(self, function: str, exponent: str, argument: Formula, inner: Piece) -> Piece:
+        """Return a function of one argument, ``exponent`` (or nothing) behind its name.
+
+        Where the argument stands without parentheses is a matter of how it looks.
+        """
+
+    @abstractmethod
+    def called(self, function: str, arguments: Sequence[Piece]) -> Piece:
+        """Return a function of several arguments."""
+
+    @abstractmethod
+    def solution(self, unknown: str, zeros: Sequence[Piece]) -> Piece:
+        """Return an unknown and what is zero for it."""
+
+    # ---------------------------------------------------------------- what is set
+
+    def whole(self, formula: Formula, angle: bool = False) -> Piece:
+        """Return a formula; one that is an angle, or said to be one, has constants in degrees."""
+        return self.set(formula, Around.SUM, angle or is_angle(formula, self.angles))
+
+    def set(self, formula: Formula, around: Around, angle: bool) -> Piece:
+        """Return a formula as it stands inside another; ``angle`` as in :meth:`whole`."""
+        constant = in_degrees(formula) if angle and formula != ZERO else None
+        if constant is not None:
+            return self._degrees(constant, around)
+        match formula:
+            case Number(value):
+                return self.number(value, short_decimal(value), around)
+            case Pi():
+                return self.pi()
+            case Symbol(name):
+                return self.name(name)
+            case Sum(terms):
+                row = self.row([self.term(t, i == 0, angle) for i, t in enumerate(terms)])
+                return self.parentheses(row) if around else row
+            case Product():
+                return self._product(formula, around, angle)
+            case Power(base, exponent):
+                return self._power(base, exponent, around)
+            case Call(function, arguments):
+                return self._call(function, arguments)
+            case Implicit(system, index, _):
+                zeros = [self.set(zero, Around.SUM, False) for zero in equations(formula)]
+                return self.parentheses(self.solution(system.unknowns[index], zeros))
+            case _:
+                assert_never(formula)
+
+    def term(self, term: Formula, first: bool, angle: bool = False) -> Piece:
+        """Return a term of a sum, with the sign that joins it to what stands before."""
+        piece = self.set(term, Around.SUM, angle)
+        return piece if first else self.joined(piece)
+
+    def number(self, value: Fraction, figures: str | None, around: Around) -> Piece:
+        """Return a number; ``figures`` is the decimal to be printed for it, if any."""
+        return self._enclosed(self._digits(value, figures), value, figures, around)
+
+    def _degrees(self, value: Fraction, around: Around) -> Piece:
+        """Return an angle; the degree sign is inside the parentheses."""
+        figures = decimal(value)
+        return self._enclosed(self.degrees(self._digits(value, figures)), value, figures, around)
+
+    def _digits(self, value: Fraction, figures: str | None) -> Piece:
+        if figures is None and value.denominator != 1:
+            return self.ratio(value)
+        return self.numeral(figures or str(value))
+
+    def _enclosed(
+        self, piece: Piece, value: Fraction, figures: str | None, around: Around
+    ) -> Piece:
+        """Return a number in the parentheses that it needs."""
+        if value < 0 and around:
+            return self.parentheses(piece)
+        is_ratio = figures is None and value.denominator != 1
+        return self._held(piece, around) if is_ratio else piece
+
+    def _held(self, fraction: Piece, around: Around) -> Piece:
+        """Return a fraction that holds together; a line does that among factors."""
+        needed = around == Around.BASE or (around and not self.built)
+        return self.parentheses(fraction) if needed else fraction
+
+    def _product(self, formula: Product, around: Around, angle: bool) -> Piece:
+        match formula.factors:
+            case (Number(value), *rest) if (figures := short_decimal(value)) is not None:
+                tail = self.led(tuple(rest), angle)
+                piece, negative = self.scaled(self.numeral(figures), tail), value < 0
+            case _:
+                sign, *parts = fractions(formula)
+                set_parts = [self.fraction(*part, angle) for part in parts if part != ((), ())]
+                piece = self.beside(*set_parts) if len(set_parts) > 1 else set_parts[0]
+                piece, negative = self.minus(piece) if sign < 0 else piece, sign < 0
+        closed = around == Around.BASE or (around and negative)
+        return self.parentheses(piece) if closed else piece
+
+    def fraction(self, above: Row, below: Row, angle: bool = False) -> Piece:
+        """Return the factors above and below a line, or side by side when nothing is below."""
+        if not below:
+            return self.row_of(above, Around.FACTOR, angle)
+        alone = Around.SUM if self.built else Around.FACTOR
+        top, bottom = self.row_of(above, alone, angle), self.row_of(below, alone, angle)
+        return self.over(top, bottom, len(below) > 1)
+
+    def led(self, factors: Row, angle: bool) -> Piece:
+        """Return the factors that a decimal leads."""
+        return self._product(Product(factors), Around.FACTOR, angle)
+
+    def row_of(self, formulas: Row, alone: Around, angle: bool) -> Piece:
+        """Return factors side by side; ``alone`` is what stands around a single one."""
+        if not formulas:
+            return self.numeral("1")
+        around = Around.FACTOR if len(formulas) > 1 else alone
+        return self.factors(formulas, [self.set(f, around, angle) for f in formulas])
+
+    def _power(self, base: Formula, exponent: Formula, around: Around) -> Piece:
+        match base, exponent:
+            case _, Number(value) if value < 0:
+                return self._held(self.fraction((), (power(base, Number(-value)),)), around)
+            case _, Number() if exponent == HALF:
+                return self.root(self.set(base, Around.SUM, False))
+            case Call(function, (argument,)), Number(value) if (
+                self.raised and function in TRIGONOMETRIC and value.denominator == 1
+            ):
+                return self.applied(function, str(value), argument, self.whole(argument, True))
+        raised = self.set(exponent, Around.SUM if self.built else Around.BASE, False)
+        return self.power(self._base(base), raised)
+
+    def _base(self, base: Formula) -> Piece:
+        """Return what an exponent stands behind."""
+        if isinstance(base, Power):
+            return self.parentheses(self.set(base, Around.SUM, False))
+        piece = self.set(base, Around.BASE, False)
+        open_call = isinstance(base, Call) and not self.holds(piece)
+        return self.parentheses(piece) if open_call else piece
+
+    def _call(self, function: str, arguments: Row) -> Piece:
+        match function, arguments:
+            case "hypot", _:
+                return self.root(self.set(squares(arguments), Around.SUM, False))
+            case "sqrt", (argument,):
+                return self.root(self.set(argument, Around.SUM, False))
+            case "abs", (argument,):
+                return self.absolute(self.whole(argument))
+            case _, (argument,):
+                inner = self.whole(argument, function in TRIGONOMETRIC)
+                return self.applied(function, "", argument, inner)
+        return self.called(function, [self.whole(a) for a in arguments])
