@@ -35,6 +35,7 @@ BOTH = {
     "hypot(a, -b)": ("√(a² + b²)", r"\sqrt{a^{2}+b^{2}}"),
     "cos(deg(40) - alpha)": ("cos(40° − α)", r"\cos(40^\circ-\alpha)"),
     "cos(-alpha)": ("cos(−α)", r"\cos(-\alpha)"),
+    "cos(pi/8)": ("cos(22.5°)", r"\cos22.5^\circ"),
     "cos(pi/7)": ("cos(180/7°)", r"\cos\left(\frac{180^\circ}{7}\right)"),
     "sin(alpha - pi/2)/a": ("sin(α − 90°) / a", r"\frac{\sin(\alpha-90^\circ)}{a}"),
     "2*b/a*cot(alpha)": ("2b/a · cot α", r"\frac{2b}{a}\cot\alpha"),

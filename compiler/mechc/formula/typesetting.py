@@ -219,17 +219,21 @@ class Typesetter(ABC, Generic[Piece]):
     def _product(self, formula: Product, around: Around, angle: bool) -> Piece:
         match formula.factors:
             case (Number(value), *rest) if (figures := short_decimal(value)) is not None:
-                tail = self.led(tuple(rest), angle)
-                piece, negative = self.scaled(self.numeral(figures), tail), value < 0
+                piece = self.scaled(self.numeral(figures), self.led(tuple(rest), angle))
+                negative = value < 0
             case _:
-                sign, *parts = fractions(formula)
-                set_parts = [self.fraction(*part, angle) for part in parts if part != ((), ())]
-                piece = self.beside(*set_parts) if len(set_parts) > 1 else set_parts[0]
-                piece, negative = self.minus(piece) if sign < 0 else piece, sign < 0
+                piece, negative = self._fractions(formula, angle)
         closed = around == Around.BASE or (around and negative)
         return self.parentheses(piece) if closed else piece
 
-    def fraction(self, above: Row, below: Row, angle: bool = False) -> Piece:
+    def _fractions(self, formula: Product, angle: bool) -> tuple[Piece, bool]:
+        """Return a product as one fraction or two, and whether a minus is before it."""
+        sign, *parts = fractions(formula)
+        first, *second = [self._fraction(*part, angle) for part in parts if part != ((), ())]
+        piece = self.beside(first, *second) if second else first
+        return (self.minus(piece), True) if sign < 0 else (piece, False)
+
+    def _fraction(self, above: Row, below: Row, angle: bool = False) -> Piece:
         """Return the factors above and below a line, or side by side when nothing is below."""
         if not below:
             return self.row_of(above, Around.FACTOR, angle)
@@ -251,7 +255,7 @@ class Typesetter(ABC, Generic[Piece]):
     def _power(self, base: Formula, exponent: Formula, around: Around) -> Piece:
         match base, exponent:
             case _, Number(value) if value < 0:
-                return self._held(self.fraction((), (power(base, Number(-value)),)), around)
+                return self._held(self._fraction((), (power(base, Number(-value)),)), around)
             case _, Number() if exponent == HALF:
                 return self.root(self.set(base, Around.SUM, False))
             case Call(function, (argument,)), Number(value) if (
