@@ -86,7 +86,7 @@ def _vanishes_with(sum_: Sum, part: Trig) -> bool:
 
     It is measured by its terms somewhere else: there all of them may be zero.
     """
-    values = _Anything()
+    values = Anything()
     size = max(abs(term.evaluate(values)) for term in sum_.terms)
     name, c = part.angle.terms[0]
     zero = 0.0 if part.function == "sin" else math.pi / 2
@@ -94,7 +94,7 @@ def _vanishes_with(sum_: Sum, part: Trig) -> bool:
     return abs(math.fsum(term.evaluate(values) for term in sum_.terms)) <= NIL * size
 
 
-class _Anything(dict[str, float]):
+class Anything(dict[str, float]):
     """A number between one and two for every name."""
 
     def __missing__(self, name: str) -> float:

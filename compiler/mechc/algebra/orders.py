@@ -10,7 +10,8 @@ factors have in common there.
 (0, -1)
 """
 
-from collections.abc import Iterator
+import math
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
@@ -20,12 +21,20 @@ from ..formula.walk import symbols
 from ..work import spend
 from .angle import Angle
 from .factors import Factor, Length, Opaque, Trig
+from .halving import Anything
 from .modular import PARTS, PRIME, Point
 from .product import Bound, Product, Sum
 from .trigonometry import sine
 
 TERMS = (2, 8)
 """Terms of a series, first few: what is zero to the last order is not looked into any further."""
+
+
+PLAIN = 1e-5
+"""What is not below this part of a sum's terms is not zero, without looking closer."""
+
+NIL = 1e-5
+"""Terms that grow by more than its inverse may have a pole."""
 
 
 class Root(NamedTuple):
@@ -99,10 +108,47 @@ def order(product: Product, name: str, value: Angle) -> int | None:
     """
     if not product:
         return None
+    plain = _plain_order(product, name, value)
+    if plain is not None:
+        return plain
     for terms in TERMS:
         with suppress(UnknownError, ZeroDivisionError):
             return _Place(name, value, terms).series(product).order
     return None
+
+
+def _plain_order(product: Product, name: str, value: Angle) -> int | None:
+    """Return the order where all but sines and cosines are plainly not zero; else None.
+
+    A sum whose value at any one place is no rounding is not zero everywhere.
+    """
+    generic = Anything()
+    sizes = {f: _size(f, generic) for f in product.factors if isinstance(f, Sum)}
+    values = Anything(generic)
+    values[name] = value.evaluate(values)
+    total = 0
+    for factor, exponent in product.factors.items():
+        match factor:
+            case Trig(function, angle):
+                here = angle.put({name: value})
+                zero = 0 if function == "sin" else 90
+                total += exponent if not here.terms and here.degrees % 180 == zero else 0
+            case Sum() if NIL * _size(factor, values) < sizes[factor]:
+                if abs(factor.evaluate(values)) < PLAIN * sizes[factor]:
+                    return None
+            case Length() if factor.name != name:
+                pass
+            case _:
+                return None
+    return total
+
+
+def _size(sum_: Sum, values: Mapping[str, float]) -> float:
+    """Return the largest of a sum's terms; infinite where one of them is."""
+    try:
+        return max(abs(term.evaluate(values)) for term in sum_.terms)
+    except ZeroDivisionError:
+        return math.inf
 
 
 class _Place:
