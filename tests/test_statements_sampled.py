@@ -105,3 +105,10 @@ def test_the_sampler_finds_zeros_that_are_none_and_those_left_out():
     mechanism, (k,) = results(POLE)
     assert list(refuted(mechanism, replace(k, zeros=k.poles)))
     assert list(missing(mechanism, replace(k, poles=())))
+
+
+@pytest.mark.parametrize("turn", ["1.2345678*al", "al + 0.123456789 rad", "1000*al"])
+def test_angles_of_which_nothing_small_is_a_multiple_take_no_time(turn):
+    text = TREBLED.format(value=20, low=5, high=80, more="", load=f"C along {turn}")
+    mechanism, (k,) = results(text.replace("@ -al", f"@ {turn}"))
+    assert list(refuted(mechanism, k)) == []

@@ -11,7 +11,7 @@ factors have in common there.
 """
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 from ..formula.walk import symbols
 from ..work import spend
-from .angle import Angle
+from .angle import RADIAN, Angle, Rational
 from .factors import Factor, Length, Opaque, Trig
 from .halving import Anything
 from .modular import PARTS, PRIME, Point
@@ -32,6 +32,9 @@ TERMS = (2, 8)
 
 PLAIN = 1e-5
 """What is not below this part of a sum's terms is not zero, without looking closer."""
+
+MOST = 64
+"""Roots of one sine: those of 1.234·a and a are not told apart."""
 
 NIL = 1e-5
 """Terms that grow by more than its inverse may have a pole."""
@@ -52,29 +55,45 @@ class Root(NamedTuple):
 def roots(trig: Trig, product: Product) -> list[Root]:
     """Return the roots of a sine or cosine, as far as a product may tell them apart.
 
-    cos 3a has three, at 30°, 90° and 150°; beside sin(a/2) it has six, up to 360°. A sum
+    Beside sin a, cos 3a has three, at 30°, 90° and 150°; beside sin(a/2) six, up to 360°. A sum
     may vanish at one end of a diameter only: beside one, roots are told apart up to a whole
-    turn of the finest angle.
+    turn of the finest angle. None are returned where these are more than :data:`MOST`.
 
     >>> from .trigonometry import cosine
     >>> (c,) = cosine(Angle.of("a") * 3).factors
-    >>> [str(r.value) for r in roots(c, Product.of(c))]
+    >>> [str(r.value) for r in roots(c, Product.of(c) * sine(Angle.of("a")))]
     ['30°', '90°', '150°']
     """
-    scale = lcm(*(Fraction(c).denominator for a in angles(product) for _, c in a.terms))
-    if any(isinstance(f, Sum | Bound) for f in product.factors):
-        scale *= 2
-    parts = gcd(*(int(c * scale) for _, c in trig.angle.terms))
-    first = -trig.angle.degrees + (90 if trig.function == "cos" else 0)
-    unit = Angle(trig.angle.terms) * Fraction(1, parts)
+    step = _common_step(trig, product)
+    own = [(n, c) for n, c in trig.angle.terms if n != RADIAN]
+    parts = int(_gcd(c for _, c in own) / step)
+    if parts > MOST:
+        return []
+    unit = Angle(tuple(own)) * Fraction(1, parts)
+    offset = Angle.constant(90 if trig.function == "cos" else 0) - (trig.angle - Angle(tuple(own)))
     name, c = next((t for t in unit.terms if abs(t[1]) == 1), unit.terms[0])
     found = []
     for i in range(parts):
-        place = Angle.constant(Fraction(first + 180 * i, parts))
+        place = (offset + Angle.constant(180 * i)) * Fraction(1, parts)
         (factor,) = sine(unit - place).factors
         assert isinstance(factor, Trig)
-        found.append(Root(factor, name, (place - unit + Angle(((name, c),))) * (1 / Fraction(c))))
+        value = (place - unit + Angle(((name, c),))) * (1 / Fraction(c))
+        found.append(Root(factor, name, value))
     return found
+
+
+def _common_step(trig: Trig, product: Product) -> Fraction:
+    """Return of what all coefficients are multiples, in angles that share a symbol with a trig."""
+    inside = [a for a in angles(product) if a.names & trig.angle.names]
+    step = _gcd(c for a in (trig.angle, *inside) for n, c in a.terms if n != RADIAN)
+    return step / 2 if any(isinstance(f, Sum | Bound) for f in product.factors) else step
+
+
+def _gcd(values: Iterable[Rational]) -> Fraction:
+    """Return the largest rational of which all are integer multiples."""
+    parts = [Fraction(v) for v in values]
+    below = lcm(*(p.denominator for p in parts))
+    return Fraction(gcd(*(int(p * below) for p in parts)), below)
 
 
 def angles(product: Product) -> Iterator[Angle]:
