@@ -76,6 +76,7 @@ LATE = {
     ("power/from_plan.py", "kinematics.release"),
     ("power/conclusions.py", "power.friction.course"),
     ("power/conclusions.py", "power.friction.locking"),
+    ("power/conclusions.py", "power.friction.study"),
     ("power/from_plan.py", "power.friction.constant"),
     ("power/from_plan.py", "power.friction.results"),
     ("power/from_plan.py", "power.joint_forces"),

@@ -1,7 +1,9 @@
 """What follows from a result: zeros and poles, proportions, symmetries, trends, derivatives."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from functools import cache, partial
 from itertools import combinations
+from typing import TYPE_CHECKING
 
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
@@ -19,6 +21,9 @@ from .numbers import default_values
 from .trends import ranges, trend
 from .vanishing import poles, zeros
 
+if TYPE_CHECKING:
+    from .friction.study import Study
+
 MANY = 16
 """A result of more parameters than this is given without swaps, trends and derivatives.
 
@@ -28,13 +33,21 @@ Their number grows with the square of the parameters', and nobody reads them the
 
 def conclude(balance: Balance) -> tuple[Result, ...]:
     """Return the results with what follows from each."""
-    values = default_values(balance.plan)
-    return tuple(_concluded(item, balance, values) for item in balance.solved)
+    values, study = default_values(balance.plan), cache(partial(_study, balance))
+    return tuple(_concluded(item, balance, values, study) for item in balance.solved)
 
 
-def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> Result:
+def _study(balance: Balance) -> "Study":
+    from .friction.study import Study
+
+    return Study(balance)
+
+
+def _concluded(
+    item: Solved, balance: Balance, values: Mapping[str, float], study: "Callable[[], Study]"
+) -> Result:
     if item.value is None:
-        return _with_friction(item.result, balance)
+        return _with_friction(item.result, balance, study)
     mechanism = balance.plan.graph.pose.mechanism
     result = replace(
         item.result,
@@ -60,7 +73,7 @@ def _concluded(item: Solved, balance: Balance, values: Mapping[str, float]) -> R
     )
 
 
-def _with_friction(result: Result, balance: Balance) -> Result:
+def _with_friction(result: Result, balance: Balance, study: "Callable[[], Study]") -> Result:
     """Return a result as it is printed, with where the mechanism moves at all."""
     printed, friction = result.printed(), balance.plan.graph.pose.mechanism.friction
     if friction.efficiency is not None:
@@ -69,11 +82,11 @@ def _with_friction(result: Result, balance: Balance) -> Result:
         case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
             from .friction.locking import locking
 
-            return replace(printed, locking=locking(balance, result, printed))
+            return replace(printed, locking=locking(study(), result, printed))
         case Efficiency():
             from .friction.course import courses
 
-            return replace(printed, courses=tuple(courses(balance, result)))
+            return replace(printed, courses=tuple(courses(study(), result)))
         case _:
             return printed
 

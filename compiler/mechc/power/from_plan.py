@@ -33,7 +33,7 @@ from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
 from .definitions import intermediates, let_results, resting_on
 from .equations import Equations
-from .loads import terms
+from .loads import given_size, terms
 from .numbers import check_numbers
 from .speeds import magnitude, speed
 
@@ -180,11 +180,7 @@ class _Asked:
         return replace(result, where=tuple(where), coefficients=coefficients)
 
     def _given(self, load: str) -> Formula | None:
-        """Return the value of a known load: a weight, or one that a let defines."""
-        for let in self._mechanism.lets:
-            if let.name == load:
-                return let.value
-        return self._loads[load].tie
+        return given_size(self._mechanism, load)
 
     def _weights(self) -> set[str]:
         """Return the loads whose size the description gives, so that they can't be tied."""
@@ -209,9 +205,7 @@ class _Asked:
         from .friction.results import FrictionResults
 
         driving = next(iter(self._driving()), "")
-        valued = {n: f for n in self._loads if (f := self._given(n)) is not None}
-        free = {n: f for n, f in valued.items() if self._equations.owner(n)[0] == n}
-        return FrictionResults(self._plan, self._equations, driving, free, report)
+        return FrictionResults(self._plan, self._equations, driving, report)
 
     # ------------------------------------------------------------------------- forces
 

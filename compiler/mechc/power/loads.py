@@ -33,6 +33,14 @@ def _term(plan: Plan, load: Load, names: set[str]) -> Term:
     return Term(load, count, plan.spin(load.link), None, tie)
 
 
+def given_size(mechanism: Mechanism, load: str) -> Formula | None:
+    """Return the value of a known load: a weight, or one that a let defines; None for others."""
+    for let in mechanism.lets:
+        if let.name == load:
+            return let.value
+    return next(k.tie for k in mechanism.loads if k.name == load)
+
+
 def _tie(formula: Formula, names: set[str]) -> tuple[str, Product] | None:
     """Split ``f*R`` into the load R and the factor f; None for a known load (a weight)."""
     for name in sorted(symbols(formula) & names):

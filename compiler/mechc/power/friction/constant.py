@@ -5,7 +5,8 @@ With the angle δ by which friction turns a rod's line of force, a ratio k chang
 """
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import cache, partial
 
 from ...diagnostics import Report
 from ...diagnostics import friction as words
@@ -13,12 +14,12 @@ from ...formula.walk import evaluate, symbols
 from ...model.mechanism import Find, WithFriction
 from ...model.result import Result
 from ..balance import Balance
-from .locking import sizes
 from .places import Places
 from .ranges import moved, range_of, shown, spaced, spans, turns
 from .results import FrictionResults
 from .sampling import looked_at
 from .states import Moving
+from .study import sizes
 
 FAR = 0.05
 """By so much a constant may miss the efficiency that friction makes."""
@@ -44,7 +45,8 @@ def remark_on_constant(balance: Balance, friction: FrictionResults, report: Repo
             ideal = next(r for r in balance.results if r.target == find.target.of)
             real = friction.by_rubbing(find, ideal) if _rubs(balance) else None
             if real is not None:
-                _Beside(balance, find, ideal, real).remark(report)
+                coupled = partial(friction.coupled, find, ideal)
+                _Beside(balance, find, ideal, real, coupled).remark(report)
             elif where := list(_steep(balance, ideal)):
                 report.add(words.efficiency_near_dead_centre(find.span, ideal.name, where))
 
@@ -59,10 +61,18 @@ def _rubs(balance: Balance) -> bool:
 class _Beside:
     """A constant efficiency beside the one that friction makes."""
 
-    def __init__(self, balance: Balance, find: Find, ideal: Result, real: Result) -> None:
+    def __init__(
+        self,
+        balance: Balance,
+        find: Find,
+        ideal: Result,
+        real: Result,
+        coupled: Callable[[], Result | None],
+    ) -> None:
         assert isinstance(find.target, WithFriction)
         self._balance, self._find = balance, find
         self._ideal, self._real, self._sense = ideal, real, find.target.sense
+        self._coupled = cache(coupled)
         self._mechanism = balance.plan.graph.pose.mechanism
         self._loads = sizes(balance, real)
 
@@ -82,7 +92,7 @@ class _Beside:
 
     def _moving(self, name: str) -> Moving:
         places = Places(self._balance.plan, name, self._loads or {})
-        return Moving(places, self._ideal, self._real, self._sense)
+        return Moving(places, self._ideal, self._real, self._sense, self._coupled)
 
     def _given(self, moving: Moving, place: float) -> float:
         efficiency, values = self._mechanism.friction.efficiency, moving.places.values(place)

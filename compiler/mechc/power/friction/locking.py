@@ -13,11 +13,10 @@ from ...frozen import frozen
 from ...model.locking import Bound, Locking, Range, Reach, State, Stretch
 from ...model.mechanism import LoadForm, LoadRatio, WithFriction
 from ...model.result import Result
-from ..balance import Balance
-from .places import Places
 from .ranges import EXACT, NEARLY, last, range_of, turns, unit_of, varying
 from .sampling import PLACES, before_dead_centre, dead_centre, looked_at
 from .states import Moving
+from .study import Study
 
 BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""
@@ -30,11 +29,8 @@ LONG = 200
 
 Solve = Callable[[Formula, str], Iterator[Solution]]
 
-CLEAR = 10.0
-"""At the end of what is locked k is nil, at that of what is jammed infinite: so many times."""
 
-
-def locking(balance: Balance, real: Result, printed: Result) -> Locking | None:
+def locking(study: Study, real: Result, printed: Result) -> Locking | None:
     """Return where a ratio with friction is locked or jammed; None where it has no values.
 
     ``printed`` is the same as it is printed, which is what is solved for angles.
@@ -42,43 +38,31 @@ def locking(balance: Balance, real: Result, printed: Result) -> Locking | None:
     assert isinstance(real.target, WithFriction)
     asked = real.target.of
     assert isinstance(asked, LoadRatio | LoadForm)
-    ideal = next(r for r in balance.results if r.target == asked)
-    loads = sizes(balance, real)
-    if loads is None:
-        return None
-    mechanism, sense = balance.plan.graph.pose.mechanism, real.target.sense
-    at_default = Moving(Places(balance.plan, "", loads), ideal, real, sense).at(0.0).state
-    if at_default is None:
+    mechanism, sense = study.mechanism, real.target.sense
+    here = study.moving(asked, sense, "")
+    state = here.at(0.0).state if here else None
+    if state is None:
         return None
     reaches = []
-    for name in varying(mechanism, (ideal, real)):
-        moving = Moving(Places(balance.plan, name, loads), ideal, real, sense)
-        looked_at = _window(name, moving, balance)
-        if looked_at is not None:
+    for name in varying(mechanism, (study.ideal(asked), real)):
+        moving = study.moving(asked, sense, name)
+        looked_at = _window(name, moving, study) if moving else None
+        if moving and looked_at is not None:
             stretches = _Stretches(name, moving, printed, range_of(name, mechanism))
             unit = unit_of(name, mechanism)
             reaches.append(Reach(name, unit, stretches.range, tuple(stretches.found(*looked_at))))
     drive, load = (asked.load, "") if isinstance(asked, LoadForm) else (asked.above, asked.below)
-    return Locking(at_default, drive, load, tuple(reaches))
-
-
-def sizes(balance: Balance, real: Result) -> dict[str, float] | None:
-    """Return sizes for loads without one: any will do for one load, for several none."""
-    loads = {load.name for load in balance.plan.graph.pose.mechanism.loads}
-    formulas = [real.formula, *(d.formula for d in real.where)]
-    known = {d.name for d in real.where}
-    missing = {s for f in formulas for s in symbols(f)} & loads - known
-    return dict.fromkeys(missing, 1.0) if len(missing) < 2 else None
+    return Locking(state, drive, load, tuple(reaches))
 
 
 # ---------------------------------------------------------------------- what is looked at
 
 
-def _window(name: str, moving: Moving, balance: Balance) -> Range | None:
+def _window(name: str, moving: Moving, study: Study) -> Range | None:
     """Return what is looked at: the range, and of an open pose what is beyond it."""
-    pose = balance.plan.graph.pose
+    pose = study.balance.plan.graph.pose
     given = range_of(name, pose.mechanism)
-    if pose.definitions or moving.is_iterated or not turns(name, pose.mechanism):
+    if pose.definitions or moving.is_slow or not turns(name, pose.mechanism):
         return given
     here = moving.places.defaults[name]
     low, high = given or (here, here)
@@ -118,16 +102,12 @@ class _Stretches:
         first = 0
         for state, group in groupby(places, lambda x: self.moving.at(x).state):
             last = first + len(list(group)) - 1
-            if state in ("locked", "jammed") and (one := self._stretch(places, first, last, state)):
-                yield one
+            if state in ("locked", "jammed"):
+                yield self._stretch(places, first, last, state)
             first = last + 1
 
-    def _stretch(
-        self, places: Sequence[float], first: int, last: int, state: State
-    ) -> Stretch | None:
+    def _stretch(self, places: Sequence[float], first: int, last: int, state: State) -> Stretch:
         low, high = self._end(places, first, -1), self._end(places, last, 1)
-        if not self._is_certain(state, (low, high), places[(first + last) // 2]):
-            return None
         begins = places[first] if low is None else low.place
         ends = places[last] if high is None else high.place
         return Stretch(state, low, high, self._within(begins, ends))
@@ -138,28 +118,15 @@ class _Stretches:
             return None
         a, b = places[i], places[i + way]
         here, there = self.moving.at(a), self.moving.at(b)
-        if there.state is None or here.driven != there.driven:
-            is_pose = not math.isnan(self.moving.places.of(self.moving.ideal, b))
+        if here.driven != there.driven:
+            is_pose = bool(self.moving.places.values(b))
             return self._bound(
                 dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
             )
         state = here.state
-        width = NEARLY if self.moving.is_iterated else EXACT
+        width = NEARLY if self.moving.is_slow else EXACT
         place = last(lambda x: self.moving.at(x).state == state, a, b, width)
         return self._bound(place, self.printed, (zeros if state == "locked" else poles,))
-
-    def _is_certain(
-        self, state: State, ends: tuple[Bound | None, Bound | None], middle: float
-    ) -> bool:
-        """Tell what is stuck from a formula that merely ends, where a joint is relieved."""
-        inside = self.moving.at(middle)
-        bounds = (e for e in ends if e is not None and not e.is_dead_centre)
-        shares = [abs(self.moving.at(e.place).share) for e in bounds]
-        if not shares or inside.keeps:
-            return not inside.share > 0
-        if state == "locked":
-            return any(share < 1 / CLEAR for share in shares)
-        return any(not share <= CLEAR for share in shares)
 
     def _within(self, low: float, high: float) -> Range | None:
         if self.range is None:

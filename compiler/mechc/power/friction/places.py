@@ -22,7 +22,7 @@ class Places:
         self._formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
         self._chain = Chain(self._formulas)
         self._known: dict[float, dict[str, float]] = {}
-        self._needed: dict[str, list[tuple[Definition, frozenset[str]]]] = {}
+        self._needed: dict[int, list[tuple[Definition, frozenset[str]]]] = {}
 
     def values(self, place: float) -> dict[str, float]:
         """Return all that has a value at a place; nothing where no pose is allowed."""
@@ -47,11 +47,12 @@ class Places:
 
     def named(self, result: Result, place: float) -> dict[str, float]:
         """Return what has a value at a place, the names that a result mentions among it."""
-        if result.name not in self._needed:
-            self._needed[result.name] = [(d, symbols(d.formula)) for d in result.where]
+        key = id(result.where)
+        if key not in self._needed:
+            self._needed[key] = [(d, symbols(d.formula)) for d in result.where]
         found = dict(self.values(place))
         here = Evaluation(found)
-        for (name, formula), needs in self._needed[result.name]:
+        for (name, formula), needs in self._needed[key]:
             if name not in found and needs <= found.keys():
                 found[name] = here.of(formula)
         return found

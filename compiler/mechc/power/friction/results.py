@@ -33,6 +33,7 @@ from ...model.targets import SIGNS
 from ..balance import Solved
 from ..definitions import bound_sums, intermediates
 from ..equations import Equations
+from ..loads import given_size
 from ..numbers import default_values, value_of
 from ..speeds import magnitude
 from ..trends import allowed
@@ -63,8 +64,7 @@ class Case(NamedTuple):
 class FrictionResults:
     """Finds what friction does to one result after another.
 
-    ``driving`` is the load that follows where forces at joints are asked for; ``valued`` are
-    loads of known size, such as weights.
+    ``driving`` is the load that follows where forces at joints are asked for.
     """
 
     def __init__(
@@ -72,15 +72,21 @@ class FrictionResults:
         plan: Plan,
         equations: Equations,
         driving: str,
-        valued: Mapping[str, Formula],
         report: Report,
     ) -> None:
         self._plan, self._equations, self._report = plan, equations, report
-        self._driving, self._valued = driving, valued
-        self._mechanism = plan.graph.pose.mechanism
+        self._driving, self._mechanism = driving, plan.graph.pose.mechanism
+        self._valued = dict(self._weights())
         self._rubs: tuple[Rub, ...] = rubs(plan.graph.pose)
         self._pressed: dict[str, tuple[Pressed, ...] | None] = {}
         self._known: dict[object, tuple[Pressed, ...] | None] = {}
+
+    def _weights(self) -> Iterator[tuple[str, Formula]]:
+        """Yield the loads of known size, such as weights."""
+        for load in self._mechanism.loads:
+            size = given_size(self._mechanism, load.name)
+            if size is not None and self._equations.owner(load.name)[0] == load.name:
+                yield load.name, size
 
     def find(self, find: Find, ideal: Result) -> Solved | None:
         """Return the result with friction; None where an error was reported."""
@@ -105,6 +111,20 @@ class FrictionResults:
             case WithFriction(LoadRatio() | LoadForm() as of, sense):
                 named = self._rubbing(find, self._case(of, ideal), sense, "exact")
                 return self._result(find, ideal, named) if named else None
+            case _:
+                return None
+
+    def coupled(self, find: Find, ideal: Result) -> Result | None:
+        """Return the same from the coupled equations, which hold where a closed form may not."""
+        match find.target:
+            case WithFriction(LoadRatio() | LoadForm() as of, sense):
+                case = self._case(of, ideal)
+                pressed = self._press(find, case)
+                if pressed is None:
+                    return None
+                sizes = true_sizes(pressed, SIGNS[sense], self._taken())
+                named = self._iterated(ideal, _scaled(pressed, case.factor), sizes)
+                return self._result(find, ideal, named)
             case _:
                 return None
 

@@ -4,15 +4,22 @@ Between k while releasing and k while tightening nothing moves. If 0 lies betwee
 load alone moves nothing, which is self-locking: the ratio of the motion that the load
 drives has not the sign of k. If the motion that the drive drives has no such ratio, no
 force of the drive moves it.
+
+That there is none is a solution as well: the load would have to be turned round, or the
+forces that balance with less friction end before all of it is there. Where no solution is
+found at all, nothing is said.
 """
 
 import math
+from collections.abc import Callable, Iterator
+from functools import cached_property
 from typing import NamedTuple
 
-from ...formula.tree import Implicit
-from ...formula.walk import walk
+from ...formula.tree import Call, Formula, Implicit
+from ...formula.walk import Evaluation, status, symbols, walk
+from ...frozen import replace
 from ...model.locking import State
-from ...model.result import Result
+from ...model.result import Definition, Result
 from ...model.targets import SIGNS, Sense
 from ...model.values import holds
 from .places import Places, value
@@ -21,31 +28,46 @@ from .places import Places, value
 class Found(NamedTuple):
     """What a place is like: ``share`` is the ratio with friction over the one without.
 
-    ``driven`` tells the motion that the load drives from that of the drive; ``keeps`` that
-    all joints are pressed as the formula says. There is no state at a dead centre, and
-    where there is no pose.
+    It is NaN where nothing balances. ``driven`` is whether the load drives the motion, not
+    the drive, None at a dead centre. There is no state there, and where nothing was found.
     """
 
     state: State | None
     share: float
-    driven: bool
-    keeps: bool
+    driven: bool | None
 
 
-NOWHERE = Found(None, math.nan, False, False)
+NOWHERE = Found(None, math.nan, None)
 
 
 class Moving:
-    """A ratio with friction beside the one without, along one parameter."""
+    """A ratio with friction next to the one without, along one parameter.
 
-    def __init__(self, places: Places, ideal: Result, real: Result, sense: Sense) -> None:
+    ``coupled`` returns the ratio from equations that hold where a closed form does not: where
+    friction turns a force at a joint round.
+    """
+
+    def __init__(
+        self,
+        places: Places,
+        ideal: Result,
+        real: Result,
+        sense: Sense,
+        coupled: Callable[[], Result | None],
+    ) -> None:
         self.places, self.ideal, self.real = places, ideal, real
-        self._sign = SIGNS[sense]
+        self._sign, self._coupled = SIGNS[sense], coupled
         self._known: dict[float, Found] = {}
+        self._ideal_ratios: dict[float, float] = {}
 
-    @property
+    @cached_property
     def is_iterated(self) -> bool:
         """Tell whether friction is found by iteration."""
+        return any(solutions(self.real))
+
+    @cached_property
+    def is_slow(self) -> bool:
+        """Tell whether friction or the pose is found by iteration."""
         return any(isinstance(f, Implicit) for d in self.real.where for f in walk(d.formula))
 
     def at(self, place: float) -> Found:
@@ -56,23 +78,78 @@ class Moving:
 
     def driven(self, place: float) -> bool | None:
         """Return whether the motion is the one that the load drives; None at a dead centre."""
-        ideal = self.places.of(self.ideal, place)
+        ideal = self.without(place)
         return self._sign * ideal < 0 if math.isfinite(ideal) and ideal else None
+
+    def without(self, place: float) -> float:
+        """Return the ratio without friction."""
+        if place not in self._ideal_ratios:
+            self._ideal_ratios[place] = self.places.of(self.ideal, place)
+        return self._ideal_ratios[place]
+
+    def signs(self, place: float) -> tuple[float, ...]:
+        """Return the signs of slips and forces: where one changes, friction may jump."""
+        signs, resting_on = self._signed
+        here = Evaluation(self.places.named(resting_on, place))
+        return tuple(here.of(sign) for sign in signs) if self.places.values(place) else ()
+
+    @cached_property
+    def _signed(self) -> tuple[tuple[Formula, ...], Result]:
+        """Return all signs in the ratio with friction, and of that what they rest on."""
+        parts = (part for d in self.real.where for part in walk(d.formula))
+        signs = tuple(dict.fromkeys(p for p in parts if is_sign(p)))
+        needed = frozenset[str]().union(*map(symbols, signs))
+        where: list[Definition] = []
+        for definition in reversed(self.real.where):
+            if definition.name in needed:
+                where.insert(0, definition)
+                needed |= symbols(definition.formula)
+        return signs, replace(self.real, where=tuple(where))
 
     def _look(self, place: float) -> Found:
         driven = self.driven(place)
         if driven is None:
             return NOWHERE
-        values = self.places.named(self.real, place)
-        share = value(self.real.formula, values) / self.places.of(self.ideal, place)
-        keeps = all(holds(guard, values) for guard in self.real.guards)
-        if keeps and math.isfinite(share) and share > 0:
-            return Found("free", share, driven, keeps)
-        return Found("locked" if driven else "jammed", share, driven, keeps)
+        real = self._real(place)
+        if real is None:
+            return Found(None, math.nan, driven)
+        share = real / self.without(place)
+        if share > 0:
+            return Found("free", share, driven)
+        return Found("locked" if driven else "jammed", share, driven)
+
+    def _real(self, place: float) -> float | None:
+        """Return the ratio with friction, NaN where nothing balances, None where none is found."""
+        found = self._value(self.real, place)
+        if found is not None or self.is_iterated:
+            return found
+        coupled = self._coupled()
+        return self._value(coupled, place) if coupled else None
+
+    def _value(self, result: Result, place: float) -> float | None:
+        """Return a result's value, NaN where its system says that there is none."""
+        values = self.places.named(result, place)
+        found = value(result.formula, values)
+        if math.isfinite(found) and all(holds(guard, values) for guard in result.guards):
+            return found
+        known = [s for s in solutions(result) if symbols(s) <= values.keys()]
+        ways = {status(solution, values) for solution in known}
+        return math.nan if ways and 2 not in ways else None
 
     def efficiency(self, place: float) -> float:
         """Return what of the power arrives, 0 where nothing moves, NaN at a dead centre."""
-        state, share, driven, _ = self.at(place)
+        state, share, driven = self.at(place)
         if state is None:
             return math.nan
         return 0.0 if state != "free" else share if driven else 1 / share
+
+
+def is_sign(formula: Formula) -> bool:
+    """Tell whether a formula is the sign of another."""
+    return isinstance(formula, Call) and formula.function == "sign"
+
+
+def solutions(result: Result) -> Iterator[Implicit]:
+    """Yield the pressing forces that a result finds by iteration."""
+    inside = (d.formula for d in result.where if d.name in result.inside)
+    return (formula for formula in inside if isinstance(formula, Implicit))
