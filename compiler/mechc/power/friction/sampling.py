@@ -50,14 +50,18 @@ SECTIONS, FEWER = 16, 9
 
 
 def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = ()) -> list[float]:
-    """Return places from one end to the other, ``also`` among them if they lie between."""
+    """Return places from one end to the other, ``also`` among them if they lie between.
+
+    None is nearer to a dead centre than what rounding leaves to be solved there.
+    """
     even = spaced((low, high), PLACES)
     still = [z for a, b in pairwise(even) for z in _dead_centres(moving, a, b)]
     beside = [c + away for c in (low, high, *still) for away in _near(moving, even[1] - low)]
     chosen = even[::SELDOM] if moving.is_slow else even
     places = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
     jumps = (x for a, b in pairwise(places) for x in _jumps(moving, a, b))
-    places = sorted({*places, *jumps})
+    nearest = NEAREST * (even[1] - low) / 2
+    places = sorted({*places, *(x for x in jumps if all(abs(x - c) > nearest for c in still))})
     return sorted({*places, *_extremes(moving, places)})
 
 
