@@ -149,7 +149,14 @@ class Carriers:
                 yield ("point", load.first), ("point", load.second), self._role(load)
 
     def _lengths(self) -> Iterator[Edge]:
-        """Yield the distances that are given, the longer ones first in order."""
+        """Yield the distances that are given, by their places from the longest one on."""
+        found = dict(self._distances_given())
+        places = {value: i for i, value in enumerate(sorted({*found.values()}, reverse=True))}
+        for (tail, head), value in found.items():
+            yield ("point", tail), ("point", head), ("length", f"{places[value]:06d}")
+
+    def _distances_given(self) -> Iterator[tuple[tuple[str, str], float]]:
+        """Yield the values of the lengths that are given, in any notation."""
         for entry in self._mechanism.geometry:
             match entry:
                 case Arrow(tail, head, length, _):
@@ -159,9 +166,7 @@ class Carriers:
                 case _:
                     continue
             if length is not None and symbols(length) <= self._values.keys():
-                value = abs(evaluate(length, self._values))
-                rounded = -float(f"{value:.{DIGITS}g}")
-                yield ("point", tail), ("point", head), ("length", rounded)
+                yield (tail, head), float(f"{abs(evaluate(length, self._values)):.{DIGITS}g}")
 
 
 def _counted(items: Iterable[Hashable]) -> Hashable:

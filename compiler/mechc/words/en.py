@@ -39,6 +39,7 @@ WORDS = Words(
         "{second} (radius {two})",
         "rack": "the rack at {point} meshes with the gear on {pivot} (radius {radius})",
         "screw": "the screw {link} moves {point} by {pitch} for each turn",
+        "on link": "{point} on the link {link}",
         "actuator": "the actuator {load} pushes {first} and {second} apart",
         "spring": "the spring {load} acts between {first} and {second}",
         "drive": "the drive is {name}",

@@ -41,6 +41,7 @@ WORDS = Words(
         "(радиус {two})",
         "rack": "рейка {point} зацеплена с колесом на оси {pivot} (радиус {radius})",
         "screw": "винт {link} перемещает {point} на {pitch} за оборот",
+        "on link": "{point} звена {link}",
         "actuator": "привод {load} раздвигает точки {first} и {second}",
         "spring": "пружина {load} действует между точками {first} и {second}",
         "drive": "ведущая координата {name}",

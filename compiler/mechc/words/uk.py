@@ -40,6 +40,7 @@ WORDS = Words(
         "crossed": "перехресний пас з’єднує шківи {first} (радіус {one}) і {second} (радіус {two})",
         "rack": "рейка {point} зачеплена з колесом на осі {pivot} (радіус {radius})",
         "screw": "гвинт {link} переміщує {point} на {pitch} за оберт",
+        "on link": "{point} ланки {link}",
         "actuator": "привод {load} розсуває точки {first} і {second}",
         "spring": "пружина {load} діє між точками {first} і {second}",
         "drive": "ведуча координата {name}",

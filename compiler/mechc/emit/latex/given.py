@@ -1,6 +1,6 @@
 """The report's first part: what was given, as tables and sentences."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 from typing import NamedTuple, assert_never
 
 from ...derivation.definitions import by_letter, is_by_letter
@@ -133,7 +133,8 @@ def scheme(mechanism: Mechanism, words: Words, style: Notation) -> tuple[str, ..
     """Return the mechanism in sentences: joints, links, loads, symmetry."""
     sentences = [*_joints(mechanism, words, style), *_links(mechanism, words)]
     sentences += joint_sentences(mechanism, words, style)
-    sentences += (_load(load, words, style) for load in mechanism.loads)
+    links = {link.name for link in mechanism.links}
+    sentences += (_load(load, links, words, style) for load in mechanism.loads)
     sentences += rubbing_sentences(mechanism, words, style)
     sentences += _symmetry(mechanism, words, style)
     return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
@@ -162,7 +163,14 @@ def _listed(names: Iterable[str], words: Words) -> str:
     return enumeration(spelled, words) if spelled else ""
 
 
-def _load(load: Load, words: Words, style: Notation) -> str:
+def _end(point: str, link: str, links: Set[str], words: Words) -> str:
+    """Return a point, and the link that carries a load there if one is named."""
+    if link not in links:
+        return math(points(point))
+    return words.joints["on link"].format(point=math(points(point)), link=math(points(link)))
+
+
+def _load(load: Load, links: Set[str], words: Words, style: Notation) -> str:
     symbol = name(load.name, style)
     if load.times != 1:
         symbol = rf"{latex(number(load.times), style)}\,{symbol}"
@@ -170,14 +178,15 @@ def _load(load: Load, words: Words, style: Notation) -> str:
     match load:
         case Force(_, point, along):
             template = words.weight if load.weight else words.force
-            where = math(direction(along, style))
-            said = template.format(load=math(symbol), point=math(points(point)), direction=where)
+            where, at = math(direction(along, style)), _end(point, load.link, links, words)
+            said = template.format(load=math(symbol), point=at, direction=where)
         case Torque(_, link):
             said = words.torque.format(load=math(symbol), link=math(points(link)))
         case Thrust(_, first, second):
             kind = "spring" if load.spring else "actuator"
-            ends = {"first": math(points(first)), "second": math(points(second))}
-            said = words.joints[kind].format(load=math(symbol), **ends)
+            ends = (first, load.first_link), (second, load.second_link)
+            start, end = (_end(*each, links, words) for each in ends)
+            said = words.joints[kind].format(load=math(symbol), first=start, second=end)
         case _:
             assert_never(load)
     return said + tie
