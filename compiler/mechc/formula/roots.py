@@ -26,6 +26,9 @@ A dip that is no deeper is rounding as well.
 ROUNDED = 1e-14
 """A value at an end of the stroke below this part of the greatest is a zero that was rounded."""
 
+JUMP = 1e-3
+"""What is left of a value where the sign changes, if it is a zero: a pole or a jump leaves more."""
+
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
@@ -48,12 +51,31 @@ def roots(function: Function, places: Sequence[float]) -> list[Root]:
     for (a, b), (u, v) in zip(pairwise(places), pairwise(values), strict=True):
         if u * v < 0 and max(abs(u), abs(v)) > NOISE * size:
             root = halved(function, a, b)
-            if abs(function(root.place)) <= size:
+            if abs(function(root.place)) <= JUMP * max(abs(u), abs(v)):
                 found.append(root)
     found.extend(_touched(function, places, values, size))
     ends = ((places[0], values[0]), (places[-1], values[-1]))
     found.extend(Root(x, math.ulp(x)) for x, y in ends if abs(y) < ROUNDED * size)
     return _distinct(found, places)
+
+
+def jumps(function: Function, places: Sequence[float]) -> list[float]:
+    """Return where a function changes its sign at once, and is finite on either side.
+
+    >>> jumps(lambda x: 1.0 if x < 0.3 else -1.0, [0.0, 0.25, 0.5])
+    [0.3]
+    """
+    found: list[float] = []
+    values = [function(x) for x in places]
+    sizes = sorted(abs(y) for y in values if math.isfinite(y))
+    usual = sizes[len(sizes) // 2] if sizes else 0.0
+    for (a, b), (u, v) in zip(pairwise(places), pairwise(values), strict=True):
+        if u * v < 0 and min(abs(u), abs(v)) > NIL * usual:
+            place = halved(function, a, b).place
+            left = abs(function(place)) / max(abs(u), abs(v))
+            if JUMP < left < 1 / JUMP:
+                found.append(place)
+    return found
 
 
 def _alone(values: Sequence[float], i: int, size: float) -> bool:

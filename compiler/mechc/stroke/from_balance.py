@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise, product
-from typing import NamedTuple
+from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as words
@@ -21,7 +21,7 @@ from .extrema import extrema
 from .friction import courses, in_code, is_told, some, stuck
 from .places import SAMPLES, looked_at, spaced
 from .reached import with_reached
-from .singular import BESIDE, places_of, singular_poses, told_apart
+from .singular import BESIDE, order_at, places_of, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
 from .velocities import velocities
@@ -234,7 +234,16 @@ class _Runner:
             for result in self._ratios
             for pose in singular_poses(result, name, self._along, stretch, self._within(stretch))
         ]
-        return told_apart(found, branches, self._high - self._low)
+        range_ = self._high - self._low
+        orders = {
+            r.name: partial(self._order, self._values(r.formula, r), range_) for r in self._ratios
+        }
+        return told_apart(found, branches, range_, orders)
+
+    def _order(
+        self, function: Callable[[float], float], range_: float, place: float
+    ) -> Literal["0", "infinite"] | None:
+        return order_at(function, place, range_)
 
     def _poles(self, result: Result, singular: Sequence[Singular]) -> list[float]:
         """Return where a result is infinite, or what it is with friction."""

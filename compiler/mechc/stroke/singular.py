@@ -1,10 +1,10 @@
 """Singular poses: where a ratio of loads is zero or infinite, and what stands still there."""
 
 import math
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Literal
 
-from ..formula.roots import Function, Root, roots
+from ..formula.roots import Function, Root, jumps, roots
 from ..formula.tree import Formula, degrees, number, product, total
 from ..formula.walk import evaluate, symbols
 from ..model.result import Result, Vanishing
@@ -22,6 +22,9 @@ BESIDE = 1e-6
 Angles of a triangle that is nearly flat have half the digits.
 """
 
+NEARBY, GROWS = 1e-4, 1.5
+"""The part of the stroke from a place at which its order is seen, and what is no constant."""
+
 STEP = 1e-6
 """The part of a stretch from its end at which is seen what a factor does there."""
 
@@ -36,6 +39,8 @@ def singular_poses(
         for root in places_of(result, vanishing, along, stretch, places):
             exact = _exact(vanishing, drive, along, root)
             yield Singular(result.name, value, vanishing.kind, *root, exact)
+    for place in jumps(lambda x: along.of(result.formula, result, x), places):
+        yield Singular(result.name, "undetermined", "jump", place, math.ulp(place), None)
 
 
 def places_of(
@@ -75,12 +80,31 @@ def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formul
     return shifted if math.isclose(value + turns * math.pi, root.place, abs_tol=1e-9) else None
 
 
+def order_at(function: Function, place: float, range_: float) -> Value | None:
+    """Return whether a function goes to zero or becomes infinite at a place; None for neither.
+
+    It does so as a power of the distance: a quarter of it changes the value by the power of 4.
+    """
+    near, far = (
+        [abs(function(place + side * part * range_)) for side in (-1, 1)]
+        for part in (NEARBY / 4, NEARBY)
+    )
+    ratios = [n / f for n, f in zip(near, far, strict=True) if 0 < f < math.inf and n == n]
+    if ratios and min(ratios) > GROWS:
+        return "infinite"
+    return "0" if ratios and max(ratios) < 1 / GROWS else None
+
+
 def told_apart(
-    found: Iterable[Singular], branches: Sequence[Branch], range_: float
+    found: Iterable[Singular],
+    branches: Sequence[Branch],
+    range_: float,
+    orders: Mapping[str, Callable[[float], Value | None]],
 ) -> tuple[Singular, ...]:
     """Return singular poses in their order, those left out that only a branch point makes.
 
-    A zero and a pole at one place that is no branch point leave the result undetermined.
+    Where a zero and a pole are at one place that is no branch point, ``orders`` say of each
+    result which it is; neither leaves the result undetermined.
     """
     beside = BESIDE * range_
     kept: list[Singular] = []
@@ -89,23 +113,35 @@ def told_apart(
         branch = next((b for b in branches if abs(one.drive - b.drive) <= beside), None)
         if branch is None:
             kept.append(one)
-        else:
+        elif one.kind != "jump":
             on_a_branch.setdefault((one.result, branch), []).append(one)
     for (_, branch), ones in on_a_branch.items():
         if len({one.value for one in ones}) == 1:
             kept.append(ones[0]._replace(drive=branch.drive, bracket=branch.bracket))
-    return tuple(_merged(sorted(kept, key=lambda s: s.drive), SAME * range_))
+    kept.sort(key=lambda s: (s.result, s.drive))
+    merged = _merged(kept, SAME * range_, orders)
+    return tuple(sorted(merged, key=lambda s: s.drive))
 
 
-def _merged(found: Sequence[Singular], width: float) -> Iterator[Singular]:
-    """Yield singular poses, a zero and a pole at one place as a branch point."""
-    kept: list[Singular] = []
+def _merged(
+    found: Sequence[Singular],
+    width: float,
+    orders: Mapping[str, Callable[[float], Value | None]],
+) -> Iterator[Singular]:
+    """Yield singular poses, those of a result at one place as what it comes to there."""
+    groups: list[list[Singular]] = []
     for one in found:
-        last = kept[-1] if kept else None
+        last = groups[-1][-1] if groups else None
         if last and last.result == one.result and one.drive - last.drive <= width:
-            if last.value != one.value:
-                kind: Kind = "branch point"
-                kept[-1] = last._replace(value="undetermined", kind=kind)
+            groups[-1].append(one)
+        else:
+            groups.append([one])
+    for ones in groups:
+        first = ones[0]
+        if len({one.value for one in ones}) == 1:
+            yield first
             continue
-        kept.append(one)
-    yield from kept
+        value = orders[first.result](first.drive)
+        kind: Kind = "branch point"
+        undetermined = first._replace(value="undetermined", kind=kind)
+        yield next((one for one in ones if one.value == value), undetermined)

@@ -8,7 +8,9 @@ from ..frozen import frozen
 from ..model.locking import Course, State
 from ..units import Dimension
 
-Kind = Literal["output still", "drive locked", "branch point", "perpendicular load", "other"]
+Kind = Literal[
+    "output still", "drive locked", "branch point", "perpendicular load", "jump", "other"
+]
 Content = Literal["result", "slope", "velocity", "angle"]
 
 

@@ -139,6 +139,7 @@ def _singular(found: Singular, stroke: Stroke) -> str:
         "drive locked": "dead centre, the drive stands still while the output can move",
         "branch point": "zero and infinite at once",
         "perpendicular load": "a load perpendicular to the velocity of its point, no dead centre",
+        "jump": "it changes its sign at once, as a direction turns round where two points meet",
         "other": "",
     }
     exact = f", exactly {text(found.exact)}" if found.exact is not None else ""
