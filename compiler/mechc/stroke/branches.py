@@ -19,6 +19,9 @@ from .stroke import Branch
 NIL = 1e-12
 """A margin below this part of its greatest value is zero; twice what rounding makes of one."""
 
+TOUCHING = 0.25
+"""What is left of a margin beside a place where it is touched, at most: a ninth of a parabola's."""
+
 ONE_PLACE = 1e-9
 """Places closer than this part of the stroke are one."""
 
@@ -59,7 +62,8 @@ def _turning(
         return
     values = [margin(x) for x in places]
     for i in range(1, len(places) - 1):
-        if values[i - 1] >= values[i] <= values[i + 1]:
+        before, here, after = values[i - 1 : i + 2]
+        if before >= here <= after and here <= TOUCHING * max(before, after):
             place = lowest(margin, places[i - 1], places[i + 1])
             yield Root(place, 1e-8 * (places[-1] - places[0]))
 

@@ -1,0 +1,178 @@
+"""What a stroke says of random closed mechanisms, against dense sampling of emitted code.
+
+Every zero and pole of k, every end of a loop and every extremum that the samples show must
+be told, and nothing else. k, the status of the pose and the stretches must agree on where
+there is a pose at all.
+"""
+
+import numpy as np
+import pytest
+
+from grown import Grown
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
+from mechc.routine.evaluate import evaluate, pose
+from mechc.source import Source
+from mechc.stroke.from_balance import run
+
+WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
+PLACES = 2001
+
+
+class Looked:
+    """A grown mechanism, its stroke, and k at places that lie close together."""
+
+    def __init__(self, seed: int) -> None:
+        self.grown = Grown(seed)
+        compilation = Compilation(Source("grown.mech", self.text()))
+        (self.function,) = compilation.routine.functions
+        self.pose = compilation.routine.pose
+        self.stroke = run(compilation.balance, compilation.results, 3, compilation.report)
+        self.range = self.stroke.high - self.stroke.low
+        self.places = np.linspace(self.stroke.low, self.stroke.high, PLACES)
+        self.cell = self.places[1] - self.places[0]
+        self.k = self.at(self.places)
+        finite = np.abs(self.k[np.isfinite(self.k)])
+        self.size = float(np.median(finite)) if finite.size else 0.0
+
+    def text(self) -> str:
+        """Return the description with a stroke that goes beyond what the loops allow."""
+        wide, unit = WIDE[self.grown.drive]
+        start, drive = self.grown.start, self.grown.drive
+        stroke = f"drive {drive} from {start - wide!r} {unit} to {start + wide!r} {unit}"
+        lines = [line for line in self.grown.text().split("\n") if not line.startswith("drive ")]
+        return "\n".join([*lines, stroke])
+
+    def inputs(self, part, places):
+        drive = self.grown.drive
+        return {i.name: places if i.name == drive else i.default for i in part.inputs}
+
+    def at(self, places):
+        found = evaluate(self.function, self.inputs(self.function, np.asarray(places)))
+        return np.broadcast_to(found, np.shape(places))
+
+    def is_near(self, place: float, others, cells: float) -> bool:
+        return any(abs(place - other) <= cells * self.cell for other in others)
+
+    @property
+    def branches(self):
+        return [b.drive for b in self.stroke.branches]
+
+    @property
+    def poles(self):
+        return [s.drive for s in self.stroke.singular if s.value != "0"]
+
+
+def check_where_there_is_a_pose(seen: Looked) -> None:
+    finite = np.isfinite(seen.k)
+    if seen.pose:
+        _, status = pose(seen.pose, seen.inputs(seen.pose, seen.places))
+        assert np.array_equal(np.broadcast_to(status, finite.shape) == 0, finite)
+    told = np.zeros(PLACES, bool)
+    ends = list(seen.branches)
+    for stretch in seen.stroke.stretches:
+        told |= (seen.places >= stretch.low) & (seen.places <= stretch.high)
+        ends += [stretch.low, stretch.high]
+    apart = np.array([not seen.is_near(x, ends, 1.0) for x in seen.places])
+    assert np.array_equal(told[apart], finite[apart])
+
+
+def check_changes_of_sign(seen: Looked) -> None:
+    """Wherever k changes its sign it is zero, infinite, or jumps, and that is told."""
+    told = [s.drive for s in seen.stroke.singular]
+    for i in range(PLACES - 1):
+        here, there = seen.k[i : i + 2]
+        if not here * there < 0 or seen.is_near(seen.places[i], seen.branches, 2.0):
+            continue
+        middle = seen.places[i] + seen.cell / 2
+        assert seen.is_near(middle, told, 0.500001), f"{here} … {there} at {middle}"
+
+
+def check_singular_poses(seen: Looked) -> None:
+    """Where k is said to be zero it is small nearby, and large where it is said to be infinite."""
+    for singular in seen.stroke.singular:
+        beside = np.array([-1e-7, 1e-7]) * seen.range + singular.drive
+        sizes = np.abs(seen.at(beside))
+        sizes = sizes[np.isfinite(sizes)]
+        if singular.value == "0" and sizes.size:
+            assert sizes.min() < 1e-3 * seen.size + 1e-12, singular
+        if singular.value == "infinite" and sizes.size:
+            assert sizes.max() > 20 * seen.size, singular
+
+
+def check_extrema(seen: Looked) -> None:
+    told = [e.drive for e in seen.stroke.extrema]
+    for i in range(2, PLACES - 2):
+        five, place = seen.k[i - 2 : i + 3], seen.places[i]
+        steps = np.sign(np.diff(five))
+        turns = abs(steps.sum()) == 0 and steps[0] == steps[1] == -steps[2] == -steps[3] != 0
+        if not turns or abs(five[2] - five[0]) < 1e-9 * seen.size:
+            continue
+        if seen.is_near(place, seen.poles, 3.0) or seen.is_near(place, seen.branches, 4.0):
+            continue
+        assert seen.is_near(place, told, 2.0), f"k turns at {place}"
+    for place in told:
+        if not seen.is_near(place, [*seen.poles, *seen.branches], 3.0):
+            before, here, after = seen.at([place - seen.cell / 2, place, place + seen.cell / 2])
+            assert not before < here < after, place
+            assert not before > here > after, place
+
+
+CHECKS = (
+    check_where_there_is_a_pose,
+    check_changes_of_sign,
+    check_singular_poses,
+    check_extrema,
+)
+
+
+def sweep(seeds) -> int:
+    """Check the strokes of mechanisms whose closures the lines tell apart; return how many."""
+    number = 0
+    for seed in seeds:
+        try:
+            seen = Looked(seed)
+        except MechcError as error:
+            assert {d.code for d in error.diagnostics} == {"E308"}, f"seed {seed}"
+            continue
+        for check in CHECKS:
+            try:
+                check(seen)
+            except AssertionError as error:
+                raise AssertionError(f"seed {seed}, {check.__name__}: {error}") from error
+        number += 1
+    return number
+
+
+def of_dyads(seeds):
+    return [seed for seed in seeds if "triad" not in Grown(seed).kinds]
+
+
+def of_triads(seeds):
+    return [seed for seed in seeds if "triad" in Grown(seed).kinds]
+
+
+def test_strokes_of_dyads():
+    assert sweep(of_dyads(range(12))) > 5
+
+
+@pytest.mark.slow
+def test_many_strokes():
+    assert sweep(of_dyads(range(12, 70))) > 30
+
+
+@pytest.mark.slow
+def test_strokes_of_triads():
+    assert sweep(of_triads(range(14))) > 1
+
+
+def test_a_zero_that_is_left_out_would_be_seen():
+    def changes(seen):
+        return np.any(seen.k[:-1] * seen.k[1:] < 0)
+
+    seen = next(s for s in map(Looked, of_dyads(range(12))) if changes(s))
+    fields = type(seen.stroke).__annotations__
+    kept = {name: getattr(seen.stroke, name) for name in fields}
+    seen.stroke = type(seen.stroke)(**{**kept, "singular": ()})
+    with pytest.raises(AssertionError):
+        check_changes_of_sign(seen)
