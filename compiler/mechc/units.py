@@ -5,6 +5,7 @@ an angle unit in degrees is a rational multiple of π, so :class:`Unit` keeps it
 ``deg`` has factor 1/180 and ``pi`` True.
 """
 
+from difflib import get_close_matches
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -81,6 +82,32 @@ DIMENSIONS: dict[str, Dimension] = {
     "frequency": FREQUENCY,
 }
 """The dimensions that a parameter may be declared with, by name."""
+
+
+SPELLED: dict[str, str] = {
+    "millimeter": "mm", "millimetre": "mm", "centimeter": "cm", "centimetre": "cm",
+    "meter": "m", "metre": "m", "micrometer": "um", "micron": "um", "degree": "deg", "°": "deg",
+    "radian": "rad", "newton": "N", "kilonewton": "kN", "kilogram": "kg", "gram": "g",
+    "tonne": "t", "pascal": "Pa", "second": "s", "minute": "min", "watt": "W", "joule": "J",
+    "hertz": "Hz", "nm": "N*m", "nmm": "N*mm", "ncm": "N*cm", "knm": "kN*m", "kgfm": "kgf*m",
+    "revolution": "rev", "turn": "rev", "mps": "m/s",
+}  # fmt: skip
+"""What people write for a unit, in small letters and the singular."""
+
+
+def unit_meant(word: str) -> str:
+    """Return the unit that a word behind a number most likely means, '' where none is near.
+
+    >>> unit_meant("degrees"), unit_meant("MM"), unit_meant("Nm"), unit_meant("milimeter")
+    ('deg', 'mm', 'N*m', 'mm')
+    """
+    small = word.lower()
+    known = {unit.lower(): unit for unit in UNITS if unit.isalpha()} | SPELLED
+    for spelled in (small, small.removesuffix("s")):
+        if spelled in known:
+            return known[spelled]
+    near = get_close_matches(small.removesuffix("s"), SPELLED, n=1, cutoff=0.85)
+    return SPELLED[near[0]] if near and len(small) > 3 else ""
 
 
 USUAL_UNITS: dict[Dimension, str] = {

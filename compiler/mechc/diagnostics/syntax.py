@@ -81,7 +81,11 @@ def unknown_function(span: Span, name: str, known: Iterable[str]) -> Words:
         let s = a*(1 + e)        # right
     """
     known = list(known)
-    hint = near_miss(name, known) or f"for a product write {name}*(…)"
+    hint = (
+        near_miss(name, known)
+        or near_miss(name.lower(), known)
+        or f"for a product write {name}*(…)"
+    )
     return Words(span, f"'{name}' is not a function", hint)
 
 

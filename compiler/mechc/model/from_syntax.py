@@ -164,7 +164,7 @@ def _declare_lets(file: ast.File, finds: Sequence[Find], scope: Scope) -> None:
 def _check_asked(file: ast.File, report: Report) -> None:
     if not every(file, ast.Find) and not every(file, ast.Let):
         end = file.statements[-1].span.end if file.statements else 0
-        report.add(words.nothing_asked(Span(end, end)))
+        report.add(words.nothing_asked(Span(end, end), not file.statements))
 
 
 def _warn_lonely(points: Points) -> None:

@@ -191,7 +191,7 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
     if parameter.dependent:
         scope.report.add(quantities.range_of_dependent(edge, parameter.name))
     elif not low < high:
-        scope.report.add(quantities.range_backwards(edge, parameter.name))
+        scope.report.add(quantities.range_backwards(edge, parameter.name, low == high))
     elif value is not None and statement.value and not low <= value <= high:
         span = statement.value.span
         scope.report.add(quantities.value_outside_range(span, parameter.name, edge))

@@ -2,7 +2,8 @@
 
 A statement goes on in the next line while a bracket is open or the line ends in an
 operator or a comma. A line that begins with a statement's word ends it in any case,
-so that one forgotten bracket does not swallow the rest of the file.
+so that one forgotten bracket does not swallow the rest of the file, and so does a vector
+(``AB = …``), so that an operator without its right side is found where it stands.
 """
 
 from collections.abc import Iterator
@@ -58,17 +59,26 @@ class Gathered:
         return Line(self.tokens, tuple(self.comments), " ".join(self.remarks))
 
 
+def begins(before: Token, token: Token, following: Token | None) -> bool:
+    """Tell whether a line that begins so is a statement whatever stands above it.
+
+    Behind a comma a list goes on, in which names have values, too.
+    """
+    assigned = token.type == "NAME" and following is not None and following.type == "EQUAL"
+    return (assigned and before.type != "COMMA") or str(token) in statement_words()
+
+
 def lines(found: list[Token]) -> Iterator[Line]:
     """Group tokens into logical lines."""
     gathered, line_begins = Gathered(), True
-    for token in found:
+    for token, following in zip(found, [*found[1:], None], strict=False):
         if token.type == "NEWLINE":
             line_begins = True
             if gathered.tokens and gathered.complete():
                 yield gathered.line()
                 gathered = Gathered()
             continue
-        if line_begins and gathered.tokens and str(token) in statement_words():
+        if line_begins and gathered.tokens and begins(gathered.tokens[-1], token, following):
             yield gathered.line()
             gathered = Gathered()
         line_begins = False

@@ -20,6 +20,24 @@ OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRC
 ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these."""
 
+SAID_OTHERWISE = {
+    "/": "a comment begins with '#'",
+    "ground": "a pin on the ground is a pivot: pivot O",
+    "fixed": "a pin on the ground is a pivot: pivot O",
+    "rod": "a rod is a link of two points: link AB",
+    "bar": "a bar is a link of two points: link AB",
+    "crank": "a crank is a link of two points: link OA",
+    "body": "a body is a link of its points: link OAB",
+    "pin": "points that links share are pins; a pin on the ground is a pivot",
+    "motor": "a couple on a link is a torque: torque M on OA",
+    "moment": "a couple on a link is a torque: torque M on OA",
+    "load": "a load is a force: force F at A along x",
+    "cylinder": "a link of variable length is a telescope: telescope AB",
+    "piston": "a point that the ground guides is a slider: slider B along x",
+    "range": "a range stands behind its parameter: param a = 2 mm in 1 mm .. 5 mm",
+}
+"""What people call a thing, and how it is stated here."""
+
 DOUBLED = {"*": "a power is written with '^'", "=": "equality is written '='"}
 
 HUMAN = {
@@ -100,7 +118,7 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
         return syntax.missing_equals(span, described(token))
-    hint = hint_for(token, before, allowed) or hint_of_list(token, line[0])
+    hint = hint_of_list(token, line[0]) or hint_for(token, before, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 
 
@@ -114,8 +132,13 @@ def unknown_statement(line: Sequence[Token]) -> Diagnostic:
     word = str(line[0])
     assigned = len(line) > 1 and line[1].type == "EQUAL"
     hint = f"a parameter is declared: param {word} = …" if assigned else ""
+    if assigned and word[:2].isupper():
+        hint = "points are capital letters with digits, as in OB1 = …; for a parameter write param"
     if len(points_of(word)) > 1:
         hint = f"a vector is written {word} = length @ direction"
+    if word.lower() in statement_words():
+        hint = f"did you mean {word.lower()!r}?"
+    hint = SAID_OTHERWISE.get(word.lower(), hint)
     return syntax.unknown_statement(span_of(line[0]), word, statement_words(), hint)
 
 
@@ -152,6 +175,8 @@ def expected_words(allowed: set[str]) -> list[str]:
 def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
     """Return a hint for the slips that are made most."""
     text, previous = str(token), str(before or "")
+    if token.type == "NUMBER" and before is not None and before.type == "NUMBER":
+        return "digits stand together, as in 1200 mm"
     if text == previous and text in DOUBLED:
         return DOUBLED[text]
     if previous in FUNCTIONS or previous in TWINS:
@@ -173,6 +198,8 @@ def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
 
 
 def hint_of_list(token: Token, first: Token) -> str:
-    """Return a hint where things are listed of which each has a line of its own."""
+    """Return a hint where points or things are listed that are written otherwise."""
+    if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
+        return f"the points of a {first} are written together, as in {first} OB"
     listed = token == "," and first.type in ("PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE")
     return f"each {first} has a line of its own" if listed else ""

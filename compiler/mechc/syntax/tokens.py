@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from ..diagnostics import Diagnostic, syntax, syntax_limits
 from ..source import Span
-from ..units import UNITS
+from ..units import UNITS, unit_meant
 from . import limits
 from .fault import Fault
 from .grammar import keywords, lexed
@@ -41,6 +41,10 @@ LOOKALIKES = {
     "≥": "write '>='",
     "≠": "write '!='",
     "…": "a range is written with two dots",
+    "—": "the minus sign is '-'",
+    "∠": "a direction is an angle behind '@', as in OB = l @ 30 deg",
+    "%": "a comment begins with '#'; a hundredth is written 0.01",
+    "_": "digits stand together, as in 1200",
     ".": "a range is written with two dots",
     "'": "a text stands in double quotes",
     "“": "a text stands in plain double quotes",
@@ -152,7 +156,9 @@ def check_unit(number: Token, behind: Token) -> None:
     _, unit = split_quantity(number)
     if behind.type == "NAME":
         plain = [name for name in UNITS if name.isalpha()]
-        raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain))
+        meant = unit_meant(behind)
+        hint = f"did you mean {meant!r}?" if meant else ""
+        raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain, hint))
     if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)
         power = f"a power of a quantity is written ({number})^…"

@@ -115,12 +115,15 @@ def unknown_dimension(span: Span, name: str, known: Iterable[str]) -> Words:
 
 
 @coded("E228")
-def range_backwards(span: Span, name: str) -> Words:
+def range_backwards(span: Span, name: str, is_empty: bool = False) -> Words:
     """The ends of a range are equal or exchanged.
 
     param a = 12 deg in 40 deg .. 2 deg     # wrong
     param a = 12 deg in 2 deg .. 40 deg     # right
     """
+    if is_empty:
+        message = f"the range of '{name}' is empty: its ends are the same"
+        return Words(span, message, "leave the range out of what does not vary")
     return Words(span, f"the range of '{name}' does not go from low to high", "exchange its ends")
 
 

@@ -8,11 +8,13 @@ from .names import offered
 
 
 @coded("E280")
-def nothing_asked(span: Span) -> Words:
+def nothing_asked(span: Span, is_empty: bool = False) -> Words:
     """A description to compile has no ``find`` and no ``let``.
 
     find k = P / F
     """
+    if is_empty:
+        return Words(span, "the description is empty", "`mechc new NAME` starts one")
     return Words(span, "nothing is asked for", "add a line such as 'find k = P / F'")
 
 
