@@ -25,7 +25,7 @@ from .points import Points
 from .reactions import check_rods
 from .results import read_expects, read_requires
 from .scope import Scope
-from .statements import every, only
+from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
 from .thrusts import inside_telescopes, spring_name
 from .transmissions import check_belts, read_joints
@@ -37,6 +37,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     Lengths, forces … are in SI and angles in radians. As many errors as possible are
     reported before :class:`MechcError` is raised.
     """
+    check_doubled(file, report)
     points = Points(report)
     declare_points(file, points)
     scope = Scope(report, points)

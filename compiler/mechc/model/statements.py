@@ -2,7 +2,13 @@
 
 from typing import TypeVar
 
+from ..diagnostics import Report
+from ..diagnostics.model.names import stated_again
+from ..frozen import replace
 from ..syntax import ast
+
+REPEATABLE = (ast.Find, ast.Expect, ast.Require, ast.Assembly, ast.Telescope)
+"""Statements of which no rule says that they may not stand twice."""
 
 S = TypeVar("S", bound=ast.Statement)
 
@@ -15,3 +21,16 @@ def every(file: ast.File, kind: type[S]) -> list[S]:
 def only(file: ast.File, kind: type[S]) -> S | None:
     """Return the statement of a kind that stands at most once (the parsers see to it)."""
     return next(iter(every(file, kind)), None)
+
+
+def check_doubled(file: ast.File, report: Report) -> None:
+    """Warn of a statement that says over again what one before it says."""
+    first: dict[ast.Statement, ast.Statement] = {}
+    for statement in file.statements:
+        if isinstance(
+            statement, ast.Find | ast.Expect | ast.Require | ast.Assembly | ast.Telescope
+        ):
+            plain = replace(statement, comments=(), remark="")
+            if plain in first:
+                report.add(stated_again(statement.span, first[plain].span))
+            first.setdefault(plain, statement)

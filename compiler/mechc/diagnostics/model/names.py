@@ -200,3 +200,17 @@ def lonely_point(span: Span, point: str, link: str) -> Words:
     short = link if len(link) <= 40 else f"{link[:40]}…"
     message = f"only link {short} goes through point {point}, and nothing acts there"
     return Words(span, message, "is it a mistyped pin?")
+
+
+@coded("W204")
+def stated_again(span: Span, first: Span) -> Words:
+    """A line stands twice.
+
+    A ``find``, an ``expect``, a ``require``, an ``assembly`` or a ``telescope`` that is
+    written over again changes nothing; perhaps a copied line was to be changed.
+
+        expect k = 2*tan(alpha)
+        expect k = 2*tan(alpha)     # warned of
+    """
+    related = (Related(first, "first stated here"),)
+    return Words(span, "this is stated once more", "remove it, or change what was copied", related)
