@@ -1,11 +1,11 @@
 """``mechc check``: mistakes found, expectations proved or refuted, the second opinion."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Set
 
 import click
 
 from ..check.expectations import Finding
-from ..derivation.definitions import Solved, by_letter, grouped, is_by_letter
+from ..derivation.definitions import Solved, grouped, lettered, usual_weights
 from ..derivation.locking import friction_remarks
 from ..derivation.remarks import own_conditions, reaction
 from ..derivation.sections import Told, in_short
@@ -71,10 +71,11 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told, given = Told(), {r.name for r in compilation.results if _is_given(r)}
+    usual = usual_weights(compilation.mechanism)
     before: Result | None = None
     for result in compilation.results:
         where = [d for d in told.of(result) if d.name not in given]
-        yield from _of_result(in_short(result, compilation.results), where, before)
+        yield from _of_result(in_short(result, compilation.results), where, usual, before)
         before = result
         yield from (f"    {line}" for line in friction_remarks(result, WORDS, spell))
     for finding in compilation.findings:
@@ -87,14 +88,16 @@ def _is_given(result: Result) -> bool:
     return result.target is None and isinstance(result.formula, Number)
 
 
-def _of_result(result: Result, where: Iterable[Definition], before: Result | None) -> Iterator[str]:
+def _of_result(
+    result: Result, where: Iterable[Definition], usual: Set[str], before: Result | None
+) -> Iterator[str]:
     """Yield what is known of a result, without what the one before has just told."""
     if _is_given(result) and result.default is not None:
         yield f"  {result.name} = {result.default:.9g} {si_unit(result.dimension)}".rstrip()
         return
     yield f"  {result.name} = {text(result.formula)}"
-    for group in grouped((name, by_letter(formula)) for name, formula in where):
-        yield from _of_definition(group)
+    for group in grouped(lettered(where, usual)):
+        yield from _of_definition(group, usual)
     sizes = _sizes(result)
     if sizes and not (before and sizes == _sizes(before)):
         press = "press the joints" if len(sizes) > 1 else "presses the joint"
@@ -115,12 +118,12 @@ def _sizes(result: Result) -> list[str]:
     return sorted(symbols(result.formula) & result.inside)
 
 
-def _of_definition(group: Definition | Solved) -> Iterator[str]:
+def _of_definition(group: Definition | Solved, usual: Set[str]) -> Iterator[str]:
     if isinstance(group, Solved):
         yield f"    where {', '.join(group.names)} solve"
         yield from (f"      {text(zero)} = 0" for zero in group.zeros)
         return
-    g = f", g = {float(GRAVITY.value)} m/s^2" if is_by_letter(group.formula) else ""
+    g = f", g = {float(GRAVITY.value)} m/s^2" if group.name in usual else ""
     yield f"    where {group.name} = {text(group.formula)}{g}"
 
 

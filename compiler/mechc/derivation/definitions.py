@@ -1,35 +1,46 @@
 """What stands behind *where*: the names that a result mentions, each told once."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Set
 from typing import NamedTuple
 
 from ..formula.tree import Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
-from ..model.mechanism import GRAVITY
+from ..model.mechanism import GRAVITY, Force, Load, Mechanism
 from ..model.result import Definition
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""
 
 
+def takes_usual_g(load: Load) -> bool:
+    """Return whether a load is a weight by the usual g, not by a parameter of that name."""
+    match load:
+        case Force(weight=True, tie=Product((Number(value), *_))):
+            return value == GRAVITY.value
+        case _:
+            return False
+
+
+def usual_weights(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of the weights by the usual g."""
+    return frozenset(load.name for load in mechanism.loads if takes_usual_g(load))
+
+
 def by_letter(formula: Formula) -> Formula:
-    """Return a weight as ``m·g``; any other formula as it is.
+    """Return a weight by the usual g as ``m·g``.
 
     >>> from ..formula.tree import product
     >>> from ..formula.to_text import text
     >>> text(by_letter(product([(Symbol("m"), 1), (GRAVITY, 1)])))
     'm*g'
     """
-    match formula:
-        case Product((Number(value), *factors)) if value == GRAVITY.value:
-            return Product((*factors, FREE_FALL))
-        case _:
-            return formula
+    assert isinstance(formula, Product)
+    return Product((*formula.factors[1:], FREE_FALL))
 
 
-def is_by_letter(formula: Formula) -> bool:
-    """Return whether a formula is a weight that :func:`by_letter` has shortened."""
-    return isinstance(formula, Product) and formula.factors[-1] == FREE_FALL
+def lettered(where: Iterable[Definition], usual: Set[str]) -> list[Definition]:
+    """Return definitions with each of the usual weights as ``m·g``."""
+    return [Definition(n, by_letter(f)) if n in usual else Definition(n, f) for n, f in where]
 
 
 class Solved(NamedTuple):

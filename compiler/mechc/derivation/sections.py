@@ -7,9 +7,9 @@ from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Implicit, Symbol, System
 from ..formula.walk import symbols
 from ..frozen import frozen, replace
-from ..model.mechanism import Reaction, Target, WithFriction
+from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
 from ..model.result import Definition, Result
-from .definitions import by_letter
+from .definitions import lettered, usual_weights
 from .remarks import reaction
 from .steps import Account, Derivation, Passage
 
@@ -24,18 +24,19 @@ class Section:
     passages: tuple[Passage, ...]
     results: tuple[Result, ...]
     where: tuple[Definition, ...]
+    has_usual_g: bool = False
 
 
-def sections(derivation: Derivation) -> Iterator[Section]:
+def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
     """Yield the results under their headings; what was told before is left out."""
-    told = Told()
+    told, usual = Told(), usual_weights(mechanism)
     for account, results in _grouped(derivation):
         told.equations(account)
         rested = told.untold([Symbol(d.name) for d in account.where], account.where)
         fresh = [*rested, *(d for r in results for d in told.of(r))]
-        where = tuple(Definition(name, by_letter(formula)) for name, formula in fresh)
-        shown = (in_short(r, results) for r in _conditioned_once(results))
-        yield Section(account.passages, tuple(shown), where)
+        shown = tuple(in_short(r, results) for r in _conditioned_once(results))
+        weighs = any(d.name in usual for d in fresh)
+        yield Section(account.passages, shown, tuple(lettered(fresh, usual)), weighs)
 
 
 class Told:

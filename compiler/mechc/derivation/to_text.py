@@ -12,7 +12,7 @@ from ..model.mechanism import GRAVITY, Mechanism
 from ..model.result import Definition, Result
 from ..units import ANGLE
 from ..words.en import WORDS
-from .definitions import Solved, grouped, is_by_letter
+from .definitions import Solved, grouped
 from .remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
 from .sections import Section, sections
 from .steps import Derivation, Step
@@ -58,7 +58,7 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     """
     spell = speller(derivation, mechanism, unicode)
     lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
-    for section in sections(derivation):
+    for section in sections(derivation, mechanism):
         lines += _section(section, spell)
     if mechanism.requires:
         lines += [
@@ -116,7 +116,7 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
         yield f"     {WORDS.where}"
         for group in grouped(section.where):
             yield from _group(group, spell)
-    if any(is_by_letter(d.formula) for d in section.where):
+    if section.has_usual_g:
         yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
     for result in section.results:
         for remark in remarks(result, WORDS, spell):

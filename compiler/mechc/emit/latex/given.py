@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Set
 from typing import NamedTuple, assert_never
 
-from ...derivation.definitions import by_letter, is_by_letter
+from ...derivation.definitions import by_letter, takes_usual_g
 from ...derivation.wording import enumeration
 from ...formula.names import split_points
 from ...formula.tree import ZERO, Formula, Sum, number
@@ -195,9 +195,10 @@ def _load(load: Load, links: Set[str], words: Words, style: Notation) -> str:
 def _tie(load: Load, words: Words, style: Notation) -> str:
     """Return what a load is tied to, with the value of g where a weight takes the usual one."""
     assert load.tie
-    tie = by_letter(load.tie)
+    usual = takes_usual_g(load)
+    tie = by_letter(load.tie) if usual else load.tie
     said = ", " + math(f"{name(load.name, style)}={latex(tie, style)}")
-    if not is_by_letter(tie):
+    if not usual:
         return said
     g = quantity(GRAVITY, DIMENSIONS["acceleration"], "m/s^2", words, style)
     return f"{said}, {math(f'g={g}')}"

@@ -161,7 +161,7 @@ def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -
         steps=tuple(_step(step, words, style) for step in derivation.steps),
         several=_several(derivation, words),
         balances=_balances(derivation.balances, words, style),
-        results=tuple(section_block(s, words, style) for s in sections(derivation)),
+        results=tuple(section_block(s, words, style) for s in sections(derivation, mechanism)),
         conditions=conditions(mechanism.requires, Speller(style)),
         numbers=numbers(derivation.results, words, style),
         check=check(verdict, words, style),
