@@ -6,7 +6,7 @@ import pytest
 
 import mechc
 from mechc.driver import compile_source
-from mechc.formula.rounding import exactly, rounded
+from mechc.formula.rounding import Rounding
 from mechc.source import Source
 
 TAN = """
@@ -113,6 +113,5 @@ def test_rounding_is_bounded_and_not_by_much(text):
     """Formulas that are zero in exact arithmetic stay within their bound, and that is small."""
     dice, formula = Random(text), formula_of(text)
     for _ in range(100):
-        values = {name: exactly(dice.uniform(0.1, 0.7)) for name in "ab"}
-        found = rounded(formula, values)
+        found = Rounding({name: dice.uniform(0.1, 0.7) for name in "ab"}).of(formula)
         assert abs(found.value) <= 2 * found.error < 1e-12

@@ -18,8 +18,7 @@ from typing import Literal, NamedTuple
 from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as words
-from ..formula.rounding import Rounded, rounded
-from ..formula.rounding import completed as with_errors
+from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
@@ -117,8 +116,8 @@ def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Fin
     missing = sorted(symbols(result.formula) - values.keys())
     if missing:
         return Finding(expect, "undecided", missing=missing[0])
-    exact = with_errors(values, ())
-    (found, error), (expected, other) = (rounded(f, exact) for f in (result.formula, expect.value))
+    rounding = Rounding(values)
+    (found, error), (expected, other) = map(rounding.of, (result.formula, expect.value))
     slack = float(expect.tolerance) * (1 + CLOSE) + abs(expected) * 1e-12
     slack += ROUNDINGS * (error + other)
     outcome: Literal["agrees", "refuted"] = (
@@ -150,8 +149,9 @@ def _compare_formula(
     )
     assembled = (values for values in everything if _is_assembled(values, definitions))
     for given in islice(assembled, POSES + 1):
-        values = with_errors(given, result.where)
-        found, expected = rounded(result.formula, values), rounded(expect.value, values)
+        rounding = Rounding(given)
+        rounding.define(result.where)
+        found, expected = rounding.of(result.formula), rounding.of(expect.value)
         at = _shown_at(expect, result, mechanism, given)
         if _differ(found, expected):
             return Finding(expect, "refuted", found.value, expected.value, at)
@@ -169,6 +169,8 @@ def _is_assembled(values: Values, definitions: Sequence[Definition]) -> bool:
 
 def _differ(found: Rounded, expected: Rounded) -> bool:
     """Tell whether two values differ by more than a relative part, and by more than rounding."""
+    if math.isinf(found.error) or math.isinf(expected.error):
+        return False
     if math.isnan(found.value) or math.isnan(expected.value):
         return math.isnan(found.value) != math.isnan(expected.value)
     slack = CLOSE * max(abs(found.value), abs(expected.value))

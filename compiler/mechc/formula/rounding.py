@@ -1,106 +1,141 @@
-"""How exact a computed value is: every operation's rounding, carried along.
+"""Values with a bound of their rounding errors: what is smaller than that is zero.
 
->>> from .tree import Call, Symbol, degrees, negative, total
->>> sixty = total([Call("asin", (Call("sin", (Symbol("a"),)),)), negative(degrees(60))])
->>> found = rounded(Call("tan", (sixty,)), {"a": exactly(math.pi / 3)})
->>> abs(found.value) < found.error < 1e-14
-True
+The bound runs through a formula as the value does, by what each operation makes of the
+errors of its parts, to first order. cos 90° is 6e-17 and its error 2e-16: it is 0.
 """
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from typing import NamedTuple, assert_never
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
 
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
-from .walk import FUNCTIONS, evaluate, solution
+from .walk import evaluate, solution, symbols
 
 EPS = 2.0**-52
-
-ITERATED = 1e-12
-"""The relative error of what is found by iteration."""
+SOLVED = 64 * EPS
+"""The error of what Newton's method gives, against its size or 1."""
 
 
 class Rounded(NamedTuple):
-    """A value, and how far at most rounding has carried it from the true one."""
+    """A value, and what rounding may have made of it at most."""
 
     value: float
     error: float
 
-
-def exactly(value: float) -> Rounded:
-    """Return a value that is known to the last digit."""
-    return Rounded(value, EPS * abs(value))
-
-
-def completed(
-    values: Mapping[str, float], definitions: Iterable[tuple[str, Formula]]
-) -> dict[str, Rounded]:
-    """Return values, and what definitions in order make of them, with their errors."""
-    found = {name: exactly(value) for name, value in values.items()}
-    for name, formula in definitions:
-        found[name] = rounded(formula, found)
-    return found
+    @property
+    def is_zero(self) -> bool:
+        """Return whether nothing is left of the value but rounding."""
+        return abs(self.value) <= self.error < math.inf
 
 
-def rounded(formula: Formula, values: Mapping[str, Rounded]) -> Rounded:
-    """Return the value of a formula, NaN where it has none, with the error of rounding."""
-    match formula:
-        case Number() | Pi():
-            return exactly(evaluate(formula, {}))
-        case Symbol(name):
-            return values[name]
-        case Sum(terms):
-            parts = [rounded(t, values) for t in terms]
-            size = sum(abs(p.value) for p in parts)
-            return Rounded(math.fsum(p.value for p in parts), _sum(parts) + EPS * size)
-        case Product(factors):
-            result = Rounded(1.0, 0.0)
-            for factor in factors:
-                result = _times(result, rounded(factor, values))
-            return result
-        case Power(base, exponent):
-            return _shifted(_power, [rounded(base, values), rounded(exponent, values)])
-        case Call(function, arguments):
-            return _shifted(FUNCTIONS[function], [rounded(a, values) for a in arguments])
-        case Implicit(system, index, arguments):
-            found = _shifted(
-                lambda *outer: solution(system, outer)[index],
-                [rounded(a, values) for a in arguments],
-            )
-            return Rounded(found.value, found.error + ITERATED * abs(found.value))
-        case _:
-            assert_never(formula)
+class Rounding:
+    """Formulas with the errors of their values; what several share is found once.
+
+    Names may be added to ``values`` later on, but not change.
+
+    >>> from .tree import degrees
+    >>> [Rounding({}).of(Call("cos", (degrees(x),))).is_zero for x in (90, 89)]
+    [True, False]
+    """
+
+    def __init__(self, given: Mapping[str, float]) -> None:
+        """Take values that were given, as near as floats come to them."""
+        self.values = {name: Rounded(v, EPS * abs(v)) for name, v in given.items()}
+        self._known: dict[int, Rounded] = {}
+        self._alive: list[Formula] = []
+
+    def of(self, formula: Formula) -> Rounded:
+        """Return the value of a formula with its error.
+
+        NaN where it has no value; with no bound at all where what may be zero is divided by.
+        """
+        self._alive.append(formula)
+        try:
+            return self._of(formula)
+        except ZeroDivisionError:
+            return Rounded(math.nan, math.inf)
+        except (ValueError, OverflowError):
+            return Rounded(math.nan, 0.0)
+
+    def define(self, definitions: Iterable[tuple[str, Formula]]) -> None:
+        """Add what definitions in order say, as far as their names have values."""
+        for name, formula in definitions:
+            if name not in self.values and symbols(formula) <= self.values.keys():
+                self.values[name] = self.of(formula)
+
+    def _of(self, formula: Formula) -> Rounded:
+        if isinstance(formula, Symbol):
+            return self.values[formula.name]
+        known = self._known.get(id(formula))
+        if known is None:
+            known = self._known[id(formula)] = self._compute(formula)
+        return known
+
+    def _compute(self, formula: Formula) -> Rounded:
+        match formula:
+            case Number(value):
+                number = value.numerator / value.denominator
+                return Rounded(number, EPS / 2 * abs(number))
+            case Pi():
+                return Rounded(math.pi, EPS * math.pi)
+            case Sum(terms):
+                return _sum(map(self._of, terms))
+            case Product(factors):
+                return _product(map(self._of, factors))
+            case Power(base, exponent):
+                return _power(self._of(base), self._of(exponent))
+            case Call(function, arguments):
+                return _call(function, [*map(self._of, arguments)])
+            case Implicit(system, index, arguments):
+                number = solution(system, tuple(self._of(a).value for a in arguments))[index]
+                return Rounded(number, SOLVED * max(1.0, abs(number)))
+            case _:
+                return self._of(formula)
 
 
-def _sum(parts: Iterable[Rounded]) -> float:
-    return sum(p.error for p in parts)
+def _sum(terms: Iterable[Rounded]) -> Rounded:
+    parts = list(terms)
+    value = math.fsum(p.value for p in parts)
+    return Rounded(value, math.fsum(p.error for p in parts) + EPS * abs(value))
 
 
-def _times(a: Rounded, b: Rounded) -> Rounded:
-    value = a.value * b.value
-    error = abs(a.value) * b.error + abs(b.value) * a.error + a.error * b.error
-    return Rounded(value, error + EPS * abs(value))
+def _product(factors: Iterable[Rounded]) -> Rounded:
+    value, error = 1.0, 0.0
+    for factor in factors:
+        error = abs(value) * factor.error + abs(factor.value) * error + error * factor.error
+        value *= factor.value
+        error += EPS * abs(value)
+    return Rounded(value, error)
 
 
-def _shifted(function: Callable[..., float], arguments: list[Rounded]) -> Rounded:
-    """Return a function's value, and how far it moves with each argument's error."""
-    values = [a.value for a in arguments]
-    here = _value(function, values)
-    error = 2 * EPS * abs(here)
-    for i, argument in enumerate(arguments):
-        for end in (argument.value - argument.error, argument.value + argument.error):
-            moved = abs(_value(function, [*values[:i], end, *values[i + 1 :]]) - here)
-            error += moved if math.isfinite(moved) else 0.0
-    return Rounded(here, error)
+def _power(base: Rounded, exponent: Rounded) -> Rounded:
+    if exponent.value < 0 and base.is_zero:
+        raise ZeroDivisionError
+    value = base.value**exponent.value
+    if not isinstance(value, float):
+        raise ValueError
+    if base.value == 0:
+        return Rounded(value, base.error**exponent.value)
+    relative = abs(exponent.value) * base.error / abs(base.value)
+    relative += abs(math.log(abs(base.value))) * exponent.error + EPS
+    if base.is_zero:
+        return Rounded(value, max(abs(value) * relative, (2 * base.error) ** exponent.value))
+    return Rounded(value, abs(value) * relative)
 
 
-def _power(base: float, exponent: float) -> float:
-    result = base**exponent
-    return result if isinstance(result, float) else math.nan
-
-
-def _value(function: Callable[..., float], arguments: list[float]) -> float:
-    try:
-        return float(function(*arguments))
-    except (ValueError, ZeroDivisionError, OverflowError):
-        return math.nan
+def _call(function: str, arguments: list[Rounded]) -> Rounded:
+    """Return a call; its error is how far its value moves where its arguments do."""
+    names = [f"x{i}" for i in range(len(arguments))]
+    formula = Call(function, tuple(map(Symbol, names)))
+    here = {n: a.value for n, a in zip(names, arguments, strict=True)}
+    value = evaluate(formula, here)
+    if not math.isfinite(value):
+        raise ValueError
+    error = EPS * abs(value)
+    for name, argument in zip(names, arguments, strict=True):
+        moved = [
+            evaluate(formula, here | {name: argument.value + step})
+            for step in (argument.error, -argument.error)
+        ]
+        error += max((abs(m - value) for m in moved if math.isfinite(m)), default=math.inf)
+    return Rounded(value, error)

@@ -9,6 +9,7 @@ from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import friction as friction_words
 from ..diagnostics import power as words
+from ..formula.rounding import Rounding
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -39,9 +40,11 @@ def check_numbers(balance: Balance, report: Report) -> Balance:
     values = default_values(balance.plan)
     spans = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     _check_branch(balance.plan, values, report)
+    rounding = default_rounding(balance.plan.graph.pose)
     solved: list[Solved] = []
     for item in balance.solved:
         number, find = value_of(item.result, values), spans.get(item.result.name)
+        number = _beyond_rounding(number, item.result, rounding)
         if find and number is not None and isinstance(find.target, WithFriction | Efficiency):
             number = _with_friction(find, number, [s.result for s in solved], report)
         elif find and number is not None:
@@ -76,6 +79,27 @@ def pose_values(pose: Pose) -> dict[str, float]:
     chain = Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
     open_lengths = dict.fromkeys(pose.placeholders, 1.0)
     return chain.complete({**defaults(pose.mechanism), **open_lengths})
+
+
+def default_rounding(pose: Pose) -> Rounding:
+    """Return the values that a pose has by default, with what rounding makes of them."""
+    rounding = Rounding({**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)})
+    rounding.define(Chain({**dependent(pose.mechanism), **dict(pose.definitions)}).definitions)
+    return rounding
+
+
+def _beyond_rounding(number: float | None, result: Result, rounding: Rounding) -> float | None:
+    """Return a number, 0 where it is rounding alone, None where it is 0/0 but for rounding."""
+    if number is None or not math.isfinite(number):
+        return number
+    inner = Rounding({})
+    inner.values.update(rounding.values)
+    inner.define(result.where)
+    size = inner.of(result.formula)
+    if size.is_zero:
+        return 0.0
+    undetermined = math.isnan(size.value) and isinstance(result.target, WithFriction | Efficiency)
+    return None if undetermined else number
 
 
 def value_of(result: Result, values: Mapping[str, float]) -> float | None:
