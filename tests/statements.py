@@ -203,6 +203,9 @@ def _roots_refuted(
             return evaluate(limit.factor, curve(at))
 
         for x in roots(factor, low, high):
+            own = order(lambda at: abs(factor(at)), x, NEAR * (high - low))
+            if own is None or own < 0.5:
+                continue
             found = _order_at(result, curve, x, high - low)
             if found is not None and found * _side(result, limit) < 0.5:
                 yield f"{result.name} has order {found:.2f} at {name} = {x} where a factor vanishes"

@@ -1,7 +1,10 @@
 """Whatever is said of a result holds against sampling: over random chains with shared zeros."""
 
+import re
+
 import pytest
 
+from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.frozen import replace
@@ -70,6 +73,34 @@ def test_lengths_that_are_equal_by_chance_make_no_false_zeros():
 @pytest.mark.slow
 def test_nothing_that_is_said_of_hundreds_of_chains_is_refuted():
     assert hold(range(2000, 2300)) > 250
+
+
+def swept(grown):
+    """Return a closed mechanism's description with a range about its crank's default angle."""
+
+    def ranged(found):
+        middle = float(found[1])
+        return f"{found[0]} in {middle - 1.5!r} rad .. {middle + 1.5!r} rad"
+
+    return re.sub(r"param phi = (\S+) rad", ranged, grown.text())
+
+
+def closed_hold(seeds):
+    for grown in map(Grown, seeds):
+        if "triad" not in grown.kinds:
+            mechanism, found = results(swept(grown))
+            for result in found:
+                assert list(refuted(mechanism, result, grown.seed)) == [], grown.seed
+                assert list(missing(mechanism, result, grown.seed)) == [], grown.seed
+
+
+def test_what_is_said_of_closed_mechanisms_holds_along_the_drive():
+    closed_hold(range(20))
+
+
+@pytest.mark.slow
+def test_what_is_said_of_hundreds_of_closed_mechanisms_holds():
+    closed_hold(range(1000, 1300))
 
 
 def test_k_is_not_said_to_rise_across_a_pole():
