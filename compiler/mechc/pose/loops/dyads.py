@@ -170,9 +170,9 @@ class Group:
     def _polar(self, vector: Vector, name: str, positive: bool = False) -> tuple[Product, Angle]:
         """Return a vector as one length and one direction, both named where it is a sum.
 
+        What turns as one body has a direction within it, ``delta``, that does not turn.
         A difference or a place on a line is turned round where it is negative at the default
         pose. What must be ``positive`` elsewhere, too, turns round where it passes zero.
-        What turns as one body has a direction within it, ``delta``, that does not turn.
         """
         if len(vector) == 1 and not (positive and self._may_turn(vector[0].length)):
             length, angle = vector[0]
