@@ -11,7 +11,7 @@ factors have in common there.
 """
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Mapping
 from contextlib import suppress
 from fractions import Fraction
 from math import gcd, lcm
@@ -96,17 +96,28 @@ def _gcd(values: Iterable[Rational]) -> Fraction:
     return Fraction(gcd(*(int(p * below) for p in parts)), below)
 
 
-def angles(product: Product) -> Iterator[Angle]:
-    """Yield the angles that a product depends on, those inside of its sums included."""
-    for factor in product.factors:
-        match factor:
-            case Trig(angle=angle):
-                yield angle
-            case Sum(terms=terms):
-                for term in terms:
-                    yield from angles(term)
-            case Bound():
-                yield from angles(factor.definition)
+def angles(product: Product) -> tuple[Angle, ...]:
+    """Return the angles that a product depends on, those inside of its sums included.
+
+    What is bound to a name is gone into once: in a chain each name rests on the one before
+    by several terms.
+    """
+    found: dict[Angle, None] = {}
+    bound: set[str] = set()
+    waiting = [product]
+    while waiting:
+        factors = waiting.pop().factors
+        spend(1 + len(factors))
+        for factor in factors:
+            match factor:
+                case Trig(angle=angle):
+                    found[angle] = None
+                case Sum(terms=terms):
+                    waiting.extend(terms)
+                case Bound(name=name) if name not in bound:
+                    bound.add(name)
+                    waiting.append(factor.definition)
+    return tuple(found)
 
 
 class Series(NamedTuple):

@@ -9,12 +9,12 @@ from typing import Literal, NamedTuple
 from ..diagnostics import Report
 from ..diagnostics import stroke as words
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
-from ..model.mechanism import Drive, LoadRatio, Mechanism, Parameter
+from ..formula.walk import symbols
+from ..model.mechanism import LoadRatio, Mechanism, Parameter
 from ..model.result import Result
 from ..power.balance import Balance
 from ..units import ANGLE, LENGTH, Dimension
-from .along import EXCLUDED, NOT_ASSEMBLED, Along
+from .along import EXCLUDED, NOT_ASSEMBLED, Along, ends_of
 from .branches import branch_points
 from .ends import end_of_branch
 from .extrema import extrema
@@ -50,17 +50,6 @@ def run(balance: Balance, results: Sequence[Result], points: int, report: Report
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
     runner = _Runner(balance, results, parameter, *ends)
     return runner.stroke(points)
-
-
-def ends_of(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
-    """Return the ends of a stroke, the range's where none is given; None without either."""
-    low, high = (
-        (drive.low, drive.high) if drive.low and drive.high else parameter.range or (None, None)
-    )
-    if low is None or high is None:
-        return None
-    first, second = evaluate(low, {}), evaluate(high, {})
-    return min(first, second), max(first, second)
 
 
 class _Filled(NamedTuple):

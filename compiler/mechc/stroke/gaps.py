@@ -6,8 +6,7 @@ from itertools import pairwise
 from ..diagnostics import Report
 from ..diagnostics import stroke as words
 from ..kinematics.plan import Plan
-from .along import NOT_ASSEMBLED, Along
-from .from_balance import ends_of
+from .along import NOT_ASSEMBLED, Along, ends_of
 from .places import spaced
 
 CELLS = 120
