@@ -195,11 +195,11 @@ ONCE = [
     statement(ast.Copies, expressions, shared),
     statement(ast.Motion, st.sampled_from(["tightening", "releasing"])),
     statement(ast.Efficiency, expressions),
+    drives(),
 ]
 
 MANY = [
     params(),
-    drives(),
     statement(ast.Pivot, points, st.none() | cartesians),
     statement(ast.Slider, points, directions, places()),
     statement(ast.Link, bodies, spoken),

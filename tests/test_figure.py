@@ -194,11 +194,12 @@ def test_belts_are_tangent_and_cross_where_they_are_to():
 
 
 def test_a_belt_has_no_runs_where_its_wheels_overlap():
-    near = "pivot O at (0 mm, 0 mm)\npivot Q at (70 mm, 0 mm)"
+    near = "param d = 90 mm\npivot O at (0 mm, 0 mm)\npivot Q at (d, 0 mm)"
     belt = LEVERS.replace("pivot O\npivot Q", near).replace("gear O", "belt O")
-    assert len(parts(figure_of(belt, c=0.07), drawn.Belt)[0].runs) == 2
     crossed = belt.replace("50 mm\n", "50 mm crossed\n")
-    assert parts(figure_of(crossed, c=0.07), drawn.Belt)[0].runs == ()
+    for text, apart, runs in ((belt, 0.07, 2), (crossed, 0.09, 2), (crossed, 0.07, 0)):
+        (found,) = parts(figure_of(text, c=0.07, d=apart), drawn.Belt)
+        assert len(found.runs) == runs
 
 
 @every_mechanism

@@ -198,7 +198,7 @@ def _mathematics(value: object) -> str | None:
 def _equation(value: object) -> str | None:
     """Return the text of a record that is an equation or a condition; None for any other."""
     own = {name: getattr(value, name) for name in _declared(value)}
-    kept = {name: part for name, part in own.items() if not isinstance(part, Span)}
+    kept = {name: part for name, part in own.items() if part != "" and not isinstance(part, Span)}
     if tuple(kept) not in EQUATIONS:
         return None
     sign = kept.pop("operator", "=")
