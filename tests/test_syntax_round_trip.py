@@ -17,6 +17,8 @@ from strategies import files
 some = settings(
     max_examples=60,
     deadline=None,
+    derandomize=True,
+    database=None,
     suppress_health_check=list(HealthCheck),
     phases=[Phase.explicit, Phase.generate],
 )
@@ -118,3 +120,14 @@ def test_a_name_that_yaml_gives_a_meaning(name):
     assert read(from_dsl, to_dsl(tree), "a.mech") == tree
     keys = yaml.safe_load(printed)["params"]
     assert name in "yn" or list(keys) == [name]
+
+
+def test_a_product_behind_a_unit_in_an_exponent_keeps_apart():
+    text = "let a = b^2 N * m^-3 kN * c\n"
+    assert to_dsl(read(from_dsl, text, "a.mech")) == text
+
+
+def test_a_question_mark_in_a_flow_mapping_is_quoted():
+    tree = read(from_dsl, 'param a = 2 mm in 1 mm .. 3 mm about "what?why"\n', "a.mech")
+    assert "'what?why'" in to_yaml(tree)
+    read(from_yaml, to_yaml(tree), "a.yaml")

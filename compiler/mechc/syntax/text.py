@@ -71,12 +71,23 @@ def product_text(factors: tuple[tuple[int, ast.Expr], ...]) -> str:
     """Return ``a*b/c``; with spaces where ``5 N*m`` would be read as a unit."""
     (first_sign, first), *rest = factors
     parts = ["1/" if first_sign < 0 else "", expression(first, Binds.POWER)]
-    apart = any(isinstance(part, ast.Number) and part.unit for _, part in factors[:-1])
+    apart = any(ends_in_unit(part) for _, part in factors[:-1])
     for sign, factor in rest:
         operator = "/" if sign < 0 else "*"
         parts.append(f" {operator} " if apart else operator)
         parts.append(expression(factor, Binds.POWER))
     return "".join(parts)
+
+
+def ends_in_unit(node: ast.Expr) -> bool:
+    """Return whether a unit is the last word of a factor: of ``5 N``, and of ``a^5 N``, too."""
+    match node:
+        case ast.Number(unit=unit):
+            return bool(unit)
+        case ast.Power(exponent=ast.Sum(terms=((-1, exponent),)) | exponent):
+            return ends_in_unit(exponent)
+        case _:
+            return False
 
 
 def exponent_text(exponent: ast.Expr) -> str:

@@ -5,7 +5,7 @@ import re
 # Nothing that YAML gives a meaning: no indicator in front, no ': ', no ' #'.
 PLAIN = re.compile(r"(?![-?:](?:\s|$))[^\s,\[\]{}#&*!|>'\"%@`?:][^\n]*(?<![\s:])")
 MEANT = re.compile(r":\s|\s#")
-IN_FLOW = re.compile(r"[,\[\]{}]")
+IN_FLOW = re.compile(r"[,?\[\]{}]")  # some readers end a plain scalar at any '?' there
 OTHER_TYPE = re.compile(
     r"(?i)~|null|true|false|yes|no|on|off|y|n|[-+.\d][\d_.,:eE+-]*|\.(?:inf|nan)|0[xo][\da-f]+|---.*|\.\.\..*"
 )
