@@ -11,8 +11,11 @@ from mechc.algebra.product import Product
 from mechc.cli import main
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
+from mechc.formula.tree import Symbol, System, negative, number, power, product, total
+from mechc.formula.walk import evaluate, solution, straight_line
 from mechc.source import Source
 from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend
+from test_friction_ranges import COUPLED
 
 ROD = """
 slider A along x
@@ -61,7 +64,7 @@ def test_a_runaway_ends_with_a_message_and_status_4(tmp_path, capsys):
     assert main(["check", str(file)]) == 4
     error = capsys.readouterr().err
     assert "error[E817]" in error
-    assert f"algebra took more than {LIMIT} steps" in error
+    assert f"algebra and evaluation took more than {LIMIT} steps" in error
 
 
 @pytest.mark.usefixtures("runaway")
@@ -74,7 +77,40 @@ def test_all_that_was_found_before_is_reported_too():
     assert error.value.source is compilation.source
 
 
-@pytest.mark.parametrize("name", ["double_butterfly", "jansen_leg", "class_four_block"])
+X, Y = Symbol("x"), Symbol("y")
+CIRCLE = System(("x",), (total([power(X, number(2)), negative(Y)]),), (("y", 1.0),), (1.0,))
+
+
+def test_the_way_to_a_solution_is_counted_whenever_it_is_asked_for():
+    taken = []
+    for _ in range(2):
+        with at_most(Allowance()) as allowance:
+            assert solution(CIRCLE, (4.0,)) == pytest.approx((2.0,))
+        taken.append(LIMIT - allowance.left)
+    assert taken[0] == taken[1] > 5
+
+
+def test_evaluation_is_counted():
+    long = total(product([(X, i)]) for i in range(2, 802))
+    code = straight_line([long], ["x"])
+    for evaluation in (lambda: evaluate(long, {"x": 0.5}), lambda: code.at([0.5])):
+        with pytest.raises(WorkLimitError), at_most(Allowance(50)):
+            evaluation()
+
+
+def test_a_study_of_ranges_ends_with_the_message():
+    compilation = Compilation(Source("coupled.mech", COUPLED))
+    _ = compilation.balance
+    compilation.allowance.left = 1000
+    with pytest.raises(MechcError) as error:
+        _ = compilation.results
+    assert [d.code for d in error.value.diagnostics] == ["E817"]
+
+
+LONG = ["double_butterfly", "jansen_leg", "class_four_block", "karpenko_fig4_with_friction"]
+
+
+@pytest.mark.parametrize("name", LONG)
 def test_the_longest_formulas_take_less_than_a_tenth_and_always_the_same(name):
     taken = []
     for _ in range(2):

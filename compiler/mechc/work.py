@@ -1,10 +1,11 @@
 """How much work one compilation may do, counted, so that none goes on without end.
 
 What is counted are elementary steps of algebra: terms of sums added, multiplied and
-divided, factors compared, each as dear as a microsecond or so. The count depends on the
-description alone, never on the machine or its load; steps whose results are kept for
-later (``lru_cache``) are not counted. The allowance is a context variable, so that
-compilations in other threads have their own.
+divided, factors compared, each as dear as a microsecond or so; and operations on floats
+where formulas are evaluated and systems solved, several to a step. The count depends on
+the description alone, never on the machine or its load; steps of algebra whose results
+are kept for later (``lru_cache``) are not counted, ways to numeric solutions always. The
+allowance is a context variable, so that compilations in other threads have their own.
 
 >>> with at_most(Allowance(3)):
 ...     spend(2)
@@ -19,7 +20,7 @@ from contextlib import contextmanager
 from contextvars import ContextVar
 
 LIMIT = 10_000_000
-"""Steps of one compilation: some ten seconds; no mechanism of the library takes a thirtieth."""
+"""Steps of one compilation: some ten seconds; no mechanism of the library takes a tenth."""
 
 
 class WorkLimitError(Exception):
@@ -39,11 +40,11 @@ _ALLOWANCE: ContextVar[Allowance | None] = ContextVar("allowance", default=None)
 
 
 @contextmanager
-def at_most(allowance: Allowance) -> Iterator[None]:
+def at_most(allowance: Allowance) -> Iterator[Allowance]:
     """Count what is done inside against an allowance."""
     token = _ALLOWANCE.set(allowance)
     try:
-        yield
+        yield allowance
     finally:
         _ALLOWANCE.reset(token)
 

@@ -55,14 +55,16 @@ def too_many_errors(span: Span, limit: int) -> Words:
 def too_much_work(span: Span, limit: int) -> Words:
     """The formulas of this mechanism grow beyond what can be computed, or be read.
 
-    Algebra counts its steps: terms of sums added, multiplied and divided, factors compared. The
-    count depends on the description alone, not on the machine. Every known mechanism takes
-    less than a tenth of the limit. A great many bodies that are all coupled with one another
-    take more, as the length of their formula doubles with each. Describe a part of it with a
-    ``find`` of its own; for a formula that should not be so long, please report it.
+    Steps of work are counted: in algebra terms of sums added, multiplied and divided, and
+    factors compared; in numbers the operations by which formulas are evaluated and solved,
+    over ranges and strokes, too. The count depends on the description alone, not on the
+    machine. Every known mechanism takes less than a tenth of the limit. A great many bodies
+    that are all coupled with one another take more, as the length of their formula doubles
+    with each. Describe a part of it with a ``find`` of its own; for a formula that should not
+    be so long, please report it.
     """
     return Words(
         span,
-        f"algebra took more than {limit} steps, expected at most a tenth of them",
+        f"algebra and evaluation took more than {limit} steps, expected at most a tenth of them",
         "describe a part of the mechanism by itself, with the forces between the parts as loads",
     )

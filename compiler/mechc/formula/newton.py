@@ -16,6 +16,8 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Literal
 
+from ..work import spend
+
 Matrix = list[list[float]]
 Equations = Callable[[Sequence[float], Sequence[float]], tuple[list[float], Matrix]]
 """Residuals and Jacobian at values of the unknowns and of the outer symbols."""
@@ -46,6 +48,9 @@ TINY = 1e-11
 
 ROUGH = 1e-2
 """A correction behind which a step that does not end the path may follow."""
+
+CUBES = 24
+"""An elimination takes a third of the cube of its size, eight times as fast as algebra's steps."""
 
 ROUNDING = 1e-17
 """Nor is one needed that is expected, from how the last two shrank, to be below this."""
@@ -129,6 +134,7 @@ def eliminate(matrix: Matrix, right: list[float]) -> int:
     ``right`` becomes x. Return the sign of the determinant, 0 where there is no solution.
     """
     size, sign = len(right), 1
+    spend(size**3 // CUBES)
     for k in range(size):
         best = k
         for i in range(k + 1, size):

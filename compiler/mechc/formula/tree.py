@@ -63,7 +63,7 @@ class Power:
 
 @frozen
 class Call:
-    """One of :data:`~.walk.FUNCTIONS` applied to its arguments."""
+    """One of :data:`~.functions.FUNCTIONS` applied to its arguments."""
 
     function: str
     arguments: tuple["Formula", ...]

@@ -1,12 +1,15 @@
 """Walking over formulas: parts, symbols, substitution, the value on floats."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import cache, lru_cache
-from typing import assert_never
+from typing import NamedTuple, assert_never
 
+from ..work import LIMIT, Allowance, at_most, spend
 from .derivative import jacobian
+from .functions import FUNCTIONS
 from .newton import Equations, Matrix, Status, follow, side_of
+from .straight_line import Solution, StraightLine
 from .tree import (
     Call,
     Formula,
@@ -22,33 +25,6 @@ from .tree import (
     product,
     total,
 )
-
-
-def _cot(x: float) -> float:
-    return math.cos(x) / math.sin(x)
-
-
-FUNCTIONS: Mapping[str, Callable[..., float]] = {
-    "sin": math.sin,
-    "cos": math.cos,
-    "tan": math.tan,
-    "cot": _cot,
-    "sec": lambda x: 1 / math.cos(x),
-    "csc": lambda x: 1 / math.sin(x),
-    "asin": math.asin,
-    "acos": math.acos,
-    "atan": math.atan,
-    "atan2": math.atan2,
-    "sqrt": math.sqrt,
-    "hypot": math.hypot,
-    "abs": abs,
-    "sign": lambda x: math.copysign(1.0, x) if x else x,
-    "min": min,
-    "max": max,
-    "exp": math.exp,
-    "log": math.log,
-}
-"""Every function of the language, and ``sign``, with its meaning on floats."""
 
 
 def children(formula: Formula) -> tuple[Formula, ...]:
@@ -134,10 +110,13 @@ class Evaluation:
     def of(self, formula: Formula) -> float:
         """Return the value of a formula; NaN where a function is not defined there."""
         self._alive.append(formula)
+        before = len(self._known)
         try:
             return self._of(formula)
         except (ZeroDivisionError, ValueError, OverflowError):
             return math.nan
+        finally:
+            spend(1 + len(self._known) - before)
 
     def _of(self, formula: Formula) -> float:
         match formula:
@@ -181,20 +160,57 @@ def equations(formula: Implicit) -> tuple[Formula, ...]:
 
 def solution(system: System, outer: tuple[float, ...]) -> tuple[float, ...]:
     """Return the unknowns at values of the outer symbols; NaN where the branch ends."""
-    status, found = _followed(system, outer)
-    return found if status == 0 else (math.nan,) * len(found)
+    return solver(system)(outer)
 
 
 def status(formula: Implicit, values: Mapping[str, float]) -> Status:
-    """Return how a solution was found, or why it was not."""
+    """Return how a solution was found, or why it was not; the work was counted as it was found."""
     here = Evaluation(values)
-    return _followed(formula.system, tuple(map(here.of, formula.arguments)))[0]
+    return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
 
 
-@lru_cache(maxsize=64)
-def _followed(system: System, outer: tuple[float, ...]) -> tuple[Status, tuple[float, ...]]:
-    anchor, start = _beginning(system, outer)
-    return follow(numeric(system), anchor, start, outer)
+def straight_line(
+    formulas: Sequence[Formula],
+    names: Sequence[str],
+    definitions: Iterable[tuple[str, Formula]] = (),
+) -> StraightLine:
+    """Return formulas that are evaluated again and again, as functions of what has a name."""
+    return StraightLine(formulas, names, solver, definitions)
+
+
+@cache
+def solver(system: System) -> Solution:
+    """Return a system's unknowns as a function of the outer symbols' values."""
+    followed = _followed(system)
+
+    def unknowns(outer: tuple[float, ...]) -> tuple[float, ...]:
+        status, found, work = followed(outer)
+        spend(work)
+        return found if status == 0 else (math.nan,) * len(found)
+
+    return unknowns
+
+
+class _Way(NamedTuple):
+    """Where a way ended, and the work that it took, which counts however often it is asked."""
+
+    status: Status
+    unknowns: tuple[float, ...]
+    work: int
+
+
+@cache
+def _followed(system: System) -> Callable[[tuple[float, ...]], _Way]:
+    equations = numeric(system)
+
+    @lru_cache(maxsize=64)
+    def followed(outer: tuple[float, ...]) -> _Way:
+        anchor, start = _beginning(system, outer)
+        with at_most(Allowance()) as allowance:
+            ended, found = follow(equations, anchor, start, outer)
+        return _Way(ended, found, LIMIT - allowance.left)
+
+    return followed
 
 
 def _beginning(system: System, outer: Sequence[float]) -> tuple[list[float], list[float]]:
@@ -218,9 +234,12 @@ def numeric(system: System) -> Equations:
     """Return residuals and Jacobian as a function of floats."""
     rows = jacobian(system.equations, system.unknowns)
     names = (*system.unknowns, *(name for name, _ in system.anchor))
+    code = straight_line([*system.equations, *(entry for row in rows for entry in row)], names)
+    size = len(system.unknowns)
+    ends = range(size, size * size + 1, size)
 
     def at(unknowns: Sequence[float], outer: Sequence[float]) -> tuple[list[float], Matrix]:
-        here = Evaluation(dict(zip(names, (*unknowns, *outer), strict=True)))
-        return list(map(here.of, system.equations)), [list(map(here.of, row)) for row in rows]
+        found = code.at((*unknowns, *outer))
+        return found[:size], [found[end : end + size] for end in ends]
 
     return at

@@ -7,8 +7,8 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Mapping
 
-from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.tree import Formula, Symbol
+from ..formula.walk import evaluate, straight_line, symbols
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter, Require
 from .order import ordered
@@ -38,6 +38,7 @@ class Chain:
         needs = {name: symbols(formula) for name, formula in formulas.items()}
         order, _ = ordered({name: set(n & formulas.keys()) for name, n in needs.items()})
         self._steps = [(name, formulas[name], needs[name]) for name in order]
+        self._codes: dict[frozenset[str], _Code | None] = {}
 
     @property
     def definitions(self) -> list[tuple[str, Formula]]:
@@ -58,11 +59,43 @@ class Chain:
 
     def complete(self, values: Values) -> dict[str, float]:
         """Return values with those that follow from them; what has one keeps it."""
+        known = frozenset(values)
+        if known not in self._codes:
+            self._codes[known] = None
+            return self._once(values)
+        code = self._codes[known]
+        if code is None:
+            code = self._codes[known] = self._code(known)
+        return code.complete(values)
+
+    def _once(self, values: Values) -> dict[str, float]:
         found = dict(values)
         for name, formula, needs in self._steps:
             if name not in found and needs <= found.keys():
                 found[name] = evaluate(formula, found)
         return found
+
+    def _code(self, known: frozenset[str]) -> "_Code":
+        """Return what is worth making where the same names have values again."""
+        found, followed = set(known), []
+        for name, formula, needs in self._steps:
+            if name not in found and needs <= found:
+                found.add(name)
+                followed.append((name, formula))
+        return _Code(sorted(known), followed)
+
+
+class _Code:
+    """Definitions in order as straight-line code."""
+
+    def __init__(self, known: list[str], followed: list[tuple[str, Formula]]) -> None:
+        self._known, self._names = known, [name for name, _ in followed]
+        self._code = straight_line(list(map(Symbol, self._names)), known, followed)
+
+    def complete(self, values: Values) -> dict[str, float]:
+        """Return values with those that follow from them."""
+        found = self._code.at([values[name] for name in self._known])
+        return {**values, **dict(zip(self._names, found, strict=True))}
 
 
 def completed(values: Values, definitions: Iterable[tuple[str, Formula]]) -> dict[str, float]:
@@ -109,4 +142,9 @@ def holds(condition: Require, values: Values) -> bool:
     if not symbols(condition.left) | symbols(condition.right) <= values.keys():
         return True
     left, right = evaluate(condition.left, values), evaluate(condition.right, values)
-    return _COMPARE[condition.operator](left, right)
+    return compare(left, condition.operator, right)
+
+
+def compare(left: float, relation: str, right: float) -> bool:
+    """Return whether one value is less than another, or greater, or the like."""
+    return _COMPARE[relation](left, right)

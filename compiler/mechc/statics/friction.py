@@ -9,6 +9,7 @@ steps short enough not to overshoot. Slips have their signs from statics too (se
 
 import math
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from operator import mul
 from typing import Literal, NamedTuple, assert_never
 
 from ..formula.walk import evaluate
@@ -26,6 +27,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.targets import SIGNS
+from ..work import spend
 from .answers import (
     INCONSISTENT,
     ROUNDED,
@@ -50,6 +52,9 @@ ROUNDS = 10_000
 
 STEPS = (1.0, 0.3, 0.1, 0.03, 0.01)
 """How far frictions follow at once: less far where they swing to and fro."""
+
+QUICK = 16
+"""So many products, each of a friction and what it does to a force, are a step of work."""
 
 STILL = 1e-16
 """A relative change below this is rounding, of a whole step."""
@@ -218,12 +223,17 @@ def _repeated(
 
     None where they grow without end.
     """
-    places = [_pressing(question.system, pair) for pair in pairs]
+    forces = [
+        [(ideal[c], [found[c] for found in responses]) for c in _pressing(question.system, pair)]
+        for pair in pairs
+    ]
+    work = 1 + len(pairs) * sum(map(len, forces)) // QUICK
 
     def following(frictions: Sequence[float]) -> list[float]:
+        spend(work)
         return [
-            pair.factor * _size(columns, ideal, responses, frictions)
-            for pair, columns in zip(pairs, places, strict=True)
+            pair.factor * _size(components, frictions)
+            for pair, components in zip(pairs, forces, strict=True)
         ]
 
     tried = (_settled(following, len(pairs), step) for step in STEPS)
@@ -248,12 +258,9 @@ def _settled(
     return None
 
 
-def _size(
-    columns: Sequence[int], ideal: Found, responses: Sequence[Found], frictions: Sequence[float]
-) -> float:
-    """Return the size of a force of perpendicular components."""
-    each = list(zip(frictions, responses, strict=True))
-    return math.hypot(*(ideal[c] + sum(f * r[c] for f, r in each) for c in columns))
+def _size(components: Sequence[tuple[float, Sequence[float]]], frictions: Sequence[float]) -> float:
+    """Return the size of a force of perpendicular components: ideal, and per friction."""
+    return math.hypot(*(ideal + sum(map(mul, frictions, by)) for ideal, by in components))
 
 
 def _pressing(system: System, pair: Pair) -> tuple[int, ...]:

@@ -4,10 +4,13 @@ import math
 from collections.abc import Mapping
 
 from ...formula.tree import Formula
-from ...formula.walk import Evaluation, evaluate, symbols
+from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.result import Definition, Result
-from ...model.values import Chain, allowed, defaults, dependent
+from ...model.result import Result
+from ...model.values import Chain, allowed, compare, defaults, dependent
+
+VALUE, LEFT, RIGHT = "=", "<", ">"
+"""What a result's value, and the sides of its guards, are called beside its definitions."""
 
 
 class Places:
@@ -22,7 +25,8 @@ class Places:
         self._formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
         self._chain = Chain(self._formulas)
         self._known: dict[float, dict[str, float]] = {}
-        self._needed: dict[int, list[tuple[Definition, frozenset[str]]]] = {}
+        self._chains: dict[int, tuple[Result, Chain]] = {}
+        self._last: tuple[Result, float, dict[str, float]] | None = None
 
     def values(self, place: float) -> dict[str, float]:
         """Return all that has a value at a place; nothing where no pose is allowed."""
@@ -43,21 +47,32 @@ class Places:
 
     def of(self, result: Result, place: float) -> float:
         """Return a result's value, NaN where it has none."""
-        return value(result.formula, self.named(result, place))
+        return self.named(result, place).get(VALUE, math.nan)
+
+    def holds(self, result: Result, place: float) -> bool:
+        """Tell whether all guards of a result hold, as far as they can be judged."""
+        values = self.named(result, place)
+        sides = (
+            (values.get(f"{LEFT}{i}"), guard.operator, values.get(f"{RIGHT}{i}"))
+            for i, guard in enumerate(result.guards)
+        )
+        return all(a is None or b is None or compare(a, sign, b) for a, sign, b in sides)
 
     def named(self, result: Result, place: float) -> dict[str, float]:
         """Return what has a value at a place, the names that a result mentions among it."""
-        key = id(result.where)
-        if key not in self._needed:
-            self._needed[key] = [(d, symbols(d.formula)) for d in result.where]
-        found = dict(self.values(place))
-        here = Evaluation(found)
-        for (name, formula), needs in self._needed[key]:
-            if name not in found and needs <= found.keys():
-                found[name] = here.of(formula)
+        if self._last and self._last[0] is result and self._last[1] == place:
+            return self._last[2]
+        key = id(result)
+        if key not in self._chains:
+            self._chains[key] = result, Chain(_formulas(result))
+        found = self._chains[key][1].complete(self.values(place))
+        self._last = result, place, found
         return found
 
 
-def value(formula: Formula, values: Mapping[str, float]) -> float:
-    """Return the value of a formula, NaN where something in it has none."""
-    return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan
+def _formulas(result: Result) -> dict[str, Formula]:
+    """Return a result's definitions, and with them its value and the sides of its guards."""
+    found = {**dict(result.where), VALUE: result.formula}
+    for i, guard in enumerate(result.guards):
+        found |= {f"{LEFT}{i}": guard.left, f"{RIGHT}{i}": guard.right}
+    return found

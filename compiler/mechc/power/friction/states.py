@@ -15,14 +15,13 @@ from collections.abc import Callable, Iterator
 from functools import cached_property
 from typing import NamedTuple
 
-from ...formula.tree import Call, Formula, Implicit
-from ...formula.walk import Evaluation, status, symbols, walk
+from ...formula.tree import ZERO, Call, Formula, Implicit
+from ...formula.walk import status, symbols, walk
 from ...frozen import replace
 from ...model.locking import State
 from ...model.result import Definition, Result
 from ...model.targets import SIGNS, Sense
-from ...model.values import holds
-from .places import Places, value
+from .places import VALUE, Places
 
 
 class Found(NamedTuple):
@@ -89,22 +88,26 @@ class Moving:
 
     def signs(self, place: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
-        signs, resting_on = self._signed
-        here = Evaluation(self.places.named(resting_on, place))
-        return tuple(here.of(sign) for sign in signs) if self.places.values(place) else ()
+        names, signed = self._signed
+        values = self.places.named(signed, place) if self.places.values(place) else {}
+        return tuple(values[name] for name in names if name in values)
 
     @cached_property
-    def _signed(self) -> tuple[tuple[Formula, ...], Result]:
-        """Return all signs in the ratio with friction, and of that what they rest on."""
+    def _signed(self) -> tuple[list[str], Result]:
+        """Return names for all signs in the ratio with friction, and a result that has them."""
         parts = (part for d in self.real.where for part in walk(d.formula))
-        signs = tuple(dict.fromkeys(p for p in parts if is_sign(p)))
-        needed = frozenset[str]().union(*map(symbols, signs))
-        where: list[Definition] = []
+        signs = [
+            Definition(f"{VALUE}{i}", sign)
+            for i, sign in enumerate(dict.fromkeys(p for p in parts if is_sign(p)))
+        ]
+        needed = frozenset[str]().union(*(symbols(sign.formula) for sign in signs))
+        where = list(signs)
         for definition in reversed(self.real.where):
             if definition.name in needed:
                 where.insert(0, definition)
                 needed |= symbols(definition.formula)
-        return signs, replace(self.real, where=tuple(where))
+        alone = replace(self.real, formula=ZERO, where=tuple(where), guards=())
+        return [sign.name for sign in signs], alone
 
     def _look(self, place: float) -> Found:
         driven = self.driven(place)
@@ -128,12 +131,13 @@ class Moving:
 
     def _value(self, result: Result, place: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""
-        values = self.places.named(result, place)
-        found = value(result.formula, values)
-        if math.isfinite(found) and all(holds(guard, values) for guard in result.guards):
+        found = self.places.of(result, place)
+        if math.isfinite(found) and self.places.holds(result, place):
             return found
-        known = [s for s in solutions(result) if symbols(s) <= values.keys()]
-        ways = {status(solution, values) for solution in known}
+        values = self.places.named(result, place)
+        unknowns = {id(unknown.system): unknown for unknown in solutions(result)}
+        known = [u for u in unknowns.values() if symbols(u) <= values.keys()]
+        ways = {status(unknown, values) for unknown in known}
         return math.nan if ways and 2 not in ways else None
 
     def efficiency(self, place: float) -> float:
@@ -150,6 +154,6 @@ def is_sign(formula: Formula) -> bool:
 
 
 def solutions(result: Result) -> Iterator[Implicit]:
-    """Yield the pressing forces that a result finds by iteration."""
+    """Yield the pressing forces that a result finds by iteration, several of one system."""
     inside = (d.formula for d in result.where if d.name in result.inside)
     return (formula for formula in inside if isinstance(formula, Implicit))

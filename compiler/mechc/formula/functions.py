@@ -1,0 +1,31 @@
+"""The functions of the language on floats."""
+
+import math
+from collections.abc import Callable, Mapping
+
+
+def _cot(x: float) -> float:
+    return math.cos(x) / math.sin(x)
+
+
+FUNCTIONS: Mapping[str, Callable[..., float]] = {
+    "sin": math.sin,
+    "cos": math.cos,
+    "tan": math.tan,
+    "cot": _cot,
+    "sec": lambda x: 1 / math.cos(x),
+    "csc": lambda x: 1 / math.sin(x),
+    "asin": math.asin,
+    "acos": math.acos,
+    "atan": math.atan,
+    "atan2": math.atan2,
+    "sqrt": math.sqrt,
+    "hypot": math.hypot,
+    "abs": abs,
+    "sign": lambda x: math.copysign(1.0, x) if x else x,
+    "min": min,
+    "max": max,
+    "exp": math.exp,
+    "log": math.log,
+}
+"""Every function of the language, and ``sign``, with its meaning on floats."""

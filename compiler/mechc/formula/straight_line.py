@@ -1,0 +1,182 @@
+"""Formulas that are evaluated again and again, put in order once as straight-line code.
+
+Parts that are equal are computed once, whatever formulas they stand in. The values are
+those of :class:`~.walk.Evaluation` to the last bit, in a tenth of the time.
+"""
+
+import math
+from collections.abc import Callable, Iterable, Sequence
+from functools import partial
+from operator import itemgetter
+from typing import Any, assert_never
+
+from ..work import spend
+from .functions import FUNCTIONS
+from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, System
+
+Solution = Callable[[tuple[float, ...]], tuple[float, ...]]
+"""Returns the unknowns of a system at values of its outer symbols."""
+
+Operation = Callable[[Any], Any]
+"""Takes one value, or several as a tuple."""
+
+QUICK = 8
+"""So many operations on floats take as long as one step of algebra."""
+
+UNDEFINED = (ZeroDivisionError, ValueError, OverflowError, TypeError)
+"""Raised where a function has no value, or by None for an argument that has none."""
+
+
+class StraightLine:
+    """Formulas in ``names`` as operations in order, each on values that are there by then.
+
+    ``definitions`` give names to more of them, in order; what has no value is NaN there.
+
+    >>> x, y, z = map(Symbol, "xyz")
+    >>> inverse = Power(z, Number(-1))
+    >>> code = StraightLine([inverse, z], ["x", "y"], lambda system: None, [("z", Sum((x, y)))])
+    >>> code.at([1.0, 3.0]), code.at([1.0, -1.0])
+    ([0.25, 4.0], [nan, 0.0])
+    """
+
+    def __init__(
+        self,
+        formulas: Sequence[Formula],
+        names: Sequence[str],
+        solution: Callable[[System], Solution],
+        definitions: Iterable[tuple[str, Formula]] = (),
+    ) -> None:
+        maker = _Maker(names, solution)
+        for name, formula in definitions:
+            maker.define(name, formula)
+        results = [maker.value(formula) for formula in formulas]
+        self._constants, self._steps = maker.in_order()
+        self._results = [result.index for result in results]
+        self._work = 1 + len(self._steps) // QUICK
+
+    def at(self, values: Sequence[float]) -> list[float]:
+        """Return the values of the formulas; NaN where a function is not defined there."""
+        spend(self._work)
+        found: list[Any] = [*values, *self._constants]
+        keep, steps = found.append, iter(self._steps)
+        while True:
+            try:
+                for operation, arguments in steps:
+                    keep(operation(arguments(found)))
+            except UNDEFINED:
+                keep(None)
+            else:
+                return [math.nan if (v := found[i]) is None else v for i in self._results]
+
+
+class _Value:
+    """What an operation makes of other values, at a place among all of them.
+
+    What is there from the outset has no operation.
+    """
+
+    def __init__(self, index: int, operation: Operation | None = None, *on: "_Value") -> None:
+        self.index, self.operation, self.on = index, operation, on
+
+    @property
+    def arguments(self) -> Operation:
+        """Return what takes the arguments from all values: one as it is, several as a tuple."""
+        return itemgetter(*(value.index for value in self.on))
+
+
+class _Maker:
+    """Gathers operations, each after those it needs, none twice."""
+
+    def __init__(self, names: Sequence[str], solution: Callable[[System], Solution]) -> None:
+        self._solution = solution
+        self._first = len(names)
+        self._named = {name: _Value(index) for index, name in enumerate(names)}
+        self._constants: dict[float, _Value] = {}
+        self._made: dict[tuple[object, ...], _Value] = {}
+        self._solutions: dict[int, Operation] = {}
+        self._known: dict[int, _Value] = {}
+
+    def value(self, formula: Formula) -> _Value:
+        """Return the value of a formula, after all that it needs."""
+        known = self._known.get(id(formula))
+        if known is None:
+            known = self._known[id(formula)] = self._value(formula)
+        return known
+
+    def define(self, name: str, formula: Formula) -> None:
+        """Give the value of a formula a name."""
+        value = self.value(formula)
+        key = (_or_nan, value)
+        self._named[name] = self._made.setdefault(key, _Value(0, _or_nan, value))
+
+    def in_order(self) -> tuple[list[float], list[tuple[Operation, Operation]]]:
+        """Return the constants, and the operations, each with what takes its arguments.
+
+        Their values come in this order, behind those that are given.
+        """
+        unnamed = (*self._constants.values(), *self._made.values())
+        for index, value in enumerate(unnamed, self._first):
+            value.index = index
+        made = self._made.values()
+        return list(self._constants), [(v.operation, v.arguments) for v in made if v.operation]
+
+    def _value(self, formula: Formula) -> _Value:
+        match formula:
+            case Symbol(name):
+                return self._named[name]
+            case Number(number):
+                return self._constant(number.numerator / number.denominator)
+            case Pi():
+                return self._constant(math.pi)
+            case Sum(parts):
+                return self._operation(math.fsum, parts)
+            case Product(parts):
+                return self._operation(math.prod, parts)
+            case Power(base, exponent):
+                return self._operation(_power, (base, exponent))
+            case Call(function, parts):
+                operation = FUNCTIONS[function] if len(parts) == 1 else SEVERAL[function]
+                return self._operation(operation, parts)
+            case Implicit(system, index, parts):
+                unknowns = self._operation(self._solved(system), parts)
+                key = (index, unknowns)
+                return self._made.setdefault(key, _Value(0, itemgetter(index), unknowns))
+            case _:
+                assert_never(formula)
+
+    def _constant(self, value: float) -> _Value:
+        return self._constants.setdefault(value, _Value(0))
+
+    def _operation(self, operation: Operation, parts: Sequence[Formula]) -> _Value:
+        on = tuple(map(self.value, parts))
+        return self._made.setdefault((operation, *on), _Value(0, operation, *on))
+
+    def _solved(self, system: System) -> Operation:
+        if id(system) not in self._solutions:
+            self._solutions[id(system)] = partial(_unknowns, self._solution(system))
+        return self._solutions[id(system)]
+
+
+def _power(pair: tuple[float, float]) -> float:
+    result = pair[0] ** pair[1]
+    return result if isinstance(result, float) else math.nan
+
+
+def _or_nan(value: float | None) -> float:
+    return math.nan if value is None else value
+
+
+def _unknowns(solution: Solution, outer: tuple[float, ...] | float) -> tuple[float, ...]:
+    """Return the unknowns of a system; of one argument no tuple is made."""
+    values = outer if isinstance(outer, tuple) else (outer,)
+    if None in values:
+        raise ValueError("an argument without a value")
+    return solution(values)
+
+
+def _on_several(function: Callable[..., float]) -> Operation:
+    return lambda arguments: function(*arguments)
+
+
+SEVERAL = {name: _on_several(function) for name, function in FUNCTIONS.items()}
+"""The functions as operations on a tuple."""
