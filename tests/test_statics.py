@@ -21,6 +21,7 @@ from mechc.model.result import Result
 from mechc.source import Source
 from mechc.statics.answers import load_ratio
 from mechc.statics.assembly import Plane, direction
+from mechc.statics.balanced import Balanced
 from mechc.statics.free_bodies import equilibrium
 from mechc.statics.poses import candidates, settle
 from mechc.statics.referee import RefereeDisagrees, judge
@@ -36,7 +37,7 @@ def report():
 
 
 def ratio(pose, above="P", below="F"):
-    answer = load_ratio(Unfolding(pose, {}), above, below)
+    answer = load_ratio(Balanced(pose, {}), above, below)
     assert not answer.trouble, answer.trouble
     return answer.value
 
@@ -170,7 +171,7 @@ def double_pendulum():
 
 def test_equilibrium_that_cannot_be_is_said_to_be_so():
     pose = double_pendulum()
-    answer = load_ratio(Unfolding(pose, {}), "P", "F")
+    answer = load_ratio(Balanced(pose, {}), "P", "F")
     assert math.isnan(answer.value)
     assert "balance" in answer.trouble
 

@@ -14,9 +14,9 @@ from mechc.formula import tree as formula
 from mechc.model.mechanism import LoadRatio, Speed, SpeedRatio
 from mechc.source import Source
 from mechc.statics.answers import load_ratio
+from mechc.statics.balanced import Balanced
 from mechc.statics.referee import RefereeDisagrees, judge
 from mechc.statics.speeds import has_sign, speed_ratio
-from mechc.statics.unfold import Unfolding
 
 
 def unfolding(linkage):
@@ -37,7 +37,7 @@ def unfolding(linkage):
             more = {"copies": (int(number), [shared])}
     bodies = [bar.points for bar in linkage.bars]
     pose = build(linkage.places, bodies, linkage.pivots, linkage.guides, loads, lines, **more)
-    return Unfolding(pose, {})
+    return Balanced(pose, {})
 
 
 def _tie(load):

@@ -8,7 +8,7 @@ import operator
 from collections.abc import Callable, Iterable, Mapping
 
 from ..formula.tree import Formula, Symbol
-from ..formula.walk import evaluate, straight_line, symbols
+from ..formula.walk import Evaluation, evaluate, straight_line, symbols
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter, Require
 from .order import ordered
@@ -70,9 +70,10 @@ class Chain:
 
     def _once(self, values: Values) -> dict[str, float]:
         found = dict(values)
+        evaluation = Evaluation(found)
         for name, formula, needs in self._steps:
             if name not in found and needs <= found.keys():
-                found[name] = evaluate(formula, found)
+                found[name] = evaluation.of(formula)
         return found
 
     def _code(self, known: frozenset[str]) -> "_Code":

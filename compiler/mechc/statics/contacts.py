@@ -12,7 +12,7 @@ from ..model.mechanism import LoadForm, LoadRatio
 from ..model.result import Result
 from ..pose.pose import Touch
 from .answers import pushes
-from .unfold import Unfolding
+from .balanced import Balanced
 
 PULL = 1e-9
 """A pull below this part of the load is rounding."""
@@ -21,37 +21,37 @@ Forces = Mapping[tuple[str, str], float]
 """What each body does to a pin, by pin and body; a pull is negative."""
 
 
-def pulling(results: Iterable[Result], unfolding: Unfolding) -> Iterator[Diagnostic]:
+def pulling(results: Iterable[Result], at: Balanced) -> Iterator[Diagnostic]:
     """Yield an error for each contact that pulls where the given loads act as drawn."""
-    contacts = [t for t in unfolding.pose.touches if t.kind == "contact"]
+    contacts = [t for t in at.pose.touches if t.kind == "contact"]
     refused: set[Touch] = set()
     for result in results if contacts else ():
-        forces = dict(_forces(result, unfolding))
+        forces = dict(_forces(result, at))
         for touch in contacts:
             found = {load: f.get((touch.point, touch.body), 0.0) for load, f in forces.items()}
             worst = min(found, key=lambda load: found[load], default="")
             if worst and found[worst] < -PULL and max(found.values()) < PULL:
                 if touch not in refused:
-                    yield _refused(touch, worst, found[worst], unfolding)
+                    yield _refused(touch, worst, found[worst], at)
                 refused.add(touch)
 
 
-def _forces(result: Result, unfolding: Unfolding) -> Iterator[tuple[str, Forces]]:
+def _forces(result: Result, at: Balanced) -> Iterator[tuple[str, Forces]]:
     """Yield what each load that a result takes as given does in the contacts."""
-    mechanism = unfolding.pose.mechanism
+    mechanism = at.pose.mechanism
     given = {load.name for load in mechanism.loads if load.tie is not None}
     given |= {let.name for let in mechanism.lets}
     match result.target:
         case LoadRatio(above, below):
-            yield below, pushes(unfolding, above, below, given, "contact")
+            yield below, pushes(at, above, below, given, "contact")
         case LoadForm(load):
             coefficients = result.coefficients or {}
             for other in coefficients:
                 known = given | coefficients.keys()
-                yield other, pushes(unfolding, load, other, known, "contact")
+                yield other, pushes(at, load, other, known, "contact")
 
 
-def _refused(touch: Touch, load: str, force: float, unfolding: Unfolding) -> Diagnostic:
-    parameters = (p for p in unfolding.pose.mechanism.parameters if p.name in unfolding.pose.free)
-    place = {p.name: (unfolding.values[p.name], p.dimension) for p in parameters}
+def _refused(touch: Touch, load: str, force: float, at: Balanced) -> Diagnostic:
+    parameters = (p for p in at.pose.mechanism.parameters if p.name in at.pose.free)
+    place = {p.name: (at.values[p.name], p.dimension) for p in parameters}
     return contact_would_pull(touch.span, touch.point, touch.body, load, force, place)

@@ -28,19 +28,9 @@ from ..model.mechanism import (
 )
 from ..model.targets import SIGNS
 from ..work import spend
-from .answers import (
-    INCONSISTENT,
-    ROUNDED,
-    STANDS,
-    UNBALANCED,
-    Answer,
-    Row,
-    Tie,
-    gather,
-    ties,
-    with_loads,
-)
+from .answers import INCONSISTENT, ROUNDED, STANDS, UNBALANCED, Answer
 from .assembly import Action, direction, scaled
+from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
 from .joint_forces import Weights, wanted_of
 from .solve import Factors, factor

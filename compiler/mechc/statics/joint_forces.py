@@ -4,9 +4,10 @@ import math
 from collections.abc import Mapping, Set
 
 from ..model.mechanism import Axial, Force, Normal, Reaction, Thrust
-from .answers import Answer, combination, gather, ties
+from .answers import Answer, combination, one_of, unknown_bases
 from .assembly import Plane
-from .free_bodies import System, Unknown, equilibrium
+from .balanced import Balanced
+from .free_bodies import System, Unknown
 from .unfold import Unfolding
 
 Weights = Mapping[int, float]
@@ -15,14 +16,14 @@ Weights = Mapping[int, float]
 Target = Reaction | Axial | Normal
 
 
-def joint_force(unfolding: Unfolding, target: Target, given: str, known: Set[str]) -> Answer:
+def joint_force(at: Balanced, target: Target, given: str, known: Set[str]) -> Answer:
     """Return a force at a joint where ``given`` is 1 and the rest of ``known`` loads are 0."""
-    system = equilibrium(unfolding.assembly())
-    tied = ties(unfolding.pose.mechanism, unfolding.values)
-    columns = gather(system, tied)
-    right = {i: -v / tied[given].factor for i, v in columns.pop(tied[given].base).items()}
-    unknown = {base: row for base, row in columns.items() if base not in known}
-    parts = [combination(system, unknown, right, w) for w in wanted_of(target, unfolding, system)]
+    unknown, right = unknown_bases(at, at.tied[given], known), one_of(at, at.tied[given])
+    parts = []
+    for weights in wanted_of(target, at, at.system):
+        last = next(iter(weights)) if len(weights) == 1 else None
+        factors, _ = at.eliminated(unknown, last)
+        parts.append(combination(at.system, factors, right, weights))
     if len(parts) == 1:
         return parts[0]
     trouble = next((p.trouble for p in parts if p.trouble), "")

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator, Mapping
 from random import Random
+from typing import Generic, TypeVar
 
 from ..formula.walk import evaluate
 from ..model.mechanism import Mechanism, Parameter
@@ -11,19 +12,21 @@ from ..pose.pose import Pose
 
 Values = dict[str, float]
 
+T = TypeVar("T")
 
-class Replay:
+
+class Replay(Generic[T]):
     """A stream of poses that can be gone through again from its start; each is drawn once."""
 
-    def __init__(self, stream: Iterator[Values]) -> None:
+    def __init__(self, stream: Iterator[T]) -> None:
         self._stream = stream
-        self._seen: list[Values] = []
+        self._seen: list[T] = []
 
-    def __iter__(self) -> Iterator[Values]:
+    def __iter__(self) -> Iterator[T]:
         yield from self._seen
-        for values in self._stream:
-            self._seen.append(values)
-            yield values
+        for pose in self._stream:
+            self._seen.append(pose)
+            yield pose
 
 
 def candidates(pose: Pose, number: int) -> Iterator[Values]:

@@ -37,12 +37,12 @@ from ..model.result import Definition, Result
 from ..pose.pose import Pose
 from ..source import Span
 from .answers import STANDS, Answer, load_coefficient, load_ratio
+from .balanced import Balanced
 from .closure import worst_gap
 from .contacts import pulling
 from .counted import uncounted
 from .poses import Replay, Values, candidates
 from .speeds import speed_ratio
-from .unfold import Unfolding
 from .verdict import Trial, Verdict
 
 POSES = 4
@@ -77,7 +77,7 @@ class Question(NamedTuple):
     name: str
     formula: Formula
     where: tuple[Definition, ...]
-    ask: Callable[[Unfolding], Answer]
+    ask: Callable[[Balanced], Answer]
     guards: tuple[Require, ...] = ()
 
 
@@ -98,15 +98,16 @@ def judge(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
     """
     poses = Replay(candidates(pose, DRAWS))
     _measure(pose, poses, report)
-    for values in islice(poses, 1):
-        for fault in pulling(results, Unfolding(pose, values)):
+    balanced = Replay(Balanced(pose, values) for values in poses)
+    for at in islice(balanced, 1):
+        for fault in pulling(results, at):
             report.add(fault)
         if pose.mechanism.friction.everywhere:
-            _count_pins(Unfolding(pose, values), report)
+            _count_pins(at, report)
     trials: list[Trial] = []
     remarks: list[str] = []
     for question in _questions(results, pose.mechanism):
-        found, troubles = _judge(question, (Unfolding(pose, values) for values in poses))
+        found, troubles = _judge(question, iter(balanced))
         trials.extend(found)
         if len(found) < POSES:
             remarks.append(_remark(question.name, found, troubles))
@@ -125,13 +126,13 @@ def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
         report.add(pose_does_not_close(pose.mechanism.span, gap.what, gap.size))
 
 
-def _count_pins(unfolding: Unfolding, report: Report) -> None:
+def _count_pins(at: Balanced, report: Report) -> None:
     """See that friction acts at every pin where it is said to act."""
     from .friction import pairs_of
 
-    friction = ((pair.on, pair.actions) for pair in pairs_of(unfolding) if pair.kind == "pin")
-    for pin in uncounted(unfolding, friction):
-        report.add(friction_not_counted(unfolding.pose.mechanism.span, pin))
+    friction = ((pair.on, pair.actions) for pair in pairs_of(at) if pair.kind == "pin")
+    for pin in uncounted(at, friction):
+        report.add(friction_not_counted(at.pose.mechanism.span, pin))
 
 
 def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Question]:
@@ -198,9 +199,9 @@ def _rubbing(result: Result, target: WithFriction, mechanism: Mechanism) -> Ques
         others = (target.of.below,)
     where = (*(Definition(n, ONE) for n in others if n not in known), *result.where)
 
-    def ask(unfolding: Unfolding) -> Answer:
-        given = {n: evaluate(known.get(n, ONE), unfolding.values) for n in others}
-        return with_friction(unfolding, target, driving, given)
+    def ask(at: Balanced) -> Answer:
+        given = {n: evaluate(known.get(n, ONE), at.values) for n in others}
+        return with_friction(at, target, driving, given)
 
     return Question(result.name, result.formula, where, ask, result.guards)
 
@@ -224,12 +225,12 @@ def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
     return {n: substitute(result.formula, {n: ONE}) for n in loads} if len(loads) == 1 else {}
 
 
-def _judge(question: Question, poses: Iterator[Unfolding]) -> Judged:
+def _judge(question: Question, poses: Iterator[Balanced]) -> Judged:
     """Try poses until enough of them give an answer by both methods."""
     trials: list[Trial] = []
     troubles: list[str] = []
-    for unfolding in poses:
-        trial = _try(question, unfolding)
+    for at in poses:
+        trial = _try(question, at)
         if isinstance(trial, Trial):
             trials.append(trial)
         else:
@@ -239,29 +240,27 @@ def _judge(question: Question, poses: Iterator[Unfolding]) -> Judged:
     return Judged(tuple(trials), tuple(troubles))
 
 
-def _try(question: Question, unfolding: Unfolding) -> Trial | str:
+def _try(question: Question, at: Balanced) -> Trial | str:
     """Return both answers at one pose, or why it does not do."""
-    power = _evaluate(question, unfolding)
+    power = _evaluate(question, at)
     if not math.isfinite(power):
         return NO_VALUE
-    answer = question.ask(unfolding)
+    answer = question.ask(at)
     if answer.trouble:
         return answer.trouble
     if power and answer.condition > SINGULAR:
         return NEAR_SINGULAR
     error = abs(power - answer.value) / max(abs(power), abs(answer.value), TINY)
-    values = dict(unfolding.values)
+    values = dict(at.values)
     trial = Trial(question.name, values, power, answer.value, error, answer.condition)
     return answer.doubt if answer.doubt and not trial.agrees else trial
 
 
-def _evaluate(question: Question, unfolding: Unfolding) -> float:
-    values = dict(unfolding.values)
-    for name, formula in question.where:
-        values[name] = evaluate(formula, values)
-    if not all(evaluate(g.left, values) > evaluate(g.right, values) for g in question.guards):
+def _evaluate(question: Question, at: Balanced) -> float:
+    found = at.formulas(question.where)
+    if not all(found.of(g.left) > found.of(g.right) for g in question.guards):
         return math.nan
-    return evaluate(question.formula, values)
+    return found.of(question.formula)
 
 
 def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> str:

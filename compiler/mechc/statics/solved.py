@@ -5,7 +5,8 @@ from collections.abc import Iterator
 
 from ..model.mechanism import Mechanism
 from .acts import Bearing
-from .answers import INCONSISTENT, UNBALANCED, Tie, gather, ties, with_loads
+from .answers import INCONSISTENT, UNBALANCED
+from .balanced import Tie, gather, ties, with_loads
 from .cases import Case
 from .cut_free import Solution
 from .free_bodies import equilibrium

@@ -9,8 +9,9 @@ import math
 from typing import NamedTuple
 
 from ..model.mechanism import Speed, SpeedRatio
-from .answers import Answer, balance
+from .answers import Answer, combination
 from .assembly import Action, Plane, direction
+from .balanced import eliminated
 from .free_bodies import equilibrium
 from .unfold import Unfolding
 
@@ -85,7 +86,10 @@ def felt(unfolding: Unfolding, probe: Probe, reference: Probe) -> Answer:
     """Return the speed that a probe feels, in units of the one that the reference feels."""
     system = equilibrium(unfolding.assembly(("probe", probe), ("reference", reference)))
     right = {i: -amount for i, amount in system.loads["probe"].items()}
-    answer = balance(system, {"reference": system.loads["reference"]}, right, "reference")
+    column = len(system.unknowns)
+    factors, units = eliminated(system, {"reference": system.loads["reference"]}, column)
+    weights = {column: units["reference"]}
+    answer = combination(system, factors, right, weights, "reference")
     return answer._replace(value=-answer.value)
 
 

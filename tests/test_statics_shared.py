@@ -1,0 +1,43 @@
+"""The referee's work: what does not depend on the question is done once for each pose."""
+
+import pytest
+
+from mechc.driver import Compilation
+from mechc.source import Source
+from mechc.statics import balanced
+from mechc.statics.referee import POSES
+
+FOUR_BAR = """\
+mechanism four_bar
+param a = 40 mm
+param b = 120 mm
+param c = 80 mm
+param phi = 60 deg in 50 deg .. 80 deg
+pivot O at (0 mm, 0 mm)
+pivot C at (100 mm, 0 mm)
+link OA
+link AB
+link CB
+OA = a @ phi
+AB = b
+CB = c
+assembly ABC ccw
+torque M on OA
+torque T on CB
+find M
+"""
+
+SPRINGS = "".join(
+    f"pivot Q{i} at (0 mm, {i + 3} mm)\nspring 5 N/mm between Q{i} and B free 20 mm\n"
+    for i in range(12)
+)
+
+
+@pytest.mark.parametrize("task", ["equilibrium", "eliminated"])
+def test_equations_are_set_up_once_for_each_pose(task, monkeypatch):
+    done = []
+    real = getattr(balanced, task)
+    monkeypatch.setattr(balanced, task, lambda *given: done.append(1) or real(*given))
+    verdict = Compilation(Source("springs.mech", FOUR_BAR + SPRINGS)).verdict
+    assert len(verdict.trials) == 13 * POSES
+    assert len(done) == POSES
