@@ -131,16 +131,12 @@ def renamed(text: str, new: dict[str, str]) -> str:
 
 
 def by_components(text: str, dice: Random) -> str:
-    """Return a text in which vectors of a given length and direction are given by components.
-
-    Not the lines of slots: a loop that a pin closes in a slot needs their directions.
-    """
-    slots = {w[3] for w in map(str.split, text.splitlines()) if w[:1] == ["slot"]}
+    """Return a text in which vectors of a given length and direction are given by components."""
     vector = re.compile(r"^([A-Z]\w*) = (.+?) @ (.+)$", re.M)
 
     def other(match: re.Match[str]) -> str:
         name, length, angle = match.groups()
-        if name in slots or dice.random() < 0.3:
+        if dice.random() < 0.3:
             return match[0]
         return f"{name} = (({length})*cos({angle}), ({length})*sin({angle}))"
 

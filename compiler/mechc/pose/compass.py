@@ -1,6 +1,6 @@
 """Directions: given ones, and those that follow from turns and from one another."""
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 
 from ..algebra.angle import Angle
 from ..diagnostics import Report
@@ -31,6 +31,8 @@ class Compass:
         for offset in mechanism.geometry:
             if isinstance(offset, Offset):
                 self._note_offset(offset)
+        for tail, head in _slid_along(mechanism):
+            self._name(tail, head)
         while waiting:
             left = [g for g in waiting if not self._follow(g)]
             if len(left) == len(waiting):
@@ -115,6 +117,14 @@ class Compass:
             self._known[head, tail] = angle + HALF_TURN, span
         elif not _same(known[0], angle):
             self._report.add(words.directions_disagree(span, f"{tail}{head}", known[1]))
+
+
+def _slid_along(mechanism: Mechanism) -> Iterator[Pair]:
+    """Yield the lines of slots, and those of guides with a place: loops close along them."""
+    for slider in mechanism.sliders:
+        if isinstance(slider.along, Along) and slider.through:
+            yield slider.along.tail, slider.along.head
+    yield from ((slot.tail, slot.head) for slot in mechanism.slots)
 
 
 def _arm(turn: Turn) -> Pair:
