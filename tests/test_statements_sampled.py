@@ -126,6 +126,12 @@ def test_what_vanishes_less_than_it_is_divided_by_is_infinite_only():
     assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []
 
 
+def test_a_pole_is_told_where_the_default_pose_is_next_to_where_it_cancels():
+    """u = -60.003 deg; at -60 deg the numerator vanishes with the denominator."""
+    mechanism, (k,) = results(Chain(10446).text)
+    assert list(refuted(mechanism, k)) == list(missing(mechanism, k)) == []
+
+
 @pytest.mark.parametrize("trend", ["rises", "falls", "constant"])
 def test_the_sampler_refutes_what_is_false(trend):
     mechanism, (k,) = results(POLE)

@@ -20,8 +20,11 @@ from ..model.mechanism import Force
 from ..model.result import Vanishing
 from .balance import Balance, Solved, Term
 
-STEP = 1e-4
-"""How far from a root the values are compared that refute it, in radians."""
+STEPS = (1e-4, 1e-7)
+"""How far from a root the values are compared that refute it, in radians.
+
+Far from it rounding does no harm; near it no other root that is close by does.
+"""
 
 NIL = 1e-9
 """A sum is zero below this part of its size a radian away."""
@@ -98,10 +101,14 @@ def _is_refuted(item: Solved, root: Root, near: Mapping[str, float], side: int) 
     if item.result.where or not {root.name, *root.value.names} <= near.keys():
         return False
     place = root.value.evaluate(near)
-    sizes = [_size_near(item, {**near, root.name: place + h}) for h in (STEP, STEP / 2)]
-    if not all(math.isfinite(size) and size for size in sizes):
-        return False
-    return math.log2(sizes[0] / sizes[1]) * side < 0.5
+
+    def is_otherwise(step: float) -> bool:
+        sizes = [_size_near(item, {**near, root.name: place + h}) for h in (step, step / 2)]
+        if not all(math.isfinite(size) and size for size in sizes):
+            return False
+        return math.log2(sizes[0] / sizes[1]) * side < 0.5
+
+    return all(map(is_otherwise, STEPS))
 
 
 def _size_near(item: Solved, values: Mapping[str, float]) -> float:
