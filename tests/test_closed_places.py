@@ -49,6 +49,21 @@ def test_a_pin_ahead_in_its_slot_or_behind(line, side):
     assert found == pytest.approx(-moved, rel=1e-12)
 
 
+@pytest.mark.parametrize("side", ["A", "B"])
+def test_two_rods_between_a_slot_and_the_pin_in_it(side):
+    """The known side of their triangle is the pin's distance along the slot, by its cosine rule."""
+    rods = "param b = 90 mm\nparam c = 150 mm\nlink QB\nlink AB\nQB = b\nAB = c\n"
+    turns = f"assembly Q{'BA' if side == 'A' else 'AB'} ccw\n"
+    found = k(f"link QC\nslot A in QC\n{rods}{turns}torque T on QB\nfind k = M/T")
+
+    def opening(reach):
+        return np.arccos((reach**2 + 0.09**2 - 0.15**2) / (2 * reach * 0.09))
+
+    slope = (opening(REACH + 1e-6) - opening(REACH - 1e-6)) / 2e-6 * PARTING
+    turning = TURNING - slope if side == "A" else TURNING + slope
+    assert found == pytest.approx(-turning, rel=1e-7)
+
+
 @pytest.mark.parametrize(("way", "side"), [("forward", 1), ("back", -1)])
 def test_a_block_on_a_turning_link(way, side):
     """AE slides along QC; the pair between Q and E feels how far E departs from Q."""

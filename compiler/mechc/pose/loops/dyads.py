@@ -182,10 +182,10 @@ class Group:
         within = gathered(Arm(arm.length, arm.angle - turn) for arm in vector)
         parts = tuple(p.formula() for p in components(within))
         size = self._name(f"len_{name}")
-        within_name = self._name(f"{'delta' if turn.terms else 'phi'}_{name}")
+        way = self._name(f"delta_{name}" if turn.terms else size.replace("len", "phi", 1))
         self._shared.append(Definition(size, Call("hypot", parts)))
-        self._shared.append(Definition(within_name, Call("atan2", parts[::-1])))
-        return Product.symbol(size), turn + Angle.of(within_name)
+        self._shared.append(Definition(way, Call("atan2", parts[::-1])))
+        return Product.symbol(size), turn + Angle.of(way)
 
     def _may_turn(self, length: Product) -> bool:
         return not self._signed.isdisjoint(mentioned((Arm(length, Angle()),)))
