@@ -91,7 +91,7 @@ def check_changes_of_sign(seen: Looked) -> None:
 def check_singular_poses(seen: Looked) -> None:
     """Where k is said to be zero it is small nearby, and large where it is said to be infinite."""
     for singular in seen.stroke.singular:
-        beside = np.array([-1e-7, 1e-7]) * seen.range + singular.drive
+        beside = np.array([-1e-7, -1e-10, 1e-10, 1e-7]) * seen.range + singular.drive
         sizes = np.abs(seen.at(beside))
         sizes = sizes[np.isfinite(sizes)]
         if singular.value == "0" and sizes.size:
@@ -155,6 +155,13 @@ def of_triads(seeds):
 
 def test_strokes_of_dyads():
     assert sweep(of_dyads(range(12))) > 5
+
+
+def test_a_pole_at_the_end_of_a_loop_next_to_a_zero():
+    """k = 0 at 1.2789034 rad, infinite at 1.2789103 rad, where the loop ends."""
+    assert sweep([1083]) == 1
+    *_, zero, pole = Looked(1083).stroke.singular
+    assert (zero.value, pole.value) == ("0", "infinite")
 
 
 @pytest.mark.slow

@@ -36,6 +36,17 @@ def extrema(
             yield Extremum(result.name, KINDS[sense], near, value)
 
 
+def turns_between(extremum: Extremum, poles: Sequence[float], result: Result, along: Along) -> bool:
+    """Tell an extremum near a pole from a value at the pole, which is rounding.
+
+    The result turns there within an eighth of the way to the pole.
+    """
+    step = min(abs(extremum.drive - pole) for pole in poles) / 8
+    beside = (along.of(result.formula, result, extremum.drive + s * step) for s in (-1, 1))
+    sense = 1 if extremum.kind == "minimum" else -1
+    return all(sense * value > sense * extremum.value for value in beside)
+
+
 def _usual(values: Sequence[float]) -> float:
     """Return a size that most values do not exceed: near poles they exceed any."""
     sizes = sorted(abs(v) for v in values if math.isfinite(v))

@@ -17,7 +17,7 @@ from ..units import ANGLE, LENGTH, Dimension
 from .along import EXCLUDED, NOT_ASSEMBLED, Along, ends_of
 from .branches import branch_points
 from .ends import end_of_branch
-from .extrema import extrema
+from .extrema import extrema, turns_between
 from .friction import courses, in_code, is_told, some, stuck
 from .places import SAMPLES, looked_at, spaced
 from .reached import with_reached
@@ -256,15 +256,17 @@ class _Runner:
     ) -> tuple[Extremum, ...]:
         """Return the extrema; beside a branch that iteration finds, results lose digits.
 
-        Where a place that is looked at is a pole, what is beside it is none.
+        Where a place that is looked at is a pole, what is beside it may be none.
         """
         name, beside = self._parameter.name, 2 * (self._high - self._low) / SAMPLES
         found: list[Extremum] = []
         for stretch, result in product(stretches, self._results):
             poles = [*self._poles(result, singular), *self._own_poles(result, stretch)]
             turning = extrema(result, name, self._along, some(self._within(stretch), result))
-            told = (e for e in turning if is_told(e, result))
-            found += [e for e in told if all(abs(e.drive - p) > beside for p in poles)]
+            for one in (e for e in turning if is_told(e, result)):
+                near_by = [p for p in poles if abs(one.drive - p) <= beside]
+                if not near_by or turns_between(one, near_by, result, self._along):
+                    found.append(one)
         near = BESIDE * (self._high - self._low)
         clear = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]
         return tuple(sorted(clear, key=lambda e: e.drive))

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import Literal
 
 from ..formula.roots import Function, Root, jumps, roots
@@ -22,8 +23,14 @@ BESIDE = 1e-6
 Angles of a triangle that is nearly flat have half the digits.
 """
 
-NEARBY, GROWS = 1e-4, 1.5
-"""The part of the stroke from a place at which its order is seen, and what is no constant."""
+NEARBY = (1e-7, 1e-6, 1e-5, 1e-4)
+"""The parts of the stroke from a place at which its order is seen, the nearest that does first.
+
+Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; nearer, rounding.
+"""
+
+ALIKE, VARIES = 0.1, 0.3
+"""What two exponents of one power may differ by, and which is none of a constant."""
 
 STEP = 1e-6
 """The part of a stretch from its end at which is seen what a factor does there."""
@@ -83,16 +90,27 @@ def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formul
 def order_at(function: Function, place: float, range_: float) -> Value | None:
     """Return whether a function goes to zero or becomes infinite at a place; None for neither.
 
-    It does so as a power of the distance: a quarter of it changes the value by the power of 4.
+    It does so as a power of the distance.
+
+    >>> order_at(lambda x: (1e-6 - x) / x, 0.0, 1.0)
+    'infinite'
     """
-    near, far = (
-        [abs(function(place + side * part * range_)) for side in (-1, 1)]
-        for part in (NEARBY / 4, NEARBY)
-    )
-    ratios = [n / f for n, f in zip(near, far, strict=True) if 0 < f < math.inf and n == n]
-    if ratios and min(ratios) > GROWS:
-        return "infinite"
-    return "0" if ratios and max(ratios) < 1 / GROWS else None
+    for part in NEARBY:
+        sides = (_exponent(function, place, side * part * range_) for side in (-1, 1))
+        if exponents := [e for e in sides if e is not None]:
+            if max(exponents) < -VARIES:
+                return "infinite"
+            return "0" if min(exponents) > VARIES else None
+    return None
+
+
+def _exponent(function: Function, place: float, distance: float) -> float | None:
+    """Return the power of the distance by which a function varies, None where it is none."""
+    sizes = [abs(function(place + distance * part)) for part in (1, 1 / 4, 1 / 16)]
+    if not all(0 < size < math.inf for size in sizes):
+        return None
+    first, second = (math.log(far / near, 4) for far, near in pairwise(sizes))
+    return second if abs(first - second) < ALIKE else None
 
 
 def told_apart(
