@@ -1,6 +1,7 @@
 """The LaTeX report: its text, and that every engine compiles it."""
 
 import os
+import re
 import shutil
 import subprocess
 from collections.abc import Callable
@@ -136,6 +137,15 @@ def test_a_long_power_equation_is_broken() -> None:
     assert shown.startswith("\\begin{multline*}")
     assert shown.endswith("=0\n\\end{multline*}")
     assert shown.count("\\\\\n") > 2
+
+
+@pytest.mark.parametrize("name", ["toggle_clamp", "vice_grip", "whitworth", "triad_closed"])
+def test_a_name_made_up_for_a_sum_is_defined_once(name: str) -> None:
+    text = mechc.load(name).emit("latex")
+    made = re.findall(r"(Z_\d|Z_\{\d+\})&?=", text)
+    assert made
+    assert len(made) == len(set(made))
+    assert set(made) == set(re.findall(r"(?<![A-Za-z])Z_(?:\d|\{\d+\})", text))
 
 
 # --------------------------------------------------------------------------- words

@@ -138,25 +138,36 @@ def widths(shown: str) -> list[float]:
 
 
 def test_a_short_equation_takes_one_line() -> None:
-    shown = display((Line(plain("k"), formula("a/b")),), EN, "where")
+    shown = display((Line(plain("k"), formula("a/b")),), notation("en"), "where")
     assert shown == "\\[\nk=\\frac{a}{b}\n\\]"
 
 
 def test_a_long_sum_is_broken_between_terms() -> None:
     terms = " + ".join(f"l_{i}*V_{'ABCDEFGHKMNQ'[i]}*mu" for i in range(12))
-    shown = display((Line(plain("k"), formula(terms)),), EN, "where")
+    shown = display((Line(plain("k"), formula(terms)),), notation("en"), "where")
     assert shown.count("\\\\") >= 1
     assert max(widths(shown)) <= LINE
 
 
 def test_sums_in_a_long_fraction_get_names() -> None:
-    shown = display((Line(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), EN, "where")
+    shown = display((Line(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), notation("en"), "where")
     assert r"\frac{aZ_1}{Z_2}" in shown
     assert shown.count("where") == 1
     assert "Z_1&=" in shown
 
 
 def test_made_up_names_avoid_those_in_use() -> None:
-    shown = display((Line(plain("k"), formula(f"Z_1*({LONG})/({LONG}+b)")),), EN, "where")
+    shown = display(
+        (Line(plain("k"), formula(f"Z_1*({LONG})/({LONG}+b)")),), notation("en"), "where"
+    )
     assert "Z_3&=" in shown
     assert "Z_1&=" not in shown
+
+
+def test_a_made_up_name_has_one_meaning_in_a_document() -> None:
+    style = notation("en")
+    first = display((Line(plain("k"), formula(f"a*({LONG})/({LONG}+b)")),), style, "where")
+    other = display((Line(plain("m"), formula(f"c*({LONG}+d)/({LONG})")),), style, "where")
+    assert r"\frac{aZ_1}{Z_2}" in first
+    assert r"\frac{cZ_3}{Z_1}" in other
+    assert ("Z_3&=" in other, "Z_1&=" in other) == (True, False)

@@ -3,10 +3,12 @@ r"""Displayed equations that never run off the page.
 A right-hand side that no line holds is broken between the terms of its sum; a sum
 inside a fraction gets a name (``Z_1``) and is defined below; a product of very many
 factors is continued on the next line.
+
+Within one document a name stands for one sum and a sum has one name: what was named in an
+earlier display keeps that name and is not defined again.
 """
 
-from collections.abc import Iterator, Set
-from itertools import count
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from ...formula.layout import is_angle
@@ -29,37 +31,40 @@ class Line(NamedTuple):
     angle: bool = False
 
 
-class _Names:
-    """The names made up within one display, by the sum that each stands for."""
+class _Display:
+    """The names that one display uses, of which those made up in it are defined below it."""
 
-    def __init__(self, fresh: Iterator[Symbol]) -> None:
-        self.given: dict[Formula, Symbol] = {}
-        self._fresh = fresh
+    def __init__(self, style: Notation, shown: Iterable[Formula]) -> None:
+        self._sums = style.sums
+        self._sums.take(name for formula in shown for name in symbols(formula))
+        self.made: list[tuple[Formula, Symbol]] = []
 
     def name(self, formula: Formula) -> Symbol:
         """Return the name of a sum, a new one when it has none."""
-        if formula not in self.given:
-            self.given[formula] = next(self._fresh)
-        return self.given[formula]
+        known = self._sums.known(formula)
+        if known is None:
+            known = self._sums.fresh(formula)
+            self.made.append((formula, known))
+        return known
 
 
 def display(lines: tuple[Line, ...], style: Notation, where: str, boxed: bool = False) -> str:
     """Return the equations as displays; ``where`` is the word before names made up here."""
-    names = _Names(_fresh(frozenset().union(*(symbols(line.right) for line in lines))))
+    names = _Display(style, [line.right for line in lines])
     rows = [(line.left, _fitted(line, style, names)) for line in lines]
     return _with_names(_environment(rows, boxed), names, style, where)
 
 
 def vanishing(formula: Formula, style: Notation, where: str) -> str:
     """Return ``formula = 0`` as a display, broken between the terms of its sum."""
-    names = _Names(_fresh(symbols(formula)))
+    names = _Display(style, [formula])
     *parts, last = _fitted(Line(plain(""), formula), style, names)
     return _with_names(_multline([*parts, row((last, plain("=0")))]), names, style, where)
 
 
 def balance(left: Formula, right: Formula, style: Notation, where: str) -> str:
     """Return an equation of two wide sides as a display, the right one on lines of its own."""
-    names = _Names(_fresh(symbols(left) | symbols(right)))
+    names = _Display(style, [left, right])
     parts = _fitted(Line(plain(""), left), style, names)
     first, *others = _fitted(Line(plain("="), right), style, names)
     whole = _multline([*parts, row((plain("="), first)), *others])
@@ -71,20 +76,13 @@ def _multline(parts: list[Box]) -> str:
     return f"\\begin{{multline*}}\n{text}\n\\end{{multline*}}"
 
 
-def _with_names(whole: str, names: _Names, style: Notation, where: str) -> str:
+def _with_names(whole: str, names: _Display, style: Notation, where: str) -> str:
     """Return a display followed by the definitions of the names made up in it."""
-    told = 0
-    made: list[tuple[Box, list[Box]]] = []
-    while told < len(names.given):
-        formula, symbol = list(names.given.items())[told]
+    defined: list[tuple[Box, list[Box]]] = []
+    for formula, symbol in names.made:  # which grows while long sums are broken in turn
         left = box(symbol, style)
-        made.append((left, _fitted(Line(left, formula), style, names)))
-        told += 1
-    return f"{whole}\n{where}\n{_environment(made)}" if made else whole
-
-
-def _fresh(taken: Set[str]) -> Iterator[Symbol]:
-    return (Symbol(name) for i in count(1) if (name := f"Z_{i}") not in taken)
+        defined.append((left, _fitted(Line(left, formula), style, names)))
+    return f"{whole}\n{where}\n{_environment(defined)}" if defined else whole
 
 
 def _environment(rows: list[tuple[Box, list[Box]]], boxed: bool = False) -> str:
@@ -103,7 +101,7 @@ def _aligned(left: Box, parts: list[Box]) -> str:
     return f"{left.tex}&={first.tex}{continued}"
 
 
-def _fitted(line: Line, style: Notation, names: _Names) -> list[Box]:
+def _fitted(line: Line, style: Notation, names: _Display) -> list[Box]:
     """Return the right side as the lines that it takes."""
     room = max(LINE - line.left.width - _INDENT, LINE / 2)
     whole = box(line.right, style, line.angle)
@@ -126,7 +124,7 @@ def _pack(pieces: list[Box], room: float) -> list[Box]:
     return [row(line) for line in lines]
 
 
-def _named(formula: Formula, room: float, style: Notation, names: _Names) -> Formula:
+def _named(formula: Formula, room: float, style: Notation, names: _Display) -> Formula:
     """Name inner sums in reading order, wide ones first, until the formula fits."""
     while box(formula, style).width > room:
         inner = [s for s in _inner_sums(formula) if not is_angle(s, style.angles)]
@@ -137,7 +135,7 @@ def _named(formula: Formula, room: float, style: Notation, names: _Names) -> For
     return formula
 
 
-def _term(term: Formula, room: float, style: Notation, names: _Names) -> Formula:
+def _term(term: Formula, room: float, style: Notation, names: _Display) -> Formula:
     """Return a term that fits a line of its own, under a name where nothing else helps."""
     shorter = _named(term, room, style, names)
     return shorter if box(shorter, style).width <= room else names.name(shorter)

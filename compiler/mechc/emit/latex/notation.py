@@ -5,10 +5,12 @@ ctg and a decimal comma; φ is ``\phi`` in the first and ``\varphi`` in the othe
 """
 
 from collections.abc import Iterable, Mapping
+from itertools import count
 from types import MappingProxyType
 from typing import Literal
 
 from ...formula.names import GREEK, Point, split_name, split_points
+from ...formula.tree import Formula, Symbol
 from ...frozen import frozen
 from ...model.mechanism import Reaction
 
@@ -38,25 +40,49 @@ _EASTERN = _COMMON | {
 }
 
 
+class SumNames:
+    """The names ``Z_1``, ``Z_2`` … made up for long sums of one document, each with one meaning."""
+
+    def __init__(self) -> None:
+        self._names: dict[Formula, Symbol] = {}
+        self._taken: set[str] = set()
+
+    def take(self, names: Iterable[str]) -> None:
+        """Keep names that mean something already from being made up."""
+        self._taken.update(names)
+
+    def known(self, formula: Formula) -> Symbol | None:
+        """Return the name that a sum has got, if any."""
+        return self._names.get(formula)
+
+    def fresh(self, formula: Formula) -> Symbol:
+        """Return a new name for a sum."""
+        name = next(n for i in count(1) if (n := f"Z_{i}") not in self._taken)
+        self._taken.add(name)
+        return self._names.setdefault(formula, Symbol(name))
+
+
 @frozen
 class Notation:
     """How functions, decimals and names are written, and which names are angles.
 
+    ``sums`` are the names made up in the document that is written by this notation;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`).
     """
 
     functions: Mapping[str, str]
     decimal: str
     phi: str
+    sums: SumNames
     angles: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
 
 
 def notation(language: Language) -> Notation:
-    """Return the notation of a language's books."""
+    """Return the notation of a language's books, for one document."""
     if language == "en":
-        return Notation(_WESTERN, ".", r"\phi")
-    return Notation(_EASTERN, "{,}", r"\varphi")
+        return Notation(_WESTERN, ".", r"\phi", SumNames())
+    return Notation(_EASTERN, "{,}", r"\varphi", SumNames())
 
 
 def name(symbol: str, style: Notation) -> str:

@@ -50,11 +50,16 @@ class SectionBlock(NamedTuple):
 
 
 def section_block(section: Section, words: Words, style: Notation) -> SectionBlock:
-    """Return everything the report says of the results of one section."""
+    """Return everything the report says of the results of one section.
+
+    Its parts are written in the order in which they are read: a name is defined where it
+    comes first.
+    """
+    passages = tuple(_passage(p, words, style) for p in section.passages)
     main = _together(section.results, style, words) or _main(section.results[0], words, style)
     return SectionBlock(
         heading(section.results[0], words, Speller(style)),
-        tuple(_passage(p, words, style) for p in section.passages),
+        passages,
         (*main, *_where(section.where, words, style)),
         tuple(_findings(r, words, style) for r in section.results),
     )
