@@ -23,6 +23,9 @@ from mechc.words.table import Words
 from report_samples import packet_clamp, six_bar
 
 NASTY = r"50% of A&B_{x} #1 \input{/etc/passwd} ~^$ Кран λ «ёлка» – naïve “q” 中 `a' --- <<"
+NASTY += (
+    "Ħal Tarxien ŧoggle ấ Ợ ử q̃ Μηχανισμός ἀ Ə ẞ Đ ŋ ſ ĸ ﬁ H₂O 10⁻⁴ ⅓ а́ Ѣ Қ م 😀 ⌀20 ″ ∠ € ‰ ‚›"
+)
 LANGUAGES = ("en", "uk", "ru")
 TABLES = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
 
@@ -221,7 +224,8 @@ def test_pdflatex_sets_the_report(language: str, tmp_path: Path) -> None:
 def test_pdflatex_sets_any_title(language: str, tmp_path: Path) -> None:
     if shutil.which("kpsewhich"):
         needs_cyrillic()
-    compile_tex("pdflatex", report(language, title=NASTY), tmp_path)
+    log = compile_tex("pdflatex", report(language, title=NASTY), tmp_path)
+    assert "Missing character" not in log
 
 
 def test_long_formulas_stay_on_the_page(tmp_path: Path) -> None:

@@ -129,7 +129,27 @@ def test_long_words_may_break_and_ligatures_do_not_form() -> None:
 
 def test_cyrillic_is_marked_and_strange_characters_named() -> None:
     assert escape("Кран λ") == r"\mechccyr{Кран} \ensuremath{\lambda}"
-    assert escape("中") == r"\mechcchar{U+4E2D}{中}"
+    assert escape("中") == r"\mechcchar{4E2D}{中}{[U+4E2D]}"
+
+
+SPELLED = {
+    "Ħal": r"\mechcchar{0126}{Ħ}{\mechcbarred{H}}al",
+    "łódź": "łódź",
+    "ấ": r"\mechcchar{1EA5}{ấ}{\'{\^{a}}}",
+    "Ợ": r"\mechcchar{1EE2}{Ợ}{\d{O}\kern-0.1em\raisebox{0.2ex}{\textquoteright}}",
+    "q\u0303": r"\mechcchar{0071}{q" + "\u0303" + r"}{\~{q}}",
+    "а\u0301": r"\mechcchar{0430}{а" + "\u0301" + r"}{\mechccyr{\'{а}}}",
+    "Ə": r"\mechcchar{018F}{Ə}{\mechccyr{Ә}}",
+    "ή": r"\mechcchar{03AE}{ή}{\ensuremath{\acute{\eta}}}",
+    "⁻": r"\mechcchar{207B}{⁻}{\ensuremath{{}^{-}}}",
+    "⅓": r"\mechcchar{2153}{⅓}{1/3}",
+    "Қазақ": r"\mechccyr{Қазақ}",
+}
+
+
+@pytest.mark.parametrize("letters", SPELLED)
+def test_letters_that_no_western_font_has_are_spelled(letters: str) -> None:
+    assert escape(letters) == SPELLED[letters]
 
 
 def widths(shown: str) -> list[float]:

@@ -3,8 +3,9 @@ r"""Text of the user's, made safe for every TeX engine.
 No character of a title can start a command, end a group or form a ligature that was
 not meant. Greek letters are set in mathematics, which every engine has; runs of
 Cyrillic are marked ``\mechccyr{…}``, which switches the font encoding under pdfTeX;
-a character that no standard font covers is given with its code point,
-``\mechcchar{U+4E2D}{中}``, so that pdfTeX prints the code and the others the character.
+what the standard fonts of pdfTeX do not cover comes with its code point and a spelling,
+``\mechcchar{1E90}{Ẑ}{\^{Z}}``: engines whose font has the character print it, the others
+the spelling.
 """
 
 import re
@@ -12,6 +13,7 @@ import unicodedata
 from itertools import groupby
 
 from ...formula.names import GREEK
+from .letters import CYRILLIC, spelled
 
 _SPECIAL = {
     "\\": r"\textbackslash{}",
@@ -59,6 +61,29 @@ _SPECIAL = {
     "»": r"\guillemotright{}",
     "…": r"\textellipsis{}",
     "№": r"\textnumero{}",
+    "‐": "-",
+    "‑": "-",
+    "‒": r"\textendash{}",
+    "′": r"\ensuremath{{}'}",
+    "″": r"\ensuremath{{}''}",
+    "⌀": r"\O{}",
+    "•": r"\textbullet{}",
+    "€": r"\texteuro{}",
+    "‰": r"\textperthousand{}",
+    "†": r"\textdagger{}",
+    "∆": r"\ensuremath{\Delta}",
+    "∠": r"\ensuremath{\angle}",
+    "∥": r"\ensuremath{\parallel}",
+    "⟂": r"\ensuremath{\perp}",
+    "⋅": r"\ensuremath{\cdot}",
+    "∙": r"\ensuremath{\cdot}",
+    "∑": r"\ensuremath{\sum}",
+    "∝": r"\ensuremath{\propto}",
+    "⇒": r"\ensuremath{\Rightarrow}",
+    "←": r"\ensuremath{\leftarrow}",
+    "↔": r"\ensuremath{\leftrightarrow}",
+    "↑": r"\ensuremath{\uparrow}",
+    "↓": r"\ensuremath{\downarrow}",
     "\u00a0": "~",
     "\u200b": r"\allowbreak{}",
     "\u200c": r"\kern0pt{}",
@@ -68,12 +93,17 @@ _SPECIAL = {
     if name != "omicron"
 }
 
-_LATIN = re.compile("[ -~¡-ſ]")
-_CYRILLIC = re.compile("[Ѐ-џҐґ]")
+_LATIN = re.compile("[ -~¡-ſȘ-ț](?<![ÐÞðþĐđĦħĸĿŀŉŊŋŦŧſ])")
+"""Latin letters of the font encodings T1 and T2A, either by themselves or as accents."""
+
+_MARKS = "\u0300-\u036f"
+_CLUSTER = re.compile(f".[{_MARKS}]*")
+"""A character with the marks that no letter of its own has."""
+
 _LIGATURE = re.compile("([-',])(?=[-',])")
 """Characters that fonts join when they follow one another, such as ``--``."""
 
-_LONG = re.compile("([^ ]{24})(?=[^ ])")
+_LONG = re.compile(f"([^ ]{{24}}[{_MARKS}]*)(?=[^ ])")
 """A word that a narrow column could not hold: it may break after so many characters."""
 
 
@@ -88,12 +118,13 @@ def escape(text: str) -> str:
     plain = "".join(map(_printable, unicodedata.normalize("NFC", text)))
     broken = _LONG.sub("\\1\u200b", re.sub(" +", " ", plain).strip(" "))
     broken = _LIGATURE.sub("\\1\u200c", broken)
-    return "".join(_run(kind, "".join(run)) for kind, run in groupby(broken, _kind))
+    clusters = _CLUSTER.findall(broken)
+    return "".join(_run(kind, "".join(run)) for kind, run in groupby(clusters, _kind))
 
 
 def has_cyrillic(text: str) -> bool:
     """Return whether a text needs a font with Cyrillic letters."""
-    return bool(_CYRILLIC.search(text))
+    return bool(CYRILLIC.search(text))
 
 
 def _printable(character: str) -> str:
@@ -103,12 +134,12 @@ def _printable(character: str) -> str:
     return "" if unicodedata.category(character) in {"Cc", "Cf", "Cs", "Co", "Cn"} else character
 
 
-def _kind(character: str) -> str:
-    if character in _SPECIAL:
+def _kind(cluster: str) -> str:
+    if cluster in _SPECIAL:
         return "special"
-    if _CYRILLIC.match(character):
+    if CYRILLIC.fullmatch(cluster):
         return "cyrillic"
-    return "latin" if _LATIN.match(character) else "other"
+    return "latin" if _LATIN.fullmatch(cluster) else "other"
 
 
 def _run(kind: str, run: str) -> str:
@@ -120,4 +151,8 @@ def _run(kind: str, run: str) -> str:
         case "latin":
             return run
         case _:
-            return "".join(rf"\mechcchar{{U+{ord(c):04X}}}{{{c}}}" for c in run)
+            return "".join(map(_with_spelling, _CLUSTER.findall(run)))
+
+
+def _with_spelling(cluster: str) -> str:
+    return rf"\mechcchar{{{ord(cluster[0]):04X}}}{{{cluster}}}{{{spelled(cluster)}}}"
