@@ -81,3 +81,50 @@ def test_unknown_file() -> None:
 
 def test_text_in_either_notation() -> None:
     assert mechc.loads(CLAMP.read_text()).k == mechc.load(CLAMP.with_suffix(".yaml")).k
+
+
+WITH_GIVEN_LOADS = """
+mechanism lever
+param a = 1 m
+param b = 2*a
+param m = 3 kg
+pivot O
+link AOB
+OA = a @ 180 deg
+OB = b @ 0 deg
+force P at B along -y
+force F at A along -y
+weight W mass m at A
+let F = 400 N
+find P
+find R_O
+let q = P/a
+"""
+
+
+def test_values_go_before_the_loads_of_the_description() -> None:
+    lever = mechc.loads(WITH_GIVEN_LOADS)
+    weight = 3 * 9.80665
+    assert lever.evaluate()["P"] == pytest.approx((400 + weight) / 2)
+    found = lever.evaluate(F=np.array([100.0, 500.0]), a=2)
+    np.testing.assert_allclose(found["P"], [(100 + weight) / 2, (500 + weight) / 2])
+    np.testing.assert_allclose(found["q"], found["P"] / 2)
+    np.testing.assert_allclose(found["R_O_y"], 3 * found["P"])
+    assert list(found["F"]) == [100.0, 500.0]
+    assert list(found) == list(lever.evaluate())
+    assert lever.evaluate(F=100, W=0)["P"] == 50
+    assert lever.evaluate()["F"] == 400
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("b", r"'b' follows from the description: b = 2\*a; give a instead"),
+        ("q", r"'q' follows from the description: q = P/a; give a instead"),
+        ("P", r"'P' follows from the description: P = F/2 \+ W/2; give F, W instead"),
+        ("f", r"no result depends on 'f'"),
+    ],
+)
+def test_what_follows_from_others_cannot_be_given(name: str, said: str) -> None:
+    with pytest.raises(TypeError, match=said):
+        mechc.loads(WITH_GIVEN_LOADS).evaluate(**{name: 1.0})

@@ -3,7 +3,7 @@
 All quantities that go in or come out as numbers are SI and radians.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -16,7 +16,12 @@ from .emit import registry
 from .emit.target import Emitted, Options
 from .files import find, read
 from .formula.to_sympy import to_sympy
+from .formula.to_text import text
+from .formula.tree import Formula
+from .formula.walk import symbols
 from .model.result import Result
+from .model.values import dependent
+from .routine.freed import freed, given_loads
 from .source import Source
 from .stroke.stroke import Stroke
 
@@ -24,6 +29,7 @@ if TYPE_CHECKING:
     import sympy
 
     from .figure.figure import Figure
+    from .routine.steps import Function, Routine
     from .statics.diagram import Diagram
 
 
@@ -45,6 +51,7 @@ class SolvedMechanism:
 
     def __init__(self, compilation: Compilation) -> None:
         self._compilation = compilation
+        self._overridden: dict[frozenset[str], Routine] = {}
 
     @property
     def name(self) -> str:
@@ -111,24 +118,61 @@ class SolvedMechanism:
     def evaluate(self, **values: Any) -> dict[str, Any]:
         """Return every result at given values: floats, or arrays that broadcast together.
 
-        What is not given is taken from the description; a result that depends on a load
+        What is not given is taken from the description, and what is given goes before it: a
+        load that a ``let`` or a mass gives its size, too. A result that depends on a load
         without a value is left out. SI and radians; NaN at poses that a ``require``
-        excludes. TypeError for a name that no result depends on.
+        excludes. TypeError for a name that follows from others, or that no result depends on.
 
         >>> import mechc
         >>> clamp = mechc.load("karpenko_fig9_packet_clamp")
         >>> [round(float(k), 4) for k in clamp.evaluate(alpha=[0.1, 0.2])["k"]]
         [0.0446, 0.0651]
         """
-        from .routine.evaluate import evaluate
+        from .routine.evaluate import evaluate, scalar_or_array
 
-        functions = self._compilation.routine.functions
-        known = {i.name for f in functions for i in f.inputs}
-        for unknown in (name for name in values if name not in known):
-            raise TypeError(f"no result depends on {unknown!r} {near_miss(unknown, known)}")
+        overridden = self._fixed_loads.intersection(values)
+        functions = self._routine(overridden).functions
+        self._refuse_strangers(values.keys() - overridden, functions)
         given = {**self.defaults, **values}
         ready = (f for f in functions if all(i.name in given for i in f.inputs))
-        return {f.name: evaluate(f, given) for f in ready}
+        found = {f.name: evaluate(f, given) for f in ready}
+        found |= {name: scalar_or_array(values[name]) for name in overridden}
+        return {name: found[name] for name in self.results if name in found}
+
+    @cached_property
+    def _fixed_loads(self) -> frozenset[str]:
+        """The loads whose size the description gives."""
+        return given_loads(self._compilation.mechanism, self._compilation.balance.results)
+
+    def _routine(self, overridden: frozenset[str]) -> "Routine":
+        """Return the routine with loads as inputs that the description gives a size, made once."""
+        if not overridden:
+            return self._compilation.routine
+        if overridden not in self._overridden:
+            pose, balance = self._compilation.pose, self._compilation.balance
+            changed = freed(pose.mechanism, balance.results, overridden)
+            self._overridden[overridden] = self._compilation.routine_of(*changed)
+        return self._overridden[overridden]
+
+    def _refuse_strangers(self, names: Iterable[str], functions: Iterable["Function"]) -> None:
+        """Raise TypeError for a name that is no input, with what it follows from."""
+        known = {i.name for f in functions for i in f.inputs} | self._fixed_loads
+        for name in sorted(set(names) - known):
+            formula = self._followed.get(name)
+            if formula is None:
+                raise TypeError(f"no result depends on {name!r} {near_miss(name, known)}")
+            raise TypeError(
+                f"{name!r} follows from the description: {name} = {text(formula)}; "
+                f"give {', '.join(sorted(symbols(formula) & known)) or 'what it rests on'} instead"
+            )
+
+    @cached_property
+    def _followed(self) -> dict[str, Formula]:
+        """What the description defines by formulas: results, tied loads, parameters."""
+        mechanism = self._compilation.mechanism
+        ties = {load.name: load.tie for load in mechanism.loads if load.tie is not None}
+        found = {name: result.formula for name, result in self.results.items()}
+        return {**found, **ties, **dependent(mechanism)}
 
     def figure(self, **values: float) -> "Figure":
         """Return what a drawing shows at given values: points in metres, and parts.

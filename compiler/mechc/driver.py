@@ -134,14 +134,11 @@ class Compilation:
     @Stage
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(
-            program(
-                self.pose.mechanism,
-                self.balance.results,
-                dict(self.pose.definitions),
-                self.pose.loops,
-            )
-        )
+        return self._sound(self.routine_of(self.pose.mechanism, self.balance.results))
+
+    def routine_of(self, mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
+        """Return the program of results, which may have been changed, at this pose."""
+        return program(mechanism, results, dict(self.pose.definitions), self.pose.loops)
 
     @Stage
     def figure(self) -> "Figure | None":

@@ -64,7 +64,12 @@ def evaluate(function: Function, values: Mapping[str, Value]) -> Value:
         result = compute(function.output, scope)
         for guard in function.guards:
             result = np.where(_holds(guard, scope), result, np.nan)
-    return result if np.ndim(result) else float(result)
+    return scalar_or_array(result)
+
+
+def scalar_or_array(value: Value) -> Value:
+    """Return a float for a scalar, else an array of floats."""
+    return np.asarray(value, dtype=np.float64) if np.ndim(value) else float(value)
 
 
 def pose(pose: Pose, values: Mapping[str, Value]) -> tuple[dict[str, Value], Value]:
@@ -81,7 +86,7 @@ def pose(pose: Pose, values: Mapping[str, Value]) -> tuple[dict[str, Value], Val
         found = {name: scope[name] for name in pose.outputs}
         for value in found.values():
             status = np.maximum(status, np.isnan(value))
-    return {n: v if np.ndim(v) else float(v) for n, v in found.items()}, status
+    return {n: scalar_or_array(v) for n, v in found.items()}, status
 
 
 def _run(statement: Statement, scope: dict[str, Array]) -> Array:
