@@ -8,6 +8,7 @@ import pytest
 import mechc
 from mechc.driver import Compilation
 from mechc.formula.roots import roots
+from mechc.frozen import replace
 from mechc.source import Source
 from mechc.stroke.places import GRADED, graded, looked_at
 from mechc.stroke.stroke import Stretch
@@ -189,3 +190,11 @@ def test_two_zeros_in_one_cell_are_two():
     places = [i / 10 for i in range(11)]
     found = roots(lambda x: (x - 0.52) * (x - 0.57), places)
     assert [r.place for r in found] == pytest.approx([0.52, 0.57], abs=1e-12)
+
+
+def test_a_stroke_says_at_how_many_places_it_was_looked_at() -> None:
+    table = to_table(mechc.load("crank_rocker").stroke(3))
+    assert table.splitlines()[-1].startswith("Looked at 721 places: zeros, poles and extrema")
+    found = mechc.load("crank_rocker").stroke(3)
+    iterated = replace(found, looked=(("k", 721), ("k_f", 62), ("k_hold", 62)))
+    assert "Looked at 721 places; k_f, k_hold at 62: zeros" in to_table(iterated)

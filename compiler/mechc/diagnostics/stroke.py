@@ -84,12 +84,17 @@ def beyond_range(span: Span, name: str, parameter: Span) -> Words:
 
 @coded("W594")
 def not_assembled(
-    span: Span, name: str, parts: Iterable[tuple[float, float]], dimension: Dimension
+    span: Span,
+    name: str,
+    parts: Iterable[tuple[float, float]],
+    dimension: Dimension,
+    places: int,
 ) -> Words:
     """A loop does not close over a part of the stroke.
 
     There is no pose there, results are NaN, and the drive cannot run through. ``mechc stroke``
-    shows where it ends, and what is singular there::
+    shows where it ends, and what is singular there. The stroke is sampled: the ends of what is
+    found are refined, a part narrower than the distance of two samples may be overlooked::
 
         param phi = 60 deg
         drive phi from 10 deg to 80 deg     # warned of, if it closes from 54 deg on only
@@ -98,7 +103,7 @@ def not_assembled(
     shown = " and ".join(f"from {a / size:.7g} to {b / size:.7g} {unit}" for a, b in parts)
     return Words(
         span,
-        f"the mechanism cannot be assembled for {name} {shown}",
+        f"the mechanism cannot be assembled for {name} {shown}, seen at {places} places",
         "shorten the stroke, or change the lengths",
     )
 

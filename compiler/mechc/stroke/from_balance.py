@@ -116,6 +116,7 @@ class _Runner:
             tuple(courses(self._results, self._parameter.name)),
             self._along.defaults,
             self._open,
+            tuple((r.name, self._looked(r, stretches)) for r in self._results),
         )
 
     # ------------------------------------------------------------------------------- columns
@@ -212,6 +213,10 @@ class _Runner:
 
     def _within(self, stretch: Stretch) -> list[float]:
         return looked_at(stretch, self._places)
+
+    def _looked(self, result: Result, stretches: Sequence[Stretch]) -> int:
+        """Return at how many places of the stroke a result was looked at."""
+        return sum(len(some(self._within(stretch), result)) for stretch in stretches)
 
     def _singular(
         self, stretches: Sequence[Stretch], branches: Sequence[Branch]

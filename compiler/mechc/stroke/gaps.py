@@ -33,7 +33,8 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
     parts = _parts(Along(plan, {}), spaced(*ends, CELLS))
     found = tuple((low, high) for low, high in parts if high - low > wide)
     if found:
-        report.add(words.not_assembled(drive.span, drive.parameter, found, parameter.dimension))
+        shown = drive.parameter, found, parameter.dimension, CELLS + 1
+        report.add(words.not_assembled(drive.span, *shown))
     return found
 
 

@@ -97,7 +97,8 @@ class Stroke:
     """Everything along the stroke of one mechanism; all in SI and radians.
 
     ``courses`` tell of each efficiency what it runs through. ``without`` are the loads asked
-    for that rest on loads without a value, with these.
+    for that rest on loads without a value, with these. ``looked`` tells of each result at how many
+    places it was looked at: what is found between two of them is refined.
     """
 
     drive: str
@@ -115,3 +116,4 @@ class Stroke:
     courses: tuple[tuple[str, Course], ...]
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    looked: tuple[tuple[str, int], ...] = ()

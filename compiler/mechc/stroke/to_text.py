@@ -70,6 +70,7 @@ def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
     yield from (_extremum(e, stroke) for e in stroke.extrema)
     yield from (_stuck(s, stroke) for s in stroke.stuck)
     yield from (_course(name, course, stroke) for name, course in stroke.courses)
+    yield from _looked(stroke)
 
 
 def _cells(values: Sequence[float], columns: Sequence[Column]) -> list[str]:
@@ -166,6 +167,20 @@ def _course(name: str, course: Course, stroke: Stroke) -> str:
         f"{name} runs from {course.least:.3g} to {course.greatest:.3g}; "
         f"it is between {USUAL[0]} and {USUAL[1]} {parts or 'nowhere'}"
     )
+
+
+def _looked(stroke: Stroke) -> Iterator[str]:
+    """Yield at how many places the stroke was looked at, and what that means."""
+    most = max((count for _, count in stroke.looked), default=0)
+    fewer: dict[int, list[str]] = {}
+    for name, count in stroke.looked:
+        fewer.setdefault(count, []).append(name)
+    others = [f"; {', '.join(fewer[n])} at {n}" for n in fewer if n < most]
+    if most:
+        yield (
+            f"Looked at {most} places{''.join(others)}: zeros, poles and extrema between "
+            "neighbouring ones are refined, two of them closer together may be missed."
+        )
 
 
 def _span(low: float, high: float, stroke: Stroke) -> str:
