@@ -15,6 +15,10 @@ from mechc.formula.to_text import text
 from mechc.model.locking import Course, Locking, Reach, Stretch
 from mechc.model.result import Result
 from mechc.source import Source
+from mechc.words.en import WORDS
+from test_friction_ranges import COUPLED
+
+SAMPLED = WORDS.sampled
 
 KNEE = """
 param l = 100 mm
@@ -287,6 +291,26 @@ def test_the_report_tells_the_condition(language, tmp_path, capsys):
     description = FEDORIV.format(alpha=10)
     told(description, tmp_path, capsys, "compile", "--lang", language, "-o", str(out))
     assert r"$\alpha\leq \delta_{AC}+" in out.read_text("utf-8")
+
+
+@pytest.mark.parametrize(("command", "times"), [("check", 1), ("derive", 1)])
+def test_what_is_sampled_is_called_so_and_what_is_solved_is_not(command, times, tmp_path, capsys):
+    """The end of self-locking is a formula here; the efficiency is looked at place by place."""
+    out = told(KNEE.format(low=0.1, more=""), tmp_path, capsys, command)
+    assert out.count(SAMPLED) == times
+    assert 0 < out.index("runs from") < out.index(SAMPLED)
+    (stretch,) = locking(KNEE.format(low=0.1, more=""), "k_hold").reaches[0].stretches
+    assert not stretch.sampled
+
+
+def test_stretches_of_coupled_friction_are_sampled():
+    stuck = [
+        s
+        for name in ("k_f", "k_hold")
+        for reach in locking(COUPLED, name).reaches
+        for s in reach.stretches
+    ]
+    assert [s.sampled for s in stuck] == [True, True]
 
 
 # ------------------------------------------------------------------------------- stroke

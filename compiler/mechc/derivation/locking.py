@@ -19,11 +19,15 @@ HALF_CIRCLE = 180 / 3.141592653589793
 
 
 def friction_remarks(result: Result, words: Words, spell: Speller) -> Iterator[str]:
-    """Yield where nothing moves, and what an efficiency runs through."""
+    """Yield where nothing moves, what an efficiency runs through, and whether that is proved."""
     if result.locking:
         yield from _locking(result.locking, words, spell)
     for course in result.courses:
         yield _course(result, course, words, spell)
+    reaches = result.locking.reaches if result.locking else ()
+    told = [s for reach in reaches for s in reach.stretches if _is_told(s, reach)]
+    if result.courses or any(stretch.sampled for stretch in told):
+        yield words.sampled
 
 
 def _locking(locking: Locking, words: Words, spell: Speller) -> Iterator[str]:

@@ -32,13 +32,16 @@ class Stretch(NamedTuple):
     """A stretch of a parameter on which a mechanism is locked, or jammed.
 
     None is an end at which nothing changes before the parameter's range ends, or, beyond
-    that, before the next dead centre. ``within`` is what of it lies in the range.
+    that, before the next dead centre. ``within`` is what of it lies in the range. A stretch
+    is ``sampled`` where it was found by looking at many places and its ends were narrowed
+    down, not solved for.
     """
 
     state: State
     low: Bound | None
     high: Bound | None
     within: Range | None
+    sampled: bool = False
 
 
 @frozen
@@ -71,7 +74,8 @@ class Locking:
 class Course:
     """What an efficiency runs through over a parameter's range, 0 where all is stuck.
 
-    ``usual`` are the stretches on which it is in :data:`USUAL`.
+    It is found by sampling; the lowest and highest are refined. ``usual`` are the stretches
+    on which it is in :data:`USUAL`.
     """
 
     parameter: str

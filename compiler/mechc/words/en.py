@@ -221,6 +221,7 @@ WORDS = Words(
     usual="it is between 0.9 and 0.95 for {conditions} only",
     always_usual="it is between 0.9 and 0.95 throughout",
     unusual="it is nowhere between 0.9 and 0.95",
+    sampled="These bounds are found by sampling and refined, not proved.",
     derivatives="Sensitivities (partial derivatives)",
     slope="Derivative along the stroke",
     holds="This holds while {conditions}.",

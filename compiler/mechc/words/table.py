@@ -91,6 +91,7 @@ class Words(NamedTuple):
     usual: str
     always_usual: str
     unusual: str
+    sampled: str
     derivatives: str
     slope: str
 

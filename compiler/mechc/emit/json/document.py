@@ -140,6 +140,7 @@ STRETCH: Kind[Stretch] = record(
     ),
     member("high", "The same above.", optional(BOUND), lambda s: s.high),
     member("within", "Its part of the range.", optional(_NUMBERS), lambda s: s.within),
+    member("sampled", "Found by sampling, not solved for.", TRUTH, lambda s: s.sampled),
 )
 
 REACH: Kind[Reach] = record(
@@ -159,7 +160,7 @@ LOCKING: Kind[Locking] = record(
 
 COURSE: Kind[Course] = record(
     "course",
-    "What an efficiency runs through over a range.",
+    "What an efficiency runs through over a range, found by sampling.",
     member("parameter", "Its name.", TEXT, lambda c: c.parameter),
     member("range", "SI and radians.", _NUMBERS, lambda c: c.range),
     member("least", "0 where nothing moves.", FLOAT, lambda c: c.least),

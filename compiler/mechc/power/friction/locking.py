@@ -110,7 +110,12 @@ class _Stretches:
         low, high = self._end(places, first, -1), self._end(places, last, 1)
         begins = places[first] if low is None else low.place
         ends = places[last] if high is None else high.place
-        return Stretch(state, low, high, self._within(begins, ends))
+        return Stretch(state, low, high, self._within(begins, ends), self._is_sampled(low, high))
+
+    def _is_sampled(self, *ends: Bound | None) -> bool:
+        """Tell a stretch that was found by looking from one between ends that are solved for."""
+        solved = [end.exact is not None for end in ends if end]
+        return self.moving.is_iterated or not solved or not all(solved)
 
     def _end(self, places: Sequence[float], i: int, way: int) -> Bound | None:
         """Return where a state ends that the place i is the last to have."""
