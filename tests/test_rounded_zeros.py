@@ -1,16 +1,21 @@
 """A number that is rounding alone is printed as 0; one that is small is not."""
 
 import math
+import re
 from fractions import Fraction
 from random import Random
 
 import pytest
 
 from mechc.cli.check import report
-from mechc.driver import compile_source
+from mechc.diagnostics import MechcError
+from mechc.driver import compile_source, emit
+from mechc.emit import registry
+from mechc.emit.target import Options
 from mechc.formula.rounding import EPS, Rounding
 from mechc.formula.tree import Call, Symbol, degrees, negative, number, power, product, total
 from mechc.source import Source
+from mechc.stroke.to_text import to_csv, to_table
 
 LEVER = """\
 mechanism lever
@@ -75,3 +80,89 @@ def test_the_bound_holds_the_error(seed):
     product_ = Rounding({"x": x, "y": y}).of(product([(X, 2), (Y, 1)]))
     exact = Fraction(x) ** 2 * Fraction(y)
     assert abs(Fraction(product_.value) - exact) <= Fraction(product_.error)
+
+
+CRANK = """\
+mechanism crank
+param l = 1 m
+param alpha = 80 deg in 0 deg .. 180 deg
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+drive alpha from 0 deg to 180 deg
+force P at B along 0 deg
+force F at K along -90 deg
+let F = 3 N
+find P
+find R_O
+find V_K/V_B
+"""
+
+
+def test_functions_with_poles_are_infinite_there_and_not_zero():
+    for function in ("tan", "sec"):
+        assert Rounding({}).of(Call(function, (degrees(90),))).is_infinite
+    for function in ("cot", "csc"):
+        assert Rounding({}).of(Call(function, (degrees(180),))).is_infinite
+    pole = Call("tan", (degrees(90),))
+    assert Rounding({}).of(Call("hypot", (pole, number(1)))).is_infinite
+    assert Rounding({}).of(total([pole, number(1)])).is_infinite
+    assert Rounding({}).of(total([pole, Call("sec", (degrees(270),))])).is_undetermined
+    assert Rounding({}).of(product([(pole, 1), (Call("cos", (degrees(90),)), 1)])).is_undetermined
+    assert Rounding({}).of(power(pole, number(-1))).is_zero
+
+
+def test_a_direction_is_undetermined_of_nothing_and_no_zero_at_half_a_turn():
+    nil = Call("cos", (degrees(90),))
+    assert Rounding({}).of(Call("atan2", (nil, nil))).is_undetermined
+    back = Rounding({}).of(Call("atan2", (nil, number(-1))))
+    assert not back.is_zero
+    assert abs(back.value) == pytest.approx(math.pi)
+
+
+def test_rows_of_a_stroke_are_zero_infinite_or_undetermined():
+    stroke = compile_source(Source("m.mech", CRANK)).stroke(5)
+    named = {c.name: i for i, c in enumerate(stroke.columns)}
+    start, _, middle, _, end = stroke.rows
+    for row in (start, end):
+        assert [str(row.values[named[n]]) for n in ("P", "R_O_x", "V_K_over_V_B")] == ["0.0"] * 3
+    assert [middle.values[named[n]] for n in ("P", "R_O_x", "R_O")] == [math.inf] * 3
+    assert middle.undetermined == ("R_O_direction",)
+    table, values = to_table(stroke), to_csv(stroke)
+    assert not re.search(r"-0(?![.\d])|e[-+]\d\d", table)
+    assert re.search(r"\n +90 +infinite.*undetermined", table)
+    assert ",inf," in values
+    assert ",R_O_direction undetermined\n" in values
+    assert [(e.result, e.kind) for e in stroke.extrema] == [("V_K_over_V_B", "minimum")]
+
+
+def test_a_load_that_is_infinite_at_the_default_pose_is_refused():
+    with pytest.raises(MechcError, match="E507") as caught:
+        compile_source(Source("m.mech", CRANK.replace("80 deg", "90 deg")))
+    assert {d.code for d in caught.value.diagnostics} == {"E507"}
+
+
+OVER = """\
+mechanism over
+param a = 1 m
+param alpha = 90 deg
+param beta = 270 deg
+pivot O
+link AOB
+OA = a @ alpha
+OB = a @ beta
+force P at B along y
+weight W mass 3 kg at A
+find P
+"""
+
+
+def test_zero_over_zero_is_called_undetermined():
+    compilation = compile_source(Source("m.mech", OVER))
+    assert compilation.results[0].default is None
+    assert "    undetermined (0/0) at the default pose" in list(report(compilation, False))
+    (tex,) = emit(compilation, registry.load("latex"), Options(stem="m", language="uk"))
+    assert "$P$ не визначено ($0/0$)" in tex.text

@@ -121,7 +121,7 @@ def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Fin
     slack = float(expect.tolerance) * (1 + CLOSE) + abs(expected) * 1e-12
     slack += ROUNDINGS * (error + other)
     outcome: Literal["agrees", "refuted"] = (
-        "agrees" if abs(found - expected) <= slack else "refuted"
+        "agrees" if math.isfinite(found) and abs(found - expected) <= slack else "refuted"
     )
     return Finding(expect, outcome, found, expected, _shown_at(expect, result, mechanism, values))
 

@@ -105,6 +105,8 @@ def _of_result(
     if result.default is not None:
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
+    elif result.undetermined:
+        yield f"    {WORDS.undetermined} (0/0) at the default pose"
     held = own_conditions(result)
     if held and not (before and reaction(before) and held == own_conditions(before)):
         holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)

@@ -1,7 +1,8 @@
 """Values with a bound of their rounding errors: what is smaller than that is zero.
 
 The bound runs through a formula as the value does, by what each operation makes of the
-errors of its parts, to first order. cos 90° is 6e-17 and its error 2e-16: it is 0.
+errors of its parts, to first order. cos 90° is 6e-17 and its error 2e-16: it is 0. What is
+divided by such a zero is infinite, and undetermined where it is such a zero itself.
 """
 
 import math
@@ -27,6 +28,20 @@ class Rounded(NamedTuple):
         """Return whether nothing is left of the value but rounding."""
         return abs(self.value) <= self.error < math.inf
 
+    @property
+    def is_infinite(self) -> bool:
+        """Return whether something that is not zero was divided by what is."""
+        return math.isinf(self.value)
+
+    @property
+    def is_undetermined(self) -> bool:
+        """Return whether it is 0/0, but for rounding."""
+        return math.isnan(self.value) and math.isinf(self.error)
+
+
+INFINITE = Rounded(math.inf, math.inf)
+"""A pole; its sign is not known."""
+
 
 class Rounding:
     """Formulas with the errors of their values; what several share is found once.
@@ -47,7 +62,8 @@ class Rounding:
     def of(self, formula: Formula) -> Rounded:
         """Return the value of a formula with its error.
 
-        NaN where it has no value; with no bound at all where what may be zero is divided by.
+        Infinite where what is zero is divided by, NaN where it has no value: with no bound at all
+        where it is 0/0.
         """
         self._alive.append(formula)
         try:
@@ -93,15 +109,58 @@ class Rounding:
                 return self._of(formula)
 
 
+class Size(NamedTuple):
+    """A number as it may be printed: None where it is none, ``undetermined`` where it is 0/0."""
+
+    number: float | None
+    undetermined: bool = False
+
+
+def beyond_rounding(
+    number: float | None,
+    formula: Formula | None,
+    where: Iterable[tuple[str, Formula]],
+    rounding: Rounding,
+) -> Size:
+    """Return the number that a formula came to, without what is nothing but rounding.
+
+    It is 0, infinite or undetermined where it is so but for rounding, and never -0. Of a
+    number without a formula no more is known than that.
+    """
+    if number is None or not math.isfinite(number):
+        return Size(number)
+    if formula is None:
+        return Size(number + 0.0)
+    inner = Rounding({})
+    inner.values.update(rounding.values)
+    inner.define(where)
+    size = inner.of(formula)
+    if size.is_undetermined:
+        return Size(None, undetermined=True)
+    if size.is_infinite:
+        return Size(math.inf)
+    return Size(0.0 if size.is_zero or number == 0 else number)
+
+
 def _sum(terms: Iterable[Rounded]) -> Rounded:
     parts = list(terms)
+    poles = sum(part.is_infinite for part in parts)
+    if poles > 1:
+        raise ZeroDivisionError
+    if poles:
+        return INFINITE
     value = math.fsum(p.value for p in parts)
     return Rounded(value, math.fsum(p.error for p in parts) + EPS * abs(value))
 
 
 def _product(factors: Iterable[Rounded]) -> Rounded:
+    parts = list(factors)
+    if any(part.is_infinite for part in parts):
+        if any(part.is_zero for part in parts):
+            raise ZeroDivisionError
+        return INFINITE
     value, error = 1.0, 0.0
-    for factor in factors:
+    for factor in parts:
         error = abs(value) * factor.error + abs(factor.value) * error + error * factor.error
         value *= factor.value
         error += EPS * abs(value)
@@ -109,8 +168,10 @@ def _product(factors: Iterable[Rounded]) -> Rounded:
 
 
 def _power(base: Rounded, exponent: Rounded) -> Rounded:
+    if base.is_infinite:
+        return INFINITE if exponent.value > 0 else Rounded(0.0, 0.0)
     if exponent.value < 0 and base.is_zero:
-        raise ZeroDivisionError
+        return INFINITE
     value = base.value**exponent.value
     if not isinstance(value, float):
         raise ValueError
@@ -123,8 +184,27 @@ def _power(base: Rounded, exponent: Rounded) -> Rounded:
     return Rounded(value, abs(value) * relative)
 
 
+_BY_SINES = {"tan": ("sin", "cos"), "cot": ("cos", "sin"), "sec": ("", "cos"), "csc": ("", "sin")}
+"""Functions with poles as quotients."""
+
+
 def _call(function: str, arguments: list[Rounded]) -> Rounded:
     """Return a call; its error is how far its value moves where its arguments do."""
+    if any(argument.is_infinite for argument in arguments):
+        if function in ("abs", "hypot", "sqrt"):
+            return INFINITE
+        raise ZeroDivisionError
+    if function in _BY_SINES:
+        above, below = (
+            _call(f, arguments) if f else Rounded(1.0, 0.0) for f in _BY_SINES[function]
+        )
+        return _product([above, _power(below, Rounded(-1.0, 0.0))])
+    if function == "atan2" and all(argument.is_zero for argument in arguments):
+        raise ZeroDivisionError
+    return _moved(function, arguments)
+
+
+def _moved(function: str, arguments: list[Rounded]) -> Rounded:
     names = [f"x{i}" for i in range(len(arguments))]
     formula = Call(function, tuple(map(Symbol, names)))
     here = {n: a.value for n, a in zip(names, arguments, strict=True)}
@@ -137,5 +217,12 @@ def _call(function: str, arguments: list[Rounded]) -> Rounded:
             evaluate(formula, here | {name: argument.value + step})
             for step in (argument.error, -argument.error)
         ]
-        error += max((abs(m - value) for m in moved if math.isfinite(m)), default=math.inf)
+        away = (_apart(function, m, value) for m in moved if math.isfinite(m))
+        error += max(away, default=math.inf)
     return Rounded(value, error)
+
+
+def _apart(function: str, one: float, other: float) -> float:
+    """Return how far two values of a function are apart: of directions, the shorter way round."""
+    gap = abs(one - other)
+    return min(gap, abs(2 * math.pi - gap)) if function == "atan2" else gap

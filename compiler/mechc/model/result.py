@@ -69,7 +69,8 @@ class Result:
     conditions of a result that is such a case. ``locking`` tells of a ratio with friction
     where nothing moves, ``courses`` of an efficiency what it runs through. Names of ``where``
     that are ``inside`` a system are its many coefficients, of which people read the structure
-    only.
+    only. At the default pose it has the value ``default``, if any; it is ``undetermined`` where
+    it is 0/0 there.
     """
 
     name: str
@@ -92,6 +93,7 @@ class Result:
     locking: Locking | None = None
     courses: tuple[Course, ...] = ()
     inside: frozenset[str] = frozenset()
+    undetermined: bool = False
 
     def printed(self) -> "Result":
         """Return the case that is printed, where the formula takes its signs from the pose."""

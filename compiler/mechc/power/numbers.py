@@ -9,7 +9,7 @@ from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import friction as friction_words
 from ..diagnostics import power as words
-from ..formula.rounding import Rounding
+from ..formula.rounding import Rounding, beyond_rounding
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -44,13 +44,17 @@ def check_numbers(balance: Balance, report: Report) -> Balance:
     solved: list[Solved] = []
     for item in balance.solved:
         number, find = value_of(item.result, values), spans.get(item.result.name)
-        number = _beyond_rounding(number, item.result, rounding)
+        size = beyond_rounding(number, item.result.formula, item.result.where, rounding)
+        number = size.number
+        if isinstance(item.result.target, WithFriction | Efficiency) and number == math.inf:
+            number = None  # where the result without friction is infinite, too
         if find and number is not None and isinstance(find.target, WithFriction | Efficiency):
             number = _with_friction(find, number, [s.result for s in solved], report)
         elif find and number is not None:
             _remark(item, number, values, find, balance, report)
         finite = number if number is not None and math.isfinite(number) else None
-        solved.append(replace(item, result=replace(item.result, default=finite)))
+        found = replace(item.result, default=finite, undetermined=size.undetermined)
+        solved.append(replace(item, result=found))
     return replace(balance, solved=tuple(solved))
 
 
@@ -86,20 +90,6 @@ def default_rounding(pose: Pose) -> Rounding:
     rounding = Rounding({**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)})
     rounding.define(Chain({**dependent(pose.mechanism), **dict(pose.definitions)}).definitions)
     return rounding
-
-
-def _beyond_rounding(number: float | None, result: Result, rounding: Rounding) -> float | None:
-    """Return a number, 0 where it is rounding alone, None where it is 0/0 but for rounding."""
-    if number is None or not math.isfinite(number):
-        return number
-    inner = Rounding({})
-    inner.values.update(rounding.values)
-    inner.define(result.where)
-    size = inner.of(result.formula)
-    if size.is_zero:
-        return 0.0
-    undetermined = math.isnan(size.value) and isinstance(result.target, WithFriction | Efficiency)
-    return None if undetermined else number
 
 
 def value_of(result: Result, values: Mapping[str, float]) -> float | None:

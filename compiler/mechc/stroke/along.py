@@ -1,9 +1,10 @@
 """Values along the drive: parameters, what follows from them, results."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ..algebra.product import Product
+from ..formula.rounding import EPS, Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..kinematics.plan import Plan
@@ -29,7 +30,7 @@ def ends_of(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
 class Along:
     """Evaluates formulas at places of the drive, the other parameters at their defaults."""
 
-    def __init__(self, plan: Plan, lets: Mapping[str, Formula]) -> None:
+    def __init__(self, plan: Plan, lets: Mapping[str, Formula], ends: Sequence[float] = ()) -> None:
         pose = plan.graph.pose
         self._mechanism = pose.mechanism
         assert pose.mechanism.drive is not None
@@ -40,6 +41,7 @@ class Along:
         bound = {name: value.formula() for name, value in plan.bindings}
         self._inner = Chain({**dict(pose.closing), **bound})
         self._open = dict.fromkeys(pose.placeholders, 1.0)
+        self._near = 2 * EPS * max(map(abs, ends), default=0.0)
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}
 
@@ -52,6 +54,17 @@ class Along:
         if place not in self._known:
             self._known[place] = self._chain.complete(self.given(place))
         return self._known[place]
+
+    def rounding(self, place: float) -> Rounding:
+        """Return the values at a place of the drive with what rounding makes of them.
+
+        The place itself is as near as the ends of the stroke and the steps between them are.
+        """
+        rounding = Rounding(self.given(place))
+        rounding.values[self._drive] = Rounded(place, self._near)
+        rounding.define(self._chain.definitions)
+        rounding.define(self._inner.definitions)
+        return rounding
 
     def of(self, formula: Formula, where: Result | None, place: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none.

@@ -8,10 +8,11 @@ from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as words
+from ..formula.rounding import beyond_rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..model.mechanism import LoadRatio, Mechanism, Parameter
-from ..model.result import Result
+from ..model.result import Definition, Result
 from ..power.balance import Balance
 from ..units import ANGLE, LENGTH, Dimension
 from .along import EXCLUDED, NOT_ASSEMBLED, Along, ends_of
@@ -30,6 +31,9 @@ BEYOND = "not followed beyond the branch point"
 
 CROSSING = 1e-12
 """How exact a place is at which branches cross that are found by iteration."""
+
+STRAIGHT = 1e-12
+"""A transmission angle below this, in radians, is 0 but for rounding."""
 
 FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
@@ -53,10 +57,12 @@ def run(balance: Balance, results: Sequence[Result], points: int, report: Report
 
 
 class _Filled(NamedTuple):
-    """A column, and its value at a place."""
+    """A column, its value at a place, and the formula of that with its definitions, if any."""
 
     column: Column
     at: Callable[[float], float]
+    formula: Formula | None = None
+    where: tuple[Definition, ...] = ()
 
 
 class _Runner:
@@ -72,7 +78,7 @@ class _Runner:
     ) -> None:
         self._balance, self._pose = balance, balance.plan.graph.pose
         self._parameter, self._low, self._high = parameter, low, high
-        self._along = Along(balance.plan, _plain_lets(self._pose.mechanism))
+        self._along = Along(balance.plan, _plain_lets(self._pose.mechanism), (low, high))
         shown = [r for r in results if r.default is not None or r.target is not None]
         shown = [in_code(r, balance) for r in shown]
         self._results = [r for r in shown if not self._without(r)]
@@ -125,17 +131,20 @@ class _Runner:
         """Yield results, their slopes along the drive, velocity ratios, transmission angles."""
         for result in self._results:
             column = Column(result.name, result.dimension)
-            yield _Filled(column, self._values(result.formula, result))
+            at = self._values(result.formula, result)
+            yield _Filled(column, at, result.formula, result.where)
         for result in self._ratios:
             slope = (result.derivatives or {}).get(self._parameter.name)
             if slope is not None:
                 name = f"d{result.name}/d{self._parameter.name}"
                 dimension = result.dimension.over(self._parameter.dimension)
-                yield _Filled(Column(name, dimension, "slope"), self._values(slope, result))
+                column = Column(name, dimension, "slope")
+                yield _Filled(column, self._values(slope, result), slope, result.where)
         for velocity in velocities(self._balance):
             unit = self._unit(velocity.dimension)
             column = Column(velocity.name, velocity.dimension, "velocity", unit)
-            yield _Filled(column, partial(self._along.inside, velocity.value))
+            at = partial(self._along.inside, velocity.value)
+            yield _Filled(column, at, velocity.value.formula())
         for name, angle in named(transmissions(self._pose)):
             column = Column(name, ANGLE, "angle")
             yield _Filled(column, partial(self._angle, angle))
@@ -144,7 +153,8 @@ class _Runner:
         return lambda place: self._along.of(formula, where, place)
 
     def _angle(self, angle: Transmission, place: float) -> float:
-        return angle.at(self._along.values(place))
+        size = angle.at(self._along.values(place))
+        return 0.0 if abs(size) < STRAIGHT else size
 
     def _unit(self, dimension: Dimension) -> str:
         """Return the unit in which the user writes lengths, '' for anything else."""
@@ -158,7 +168,11 @@ class _Runner:
         if self._along.trouble(place):
             why = _beyond(place, stretches) if trouble == NOT_ASSEMBLED else ""
             return Row(place, (math.nan,) * len(filled), why or trouble)
-        return Row(place, tuple(f.at(place) for f in filled), trouble)
+        rounding = self._along.rounding(place)
+        sizes = [beyond_rounding(f.at(place), f.formula, f.where, rounding) for f in filled]
+        values = tuple(math.nan if s.number is None else s.number for s in sizes)
+        open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
+        return Row(place, values, trouble, tuple(open_))
 
     # ----------------------------------------------------------------------------- stretches
 
@@ -256,6 +270,18 @@ class _Runner:
             for root in places_of(result, pole, self._along, stretch, places)
         ]
 
+    def _is_pole(self, found: Extremum, result: Result) -> bool:
+        """Tell a pole, which samples on either side of it enclose, from an extremum."""
+        values = self._values(result.formula, result)
+        return self._order(values, self._high - self._low, found.drive) == "infinite"
+
+    def _rounded(self, found: Extremum, result: Result) -> Iterator[Extremum]:
+        """Yield an extremum, 0 where that is nothing but rounding; none where there is no value."""
+        rounding = self._along.rounding(found.drive)
+        number, _ = beyond_rounding(found.value, result.formula, result.where, rounding)
+        if number is not None and math.isfinite(number):
+            yield found._replace(value=number)
+
     def _extrema(
         self, stretches: Sequence[Stretch], singular: Sequence[Singular]
     ) -> tuple[Extremum, ...]:
@@ -268,13 +294,14 @@ class _Runner:
         for stretch, result in product(stretches, self._results):
             poles = [*self._poles(result, singular), *self._own_poles(result, stretch)]
             turning = extrema(result, name, self._along, some(self._within(stretch), result))
-            for one in (e for e in turning if is_told(e, result)):
+            told = (e for e in turning if is_told(e, result) and not self._is_pole(e, result))
+            for one in told:
                 near_by = [p for p in poles if abs(one.drive - p) <= beside]
                 if not near_by or turns_between(one, near_by, result, self._along):
-                    found.append(one)
+                    found += self._rounded(one, result)
         near = BESIDE * (self._high - self._low)
-        clear = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]
-        return tuple(sorted(clear, key=lambda e: e.drive))
+        apart = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]
+        return tuple(sorted(apart, key=lambda e: e.drive))
 
 
 def _named_apart(columns: Iterable[_Filled]) -> list[_Filled]:

@@ -17,12 +17,14 @@ Content = Literal["result", "slope", "velocity", "angle"]
 class Row(NamedTuple):
     """One place: the drive, each column's value (NaN where it has none), and what is wrong.
 
-    ``trouble`` is '' at a pose that stands.
+    ``trouble`` is '' at a pose that stands. Columns that are 0/0 there are ``undetermined``;
+    what is infinite has no sign.
     """
 
     drive: float
     values: tuple[float, ...]
     trouble: str
+    undetermined: tuple[str, ...] = ()
 
 
 class Column(NamedTuple):

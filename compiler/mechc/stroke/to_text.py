@@ -17,7 +17,8 @@ NEAR = 1e-13
 def to_csv(stroke: Stroke) -> str:
     """Return the rows as CSV in SI and radians, 17 digits, empty where there is no value.
 
-    With friction a last column says what does not move.
+    What is infinite is ``inf``, whichever sign it has nearby. With friction a last column says
+    what does not move.
     """
     out = io.StringIO()
     writer = csv.writer(out, lineterminator="\n")
@@ -26,8 +27,15 @@ def to_csv(stroke: Stroke) -> str:
     for row in stroke.rows:
         values = ("" if math.isnan(v) else repr(v) for v in row.values)
         held = [_held(row, stroke)] if more else []
-        writer.writerow([repr(row.drive), *values, row.trouble, *held])
+        writer.writerow([repr(row.drive), *values, _trouble(row), *held])
     return out.getvalue()
+
+
+def _trouble(row: Row) -> str:
+    """Return what is wrong at a place, ``k undetermined`` too."""
+    return ", ".join(
+        [row.trouble] * bool(row.trouble) + [f"{n} undetermined" for n in row.undetermined]
+    )
 
 
 def _held(row: Row, stroke: Stroke) -> str:
@@ -54,7 +62,7 @@ def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
     body = [
         [
             _place(row.drive, stroke),
-            *_cells([row.values[i] for i in shown], columns),
+            *_cells([row.values[i] for i in shown], columns, row.undetermined),
             row.trouble or _held(row, stroke),
         ]
         for row in stroke.rows
@@ -73,11 +81,19 @@ def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
     yield from _looked(stroke)
 
 
-def _cells(values: Sequence[float], columns: Sequence[Column]) -> list[str]:
+def _cells(
+    values: Sequence[float], columns: Sequence[Column], undetermined: Collection[str]
+) -> list[str]:
     return [
-        "" if math.isnan(v) else f"{v / _factor(_unit(c.dimension, c.unit)):.9g}"
+        "undetermined" if c.name in undetermined else _cell(v, c)
         for v, c in zip(values, columns, strict=True)
     ]
+
+
+def _cell(value: float, column: Column) -> str:
+    if not math.isfinite(value):
+        return "" if math.isnan(value) else "infinite"
+    return f"{value / _factor(_unit(column.dimension, column.unit)):.9g}"
 
 
 def _unit(dimension: Dimension, wanted: str) -> str:

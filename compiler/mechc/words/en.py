@@ -228,6 +228,7 @@ WORDS = Words(
     requirements="The result holds for",
     numbers="Numerical values",
     at_default="At the values given",
+    undetermined="undetermined",
     agrees="Check: the equilibrium of the free bodies gives the same result in {count} poses "
     "(largest relative difference {error}).",
     disagrees="Check failed: the equilibrium of the free bodies gives another result (relative "

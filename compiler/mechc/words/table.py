@@ -99,6 +99,7 @@ class Words(NamedTuple):
     requirements: str
     numbers: str
     at_default: str
+    undetermined: str
     agrees: str
     disagrees: str
     pending: str

@@ -215,11 +215,16 @@ class Speller(NamedTuple):
 
 def numbers(results: Iterable[Result], words: Words, style: Notation) -> tuple[str, ...]:
     """Return the results at the default pose."""
-    return tuple(
-        f"${latex(asked(r), style)}={measured(r.default, r.dimension, words, style)}$"
-        for r in results
-        if r.default is not None and isfinite(r.default)
-    )
+    return tuple(shown for r in results if (shown := _number(r, words, style)))
+
+
+def _number(result: Result, words: Words, style: Notation) -> str:
+    symbol = latex(asked(result), style)
+    if result.undetermined:
+        return rf"${symbol}$ {words.undetermined} ($0/0$)"
+    if result.default is None or not isfinite(result.default):
+        return ""
+    return f"${symbol}={measured(result.default, result.dimension, words, style)}$"
 
 
 def check(verdict: Verdict, words: Words, style: Notation) -> str:
