@@ -6,6 +6,7 @@ import pytest
 
 import mechc
 from mechc.diagnostics import Report
+from mechc.formula.to_text import text
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.to_yaml import to_yaml
@@ -204,3 +205,32 @@ find k = M/F
         mechc.loads(text + "let x = len_AB\n", "t.mech")
     assert [d.code for d in caught.value.diagnostics if d.code[0] == "E"] == ["E310"]
     assert str(mechc.loads(text + "let x = phi_BA\n", "t.mech")["x"]) == "pi - beta"
+
+
+@pytest.mark.parametrize(
+    ("asked", "shown"),
+    [
+        ("cos(phi_AB - phi_CB)", "cos(mu_B)"),
+        ("1 + 3*sin(phi_CB - phi_AB)^2", "1 + 3*sin(mu_B)^2"),
+        ("len_AB*cos(phi_BA - phi_OA)", "-cos(phi - phi_AB)/10"),
+        ("tan((phi_AB - phi_CB)/2)", "-tan(mu_B/2)"),
+    ],
+)
+def test_directions_add_up_within_a_formula(asked, shown):
+    loop = """
+    param phi = 60 deg
+    pivot O at (0 mm, 0 mm)
+    pivot C at (100 mm, 0 mm)
+    link OA
+    link AB
+    link CB
+    OA = 40 mm @ phi
+    AB = 100 mm
+    CB = 80 mm
+    assembly ABC cw
+    drive phi from 10 deg to 80 deg
+    torque M on OA
+    torque T on CB
+    """
+    four_bar = mechc.loads(f"{loop}let c = {asked}\n")
+    assert text(four_bar.results["c"].formula) == shown

@@ -7,11 +7,12 @@ gives is put in.
 from collections.abc import Iterator, Mapping
 
 from ..algebra.angle import Angle
-from ..algebra.from_formula import to_angle
+from ..algebra.from_formula import to_angle, to_product
 from ..diagnostics import Report
 from ..diagnostics import pose as words
-from ..formula.tree import Formula
-from ..formula.walk import substitute, symbols
+from ..formula.layout import TRIGONOMETRIC
+from ..formula.tree import Call, Formula
+from ..formula.walk import children, rebuild, substitute, symbols
 from ..frozen import replace
 from ..model.forms import Form, form_of
 from ..model.mechanism import Mechanism, Thrust
@@ -88,10 +89,18 @@ def _with(mechanism: Mechanism, found: Mapping[str, Formula]) -> Mechanism:
 
 
 def _put(formula: Formula, found: Mapping[str, Formula]) -> Formula:
-    """Return a formula with names put in; differences of directions are added up."""
+    """Return a formula with names put in; differences of directions are added up, inside too."""
     names = symbols(formula) & found.keys()
     if not names:
         return formula
     whole = substitute(formula, found)
     angle = to_angle(whole) if any(name.startswith("phi_") for name in names) else None
-    return whole if angle is None else angle.formula()
+    if angle is not None:
+        return angle.formula()
+    parts = children(formula)
+    if not parts:
+        return whole
+    put = rebuild(formula, tuple(_put(part, found) for part in parts))
+    if isinstance(put, Call) and put.function in TRIGONOMETRIC and to_angle(put.arguments[0]):
+        return to_product(put).formula()
+    return put
