@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import mechc
-from mechc.driver import Compilation
+from mechc.driver import Compilation, checked, warnings
 from mechc.formula.roots import roots
 from mechc.frozen import replace
 from mechc.source import Source
@@ -134,6 +134,11 @@ def test_check_says_where_a_stroke_cannot_be_run():
         [0, end, 2 * math.pi - end, 2 * math.pi], abs=1e-9
     )
     assert "for phi from 0 to 46.56746 deg and from 313.4325 to 360 deg" in warning.message
+
+
+def test_compile_warns_of_it_too():
+    compilation = checked(Compilation(Source("test.mech", four_bar())))
+    assert "W594" in [d.code for d in warnings(compilation)]
 
 
 def test_check_is_silent_on_a_stroke_that_can_be_run():

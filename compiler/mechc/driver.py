@@ -59,7 +59,7 @@ STAGES: Mapping[str, str] = {
 VIEWS: Mapping[str, str] = {**STAGES, "figure": "figure", "bodies": "free_bodies"}
 """The stages, and what is made only when it is asked for: nothing rests on it."""
 
-SECOND_OPINIONS = ("verdict", "findings", "out_of_step")
+SECOND_OPINIONS = ("verdict", "findings", "out_of_step", "gaps")
 """The attributes that hold what statics, the user's ``expect`` lines and the drive say of it."""
 
 

@@ -53,7 +53,6 @@ def command(
     for file in files:
         try:
             compilation = complete(begin(file, stdin_name, settings))
-            _ = compilation.gaps
         except MechcError as error:
             session().show(error.diagnostics, error.source)
             worst = max(worst, status(error.diagnostics))
