@@ -164,6 +164,12 @@ def test_a_pole_at_the_end_of_a_loop_next_to_a_zero():
     assert (zero.value, pole.value) == ("0", "infinite")
 
 
+def test_what_vanishes_where_a_length_is_infinite_makes_no_pole():
+    """At -0.9699 rad a guide is parallel to the slot of its pin; k is 0.024 before, 0.007 after."""
+    assert sweep([1356]) == 1
+    assert [s.value for s in Looked(1356).stroke.singular] == ["0", "0"]
+
+
 @pytest.mark.slow
 def test_many_strokes():
     assert sweep(of_dyads(range(12, 50))) > 20

@@ -96,9 +96,12 @@ def _has_order(item: Solved, root: Root, near: Mapping[str, float], side: int) -
 def _is_refuted(item: Solved, root: Root, near: Mapping[str, float], side: int) -> bool:
     """Tell whether a value does something else where lengths are just as they are given.
 
-    With a = b, sin α/(a − b cos α) is infinite where it would vanish.
+    With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
+    closing loops may itself be infinite there, such as a pin's distance along a slot that is
+    parallel to its guide.
     """
-    if item.result.where or not {root.name, *root.value.names} <= near.keys():
+    names = {root.name, *root.value.names}
+    if not names <= near.keys() or any(d.name in names for d in item.result.where):
         return False
     place = root.value.evaluate(near)
 
@@ -112,8 +115,13 @@ def _is_refuted(item: Solved, root: Root, near: Mapping[str, float], side: int) 
 
 
 def _size_near(item: Solved, values: Mapping[str, float]) -> float:
-    known = symbols(item.result.formula) <= values.keys()
-    return abs(evaluate(item.result.formula, values)) if known else math.nan
+    """Return the size of a result, with all that follows from the values; NaN for none."""
+    found = dict(values)
+    for name, formula in (*item.result.where, ("", item.result.formula)):
+        if not symbols(formula) <= found.keys():
+            return math.nan
+        found[name] = evaluate(formula, found)
+    return abs(found[""])
 
 
 def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -> Iterable[Factor]:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise, product
-from typing import Literal, NamedTuple
+from typing import NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics import stroke as words
@@ -22,7 +22,7 @@ from .extrema import extrema, turns_between
 from .friction import courses, in_code, is_told, some, stuck
 from .places import SAMPLES, looked_at, spaced
 from .reached import with_reached
-from .singular import BESIDE, order_at, places_of, singular_poses, told_apart
+from .singular import BESIDE, Order, order_at, places_of, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
 from .velocities import velocities
@@ -250,7 +250,7 @@ class _Runner:
 
     def _order(
         self, function: Callable[[float], float], range_: float, place: float
-    ) -> Literal["0", "infinite"] | None:
+    ) -> Order | None:
         return order_at(function, place, range_)
 
     def _poles(self, result: Result, singular: Sequence[Singular]) -> list[float]:

@@ -14,6 +14,9 @@ from .stroke import Branch, Kind, Singular, Stretch
 
 Value = Literal["0", "infinite"]
 
+Order = Literal["0", "infinite", "finite", "jump"]
+"""What a result does at a place; ``jump``: it is finite on either side, but not the same."""
+
 SAME = 1e-9
 """A zero and a pole closer than this part of the stroke are one place: k is undetermined."""
 
@@ -31,6 +34,9 @@ Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; near
 
 ALIKE, VARIES = 0.1, 0.3
 """What two exponents of one power may differ by, and which is none of a constant."""
+
+STEADY = 1e-3
+"""What a function that is finite changes by from one side of a place to the other, at most."""
 
 STEP = 1e-6
 """The part of a stretch from its end at which is seen what a factor does there."""
@@ -87,10 +93,8 @@ def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formul
     return shifted if math.isclose(value + turns * math.pi, root.place, abs_tol=1e-9) else None
 
 
-def order_at(function: Function, place: float, range_: float) -> Value | None:
-    """Return whether a function goes to zero or becomes infinite at a place; None for neither.
-
-    It does so as a power of the distance.
+def order_at(function: Function, place: float, range_: float) -> Order | None:
+    """Return what a function does at a place; None where it is no power of the distance.
 
     >>> order_at(lambda x: (1e-6 - x) / x, 0.0, 1.0)
     'infinite'
@@ -100,7 +104,12 @@ def order_at(function: Function, place: float, range_: float) -> Value | None:
         if exponents := [e for e in sides if e is not None]:
             if max(exponents) < -VARIES:
                 return "infinite"
-            return "0" if min(exponents) > VARIES else None
+            if min(exponents) > VARIES:
+                return "0"
+            if max(map(abs, exponents)) > VARIES:
+                return None
+            before, after = (function(place + side * part / 16 * range_) for side in (-1, 1))
+            return "jump" if abs(before - after) > STEADY * abs(after) else "finite"
     return None
 
 
@@ -117,12 +126,13 @@ def told_apart(
     found: Iterable[Singular],
     branches: Sequence[Branch],
     range_: float,
-    orders: Mapping[str, Callable[[float], Value | None]],
+    orders: Mapping[str, Callable[[float], Order | None]],
 ) -> tuple[Singular, ...]:
     """Return singular poses in their order, those left out that only a branch point makes.
 
-    Where a zero and a pole are at one place that is no branch point, ``orders`` say of each
-    result which it is; neither leaves the result undetermined.
+    ``orders`` say of each result what it does at a place: which of a zero and a pole that are
+    at one place, where neither of them leaves it undetermined; or that what vanishes there
+    makes it neither, as something else is infinite.
     """
     beside = BESIDE * range_
     kept: list[Singular] = []
@@ -144,7 +154,7 @@ def told_apart(
 def _merged(
     found: Sequence[Singular],
     width: float,
-    orders: Mapping[str, Callable[[float], Value | None]],
+    orders: Mapping[str, Callable[[float], Order | None]],
 ) -> Iterator[Singular]:
     """Yield singular poses, those of a result at one place as what it comes to there."""
     groups: list[list[Singular]] = []
@@ -156,10 +166,12 @@ def _merged(
             groups.append([one])
     for ones in groups:
         first = ones[0]
-        if len({one.value for one in ones}) == 1:
-            yield first
-            continue
         value = orders[first.result](first.drive)
         kind: Kind = "branch point"
         undetermined = first._replace(value="undetermined", kind=kind)
-        yield next((one for one in ones if one.value == value), undetermined)
+        if len({one.value for one in ones}) > 1:
+            yield next((one for one in ones if one.value == value), undetermined)
+        elif value == "jump":
+            yield undetermined
+        elif value != "finite" or first.value == "undetermined":
+            yield first
