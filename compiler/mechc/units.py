@@ -110,6 +110,34 @@ def unit_meant(word: str) -> str:
     return SPELLED[near[0]] if near and len(small) > 3 else ""
 
 
+FOREIGN = {
+    "in": ("inches", 25.4, "mm"),
+    "inch": ("inches", 25.4, "mm"),
+    "inches": ("inches", 25.4, "mm"),
+    "ft": ("feet", 304.8, "mm"),
+    "foot": ("feet", 304.8, "mm"),
+    "feet": ("feet", 304.8, "mm"),
+    "yd": ("yards", 914.4, "mm"),
+    "lb": ("pounds", 0.45359237, "kg"),
+    "lbs": ("pounds", 0.45359237, "kg"),
+    "lbf": ("pounds of force", 4.4482216152605, "N"),
+    "psi": ("pounds per square inch", 6894.757293168, "Pa"),
+}
+"""Units that are not read, and what one of each is in a unit that is."""
+
+
+def foreign(digits: str, unit: str) -> str:
+    """Return a hint for a number with a unit of another system, '' for any other.
+
+    >>> foreign("8", "in")
+    'inches are not read: 8 in are 203.2 mm'
+    """
+    if unit in UNITS or unit not in FOREIGN:
+        return ""
+    name, size, ours = FOREIGN[unit]
+    return f"{name} are not read: {digits} {unit} are {float(digits) * size:.7g} {ours}"
+
+
 USUAL_UNITS: dict[Dimension, str] = {
     ANGLE: "deg",
     LENGTH: "mm",

@@ -128,13 +128,13 @@ def unclosed_bracket(span: Span, bracket: str) -> Words:
 
 
 @coded("E108")
-def unfinished_statement(span: Span, expected: list[str]) -> Words:
+def unfinished_statement(span: Span, expected: list[str], hint: str = "") -> Words:
     """A statement ends before it is complete.
 
     force P at A             # wrong: in which direction?
     force P at A along x     # right
     """
-    return Words(span, f"the statement ends here, expected {listed(expected)}")
+    return Words(span, f"the statement ends here, expected {listed(expected)}", hint)
 
 
 @coded("E109")
@@ -274,3 +274,13 @@ def tolerance_of_nothing(span: Span, name: str) -> Words:
         param a = 40 mm +- 0.1 mm        # right
     """
     return Words(span, f"'{name}' has a tolerance but no value", f"write {name} = … +- …")
+
+
+@coded("E141")
+def other_notation(span: Span, found: str, name: str) -> Words:
+    """A description is in the other notation than the suffix of its file says.
+
+    Files that end in .mech hold lines (``param a = 40 mm``), files that end in .yaml, .yml
+    or .json hold YAML (``params: {a: 40 mm}``).
+    """
+    return Words(span, f"this is {found}, which the file's name does not say", f"call it {name}")

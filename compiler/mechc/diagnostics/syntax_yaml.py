@@ -100,6 +100,17 @@ def round_brackets(span: Span) -> Words:
     return Words(span, "a pair in round brackets is cut at its comma", "write [x, y]")
 
 
+@coded("E140")
+def colon_without_space(span: Span, text: str) -> Words:
+    """A colon of YAML has no space behind it, so that key and value are one word.
+
+    sliders: {K:90 deg}      # wrong
+    sliders: {K: 90 deg}     # right
+    """
+    key, _, value = text.partition(":")
+    return Words(span, f"the colon in '{text}' has no space behind it", f"write {key}: {value}")
+
+
 @coded("E128")
 def one_document(span: Span) -> Words:
     """A file holds one description, so ``---`` may stand only at its top."""

@@ -88,11 +88,18 @@ class Reader:
         elif bare := self._bare(found):
             self.report.add(quantities.bare_number(bare.span, bare.digits, dimension))
         else:
-            name = found.formula.name if isinstance(found.formula, Symbol) else ""
-            self.report.add(
-                quantities.wrong_dimension(found.span, found.dimension, dimension, what, name)
-            )
+            self._report_dimension(found, dimension, what)
         return False
+
+    def _report_dimension(self, found: Quantity, dimension: Dimension, what: str) -> None:
+        """Report a quantity of another dimension: of a name once, with where it is declared."""
+        name = found.formula.name if isinstance(found.formula, Symbol) else ""
+        declared = self.scope.declared(name)
+        if declared and not self.scope.first_misfit(name, dimension):
+            return
+        self.report.add(
+            quantities.wrong_dimension(found.span, found.dimension, dimension, what, name, declared)
+        )
 
     def _bare(self, found: Quantity) -> Bare | None:
         """Return the number without unit that a quantity is made of, where it is one."""

@@ -9,7 +9,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..syntax import ast
-from ..units import DIMENSIONS, MASS, STIFFNESS, UNITS, Dimension
+from ..units import DIMENSIONS, MASS, NUMBER, STIFFNESS, UNITS, Dimension
 from .constants import leaves, names_in, out_of_reach
 from .expressions import Quantity, Reader, shown
 from .mechanism import Interval, Parameter
@@ -132,6 +132,9 @@ def _consistent(
     """Report a value or an end of the range that measures something else."""
     reader = Reader(scope, DESCRIPTION)
     name = statement.name.text
+    if value and ends and value.sort.nature is Nature.BARE and dimension == NUMBER:
+        # A range with a unit says what the value means, not the other way round.
+        dimension = next((e.dimension for e in ends if e.sort.nature is not Nature.ZERO), NUMBER)
     sound = value is None or reader.fits(value, dimension, f"'{name}'")
     for end in ends or ():
         sound = reader.fits(end, dimension, f"the range of '{name}'") and sound

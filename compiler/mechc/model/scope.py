@@ -86,6 +86,7 @@ class Scope:
         self.feeding: set[str] = set()
         self.values: dict[str, float] = {}
         self.sizes: dict[str, float] = {}
+        self._misfits: set[tuple[str, Dimension]] = set()
 
     def declare(self, name: ast.Name, kind: Kind, dimension: Dimension | None = None) -> bool:
         """Enter a name; False where it is taken or reserved, which is reported."""
@@ -97,7 +98,11 @@ class Scope:
 
     def enter(self, name: str, entry: Entry) -> bool:
         """Enter a name made up by the compiler or vetted before; False where it is taken."""
-        if first := self.entries.get(name):
+        first = self.entries.get(name)
+        if first and first.span == entry.span:
+            self.report.add(words.list_of_values(entry.span, name, entry.kind))
+            return False
+        if first:
             self.report.add(words.name_taken(entry.span, name, entry.kind, first.span, first.kind))
             return False
         self.entries[name] = entry
@@ -119,6 +124,17 @@ class Scope:
     def without_unit(self, name: str, bare: Bare | None = None) -> None:
         """State that a declared name is a number without unit, which is no angle."""
         self.entries[name] = self.entries[name]._replace(unitless=True, bare=bare)
+
+    def declared(self, name: str) -> Span | None:
+        """Return where a name is declared."""
+        entry = self.entries.get(name)
+        return entry.span if entry else None
+
+    def first_misfit(self, name: str, wanted: Dimension) -> bool:
+        """Tell whether it is the first time that a name measures something else than is wanted."""
+        first = (name, wanted) not in self._misfits
+        self._misfits.add((name, wanted))
+        return first
 
     def bare(self, formula: Formula) -> Bare | None:
         """Return the number without unit that a formula is made of, where it is one."""

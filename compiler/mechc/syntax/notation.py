@@ -6,9 +6,10 @@ from importlib import import_module
 from pathlib import PurePath
 from typing import cast
 
-from ..diagnostics import Report
-from ..source import Source
+from ..diagnostics import Diagnostic, Report, syntax
+from ..source import Source, Span
 from . import ast
+from .grammar import statement_words
 
 YAML_SUFFIXES = frozenset({".yaml", ".yml", ".json"})
 """JSON is YAML too."""
@@ -21,7 +22,10 @@ def read(source: Source, report: Report) -> ast.File:
 
     Errors go to the report; raises :class:`MechcError` where nothing can be read.
     """
-    return _parser("from_yaml" if is_yaml(source) else "from_dsl")(source, report)
+    yaml = is_yaml(source)
+    if yaml != _reads_as_yaml(source.text, yaml):
+        raise report.fail(_other_notation(source, yaml))
+    return _parser("from_yaml" if yaml else "from_dsl")(source, report)
 
 
 def _parser(module: str) -> Callable[[Source, Report], ast.File]:
@@ -42,6 +46,28 @@ def is_yaml(source: Source) -> bool:
     suffix = PurePath(source.name).suffix
     if suffix in YAML_SUFFIXES or suffix == ".mech":
         return suffix in YAML_SUFFIXES
-    lines = (line.strip() for line in source.text.removeprefix("\ufeff").splitlines())
-    first = next((line for line in lines if line and not line.startswith(("#", "%"))), "")
-    return SECTION.match(first) is not None
+    return SECTION.match(_first_line(source.text)) is not None
+
+
+def _first_line(text: str) -> str:
+    """Return the first line that is no comment; ``%`` is one of the directives of YAML."""
+    lines = (line.strip() for line in text.removeprefix("\ufeff").splitlines())
+    return next((line for line in lines if line and not line.startswith(("#", "%"))), "")
+
+
+def _reads_as_yaml(text: str, named: bool) -> bool:
+    """Tell the notation by the first line, and by the file's name where that says nothing."""
+    first = _first_line(text)
+    if SECTION.match(first):
+        return True
+    word, _, rest = first.partition(" ")
+    return named and not (word in statement_words() and rest and ":" not in first)
+
+
+def _other_notation(source: Source, yaml: bool) -> Diagnostic:
+    """Return the error about a file whose suffix is that of the other notation."""
+    first = _first_line(source.text)
+    start = source.text.index(first)
+    found = "the notation of lines" if yaml else "YAML"
+    name = PurePath(source.name).with_suffix(".mech" if yaml else ".yaml").name
+    return syntax.other_notation(Span(start, start + len(first)), found, name)

@@ -2,23 +2,21 @@
 
 from collections.abc import Sequence
 
-from ..diagnostics import Diagnostic, near_miss, syntax
+from ..diagnostics import Diagnostic, syntax
 from ..source import Span
+from . import slips
 from .fault import Fault
 from .grammar import Start, keywords, reading, spelling, statement_words
 from .lalr import END, Refused, Token
 from .spans import span_of
 from .tokens import check
-from .words import FUNCTIONS, TWINS, points_of
+from .words import points_of
 
 NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DRIVE", "MECHANISM"})
 """After these words a name is given."""
 
 OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
-
-ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
-"""An operand ends with one of these."""
 
 SAID_OTHERWISE = {
     "/": "a comment begins with '#'",
@@ -37,8 +35,6 @@ SAID_OTHERWISE = {
     "range": "a range stands behind its parameter: param a = 2 mm in 1 mm .. 5 mm",
 }
 """What people call a thing, and how it is stated here."""
-
-DOUBLED = {"*": "a power is written with '^'", "=": "equality is written '='"}
 
 HUMAN = {
     "NAME": "a name",
@@ -91,7 +87,11 @@ def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start)
         return syntax.unclosed_bracket(span_of(innermost_open(line)), "(")
     if start == "statement" and len(line) == 1 and line[0].type == "NAME":
         return unknown_statement(line)
-    return syntax.unfinished_statement(Span(end, end), expected_words(allowed))
+    if meant := slips.inches(line, len(line)):
+        return syntax.unknown_unit(span_of(line[-1]), "in", (), meant)
+    open_ended = bool(line) and line[-1].type in OPERATORS
+    hint = f"the '{line[-1]}' has no right side" if open_ended else ""
+    return syntax.unfinished_statement(Span(end, end), expected_words(allowed), hint)
 
 
 def innermost_open(line: Sequence[Token]) -> Token:
@@ -118,7 +118,9 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
         return syntax.missing_equals(span, described(token))
-    hint = hint_of_list(token, line[0]) or hint_for(token, before, allowed)
+    if meant := slips.inches(line, position):
+        return syntax.unknown_unit(span_of(line[position - 1]), "in", (), meant)
+    hint = slips.hint_for(line, position, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 
 
@@ -170,36 +172,3 @@ def expected_words(allowed: set[str]) -> list[str]:
     signs = sorted(rest - HUMAN.keys(), key=lambda name: spelling().get(name, name))
     words += [HUMAN[name] for name in HUMAN if name in rest]
     return words + [f"'{spelling()[name]}'" for name in signs if name in spelling()]
-
-
-def hint_for(token: Token, before: Token | None, allowed: set[str]) -> str:
-    """Return a hint for the slips that are made most."""
-    text, previous = str(token), str(before or "")
-    if token.type == "NUMBER" and before is not None and before.type == "NUMBER":
-        return "digits stand together, as in 1200 mm"
-    if text == previous and text in DOUBLED:
-        return DOUBLED[text]
-    if previous in FUNCTIONS or previous in TWINS:
-        return f"a function needs brackets: {previous}({text})"
-    words = [word for name in allowed if (word := spelling().get(name, "")).isalpha()]
-    if token.type == "NAME" and (hint := near_miss(text, words)):
-        return hint
-    if token.type in ("NAME", "LEFT") and before is not None and before.type in ENDS:
-        return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
-    if text == "," and previous.isdecimal() and "RIGHT" not in allowed:
-        return "decimals are written with a point"
-    if text == "+-":
-        return "a tolerance belongs to a param or an expect; a difference is written a - b"
-    if text == ":" and "TIMES_SIGN" in allowed:
-        return "a quotient is written with '/'"
-    if text in keywords() and "NAME" in allowed:
-        return f"'{text}' is a word of the language and cannot be a name"
-    return ""
-
-
-def hint_of_list(token: Token, first: Token) -> str:
-    """Return a hint where points or things are listed that are written otherwise."""
-    if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
-        return f"the points of a {first} are written together, as in {first} OB"
-    listed = token == "," and first.type in ("PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE")
-    return f"each {first} has a line of its own" if listed else ""

@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Iterator
 
 from ..diagnostics import Diagnostic, syntax, syntax_limits
 from ..source import Span
-from ..units import UNITS, unit_meant
+from ..units import UNITS, foreign, unit_meant
 from . import limits
 from .fault import Fault
 from .grammar import keywords, lexed
@@ -102,9 +102,10 @@ def unit_behind(text: str, at: int) -> re.Match[str] | None:
 def check(line: Iterable[Token]) -> None:
     """Refuse what the grammar cannot speak of: strange characters, sizes, glued units."""
     before: Token | None = None
-    for token in line:
+    line = list(line)
+    for token, behind in zip(line, [*line[1:], None], strict=True):
         if token.type == "STRANGE":
-            raise Fault(strange(token))
+            raise Fault(strange(token, dotted(before, behind) if token == "." else ""))
         if token.type == "NUMBER":
             check_number(token)
         if before is not None and before.type == "NUMBER":
@@ -113,12 +114,26 @@ def check(line: Iterable[Token]) -> None:
     check_nesting(line)
 
 
-def strange(token: Token) -> Diagnostic:
-    """Return the error about a character outside the language."""
+def dotted(before: Token | None, behind: Token | None) -> str:
+    """Say what a single dot was meant as, by what stands on either side; '' where unclear."""
+    if behind is None or behind.type != "NAME":
+        return ""
+    if behind.lower() in ("inf", "nan"):
+        return "a value is a number, and finite"
+    if before is None or before.type not in ("NUMBER", "NAME"):
+        return ""
+    if before.type == "NAME":
+        return f"a name has no dot: write {before}_{behind}"
+    unit = split_quantity(before)[1]
+    return f"units are multiplied with '*', as in {unit}*{behind}" if unit else ""
+
+
+def strange(token: Token, meant: str = "") -> Diagnostic:
+    """Return the error about a character outside the language; ``meant`` is a hint."""
     span, character = span_of(token), str(token)
     if character.startswith('"'):
         return syntax.unclosed_text(span)
-    hint = LOOKALIKES.get(character, "")
+    hint = meant or LOOKALIKES.get(character, "")
     if character.isdecimal():
         hint = f"digits are 0 to 9: write {int(character)}"
     elif not hint and character.isalpha():
@@ -153,11 +168,11 @@ def check_number(token: Token) -> None:
 
 def check_unit(number: Token, behind: Token) -> None:
     """Refuse a word behind a number that is no unit, and ``5 mm^7`` (is the unit cubed?)."""
-    _, unit = split_quantity(number)
+    digits, unit = split_quantity(number)
     if behind.type == "NAME":
         plain = [name for name in UNITS if name.isalpha()]
         meant = unit_meant(behind)
-        hint = f"did you mean {meant!r}?" if meant else ""
+        hint = foreign(digits, behind) or (f"did you mean {meant!r}?" if meant else "")
         raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain, hint))
     if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)

@@ -4,6 +4,7 @@ PyYAML's events are read, not its objects: they keep positions, duplicate keys a
 text of every scalar. Depth and number are counted while reading, before any recursion.
 """
 
+import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -14,6 +15,11 @@ from ..frozen import frozen
 from ..source import Span
 from . import limits
 from .fault import check_characters, note
+
+GLUED = re.compile(
+    r"^\s*(?:- )?([A-Za-z][\w']*):([^\s/:'\"][^:\n]*?)\s*(?:\n[^\n]*)?\Z", re.MULTILINE
+)
+"""A key and its value with no space behind the colon, in the last two lines of a text."""
 
 
 @frozen
@@ -111,6 +117,8 @@ def not_yaml(at: int, problem: str, text: str) -> Diagnostic:
         hint = f"a value that begins with {found} needs quotes"
     elif found == "\t":
         hint = "YAML is indented with spaces"
+    elif slip := GLUED.search(text[:at]):
+        hint = f"a colon needs a space behind it: {slip[1]}: {slip[2]}"
     elif "mapping values" in problem:
         hint = "a text with ': ' inside needs quotes"
     return syntax_yaml.not_yaml(Span(at, min(at + 1, len(text)) if text else at), problem, hint)
@@ -162,6 +170,11 @@ def closed(opened: Open, event: yaml.Event, report: Report) -> Node:
     return Mapping(tuple(pairs(keys, values, report)), span)
 
 
+def glued(name: Scalar, value: Node) -> bool:
+    """Tell whether a key has swallowed its value: YAML wants a space behind the colon."""
+    return ":" in name.text and not name.quoted and isinstance(value, Scalar) and value.empty
+
+
 def pairs(keys: list[Node], values: list[Node], report: Report) -> Iterator[tuple[Scalar, Node]]:
     """Return keys with values; a key that stands twice keeps its first value."""
     first: dict[str, Scalar] = {}
@@ -169,6 +182,8 @@ def pairs(keys: list[Node], values: list[Node], report: Report) -> Iterator[tupl
         if not isinstance(name, Scalar):
             found = "a list or mapping as a key"
             note(syntax_yaml.wrong_shape(name.span, found, "a name as a key"), report)
+        elif glued(name, value):
+            note(syntax_yaml.colon_without_space(name.span, name.text), report)
         elif name.text in first:
             span = first[name.text].span
             note(syntax_yaml.duplicate_key(name.span, name.text, span), report)

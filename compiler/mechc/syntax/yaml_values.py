@@ -45,7 +45,8 @@ def scalar_of(node: Node, expected: str) -> Scalar:
     """Return a plain value; refuse lists, mappings and nothing."""
     if isinstance(node, Scalar) and not node.empty:
         return node
-    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected))
+    hint = "a value stands without brackets" if isinstance(node, Listing) else ""
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
 
 
 def parsed(start: Start, expected: str, node: Node, source: Source) -> Any:

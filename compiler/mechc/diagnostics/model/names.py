@@ -133,6 +133,19 @@ def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -
     return Words(span, f"{kind} '{name}' has the name of a {first_kind}", "rename one", related)
 
 
+@coded("E214")
+def list_of_values(span: Span, name: str, kind: str) -> Words:
+    """A name has a list of values, where YAML takes one.
+
+    A list of two stands for two things of one name.
+
+        l: [200, mm]         # wrong
+        l: 200 mm            # right
+    """
+    message = f"{kind} '{name}' has a list of values, expected one"
+    return Words(span, message, f"write {name}: … without brackets, or two names")
+
+
 @coded("E207")
 def name_out_of_place(span: Span, name: str, kind: str, wanted: str, hint: str = "") -> Words:
     """A name is declared, but may not stand in this formula.

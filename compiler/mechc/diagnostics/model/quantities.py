@@ -27,7 +27,12 @@ def mixed_dimensions(
 
 @coded("E221")
 def wrong_dimension(
-    span: Span, found: Dimension, wanted: Dimension, what: str, name: str = ""
+    span: Span,
+    found: Dimension,
+    wanted: Dimension,
+    what: str,
+    name: str = "",
+    declared: Span | None = None,
 ) -> Words:
     """A quantity of another dimension stands where a length, an angle, a force … is wanted.
 
@@ -38,7 +43,8 @@ def wrong_dimension(
     unit = USUAL_UNITS.get(wanted, "")
     bare = name and unit and found == NUMBER
     hint = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else ""
-    return Words(span, said, hint)
+    related = (Related(declared, f"'{name}' is declared here"),) if declared else ()
+    return Words(span, said, hint, related)
 
 
 @coded("E222")
