@@ -1,5 +1,6 @@
 """Files in and out: descriptions read with limits, outputs written whole or not at all."""
 
+import errno
 import os
 import stat
 import sys
@@ -132,8 +133,19 @@ def write_all(files: Mapping[Path, str]) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def resolved(path: Path) -> Path:
+    """Return what a path leads to; ``OSError`` where links lead round in a circle.
+
+    Python before 3.13 has an error of its own for these.
+    """
+    try:
+        return path.resolve()
+    except RuntimeError:
+        raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path)) from None
+
+
 def _prepare(path: Path, text: str) -> Iterator[_Pending]:
-    target = path.resolve()
+    target = resolved(path)
     if target.exists() and not target.is_file():
         target.write_text(text, encoding="utf-8", errors="surrogateescape")
         return

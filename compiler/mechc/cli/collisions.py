@@ -10,6 +10,8 @@ from typing import NamedTuple, TextIO
 
 import click
 
+from ..files import resolved
+
 Key = tuple[object, ...]
 """What tells one file from another, whatever path leads to it."""
 
@@ -53,7 +55,7 @@ def claim(path: Path) -> Claim:
     """
     with suppress(OSError):
         return Claim(_number(path.stat()), str(path))
-    place = path.resolve()
+    place = resolved(path)
     with suppress(OSError):
         folder = place.parent.stat()
         name = place.name.casefold() if _ignores_case(place.parent) else place.name

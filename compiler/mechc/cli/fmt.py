@@ -55,7 +55,12 @@ def command(
     mechc fmt --to yaml clamp.mech > clamp.yaml
     """
     worst, done = 0, []
-    for name in _expanded(files):
+    names = list(_expanded(files))
+    if to and len(names) > 1 and not (check or diff):
+        raise click.UsageError(f"--to prints one description, {len(names)} are given")
+    if names.count("-") > 1:
+        raise click.UsageError("standard input (-) is read once")
+    for name in names:
         try:
             done.append(_formatted(name, stdin_name, to))
         except MechcError as error:
