@@ -61,3 +61,25 @@ def test_a_figure_out_of_bounds_is_refuted(figure):
 def test_plus_and_minus_apart_are_no_tolerance():
     spaced = mechc.loads(TOGGLE.format(length=" + -0.1 m", angle="", expect=""), "a.mech")
     assert spaced.defaults["l"] == pytest.approx(0.1)
+
+
+@pytest.mark.parametrize("target", ["python", "c"])
+def test_the_comments_of_code_have_the_tolerance(target):
+    text = LEVER_IN_CODE
+    emitted = mechc.loads(text).emit(target)
+    assert "l: m; 200 mm +- 0.5 mm, in 100 mm .. 300 mm" in emitted
+    assert "b: m; 50 mm\n" in emitted
+
+
+LEVER_IN_CODE = """\
+mechanism lever
+param l = 200 mm +- 0.5 mm in 100 mm .. 300 mm
+param b = 50 mm
+pivot O
+link OAB
+OA = l @ 0 deg
+OB = b @ 180 deg
+force P at A along -y
+force F at B along -y
+find k = P/F
+"""

@@ -83,12 +83,20 @@ def input_words(item: Input, name: str = "") -> str:
     parts = [
         one_line(item.label),
         f"{item.name} in the formula" if name not in ("", item.name) else "",
-        "" if item.default is None else in_user_unit(item.default, item),
+        _default_words(item),
         _range_words(item),
     ]
     words = ", ".join(part for part in parts if part)
     unit = si_unit(item.dimension) or "number"
     return f"{unit}; {words}" if words else unit
+
+
+def _default_words(item: Input) -> str:
+    """Return the default with its tolerance, '' where there is none."""
+    if item.default is None:
+        return ""
+    value = in_user_unit(item.default, item)
+    return value if item.tolerance is None else f"{value} +- {in_user_unit(item.tolerance, item)}"
 
 
 def _range_words(item: Input) -> str:

@@ -218,6 +218,7 @@ def _parameter(parameter: Parameter) -> Input:
         _constant(low),
         _constant(high),
         parameter.label,
+        _constant(parameter.tolerance),
     )
 
 

@@ -17,7 +17,7 @@ from ..units import Dimension
 
 @frozen
 class Input:
-    """A free parameter: what it is, its unit as the user writes it, default and range in SI."""
+    """A free parameter: its unit as the user writes it, default, range and tolerance in SI."""
 
     name: str
     dimension: Dimension
@@ -26,6 +26,7 @@ class Input:
     low: float | None = None
     high: float | None = None
     label: str = ""
+    tolerance: float | None = None
 
 
 @frozen
