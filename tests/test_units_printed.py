@@ -4,6 +4,7 @@ import pytest
 
 import mechc
 from mechc.cli.check import report
+from mechc.derivation.to_text import render
 from mechc.driver import compile_source
 from mechc.emit.describe import si_unit
 from mechc.source import Source
@@ -44,3 +45,33 @@ def test_the_unit_printed_for_what_a_unit_measures_can_be_typed(unit):
 def test_other_dimensions_are_quotients_of_base_units():
     assert si_unit(Dimension(-2, 1)) == "kg/m^2"
     assert si_unit(Dimension(-2)) == "1/m^2"
+
+
+LITERAL = """
+mechanism lever
+param a = 1 m
+param b = 2 m
+pivot O
+link AOB
+OA = a @ 180 deg
+OB = b @ 20 deg
+torque P on AOB
+torque T on AOB
+weight W mass 3 kg at A
+let T = 5 N*m
+find P
+"""
+
+
+def test_loads_that_are_numbers_have_their_unit() -> None:
+    compilation = compile_source(Source("m.mech", LITERAL))
+    said = "\n".join(report(compilation, verbose=False))
+    assert "where W = 29.41995 N\n" in said
+    assert "  T = 5 N*m\n" in said
+    derived = render(compilation.derivation, compilation.mechanism)
+    assert "W = 29.41995 N\n" in derived
+    assert "T = 5 N·m\n" in derived
+    tex = mechc.loads(LITERAL).emit("latex", language="uk").replace("&", "")
+    assert r"W=29{,}41995\,\text{Н}" in tex
+    assert tex.count(r"W=29{,}41995") == tex.count(r"W=29{,}41995\,\text{Н}") == 2
+    assert r"T=5\,\text{Н}\cdot \text{м}" in tex

@@ -1,11 +1,11 @@
 """``mechc check``: mistakes found, expectations proved or refuted, the second opinion."""
 
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 
 import click
 
 from ..check.expectations import Finding
-from ..derivation.definitions import Solved, grouped, lettered, usual_weights
+from ..derivation.definitions import Solved, grouped, lettered, literal_sizes, usual_weights
 from ..derivation.locking import friction_remarks
 from ..derivation.remarks import own_conditions, reaction
 from ..derivation.sections import Told, in_short
@@ -70,11 +70,11 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told, given = Told(), {r.name for r in compilation.results if _is_given(r)}
-    usual = usual_weights(compilation.mechanism)
+    usual, units = usual_weights(compilation.mechanism), literal_sizes(compilation.mechanism)
     before: Result | None = None
     for result in compilation.results:
         where = [d for d in told.of(result) if d.name not in given]
-        yield from _of_result(in_short(result, compilation.results), where, usual, before)
+        yield from _of_result(in_short(result, compilation.results), where, usual, units, before)
         before = result
         yield from (f"    {line}" for line in friction_remarks(result, WORDS, spell))
     for finding in compilation.findings:
@@ -88,7 +88,11 @@ def _is_given(result: Result) -> bool:
 
 
 def _of_result(
-    result: Result, where: Iterable[Definition], usual: Set[str], before: Result | None
+    result: Result,
+    where: Iterable[Definition],
+    usual: Set[str],
+    units: Mapping[str, str],
+    before: Result | None,
 ) -> Iterator[str]:
     """Yield what is known of a result, without what the one before has just told."""
     if _is_given(result) and result.default is not None:
@@ -96,7 +100,7 @@ def _of_result(
         return
     yield f"  {result.name} = {text(result.formula)}"
     for group in grouped(lettered(where, usual)):
-        yield from _of_definition(group, usual)
+        yield from _of_definition(group, usual, units)
     sizes = _sizes(result)
     if sizes and not (before and sizes == _sizes(before)):
         press = "press the joints" if len(sizes) > 1 else "presses the joint"
@@ -119,10 +123,15 @@ def _sizes(result: Result) -> list[str]:
     return sorted(symbols(result.formula) & result.inside)
 
 
-def _of_definition(group: Definition | Solved, usual: Set[str]) -> Iterator[str]:
+def _of_definition(
+    group: Definition | Solved, usual: Set[str], units: Mapping[str, str]
+) -> Iterator[str]:
     if isinstance(group, Solved):
         yield f"    where {', '.join(group.names)} solve"
         yield from (f"      {text(zero)} = 0" for zero in group.zeros)
+        return
+    if group.name in units and isinstance(group.formula, Number):
+        yield f"    where {group.name} = {float(group.formula.value):.9g} {units[group.name]}"
         return
     g = f", g = {float(GRAVITY.value)} m/s^2" if group.name in usual else ""
     yield f"    where {group.name} = {text(group.formula)}{g}"

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ..formula.tree import Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
-from ..model.mechanism import GRAVITY, Force, Load, Mechanism
+from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Torque
 from ..model.result import Definition
 
 FREE_FALL = Symbol("g")
@@ -41,6 +41,20 @@ def by_letter(formula: Formula) -> Formula:
 def lettered(where: Iterable[Definition], usual: Set[str]) -> list[Definition]:
     """Return definitions with each of the usual weights as ``m·g``."""
     return [Definition(n, by_letter(f)) if n in usual else Definition(n, f) for n, f in where]
+
+
+def literal_unit(load: Load, given: Formula | None = None) -> str:
+    """Return the unit of a load whose size, ``given`` or tied, is a number; else ''."""
+    if not isinstance(given or load.tie, Number):
+        return ""
+    return "N*m" if isinstance(load, Torque) else "N"
+
+
+def literal_sizes(mechanism: Mechanism) -> dict[str, str]:
+    """Return the loads whose size the description gives as a number, with its unit."""
+    given = {let.name: let.value for let in mechanism.lets}
+    units = {load.name: literal_unit(load, given.get(load.name)) for load in mechanism.loads}
+    return {name: unit for name, unit in units.items() if unit}
 
 
 class Solved(NamedTuple):

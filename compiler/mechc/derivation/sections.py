@@ -1,7 +1,8 @@
 """The results in the order of a report: those of one joint together, each name told once."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import zip_longest
+from types import MappingProxyType
 
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Implicit, Symbol, System
@@ -9,7 +10,7 @@ from ..formula.walk import symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
 from ..model.result import Definition, Result
-from .definitions import lettered, usual_weights
+from .definitions import lettered, literal_sizes, usual_weights
 from .remarks import reaction
 from .steps import Account, Derivation, Passage
 
@@ -19,24 +20,28 @@ LONG = 24
 
 @frozen
 class Section:
-    """Results that are told under one heading, how they came about, and what they rest on."""
+    """Results that are told under one heading, how they came about, and what they rest on.
+
+    ``units`` are those of loads that are numbers.
+    """
 
     passages: tuple[Passage, ...]
     results: tuple[Result, ...]
     where: tuple[Definition, ...]
     has_usual_g: bool = False
+    units: Mapping[str, str] = MappingProxyType({})
 
 
 def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
     """Yield the results under their headings; what was told before is left out."""
-    told, usual = Told(), usual_weights(mechanism)
+    told, usual, units = Told(), usual_weights(mechanism), literal_sizes(mechanism)
     for account, results in _grouped(derivation):
         told.equations(account)
         rested = told.untold([Symbol(d.name) for d in account.where], account.where)
         fresh = [*rested, *(d for r in results for d in told.of(r))]
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
         weighs = any(d.name in usual for d in fresh)
-        yield Section(account.passages, shown, tuple(lettered(fresh, usual)), weighs)
+        yield Section(account.passages, shown, tuple(lettered(fresh, usual)), weighs, units)
 
 
 class Told:

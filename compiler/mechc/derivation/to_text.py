@@ -1,7 +1,7 @@
 """The derivation for the terminal: numbered steps, the rule in words, what it gives."""
 
 import re
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from textwrap import wrap
 from typing import NamedTuple
 
@@ -111,11 +111,11 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
     if section.passages:
         yield f"     {WORDS.hence}"
     for result in section.results:
-        yield from _result(result, spell)
+        yield from _result(result, spell, section.units)
     if section.where:
         yield f"     {WORDS.where}"
         for group in grouped(section.where):
-            yield from _group(group, spell)
+            yield from _group(group, spell, section.units)
     if section.has_usual_g:
         yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
     for result in section.results:
@@ -123,18 +123,25 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
             yield from _wrapped(remark, "   - ")
 
 
-def _result(result: Result, spell: Speller) -> list[str]:
+def _result(result: Result, spell: Speller, units: Mapping[str, str]) -> list[str]:
     asked_for = ratio(result)
     left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
     angle = is_angle(result.formula, spell.angles)
-    return _broken(spell.relation((*left, result.formula), ("=",) * len(left), angle))
+    whole = spell.relation((*left, result.formula), ("=",) * len(left), angle)
+    return _broken(whole + _unit(result.name, units, spell))
 
 
-def _group(group: Definition | Solved, spell: Speller) -> Iterator[str]:
+def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:
+    """Return the unit behind a load that is a number, '' behind anything else."""
+    unit = units.get(name, "")
+    return f" {unit.replace('*', '·') if spell.signs.fancy else unit}".rstrip()
+
+
+def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str]) -> Iterator[str]:
     if isinstance(group, Definition):
         left = spell.relation((Symbol(group.name),), (), False)
         right = spell.relation((group.formula,), (), group.name in spell.angles)
-        yield from _broken(f"{left} = {right}")
+        yield from _broken(f"{left} = {right}{_unit(group.name, units, spell)}")
     else:
         names = ", ".join(spell.relation((Symbol(n),), (), False) for n in group.names)
         yield from _wrapped(WORDS.solve.format(names=names), _DEEP)

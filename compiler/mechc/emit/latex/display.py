@@ -24,11 +24,15 @@ _INDENT = 2.0
 
 
 class Line(NamedTuple):
-    """One equation to display: its left side as it stands, its right side as a formula."""
+    """One equation to display: its left side as it stands, its right side as a formula.
+
+    ``unit`` stands behind a right side that is a number.
+    """
 
     left: Box
     right: Formula
     angle: bool = False
+    unit: str = ""
 
 
 class _Display:
@@ -106,7 +110,7 @@ def _fitted(line: Line, style: Notation, names: _Display) -> list[Box]:
     room = max(LINE - line.left.width - _INDENT, LINE / 2)
     whole = box(line.right, style, line.angle)
     if whole.width <= room:
-        return [whole]
+        return [row((whole, Box(line.unit, 0.0))) if line.unit else whole]
     if not isinstance(line.right, Sum):
         return _factor_lines(_named(line.right, room, style, names), room, style)
     terms = [_term(term, room, style, names) for term in line.right.terms]

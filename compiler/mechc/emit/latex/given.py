@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator, Set
 from typing import NamedTuple, assert_never
 
-from ...derivation.definitions import by_letter, takes_usual_g
+from ...derivation.definitions import by_letter, literal_unit, takes_usual_g
 from ...derivation.wording import enumeration
 from ...formula.names import split_points
 from ...formula.tree import ZERO, Formula, Sum, number
@@ -197,7 +197,8 @@ def _tie(load: Load, words: Words, style: Notation) -> str:
     assert load.tie
     usual = takes_usual_g(load)
     tie = by_letter(load.tie) if usual else load.tie
-    said = ", " + math(f"{name(load.name, style)}={latex(tie, style)}")
+    unit = unit_symbol(literal_unit(load), words)
+    said = ", " + math(f"{name(load.name, style)}={latex(tie, style)}{unit}")
     if not usual:
         return said
     g = quantity(GRAVITY, DIMENSIONS["acceleration"], "m/s^2", words, style)

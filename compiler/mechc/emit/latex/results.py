@@ -19,7 +19,7 @@ from ...words.table import Words
 from .display import LINE, Line, balance, display, vanishing
 from .notation import Notation, name, points
 from .printer import Box, box, latex, plain
-from .quantity import decimal, measured
+from .quantity import decimal, measured, unit_symbol
 
 _WIDE = 9.0
 """Em beyond which a left side is no mere name or ratio of speeds."""
@@ -56,11 +56,13 @@ def section_block(section: Section, words: Words, style: Notation) -> SectionBlo
     comes first.
     """
     passages = tuple(_passage(p, words, style) for p in section.passages)
-    main = _together(section.results, style, words) or _main(section.results[0], words, style)
+    units = {n: unit_symbol(unit, words) for n, unit in section.units.items()}
+    main = _together(section.results, style, words)
+    main = main or _main(section.results[0], words, style, units)
     return SectionBlock(
         heading(section.results[0], words, Speller(style)),
         passages,
-        (*main, *_where(section.where, words, style)),
+        (*main, *_where(section.where, words, style, units)),
         tuple(_findings(r, words, style) for r in section.results),
     )
 
@@ -121,12 +123,15 @@ def _left(result: Result, style: Notation) -> Box:
     return Box(f"{symbol.tex}={whole.tex}", symbol.width + whole.width + 1.2, tall=True)
 
 
-def _main(result: Result, words: Words, style: Notation) -> tuple[str, ...]:
+def _main(
+    result: Result, words: Words, style: Notation, units: Mapping[str, str]
+) -> tuple[str, ...]:
     left = _left(result, style)
     short = left.width + box(result.formula, style).width <= LINE
     if result.coefficients and not short:
         return _as_form(left, result.coefficients, words, style)
-    return (display((Line(left, result.formula),), style, words.where, boxed=True),)
+    line = Line(left, result.formula, unit=units.get(result.name, ""))
+    return (display((line,), style, words.where, boxed=True),)
 
 
 def _as_form(
@@ -140,21 +145,24 @@ def _as_form(
     return first, words.where, display(lines, style, words.where)
 
 
-def _where(where: Iterable[Definition], words: Words, style: Notation) -> tuple[str, ...]:
+def _where(
+    where: Iterable[Definition], words: Words, style: Notation, units: Mapping[str, str]
+) -> tuple[str, ...]:
     """Return definitions, neighbours in one display; a system's names before its equations."""
     told: list[str] = []
     for solved, groups in groupby(grouped(where), lambda group: isinstance(group, Solved)):
         if solved:
             told += (part for group in groups for part in _solved(group, words, style))
         else:
-            told.append(display(tuple(_line(group, style) for group in groups), style, words.where))
+            told.append(display(tuple(_line(g, style, units) for g in groups), style, words.where))
     return (words.where, *told) if told else ()
 
 
-def _line(definition: Definition | Solved, style: Notation) -> Line:
+def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, str]) -> Line:
     assert isinstance(definition, Definition)
-    symbol = plain(name(definition.name, style))
-    return Line(symbol, definition.formula, definition.name in style.angles)
+    own = definition.name
+    unit = units.get(own, "")
+    return Line(plain(name(own, style)), definition.formula, own in style.angles, unit)
 
 
 def _solved(group: Definition | Solved, words: Words, style: Notation) -> tuple[str, str]:
