@@ -5,6 +5,7 @@ import pytest
 import mechc
 from force_samples import compiled
 from mechc.driver import Compilation
+from mechc.figure import figure as drawn
 from mechc.model.mechanism import RubbingPin
 from mechc.source import Source
 
@@ -162,3 +163,27 @@ def test_a_load_on_what_both_halves_have_counts_for_each():
     """
     whole, each = (mechc.loads(t) for t in (text, text.replace("at K", "at K on BK")))
     assert each.evaluate()["k"] == pytest.approx(2 * whole.evaluate()["k"])
+
+
+CARRIED = """
+pivot O
+pivot D
+link OA
+link AB
+slider B along x
+OA = 50 mm @ 60 deg
+AB = @ -20 deg
+OD = 40 mm @ 100 deg
+force P at A on OA along 0 deg
+spring 5 N/mm between A on AB and D free 30 mm
+force F at B along 180 deg
+find P
+"""
+
+
+def test_loads_name_the_links_that_carry_them():
+    figure = mechc.loads(CARRIED, "carried.mech").figure()
+    force = {f.name: f.link for f in figure.parts if isinstance(f, drawn.Force)}
+    assert force == {"P": "OA", "F": ""}
+    (spring,) = [p for p in figure.parts if isinstance(p, drawn.Spring)]
+    assert (spring.first_link, spring.second_link) == ("AB", "")

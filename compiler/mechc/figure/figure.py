@@ -164,13 +164,17 @@ class Screw:
 
 @frozen
 class Force:
-    """A force on a point, or a weight; it counts ``times`` over."""
+    """A force on a point, or a weight; it counts ``times`` over.
+
+    ``link`` is the link that carries it at a shared pin, empty where it acts on the pin.
+    """
 
     name: str
     point: str
     along: Plane
     weight: bool
     times: float
+    link: str
 
 
 @frozen
@@ -186,20 +190,24 @@ class Torque:
 
 @frozen
 class Actuator:
-    """A pair of forces that pushes two points apart."""
+    """A pair of forces that pushes two points apart; links as those of a :class:`Force`."""
 
     name: str
     first: str
     second: str
+    first_link: str
+    second_link: str
 
 
 @frozen
 class Spring:
-    """A spring between two points."""
+    """A spring between two points; links as those of a :class:`Force`."""
 
     name: str
     first: str
     second: str
+    first_link: str
+    second_link: str
 
 
 # -------------------------------------------------------------------- measurements

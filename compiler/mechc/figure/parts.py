@@ -205,13 +205,15 @@ class Half:
         match load:
             case model.Force(name, point):
                 along, times = self.unit(self.ways.pose.lines[name]), float(load.times)
-                return drawn.Force(name, self.point(point), along, load.weight, times)
+                link = load.link and self.link(load.link)
+                return drawn.Force(name, self.point(point), along, load.weight, times, link)
             case model.Torque(name, link):
                 at, times = self._hub(link), float(load.times)
                 return drawn.Torque(name, self.link(link), at, self.sense > 0, times)
             case model.Thrust(name, first, second):
                 kind = drawn.Spring if load.spring else drawn.Actuator
-                return kind(name, self.point(first), self.point(second))
+                links = (link and self.link(link) for link in (load.first_link, load.second_link))
+                return kind(name, self.point(first), self.point(second), *links)
             case _:
                 assert_never(load)
 
