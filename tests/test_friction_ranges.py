@@ -171,3 +171,31 @@ def test_an_efficiency_runs_through_what_sampling_finds():
 @pytest.mark.slow
 def test_many_states_are_those_of_free_bodies():
     assert sum(hold_to_free_bodies(seed, 3) for seed in range(20, 23)) > 45
+
+
+FAR_OFF = """\
+mechanism s
+param t = 29.02 deg in -0.98 deg .. 59.02 deg
+slider A along 269.8 deg
+slider B along 76.2 deg
+link AB
+AB = 140.3 mm @ t
+force P at A along 195.1 deg
+force F at B along 142.5 deg
+friction pins 0.122 diameter 21.2 mm
+friction slider A 0.473
+friction slider B 0.473
+find k = P/F
+"""
+"""Forces that grow without end before all of the friction is there: no load balances."""
+
+
+def test_what_sticks_is_told_where_corrections_run_out_in_code():
+    made = made_of(FAR_OFF)
+    for degrees, state in ((-0.85, "locked"), (36.8, "jammed"), (54.2, "jammed")):
+        place = math.radians(degrees)
+        values = defined(tree_of(FAR_OFF), {**made.values(), "t": place})
+        assert ratio(Forces(tree_of(FAR_OFF), values), "P", "F", 1) is None
+        (reach,) = result(made, "k_f").locking.reaches
+        states = [s.state for s in reach.stretches if s.within and _is_in(place, *s.within)]
+        assert states == [state], degrees

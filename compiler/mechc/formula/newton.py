@@ -28,6 +28,9 @@ Status = Literal[0, 1, 2]
 CORRECTIONS = 96
 """Corrections of the unknowns altogether, those of steps that are given up among them."""
 
+LONGER = 5 * CORRECTIONS
+"""The same where it must be known whether there is a solution, though code would give none."""
+
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""
 
@@ -70,6 +73,7 @@ def follow(
     anchor: Sequence[float],
     start: Sequence[float],
     outer: Sequence[float],
+    corrections: int = CORRECTIONS,
 ) -> tuple[Status, tuple[float, ...]]:
     """Return how it went, and the unknowns where it ended.
 
@@ -86,7 +90,7 @@ def follow(
     reached, step, last = 0.0, longest, 0.0
     if longest == 0.0:
         return 2, tuple(base)
-    for _ in range(CORRECTIONS):
+    for _ in range(corrections):
         aim = reached + step
         here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
         residuals, matrix = equations(found, here)

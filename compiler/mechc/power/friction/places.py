@@ -49,14 +49,11 @@ class Places:
         """Return a result's value, NaN where it has none."""
         return self.named(result, place).get(VALUE, math.nan)
 
-    def holds(self, result: Result, place: float) -> bool:
-        """Tell whether all guards of a result hold, as far as they can be judged."""
-        values = self.named(result, place)
-        sides = (
-            (values.get(f"{LEFT}{i}"), guard.operator, values.get(f"{RIGHT}{i}"))
-            for i, guard in enumerate(result.guards)
-        )
-        return all(a is None or b is None or compare(a, sign, b) for a, sign, b in sides)
+    def resting_on(
+        self, known: Mapping[str, float], result: Result, place: float
+    ) -> dict[str, float]:
+        """Return the same where some of a result's definitions have known values."""
+        return Chain(_formulas(result)).complete({**self.values(place), **known})
 
     def named(self, result: Result, place: float) -> dict[str, float]:
         """Return what has a value at a place, the names that a result mentions among it."""
@@ -68,6 +65,16 @@ class Places:
         found = self._chains[key][1].complete(self.values(place))
         self._last = result, place, found
         return found
+
+
+def guarded(result: Result, values: Mapping[str, float]) -> float:
+    """Return a result among all that has a value, NaN where a guard does not hold."""
+    sides = (
+        (values.get(f"{LEFT}{i}"), guard.operator, values.get(f"{RIGHT}{i}"))
+        for i, guard in enumerate(result.guards)
+    )
+    sound = all(a is None or b is None or compare(a, sign, b) for a, sign, b in sides)
+    return values.get(VALUE, math.nan) if sound else math.nan
 
 
 def _formulas(result: Result) -> dict[str, Formula]:
