@@ -62,6 +62,8 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     jumps = (x for a, b in pairwise(places) for x in _jumps(moving, a, b))
     nearest = NEAREST * (even[1] - low) / 2
     places = sorted({*places, *(x for x in jumps if all(abs(x - c) > nearest for c in still))})
+    edges = [x for a, b in pairwise(places) for x in _edge(moving, a, b)]
+    places = sorted({*places, *edges})
     return sorted({*places, *_extremes(moving, places)})
 
 
@@ -132,6 +134,17 @@ def _jumps(moving: Moving, a: float, b: float) -> Iterator[float]:
 def _last_alike(moving: Moving, a: float, b: float) -> float:
     signs = moving.signs(a)
     return last(lambda x: moving.signs(x) == signs, a, b, NEARLY)
+
+
+def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
+    """Yield the last place at which it moves as at the first, where it sticks at the second.
+
+    There an efficiency may fall to nothing at once.
+    """
+    state, driven, beyond = moving.at(a).state, moving.driven(a), moving.at(b).state
+    if None not in (state, beyond) and state != beyond and moving.driven(b) == driven:
+        yield last(lambda x: moving.at(x).state == state, a, b, NEARLY)
+        yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY)
 
 
 def _extremes(moving: Moving, places: Sequence[float]) -> Iterator[float]:
