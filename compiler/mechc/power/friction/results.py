@@ -220,9 +220,10 @@ class FrictionResults:
     def _values(self) -> dict[str, float]:
         """Return the default pose's values, with loads of unknown size near 1, none like another.
 
-        Equal ones may cancel in a joint, which would then be told for that case only.
+        Equal ones may cancel in a joint; the order of lines may not change them.
         """
-        values = {load.name: 1 + i / 7 for i, load in enumerate(self._mechanism.loads)}
+        loads = sorted(self._mechanism.loads, key=lambda load: load.name)
+        values = {load.name: 1 + i / 7 for i, load in enumerate(loads)}
         values |= default_values(self._plan)
         for name, formula in self._valued.items():
             if symbols(formula) <= values.keys():
