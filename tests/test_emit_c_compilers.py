@@ -23,7 +23,9 @@ COMPILERS = {
     "g++": ["g++", "-std=c++17", "-x", "c++"],
     "clang++": ["clang++", "-std=c++17", "-x", "c++"],
 }
-LEVELS = ("-O0", "-Os", "-O2", "-O3 -march=native")
+LEVELS = {"gcc": "-O2", "clang": "-Os", "g++": "-O0", "clang++": "-O3 -march=native"}
+"""Each compiler at a level of its own: all pairs take ten minutes and found no more."""
+
 ITERATED = ("double_butterfly", "scissor_table", "triad_closed")
 
 
@@ -47,10 +49,9 @@ def test_systems_compile_without_a_warning(compiler, level, tmp_path):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("level", LEVELS)
 @pytest.mark.parametrize("compiler", COMPILERS)
-def test_the_library_compiles_without_a_warning(compiler, level, tmp_path):
-    compile_all([*SAMPLES, *LIBRARY], compiler, level, tmp_path)
+def test_the_library_compiles_without_a_warning(compiler, tmp_path):
+    compile_all([*SAMPLES, *LIBRARY], compiler, LEVELS[compiler], tmp_path)
 
 
 HUGE = [1e6, 1.05e6, -2e6, 1e15, 1e22, -1e22, 1e300, np.inf, -np.inf, np.nan]
