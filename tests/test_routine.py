@@ -5,7 +5,7 @@ from collections.abc import Iterable
 
 import numpy as np
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 
 from mechc.formula.operations import count_operations
@@ -226,7 +226,8 @@ def test_sharing_changes_no_value(formula: Formula) -> None:
     expected, found = value_of(formula, values), value_of(output, scope)
     if not math.isnan(expected) and abs(expected) < 1e12:
         largest = max(abs(value_of(part, values)) for part in walk(formula))
-        assert found == pytest.approx(expected, rel=1e-6, abs=1e-9 * min(largest, 1e9))
+        assume(largest < 1e9)  # of the sine of more than that no digit is right
+        assert found == pytest.approx(expected, rel=1e-6, abs=1e-9 * largest)
 
 
 def test_the_pose_has_no_part_in_friction() -> None:
