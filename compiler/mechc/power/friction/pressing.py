@@ -9,7 +9,7 @@ from collections.abc import Mapping, Sequence
 
 from ...algebra.product import Product
 from ...algebra.sums import add
-from ...frozen import frozen
+from ...frozen import frozen, replace
 from ...kinematics.plan import Plan
 from ...model.mechanism import Torque
 from ..balance import Term
@@ -118,3 +118,8 @@ def _component(push: Push, names: Mapping[str, str], given: Given) -> Component:
     ideal = add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
     by = {name: push.amounts[load] for load, name in names.items() if push.amounts.get(load)}
     return Component(ideal, by)
+
+
+def scaled(pressed: Sequence[Pressed], factor: Product) -> tuple[Pressed, ...]:
+    """Return what adds to a multiple of the driving load."""
+    return tuple(replace(p, slip=p.slip * factor) for p in pressed)

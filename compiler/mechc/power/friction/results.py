@@ -45,7 +45,7 @@ from .coupled import Sizes, true_sizes
 from .efficiency import Drives
 from .exact import exact, exact_case, first_order, first_order_case
 from .forces import ForceWithFriction
-from .pressing import Idle, Pressed, PressedByAnother, Undetermined, press
+from .pressing import Idle, Pressed, PressedByAnother, Undetermined, press, scaled
 from .rubs import Rub, rubs
 from .signs import AtOnePose, Signs
 from .steps import Step
@@ -123,7 +123,7 @@ class FrictionResults:
                 if pressed is None:
                     return None
                 sizes = true_sizes(pressed, SIGNS[sense], self._taken())
-                named = self._iterated(ideal, _scaled(pressed, case.factor), sizes)
+                named = self._iterated(ideal, scaled(pressed, case.factor), sizes)
                 return self._result(find, ideal, named)
             case _:
                 return None
@@ -155,12 +155,12 @@ class FrictionResults:
         pressed = self._press(find, case)
         if pressed is None:
             return None
-        scaled = _scaled(pressed, case.factor)
+        added = scaled(pressed, case.factor)
         if order == "first":
             return replace(
-                first_order(case.ideal.formula, scaled, sign, self._mechanism),
+                first_order(case.ideal.formula, added, sign, self._mechanism),
                 case=self._at_default(
-                    partial(first_order_case, find.name, case.ideal, scaled, sign)
+                    partial(first_order_case, find.name, case.ideal, added, sign)
                 ),
             )
         closed = self._closed(case, pressed, sign)
@@ -170,7 +170,7 @@ class FrictionResults:
         if closed and self._stands(find, case.ideal, closed):
             return closed
         sizes = true_sizes(pressed, sign, self._taken())
-        iterated = self._iterated(case.ideal, scaled, sizes)
+        iterated = self._iterated(case.ideal, added, sizes)
         if closed and not self._stands(find, case.ideal, iterated):
             return closed
         return iterated
@@ -230,11 +230,11 @@ class FrictionResults:
                 values[name] = evaluate(formula, values)
         return values
 
-    def _iterated(self, ideal: Result, scaled: Sequence[Pressed], sizes: Sizes) -> Named:
+    def _iterated(self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
         """Return the load by Newton's method, as it is printed for the default pose."""
         positive = partial(magnitude, mechanism=self._mechanism)
-        found = exact(ideal.formula, scaled, sizes, positive)
-        case = self._at_default(partial(exact_case, ideal.formula, scaled, sizes))
+        found = exact(ideal.formula, pressed, sizes, positive)
+        case = self._at_default(partial(exact_case, ideal.formula, pressed, sizes))
         return replace(found, case=case)
 
     def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
@@ -345,8 +345,3 @@ class FrictionResults:
             return None
         whole = self._result(find, ideal, named)
         return Drives(ideal, sense, self._plan).efficiency(whole, find.span)
-
-
-def _scaled(pressed: Sequence[Pressed], factor: Product) -> tuple[Pressed, ...]:
-    """Return what adds to a multiple of the driving load."""
-    return tuple(replace(p, slip=p.slip * factor) for p in pressed)
