@@ -20,6 +20,7 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
+from mechc.formula.walk import symbols
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from reference_strokes import Strokes
@@ -148,6 +149,13 @@ def test_strokes_in_c(tmp_path, record_property):
         seen.count(grown, expected)
     seen.report(record_property)
     assert seen.strokes > 200
+
+
+def test_a_loop_of_class_three_is_seen_to_close_by_what_else_it_finds():
+    """Of four unknowns of the loop the pose needs others than the one that its margin is of."""
+    ((_, compilation, _),) = decided([251], Seen())
+    known = {d.name for d in compilation.pose.definitions} | {"r", "phi"}
+    assert all(symbols(loop.margin) <= known for loop in compilation.pose.loops)
 
 
 @pytest.mark.slow

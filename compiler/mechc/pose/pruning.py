@@ -16,13 +16,14 @@ def pruned(pose: Pose) -> Pose:
 
     A direction that turned out to be a known one leaves its triangle behind, which need not
     have a value where the loop lies flat. Rates count as needed, where the name does, and what
-    a loop finds that may fail to close and that nothing else shows to have closed.
+    a loop finds that may fail to close and that nothing else shows to have closed, and by which
+    it is seen that it closes.
     """
     formulas = {d.name: d.formula for d in pose.definitions}
     used = _reached(_names(pose), formulas, pose.rates)
     for loop in pose.loops:
-        if loop.names.isdisjoint(used):
-            used |= _reached(loop.names, formulas, pose.rates)
+        shown = loop.names if loop.names.isdisjoint(used) else symbols(loop.margin)
+        used |= _reached(shown, formulas, pose.rates)
     return replace(pose, definitions=tuple(d for d in pose.definitions if d.name in used))
 
 
