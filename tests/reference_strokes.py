@@ -91,7 +91,10 @@ class Strokes:
             values, rates = self._run(drive, cranks[:, j])
             x, jacobian, closed = self._closed(x, values)
             sizes = np.linalg.norm(jacobian, axis=2, keepdims=True)
-            alive &= closed & (np.linalg.cond(jacobian / sizes) < HARD)
+            alive &= closed
+            scaled = jacobian / sizes
+            scaled[~alive] = np.eye(jacobian.shape[1])
+            alive &= np.linalg.cond(scaled) < HARD
             if not alive.any():
                 break
             jacobian[~alive] = np.eye(jacobian.shape[1])
