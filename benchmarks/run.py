@@ -173,7 +173,7 @@ def lengths() -> None:
     rows = []
     for name, path in library().items():
         compilation = compile_source(read(path))
-        result, *_ = compilation.balance.results
+        result, *_ = compilation.solution.results
         printed = [
             sympy.count_ops(to_sympy(e.value))
             for e in compilation.mechanism.expects

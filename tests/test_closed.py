@@ -55,7 +55,7 @@ def values_at(name, part):
 @pytest.mark.parametrize("name", CLOSED)
 def test_k_along_the_stroke(name):
     compilation, tree = compiled(name), tree_of(name)
-    result = next(r for r in compilation.balance.results if isinstance(r.target, LoadRatio))
+    result = next(r for r in compilation.solution.results if isinstance(r.target, LoadRatio))
     for part in PARTS:
         values = values_at(name, part)
         expected = reference_closed.ratio(

@@ -172,7 +172,7 @@ def test_friction_in_mechanisms_grown_at_random(seed):
     ideal, rubbing = made.free_bodies
     assert rubbing.motion
     assert_balance((ideal, rubbing), made.figure)
-    result = next(r for r in made.balance.results if r.name == "k_f")
+    result = next(r for r in made.solution.results if r.name == "k_f")
     k = value_of(result, made.figure.values)
     assert bool(rubbing.trouble) == math.isnan(k)
     if rubbing.trouble:
@@ -193,7 +193,7 @@ def assert_joints_as_asked(diagram, made):
     """Assert that forces of the ground are those that virtual power found."""
     scale = largest(diagram)
     values = {**made.figure.values, **diagram.loads}
-    for result in made.balance.results:
+    for result in made.solution.results:
         point, _, part = result.name.removeprefix("R_").rpartition("_")
         if result.name.startswith("R_") and part in ("x", "y") and "_on_" not in point:
             acting = [

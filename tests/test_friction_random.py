@@ -276,7 +276,7 @@ def test_releasing_is_what_holds(case):
 
 
 def is_iterated(made: Compiled) -> bool:
-    (found,) = (r for r in made.compilation.balance.results if r.name == "k_f")
+    (found,) = (r for r in made.compilation.solution.results if r.name == "k_f")
     formulas = [found.formula, *(d.formula for d in found.where)]
     return any(isinstance(p, Implicit) for f in formulas for p in walk(f))
 

@@ -119,9 +119,9 @@ def hold_to_free_bodies(seed: int, places: int) -> int:
     """Compare states and efficiencies at random places with free bodies; return how many."""
     text, dice = chain(seed), Random(seed + 1)
     made = made_of(text)
-    study, compared = Study(made.compilation.balance), 0
+    study, compared = Study(made.compilation.solution), 0
     for name, sense in MOTIONS.items():
-        target = next(r.target for r in made.compilation.balance.results if r.name == name)
+        target = next(r.target for r in made.compilation.solution.results if r.name == name)
         for reach in result(made, name).locking.reaches:
             moving = study.moving(target.of, target.sense, reach.parameter)
             for _ in range(places):
@@ -148,7 +148,7 @@ def _is_in(place: float, low: float, high: float) -> bool:
 def hold_to_sampling(seed: int) -> None:
     """Compare what an efficiency is said to run through with a dense sampling."""
     made = made_of(chain(seed))
-    study, eta = Study(made.compilation.balance), result(made, "eta_k")
+    study, eta = Study(made.compilation.solution), result(made, "eta_k")
     for course in eta.courses:
         moving = study.moving(eta.target.of, eta.target.sense, course.parameter)
         low, high = course.range

@@ -46,13 +46,25 @@ def test_a_plan_shows_unknowns_rules_order_and_speeds() -> None:
     assert any(line.startswith("  speeds:") and "2: ((b + c)/b, -c/b)" in line for line in lines)
 
 
-def test_a_balance_shows_powers_ties_and_what_follows() -> None:
+def test_a_balance_shows_powers_and_ties() -> None:
     lines = show("power", "slider_crank_claw")
     assert "  plan: as in kinematics" in lines
     assert "      tie: (R, f)" in lines
-    assert lines.index("results:") > lines.index("  solved:")
+
+
+def test_friction_shows_what_was_solved_before() -> None:
+    assert show("friction", "slider_crank_claw")[-2:] == [
+        "  balance: as in power",
+        "  solved: as in power.solved",
+    ]
+    lines = show("friction", "claw_with_friction")
+    assert any(line.startswith("    SolvedWithFriction") for line in lines)
+
+
+def test_a_study_shows_what_follows_from_the_results() -> None:
+    lines = show("study", "slider_crank_claw")
     pole = "Vanishing(factor=sin(beta + phi), at=(beta, -phi), kind=drive locked)"
-    assert f"    poles: ({pole})" in lines
+    assert f"  poles: ({pole})" in lines
 
 
 def test_a_routine_shows_its_steps_as_a_program() -> None:

@@ -27,7 +27,7 @@ class Looked:
         compilation = Compilation(Source("grown.mech", self.text()))
         (self.function,) = compilation.routine.functions
         self.pose = compilation.routine.pose
-        self.stroke = run(compilation.balance, compilation.results, 3, compilation.report)
+        self.stroke = run(compilation.solution, compilation.results, 3, compilation.report)
         self.range = self.stroke.high - self.stroke.low
         self.places = np.linspace(self.stroke.low, self.stroke.high, PLACES)
         self.cell = self.places[1] - self.places[0]

@@ -147,7 +147,7 @@ def test_the_referee_misses_a_pin_without_friction(point, missing):
     pose = without(compilation, point)
     assert missed(pose, values) == sorted(missing)
     with pytest.raises(MechcError) as caught:
-        judge(pose, compilation.balance.results, compilation.report)
+        judge(pose, compilation.solution.results, compilation.report)
     assert "E540" in {d.code for d in caught.value.diagnostics}
 
 
@@ -168,7 +168,7 @@ def test_a_pin_between_twins_is_counted():
     compilation = compiled(text)
     assert compilation.verdict.agrees
     guided = compiled(text.replace("link OB", "slider K along y\nlink OB"))
-    one, two = ({r.name: r.formula for r in c.balance.results} for c in (compilation, guided))
+    one, two = ({r.name: r.formula for r in c.solution.results} for c in (compilation, guided))
     assert one == two
     values = next(iter(candidates(compilation.pose, 1)))
     assert missed(without(compilation, "K"), values) == ["K on BK", "K on BK'"]

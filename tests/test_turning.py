@@ -31,7 +31,7 @@ def test_the_values_are_those_of_the_formula(name):
     compilation = compiled(name)
     values = default_values(compilation.plan)
     for result, function in zip(
-        compilation.balance.results, compilation.routine.functions, strict=True
+        compilation.solution.results, compilation.routine.functions, strict=True
     ):
         if all(i.name in values for i in function.inputs):
             expected = value_of(result, values)

@@ -142,15 +142,15 @@ class SolvedMechanism:
     @cached_property
     def _fixed_loads(self) -> frozenset[str]:
         """The loads whose size the description gives."""
-        return given_loads(self._compilation.mechanism, self._compilation.balance.results)
+        return given_loads(self._compilation.mechanism, self._compilation.solution.results)
 
     def _routine(self, overridden: frozenset[str]) -> "Routine":
         """Return the routine with loads as inputs that the description gives a size, made once."""
         if not overridden:
             return self._compilation.routine
         if overridden not in self._overridden:
-            pose, balance = self._compilation.pose, self._compilation.balance
-            changed = freed(pose.mechanism, balance.results, overridden)
+            pose, solution = self._compilation.pose, self._compilation.solution
+            changed = freed(pose.mechanism, solution.results, overridden)
             self._overridden[overridden] = self._compilation.routine_of(*changed)
         return self._overridden[overridden]
 

@@ -23,6 +23,8 @@ from .pose.from_model import settle
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.conclusions import conclude
+from .power.friction.from_balance import solve
+from .power.friction.solution import Solution
 from .power.from_plan import balance
 from .routine.from_results import program
 from .routine.steps import Routine
@@ -50,6 +52,8 @@ STAGES: Mapping[str, str] = {
     "pose": "pose",
     "kinematics": "plan",
     "power": "balance",
+    "friction": "solution",
+    "study": "results",
     "statics": "verdict",
     "derivation": "derivation",
     "routine": "routine",
@@ -59,7 +63,7 @@ STAGES: Mapping[str, str] = {
 VIEWS: Mapping[str, str] = {**STAGES, "figure": "figure", "bodies": "free_bodies"}
 """The stages, and what is made only when it is asked for: nothing rests on it."""
 
-SECOND_OPINIONS = ("verdict", "findings", "out_of_step", "gaps")
+SECOND_OPINIONS = ("verdict", "constant_efficiency", "findings", "out_of_step", "gaps")
 """The attributes that hold what statics, the user's ``expect`` lines and the drive say of it."""
 
 
@@ -96,23 +100,36 @@ class Compilation:
 
     @Stage
     def balance(self) -> Balance:
-        """The power equation, solved for what was asked."""
+        """The power equation, solved for what was asked without friction."""
         return self._sound(balance(self.plan, self.report))
+
+    @Stage
+    def solution(self) -> Solution:
+        """All that was asked for, in the order of the text: with friction, and the user's lets."""
+        return self._sound(solve(self.balance, self.report))
 
     @Stage
     def results(self) -> tuple[Result, ...]:
         """What was asked for, in the order of the text, with what follows from each."""
-        return self._sound(conclude(self.balance))
+        return self._sound(conclude(self.solution))
 
     @Stage
     def verdict(self) -> Verdict:
         """The second opinion: the results by equilibrium of the free bodies."""
-        return self._sound(judge(self.pose, self.balance.results, self.report))
+        return self._sound(judge(self.pose, self.solution.results, self.report))
+
+    @Stage
+    def constant_efficiency(self) -> None:
+        """What is to be said of an efficiency that is given as one number."""
+        if self.pose.mechanism.friction.efficiency is not None:
+            from .power.friction.constant import remark_on_constant
+
+            remark_on_constant(self.solution, self.report)
 
     @Stage
     def findings(self) -> tuple[Finding, ...]:
         """What each ``expect`` came to."""
-        pose, results = self.pose, self.balance.results
+        pose, results = self.pose, self.solution.results
         definitions = [Definition(*d) for d in pose.definitions]
         return self._sound(compare(pose.mechanism, results, self.report, definitions))
 
@@ -129,12 +146,12 @@ class Compilation:
     @Stage
     def derivation(self) -> Derivation:
         """The derivation in steps, as on paper."""
-        return self._sound(derive(self.balance, self.results))
+        return self._sound(derive(self.solution, self.results))
 
     @Stage
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(self.routine_of(self.pose.mechanism, self.balance.results))
+        return self._sound(self.routine_of(self.pose.mechanism, self.solution.results))
 
     def routine_of(self, mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
         """Return the program of results, which may have been changed, at this pose."""
@@ -167,14 +184,14 @@ class Compilation:
         if figure is None:
             return ()
         with within(Allowance(), self.report):
-            return diagrams(self.pose, self.balance.results, figure.values, figure.points, loads)
+            return diagrams(self.pose, self.solution.results, figure.values, figure.points, loads)
 
     def stroke(self, points: int) -> "Stroke":
         """Return the results along the stroke of the drive, in so many rows."""
         from .stroke.from_balance import run
 
         with within(Allowance(), self.report):
-            return run(self.balance, self.results, points, self.report)
+            return run(self.solution, self.results, points, self.report)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

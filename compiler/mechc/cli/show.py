@@ -23,8 +23,8 @@ from .terminal import say
 def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
     """Print what a stage of the compiler made of a description.
 
-    The stages, in order: syntax, model, pose, kinematics, power, statics, derivation,
-    routine. Later stages are not run. Formulas are printed in the notation of the
+    The stages, in order: syntax, model, pose, kinematics, power, friction, study, statics,
+    derivation, routine. Later stages are not run. Formulas are printed in the notation of the
     language, quantities in SI; "as in model.links" is what `mechc show model` prints
     under links. "figure" is what a drawing of the default pose shows, "bodies" the
     forces on each body there.
@@ -52,17 +52,10 @@ def text_of(stage: str, compilation: Compilation) -> str:
         case "figure" if compilation.figure is None:
             return "There is no figure: the mechanism cannot be assembled at these values.\n"
         case _:
-            return dump(stage, _value(stage, compilation), _earlier(stage, compilation))
-
-
-def _value(stage: str, compilation: Compilation) -> object:
-    """Return the value of a stage; of power, what was concluded from it too."""
-    if stage == "power":
-        return {"balance": compilation.balance, "results": compilation.results}
-    return getattr(compilation, VIEWS[stage])
+            return dump(stage, getattr(compilation, VIEWS[stage]), _earlier(stage, compilation))
 
 
 def _earlier(stage: str, compilation: Compilation) -> dict[str, object]:
     """Return the values of the stages that had to run for one, by name."""
-    had_run = [s for s, attribute in STAGES.items() if attribute in vars(compilation)]
-    return {s: _value(s, compilation) for s in had_run if s != stage}
+    made = vars(compilation)
+    return {s: made[name] for s, name in STAGES.items() if name in made and s != stage}

@@ -12,8 +12,9 @@ from ..frozen import replace
 from ..model.mechanism import Axial, Force, Load, Normal, Reaction, Thrust, Torque
 from ..model.result import Definition
 from ..pose.pose import Pose, Vector
-from ..power.balance import Balance, Release, Solved, Term
+from ..power.balance import Release, Solved, Term
 from ..power.definitions import resting_on
+from ..power.friction.solution import Solution, SolvedWithFriction
 from .steps import Account, Equation, Passage, Saying
 from .wording import positive_first
 
@@ -22,15 +23,15 @@ HALF_TURN = Angle.constant(180)
 _BONDS = {"pin": Saying.PIN, "slide": Saying.GUIDE, "touch": Saying.TOUCH}
 
 
-def of_forces(balance: Balance) -> Iterator[Account]:
+def of_forces(solution: Solution) -> Iterator[Account]:
     """Yield an account of every force at a joint; its components are told together."""
-    pose = balance.plan.graph.pose
+    pose = solution.plan.graph.pose
     opening: tuple[Passage, ...] = ()
     told: set[str] = set()
-    for place, group in groupby(balance.solved, _place):
-        if place is None:
+    for place, group in groupby(solution.solved, _place):
+        solved = tuple(s for s in group if isinstance(s, Solved))
+        if place is None or not solved:
             continue
-        solved = tuple(group)
         writer = _Writer(pose, solved, told)
         if not told and solved[0].releases:
             opening = (Passage(Saying.RELEASED, names={"held": solved[0].releases[0].held}),)
@@ -40,7 +41,7 @@ def of_forces(balance: Balance) -> Iterator[Account]:
         yield Account(writer.names, passages, tuple(writer.definitions()))
 
 
-def _place(solved: Solved) -> tuple[str, ...] | None:
+def _place(solved: Solved | SolvedWithFriction) -> tuple[str, ...] | None:
     """Return at which joint a force acts; None for any other result."""
     match solved.result.target:
         case Reaction(point, link):

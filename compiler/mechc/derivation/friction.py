@@ -8,7 +8,8 @@ from ..formula.tree import ZERO, Call, Formula, Sum, Symbol, product, total
 from ..formula.walk import symbols, walk
 from ..frozen import replace
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Reaction, WithFriction
-from ..power.balance import Balance, Solved
+from ..power.balance import Solved
+from ..power.friction.solution import Solution, SolvedWithFriction
 from ..power.friction.steps import Step
 from .steps import Account, Equation, Passage, Saying
 from .wording import geometry_first, positive_first
@@ -36,21 +37,21 @@ _ITERATED = {
 _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 
 
-def of_friction(balance: Balance) -> Iterator[Account]:
+def of_friction(solution: Solution) -> Iterator[Account]:
     """Yield an account of every result with friction that was found in steps."""
-    mechanism = balance.plan.graph.pose.mechanism
+    mechanism = solution.plan.graph.pose.mechanism
     told = _Told(mechanism.friction.parameters)
-    for place, group in groupby(balance.solved, _place):
-        solved = tuple(group)
-        steps = solved[0].steps
-        if place is None or not steps:
+    for place, group in groupby(solution.solved, _place):
+        solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
+        if place is None or not solved or not solved[0].steps:
             continue
+        steps = solved[0].steps
         passages = [p for step in steps for p in _passages(step, told, place)]
         names = tuple(s.result.name for s in solved)
         yield Account(names, (*_opening(place, steps, mechanism, told), *passages))
 
 
-def _place(solved: Solved) -> WithFriction | None:
+def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
     """Return what a result with friction is of, the same for all parts of one force."""
     match solved.result.target:
         case WithFriction(Reaction() as force, sense):

@@ -13,6 +13,7 @@ from ..kinematics.plan import Block
 from ..model.mechanism import Force, Speed, SpeedRatio, Thrust, Torque
 from ..model.result import Result
 from ..power.balance import Balance, Term
+from ..power.friction.solution import Solution
 from .forces import of_forces
 from .friction import of_friction
 from .notation import Named, Notation
@@ -23,12 +24,13 @@ from .wording import has_minus, positive_first
 Names = Mapping[int, Named]
 
 
-def derive(balance: Balance, results: Sequence[Result]) -> Derivation:
+def derive(solution: Solution, results: Sequence[Result]) -> Derivation:
     """Return the derivation of what was asked for, with the results as they are concluded."""
+    balance = solution.balance
     writer = _Writer(balance)
     steps = tuple(writer.steps())
     terms = tuple(writer.term(t) for t in balance.terms if any(t.power))
-    accounts = (*of_forces(balance), *of_friction(balance))
+    accounts = (*of_forces(solution), *of_friction(solution))
     return Derivation(steps, terms, tuple(writer.balances()), tuple(results), accounts)
 
 

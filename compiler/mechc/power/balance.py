@@ -1,14 +1,15 @@
-"""The power equations: ``Σ load · speed = 0``, one for each independent motion."""
+"""The power equations, ``Σ load · speed = 0``, and what follows from them without friction."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 
 from ..algebra.angle import Angle
+from ..algebra.determinant import determinant
 from ..algebra.product import Product
+from ..algebra.sums import add, canonical
 from ..frozen import frozen
 from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Load
 from ..model.result import Result
-from .friction.steps import Step
 
 
 @frozen
@@ -30,6 +31,58 @@ class Term:
     def power(self) -> Speeds:
         """Return the power per unit of the load."""
         return tuple(self.count * s for s in self.speed)
+
+
+@frozen
+class Equations:
+    """``Σ columns[load][i] · load = 0`` for each independent motion i that moves a load.
+
+    Tied loads are taken into the column of the load they are tied to, one of the ``owners``,
+    by a factor; columns that vanish are left out and stand in ``idle_loads``. ``idle_motions``
+    are those that move no load, whatever the others do; ``powers`` are the columns with a row
+    for every motion.
+    """
+
+    owners: Mapping[str, tuple[str, Product]]
+    columns: Mapping[str, list[Product]]
+    powers: Mapping[str, list[Product]]
+    idle_loads: tuple[str, ...]
+    idle_motions: tuple[int, ...]
+
+    def owner(self, load: str) -> tuple[str, Product]:
+        """Return the free load that a load is tied to in the end, and the factor."""
+        return self.owners[load]
+
+    @property
+    def number(self) -> int:
+        """Return the number of independent equations."""
+        return len(next(iter(self.columns.values()), ()))
+
+    def per_power(self, load: str, power: Sequence[Product]) -> Product | None:
+        """Return a power of each motion per unit of a load's, in the one that moves loads.
+
+        None where an idle motion changes it.
+        """
+        whole = self.powers[load]
+        (kept,) = (i for i in range(len(whole)) if i not in self.idle_motions)
+        ratio = canonical(power[kept] / whole[kept])
+        idle = (add((power[i], -(ratio * whole[i]))) for i in self.idle_motions)
+        return None if any(map(canonical, idle)) else ratio
+
+    def solve(self, load: str, unknown: Sequence[str], per: str) -> Product:
+        """Return the unknown load that balances a unit of a known one, others being absent.
+
+        Cramer's rule on the equations, one for each unknown load.
+        """
+        matrix = [self.columns[u] for u in unknown]
+        replaced = [self.columns[per] if u == load else self.columns[u] for u in unknown]
+        return canonical(-(determinant(replaced) / determinant(matrix)))
+
+    def determines(self, unknown: Sequence[str]) -> bool:
+        """Return whether the equations can be solved for these loads."""
+        return all(u in self.columns for u in unknown) and bool(
+            determinant([self.columns[u] for u in unknown])
+        )
 
 
 @frozen
@@ -56,8 +109,7 @@ class Solved:
     """A result as algebra, before it is turned into a formula.
 
     ``value`` is None for a let. ``above`` and ``below`` are the loads of a ratio,
-    ``releases`` those by which a force at a joint was found, ``steps`` those by which friction
-    was.
+    ``releases`` those by which a force at a joint was found.
     """
 
     result: Result
@@ -65,15 +117,19 @@ class Solved:
     above: str = ""
     below: str = ""
     releases: tuple[Release, ...] = ()
-    steps: tuple[Step, ...] = ()
 
 
 @frozen
 class Balance:
-    """The plan with its loads, and what was asked for, solved."""
+    """The plan with its loads, and what was asked for without friction, solved.
+
+    ``driving`` are the loads that follow from the others where forces at joints are asked for.
+    """
 
     plan: Plan
     terms: tuple[Term, ...]
+    equations: Equations
+    driving: tuple[str, ...]
     solved: tuple[Solved, ...]
 
     @property

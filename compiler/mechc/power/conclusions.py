@@ -17,6 +17,7 @@ from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFr
 from ..model.result import Result, Trend
 from ..pose.pose import Pose
 from .balance import Balance, Solved
+from .friction.solution import Solution, SolvedWithFriction
 from .numbers import default_values
 from .trends import ranges, trend
 from .vanishing import poles, zeros
@@ -31,22 +32,26 @@ Their number grows with the square of the parameters', and nobody reads them the
 """
 
 
-def conclude(balance: Balance) -> tuple[Result, ...]:
+def conclude(solution: Solution) -> tuple[Result, ...]:
     """Return the results with what follows from each."""
-    values, study = default_values(balance.plan), cache(partial(_study, balance))
-    return tuple(_concluded(item, balance, values, study) for item in balance.solved)
+    values, study = default_values(solution.plan), cache(partial(_study, solution))
+    return tuple(_concluded(item, solution, values, study) for item in solution.solved)
 
 
-def _study(balance: Balance) -> "Study":
+def _study(solution: Solution) -> "Study":
     from .friction.study import Study
 
-    return Study(balance)
+    return Study(solution)
 
 
 def _concluded(
-    item: Solved, balance: Balance, values: Mapping[str, float], study: "Callable[[], Study]"
+    item: Solved | SolvedWithFriction,
+    solution: Solution,
+    values: Mapping[str, float],
+    study: "Callable[[], Study]",
 ) -> Result:
-    if item.value is None:
+    balance = solution.balance
+    if isinstance(item, SolvedWithFriction) or item.value is None:
         return _with_friction(item.result, balance, study)
     mechanism = balance.plan.graph.pose.mechanism
     result = replace(

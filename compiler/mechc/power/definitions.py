@@ -50,6 +50,12 @@ def intermediates(plan: Plan, formulas: Sequence[Formula]) -> list[Definition]:
     return chosen[::-1]
 
 
+def open_lengths(plan: Plan, formulas: Iterable[Formula]) -> list[str]:
+    """Return the lengths that the description leaves open and formulas depend on: ``AB``."""
+    used = {s for f in formulas for s in symbols(f)}
+    return [n.removeprefix("len_") for n in plan.graph.pose.placeholders if n in used]
+
+
 def bound_names(value: Product) -> Iterator[str]:
     """Yield the bound names that a product mentions, in its sums too."""
     for factor in value.factors:

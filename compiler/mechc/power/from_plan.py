@@ -23,7 +23,6 @@ from ..model.mechanism import (
     Reaction,
     Speed,
     SpeedRatio,
-    Target,
     Torque,
     WithFriction,
 )
@@ -31,19 +30,18 @@ from ..model.result import Definition, Result
 from ..source import Span
 from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
 from .balance import Balance, Solved
-from .definitions import intermediates, let_results, resting_on
-from .equations import Equations
+from .definitions import intermediates, open_lengths, resting_on
+from .equations import equations_of
 from .loads import given_size, terms
-from .numbers import check_numbers
+from .numbers import checked
 from .speeds import magnitude, speed
 
 if TYPE_CHECKING:
-    from .friction.results import FrictionResults
     from .reactions import Reactions
 
 
 def balance(plan: Plan, report: Report) -> Balance:
-    """Return the power equations and everything that was asked for.
+    """Return the power equations and what was asked for without friction.
 
     Reports E501 … E508 where a result is not determined or not finite at the default
     pose, W501 … W504 for loads without work, zero and negative ratios, idle freedoms.
@@ -58,7 +56,7 @@ class _Asked:
         self._plan, self._report = plan, report
         self._mechanism = plan.graph.pose.mechanism
         self._terms = terms(plan)
-        self._equations = Equations(self._terms)
+        self._equations = equations_of(self._terms)
         self._loads = {load.name: load for load in self._mechanism.loads}
         self._solved_so_far: list[Solved] = []
         self._without_lengths: set[Span] = set()
@@ -72,16 +70,8 @@ class _Asked:
                 solved.append(found)
         self._warn_of_idle_loads()
         self._report.stop_on_errors()
-        results = [s.result for s in solved]
-        solved.extend(Solved(r) for r in let_results(self._plan, results, self._report))
-        done = Balance(self._plan, self._terms, tuple(solved))
-        done = check_numbers(done, self._report)
-        if self._mechanism.friction.efficiency is not None:
-            from .friction.constant import remark_on_constant
-
-            silent = Report(self._report.source)
-            remark_on_constant(done, self._friction_results(silent), self._report)
-        return done
+        balanced = Balance(self._plan, self._terms, self._equations, self._driving(), tuple(solved))
+        return replace(balanced, solved=checked(balanced, self._report))
 
     def _warn_of_idle_loads(self) -> None:
         """Warn of loads without work, but not where friction or a result shows them."""
@@ -118,8 +108,8 @@ class _Asked:
                 return self._speeds(find, above, below)
             case Reaction() | Axial() | Normal() as target:
                 return self._force(find, target)
-            case WithFriction(of) | Efficiency(of):
-                return self._rubbing(find, of)
+            case WithFriction() | Efficiency():
+                return None
             case _:
                 assert_never(find.target)
 
@@ -188,24 +178,6 @@ class _Asked:
 
     def _dimension(self, load: str) -> Dimension:
         return TORQUE if isinstance(self._loads[load], Torque) else FORCE
-
-    def _rubbing(self, find: Find, of: Target) -> Solved | None:
-        ideal = next((s.result for s in self._solved_so_far if s.result.target == of), None)
-        solved = self._friction.find(find, ideal) if ideal else None
-        if solved:
-            result = solved.result
-            self._check_lengths(find, [result.formula, *(d.formula for d in result.where)])
-        return solved
-
-    @cached_property
-    def _friction(self) -> "FrictionResults":
-        return self._friction_results(self._report)
-
-    def _friction_results(self, report: Report) -> "FrictionResults":
-        from .friction.results import FrictionResults
-
-        driving = next(iter(self._driving()), "")
-        return FrictionResults(self._plan, self._equations, driving, report)
 
     # ------------------------------------------------------------------------- forces
 
@@ -287,12 +259,9 @@ class _Asked:
         return Result(find.name, find.target, dimension, formula, where)
 
     def _check_lengths(self, find: Find, formulas: Sequence[Formula]) -> None:
-        used = {s for f in formulas for s in symbols(f)}
-        missing = [n for n in self._plan.graph.pose.placeholders if n in used]
-        if missing:
-            names = [n.removeprefix("len_") for n in missing]
-            if find.span not in self._without_lengths:
-                self._report.add(words.length_not_given(find.span, find.name, names))
+        missing = open_lengths(self._plan, formulas)
+        if missing and find.span not in self._without_lengths:
+            self._report.add(words.length_not_given(find.span, find.name, missing))
             self._without_lengths.add(find.span)
 
 

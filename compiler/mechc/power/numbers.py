@@ -7,26 +7,15 @@ from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
-from ..diagnostics import friction as friction_words
 from ..diagnostics import power as words
-from ..formula.rounding import Rounding, beyond_rounding
+from ..formula.rounding import Rounding, Size, beyond_rounding
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import (
-    Efficiency,
-    Find,
-    Force,
-    LoadForm,
-    LoadRatio,
-    Thrust,
-    Torque,
-    WithFriction,
-)
+from ..model.mechanism import Find, Force, LoadRatio, Thrust, Torque
 from ..model.result import Result
-from ..model.targets import SIGNS
 from ..model.values import Chain, completed, defaults, dependent, holds
 from ..pose.pose import Pose
 from .balance import Balance, Solved
@@ -35,42 +24,39 @@ NIL = 1e-12
 """Below this a value of order one counts as zero."""
 
 
-def check_numbers(balance: Balance, report: Report) -> Balance:
-    """Return the balance with every result's default value; report what is not regular there."""
-    values = default_values(balance.plan)
-    spans = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
-    _check_branch(balance.plan, values, report)
-    rounding = default_rounding(balance.plan.graph.pose)
+class DefaultNumbers:
+    """The results' numbers at the default pose, without what is nothing but rounding."""
+
+    def __init__(self, plan: Plan) -> None:
+        self.values = default_values(plan)
+        self._rounding = default_rounding(plan.graph.pose)
+
+    def of(self, result: Result) -> Size:
+        """Return what a result comes to there; no number where something it needs has none."""
+        number = value_of(result, self.values)
+        return beyond_rounding(number, result.formula, result.where, self._rounding)
+
+
+def with_default(result: Result, size: Size) -> Result:
+    """Return a result with its value at the default pose, if it has a finite one."""
+    finite = size.number is not None and math.isfinite(size.number)
+    default = size.number if finite else None
+    return replace(result, default=default, undetermined=size.undetermined)
+
+
+def checked(balance: Balance, report: Report) -> tuple[Solved, ...]:
+    """Return what is solved with its default values; report what is not regular there."""
+    numbers = DefaultNumbers(balance.plan)
+    _check_branch(balance.plan, numbers.values, report)
+    finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     solved: list[Solved] = []
     for item in balance.solved:
-        number, find = value_of(item.result, values), spans.get(item.result.name)
-        size = beyond_rounding(number, item.result.formula, item.result.where, rounding)
-        number = size.number
-        if isinstance(item.result.target, WithFriction | Efficiency) and number == math.inf:
-            number = None  # where the result without friction is infinite, too
-        if find and number is not None and isinstance(find.target, WithFriction | Efficiency):
-            number = _with_friction(find, number, [s.result for s in solved], report)
-        elif find and number is not None:
-            _remark(item, number, values, find, balance, report)
-        finite = number if number is not None and math.isfinite(number) else None
-        found = replace(item.result, default=finite, undetermined=size.undetermined)
-        solved.append(replace(item, result=found))
-    return replace(balance, solved=tuple(solved))
-
-
-def _with_friction(find: Find, number: float, found: Sequence[Result], report: Report) -> float:
-    """Return a result with friction, NaN where no force of the drive moves anything."""
-    if not isinstance(find.target, WithFriction) or find.target.order == "first":
-        return number
-    of, ideal = find.target.of, 0.0
-    if isinstance(of, LoadRatio | LoadForm):
-        ideal = next((r.default or 0.0 for r in found if r.target == of), 0.0)
-    follows = SIGNS[find.target.sense] * ideal < 0
-    if follows or (math.isfinite(number) and number * ideal >= 0):
-        return number
-    drive = of.above if isinstance(of, LoadRatio) else getattr(of, "load", "of the drive")
-    report.add(friction_words.drive_jams(find.span, find.name, drive))
-    return math.nan
+        size = numbers.of(item.result)
+        if size.number is not None:
+            find = finds[item.result.name]
+            _remark(item, size.number, numbers.values, find, balance, report)
+        solved.append(replace(item, result=with_default(item.result, size)))
+    return tuple(solved)
 
 
 def default_values(plan: Plan) -> dict[str, float]:

@@ -19,7 +19,7 @@ from ..kinematics.release import Bond, Loosened, loosened, members, touch_at
 from ..model.mechanism import Absolute, Force
 from ..pose.pose import Pose
 from .balance import Release, Term
-from .equations import Equations
+from .equations import equations_of
 from .loads import repeated, shares, terms
 
 HERE = "reaction"
@@ -114,7 +114,7 @@ class Reactions:
         return (*terms(plan), *self._more(plan), here)
 
     def _amounts(self, powers: Sequence[Term]) -> Mapping[str, Product] | None:
-        equations = Equations(powers)
+        equations = equations_of(powers)
         if equations.number != 1 or HERE not in equations.columns:
             return None
         others = [n for n in equations.columns if n not in (HERE, *self._driving)]

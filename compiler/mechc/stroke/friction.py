@@ -8,7 +8,7 @@ from ..frozen import replace
 from ..model.locking import Course
 from ..model.result import Result
 from ..model.targets import Efficiency, WithFriction
-from ..power.balance import Balance
+from ..power.friction.solution import Solution
 from .stroke import Extremum, Stuck
 
 APART = 12
@@ -24,9 +24,9 @@ def some(places: Sequence[float], result: Result) -> Sequence[float]:
     return [*places[:-1:APART], places[-1]]
 
 
-def in_code(result: Result, balance: Balance) -> Result:
+def in_code(result: Result, solution: Solution) -> Result:
     """Return a result as code takes it, with signs that follow from the pose."""
-    whole = next(r for r in balance.results if r.name == result.name)
+    whole = next(r for r in solution.results if r.name == result.name)
     return replace(result, formula=whole.formula, where=whole.where)
 
 

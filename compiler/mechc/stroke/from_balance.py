@@ -13,7 +13,7 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..model.mechanism import LoadRatio, Mechanism, Parameter
 from ..model.result import Definition, Result
-from ..power.balance import Balance
+from ..power.friction.solution import Solution
 from ..units import ANGLE, LENGTH, Dimension
 from .along import EXCLUDED, NOT_ASSEMBLED, Along, ends_of
 from .branches import branch_points
@@ -39,12 +39,12 @@ FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
 
 
-def run(balance: Balance, results: Sequence[Result], points: int, report: Report) -> Stroke:
+def run(solution: Solution, results: Sequence[Result], points: int, report: Report) -> Stroke:
     """Return ``points`` rows along the stroke, and what is singular or extreme on it.
 
     Reports E591 without a drive, E592 without a stroke's ends.
     """
-    pose = balance.plan.graph.pose
+    pose = solution.plan.graph.pose
     drive = pose.mechanism.drive
     if drive is None:
         raise report.fail(words.no_drive(pose.mechanism.span, pose.free))
@@ -52,7 +52,7 @@ def run(balance: Balance, results: Sequence[Result], points: int, report: Report
     ends = ends_of(drive, parameter)
     if ends is None:
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
-    runner = _Runner(balance, results, parameter, *ends)
+    runner = _Runner(solution, results, parameter, *ends)
     return runner.stroke(points)
 
 
@@ -70,17 +70,17 @@ class _Runner:
 
     def __init__(
         self,
-        balance: Balance,
+        solution: Solution,
         results: Sequence[Result],
         parameter: Parameter,
         low: float,
         high: float,
     ) -> None:
-        self._balance, self._pose = balance, balance.plan.graph.pose
+        self._solution, self._pose = solution, solution.plan.graph.pose
         self._parameter, self._low, self._high = parameter, low, high
-        self._along = Along(balance.plan, _plain_lets(self._pose.mechanism), (low, high))
+        self._along = Along(solution.plan, _plain_lets(self._pose.mechanism), (low, high))
         shown = [r for r in results if r.default is not None or r.target is not None]
-        shown = [in_code(r, balance) for r in shown]
+        shown = [in_code(r, solution) for r in shown]
         self._results = [r for r in shown if not self._without(r)]
         self._open = tuple((r.name, self._without(r)) for r in shown if self._without(r))
         self._ratios = [r for r in self._results if isinstance(r.target, LoadRatio)]
@@ -140,7 +140,7 @@ class _Runner:
                 dimension = result.dimension.over(self._parameter.dimension)
                 column = Column(name, dimension, "slope")
                 yield _Filled(column, self._values(slope, result), slope, result.where)
-        for velocity in velocities(self._balance):
+        for velocity in velocities(self._solution.balance):
             unit = self._unit(velocity.dimension)
             column = Column(velocity.name, velocity.dimension, "velocity", unit)
             at = partial(self._along.inside, velocity.value)

@@ -13,11 +13,11 @@ from ...diagnostics import friction as words
 from ...formula.walk import evaluate, symbols
 from ...model.mechanism import Find, WithFriction
 from ...model.result import Result
-from ..balance import Balance
 from .places import Places
 from .ranges import moved, range_of, shown, spaced, spans, turns
 from .results import FrictionResults
 from .sampling import looked_at
+from .solution import Solution
 from .states import Moving
 from .study import sizes
 
@@ -35,24 +35,22 @@ PLACES = 48
 """Places at which a range is looked at for steep ratios."""
 
 
-def remark_on_constant(balance: Balance, friction: FrictionResults, report: Report) -> None:
-    """Warn where an efficiency given as one number is far from the truth.
-
-    ``friction`` finds what the joints do, and reports nothing to the user.
-    """
-    for find in balance.plan.graph.pose.mechanism.finds:
+def remark_on_constant(solution: Solution, report: Report) -> None:
+    """Warn where an efficiency given as one number is far from the truth."""
+    friction = FrictionResults(solution.balance, Report(report.source))
+    for find in solution.plan.graph.pose.mechanism.finds:
         if isinstance(find.target, WithFriction):
-            ideal = next(r for r in balance.results if r.target == find.target.of)
-            real = friction.by_rubbing(find, ideal) if _rubs(balance) else None
+            ideal = next(r for r in solution.results if r.target == find.target.of)
+            real = friction.by_rubbing(find, ideal) if _rubs(solution) else None
             if real is not None:
                 coupled = partial(friction.coupled, find, ideal)
-                _Beside(balance, find, ideal, real, coupled).remark(report)
-            elif where := list(_steep(balance, ideal)):
+                _Beside(solution, find, ideal, real, coupled).remark(report)
+            elif where := list(_steep(solution, ideal)):
                 report.add(words.efficiency_near_dead_centre(find.span, ideal.name, where))
 
 
-def _rubs(balance: Balance) -> bool:
-    return bool(balance.plan.graph.pose.mechanism.friction.rubbing)
+def _rubs(solution: Solution) -> bool:
+    return bool(solution.plan.graph.pose.mechanism.friction.rubbing)
 
 
 # --------------------------------------------------------------------- beside friction
@@ -63,18 +61,18 @@ class _Beside:
 
     def __init__(
         self,
-        balance: Balance,
+        solution: Solution,
         find: Find,
         ideal: Result,
         real: Result,
         coupled: Callable[[], Result | None],
     ) -> None:
         assert isinstance(find.target, WithFriction)
-        self._balance, self._find = balance, find
+        self._solution, self._find = solution, find
         self._ideal, self._real, self._sense = ideal, real, find.target.sense
         self._coupled = cache(coupled)
-        self._mechanism = balance.plan.graph.pose.mechanism
-        self._loads = sizes(balance, real)
+        self._mechanism = solution.plan.graph.pose.mechanism
+        self._loads = sizes(self._mechanism, real)
 
     def remark(self, report: Report) -> None:
         """Warn where both differ much, at the default pose or on a range."""
@@ -91,7 +89,7 @@ class _Beside:
             report.add(words.efficiency_beside_friction(self._find.span, given, found))
 
     def _moving(self, name: str) -> Moving:
-        places = Places(self._balance.plan, name, self._loads or {})
+        places = Places(self._solution.plan, name, self._loads or {})
         return Moving(places, self._ideal, self._real, self._sense, self._coupled)
 
     def _given(self, moving: Moving, place: float) -> float:
@@ -118,13 +116,14 @@ class _Beside:
 # ------------------------------------------------------------------- near dead centres
 
 
-def _steep(balance: Balance, ideal: Result) -> Iterator[str]:
+def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
     """Yield where a ratio changes so fast that friction takes much."""
-    mechanism, loads = balance.plan.graph.pose.mechanism, sizes(balance, ideal)
+    mechanism = solution.plan.graph.pose.mechanism
+    loads = sizes(mechanism, ideal)
     if loads is None or ideal.default is None:
         return
     for name in moved(mechanism, (ideal,)):
-        places, ends = Places(balance.plan, name, loads), range_of(name, mechanism)
+        places, ends = Places(solution.plan, name, loads), range_of(name, mechanism)
         here = places.defaults[name]
         whole = ends or (here, here)
         scale = 1.0 if turns(name, mechanism) else whole[1] - whole[0]

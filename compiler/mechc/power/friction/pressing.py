@@ -12,8 +12,7 @@ from ...algebra.sums import add
 from ...frozen import frozen, replace
 from ...kinematics.plan import Plan
 from ...model.mechanism import Torque
-from ..balance import Term
-from ..equations import Equations
+from ..balance import Equations, Term
 from ..reactions import Push, Reactions
 from .rubs import Rub
 

@@ -13,7 +13,6 @@ from ...diagnostics.power import transmission_presses
 from ...formula.tree import ZERO, Formula
 from ...formula.walk import evaluate, symbols
 from ...frozen import replace
-from ...kinematics.plan import Plan
 from ...kinematics.release import unclear
 from ...model.mechanism import (
     Axial,
@@ -30,9 +29,8 @@ from ...model.mechanism import (
 from ...model.result import Case as PrintedCase
 from ...model.result import Definition, Result
 from ...model.targets import SIGNS
-from ..balance import Solved
+from ..balance import Balance
 from ..definitions import bound_sums, intermediates
-from ..equations import Equations
 from ..loads import given_size
 from ..numbers import default_values, value_of
 from ..speeds import magnitude
@@ -48,6 +46,7 @@ from .forces import ForceWithFriction
 from .pressing import Idle, Pressed, PressedByAnother, Undetermined, press, scaled
 from .rubs import Rub, rubs
 from .signs import AtOnePose, Signs
+from .solution import SolvedWithFriction
 from .steps import Step
 from .straight import Straight
 
@@ -62,22 +61,14 @@ class Case(NamedTuple):
 
 
 class FrictionResults:
-    """Finds what friction does to one result after another.
+    """Finds what friction does to one result after another."""
 
-    ``driving`` is the load that follows where forces at joints are asked for.
-    """
-
-    def __init__(
-        self,
-        plan: Plan,
-        equations: Equations,
-        driving: str,
-        report: Report,
-    ) -> None:
-        self._plan, self._equations, self._report = plan, equations, report
-        self._driving, self._mechanism = driving, plan.graph.pose.mechanism
+    def __init__(self, balance: Balance, report: Report) -> None:
+        self._plan, self._equations, self._report = balance.plan, balance.equations, report
+        self._driving = next(iter(balance.driving), "")
+        self._mechanism = balance.plan.graph.pose.mechanism
         self._valued = dict(self._weights())
-        self._rubs: tuple[Rub, ...] = rubs(plan.graph.pose)
+        self._rubs: tuple[Rub, ...] = rubs(balance.plan.graph.pose)
         self._pressed: dict[str, tuple[Pressed, ...] | None] = {}
         self._known: dict[object, tuple[Pressed, ...] | None] = {}
 
@@ -88,7 +79,7 @@ class FrictionResults:
             if size is not None and self._equations.owner(load.name)[0] == load.name:
                 yield load.name, size
 
-    def find(self, find: Find, ideal: Result) -> Solved | None:
+    def find(self, find: Find, ideal: Result) -> SolvedWithFriction | None:
         """Return the result with friction; None where an error was reported."""
         match find.target:
             case WithFriction(Reaction() | Axial() | Normal() as force, sense):
@@ -98,10 +89,10 @@ class FrictionResults:
                 if named is None:
                     return None
                 steps = named.case.steps if named.case else named.steps
-                return Solved(self._result(find, ideal, named), steps=steps)
+                return SolvedWithFriction(self._result(find, ideal, named), steps=steps)
             case Efficiency(of, sense):
                 found = self._efficiency(find, ideal, of, sense)
-                return Solved(found) if found else None
+                return SolvedWithFriction(found) if found else None
             case _:
                 return None
 
@@ -278,7 +269,7 @@ class FrictionResults:
 
     def _force(
         self, find: Find, ideal: Result, force: Reaction | Axial | Normal, sense: Sense
-    ) -> Solved | None:
+    ) -> SolvedWithFriction | None:
         """Return a force at a joint, as large as friction everywhere makes it."""
         case = Case(ideal, self._driving, ONE, self._others(self._driving))
         pressed = self._press(find, case)
@@ -296,7 +287,7 @@ class FrictionResults:
             for d in bound_sums(plan, list(push.amounts.values()))
         ]
         result = replace(result, where=tuple(dict.fromkeys((*sums, *result.where))))
-        return Solved(result, steps=(Step("iterated"),))
+        return SolvedWithFriction(result, steps=(Step("iterated"),))
 
     # ------------------------------------------------------------------------- results
 

@@ -4,42 +4,41 @@ from functools import cache, partial
 
 from ...diagnostics import Report
 from ...formula.walk import symbols
-from ...model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
+from ...model.mechanism import LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ...model.result import Result
 from ...source import Source
-from ..balance import Balance
-from ..equations import Equations
 from .places import Places
 from .results import FrictionResults
+from .solution import Solution
 from .states import Moving
 
 
 class Study:
     """What is looked at in a mechanism with friction: locking, jams and efficiencies alike."""
 
-    def __init__(self, balance: Balance) -> None:
-        self.balance = balance
-        self.mechanism = balance.plan.graph.pose.mechanism
+    def __init__(self, solution: Solution) -> None:
+        self.solution = solution
+        self.mechanism = solution.plan.graph.pose.mechanism
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
         self.coupled = cache(self._coupled)
 
     def ideal(self, of: LoadRatio | LoadForm) -> Result:
         """Return the ratio without friction."""
-        return next(r for r in self.balance.results if r.target == of)
+        return next(r for r in self.solution.results if r.target == of)
 
     def real(self, of: LoadRatio | LoadForm, sense: Sense) -> Result:
         """Return the ratio with friction."""
-        return next(r for r in self.balance.results if r.target == WithFriction(of, sense))
+        return next(r for r in self.solution.results if r.target == WithFriction(of, sense))
 
     def moving(self, of: LoadRatio | LoadForm, sense: Sense, parameter: str) -> Moving | None:
         """Return a ratio along a parameter; None where loads without a size are in it."""
         ideal, real = self.ideal(of), self.real(of, sense)
         key = ideal.name, sense, parameter
-        loads = sizes(self.balance, real)
+        loads = sizes(self.mechanism, real)
         if loads is None:
             return None
         if key not in self._moving:
-            places = Places(self.balance.plan, parameter, loads)
+            places = Places(self.solution.plan, parameter, loads)
             coupled = partial(self.coupled, real.name)
             self._moving[key] = Moving(places, ideal, real, sense, coupled)
         return self._moving[key]
@@ -48,19 +47,18 @@ class Study:
         """Return a ratio with friction from the coupled equations."""
         find = next(f for f in self.mechanism.finds if f.name == name)
         assert isinstance(find.target, WithFriction)
-        ideal = next(r for r in self.balance.results if r.target == find.target.of)
+        ideal = next(r for r in self.solution.results if r.target == find.target.of)
         return self._friction.coupled(find, ideal)
 
     @property
     def _friction(self) -> FrictionResults:
         """What finds results with friction; whatever can be reported has been before."""
-        plan, silent = self.balance.plan, Report(Source("", ""))
-        return FrictionResults(plan, Equations(self.balance.terms), "", silent)
+        return FrictionResults(self.solution.balance, Report(Source("", "")))
 
 
-def sizes(balance: Balance, real: Result) -> dict[str, float] | None:
+def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:
     """Return sizes for loads without one: any will do for one load, for several none."""
-    loads = {load.name for load in balance.plan.graph.pose.mechanism.loads}
+    loads = {load.name for load in mechanism.loads}
     formulas = [real.formula, *(d.formula for d in real.where)]
     known = {d.name for d in real.where}
     missing = {s for f in formulas for s in symbols(f)} & loads - known
