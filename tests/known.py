@@ -2,9 +2,9 @@
 
 from typing import NamedTuple
 
-from mechc.derivation.steps import Derivation
 from mechc.figure.figure import Figure
 from mechc.model.mechanism import Mechanism
+from mechc.report.derivation.steps import Derivation
 from mechc.routine.steps import Routine
 from mechc.statics.diagram import Diagram
 from mechc.statics.verdict import Verdict

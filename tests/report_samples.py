@@ -4,7 +4,6 @@ import ast
 from fractions import Fraction
 
 from known import Known
-from mechc.derivation.steps import Derivation, Equation, Rule, Step
 from mechc.emit.target import Compiled
 from mechc.formula.tree import (
     PI,
@@ -41,6 +40,7 @@ from mechc.model.mechanism import (
     Turn,
 )
 from mechc.model.result import Definition, Result, Vanishing
+from mechc.report.derivation.steps import Derivation, Equation, Rule, Step
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import Trial, Verdict

@@ -7,7 +7,6 @@ from typing import Literal
 from known import Known
 from mechc import driver
 from mechc.data import data
-from mechc.derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
 from mechc.emit.target import Compiled
 from mechc.files import find, read
 from mechc.formula.tree import (
@@ -41,6 +40,7 @@ from mechc.model.mechanism import (
     Torque,
 )
 from mechc.model.result import Definition, Result, Vanishing
+from mechc.report.derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
 from mechc.routine.from_results import program
 from mechc.routine.steps import Routine
 from mechc.source import Span

@@ -2,13 +2,13 @@
 
 import pytest
 
-from mechc.derivation.steps import Saying
-from mechc.derivation.to_text import render
 from mechc.driver import compile_source
 from mechc.files import find, library, read
 from mechc.formula.tree import Power, Product, Symbol
 from mechc.formula.walk import evaluate, symbols
 from mechc.power.numbers import default_values
+from mechc.report.derivation.steps import Saying
+from mechc.report.text.derivation import render
 from mechc.source import Source
 
 KNEE = """

@@ -85,7 +85,7 @@ class Drawing:
 
 
 def _line_of(unknown, drawing):
-    from mechc.derivation.notation import _name
+    from mechc.report.derivation.notation import _name
 
     return re.sub(rf"^V_{unknown.of}_?", "", _name(unknown, drawing.balance.plan))
 

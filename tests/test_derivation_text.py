@@ -4,12 +4,12 @@ from collections.abc import Callable
 
 import pytest
 
-from mechc.derivation.text_printer import ASCII, UNICODE, print_formula
-from mechc.derivation.to_text import WIDTH, render
-from mechc.derivation.wording import as_ratio
 from mechc.driver import compile_source
 from mechc.files import find, read
 from mechc.formula.to_text import text
+from mechc.report.sentences.wording import as_ratio
+from mechc.report.text.derivation import WIDTH, render
+from mechc.report.text.printer import ASCII, UNICODE, print_formula
 from report_samples import equations, formula, packet_clamp, six_bar
 
 

@@ -5,14 +5,14 @@ from fractions import Fraction
 import pytest
 
 import mechc
-from mechc.check.expectations import Finding, compare
-from mechc.check.poses import complete, default_pose, random_poses
 from mechc.diagnostics import Report
 from mechc.driver import compile_source
 from mechc.formula.tree import Call, Formula, Symbol, degrees, number, power, product, total
 from mechc.model.mechanism import Expect, Interval, Mechanism, Parameter, Require
 from mechc.model.result import Definition, Result
 from mechc.source import Source, Span
+from mechc.study.expectations import Finding, compare
+from mechc.study.poses import complete, default_pose, random_poses
 from mechc.units import ANGLE, LENGTH, NUMBER
 
 HERE = Span(0, 0)

@@ -16,8 +16,8 @@ from mechc.emit.target import Options
 from mechc.formula.walk import evaluate
 from mechc.model.mechanism import LoadForm, LoadRatio, WithFriction
 from mechc.model.rubbing import RubbingFace, RubbingGuide, RubbingPin
+from mechc.report.text.free_bodies import describe
 from mechc.source import Source
-from mechc.statics.bodies_to_text import describe
 
 every_mechanism = pytest.mark.parametrize("name", ALL)
 BALANCED = 1e-9

@@ -7,9 +7,9 @@ import pytest
 
 import mechc
 from mechc.cli.check import report
-from mechc.derivation.to_text import render
 from mechc.driver import compile_source
 from mechc.files import find, read
+from mechc.report.text.derivation import render
 from mechc.source import Source
 
 LIBRARY = Path(__file__).parents[1] / "library"

@@ -29,7 +29,7 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.formula.tree import Implicit
 from mechc.formula.walk import walk
-from mechc.power.friction.results import FrictionResults
+from mechc.friction.results import FrictionResults
 from mechc.source import Source
 from reference_forces import Forces, NoBalance, arms_at
 from reference_geometry import Values

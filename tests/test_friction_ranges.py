@@ -11,8 +11,8 @@ import pytest
 
 from force_samples import Compiled, tree_of
 from mechc.driver import Compilation
-from mechc.power.friction.study import Study
 from mechc.source import Source
+from mechc.study.ratios import Study
 from reference_balance import ratio
 from reference_forces import Forces
 from reference_geometry import defined

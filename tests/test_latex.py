@@ -12,14 +12,14 @@ import pytest
 from jinja2 import meta
 
 import mechc
-from mechc.derivation.steps import Rule
-from mechc.emit.latex.display import vanishing
-from mechc.emit.latex.notation import notation
 from mechc.emit.latex.to_latex import _TEMPLATES, TARGET, Report
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Sum, Symbol
-from mechc.words import en, ru, uk
-from mechc.words.table import Words
+from mechc.report.derivation.steps import Rule
+from mechc.report.languages import en, ru, uk
+from mechc.report.languages.locale import Words
+from mechc.report.latex.display import vanishing
+from mechc.report.latex.notation import notation
 from report_samples import packet_clamp, six_bar
 
 NASTY = r"50% of A&B_{x} #1 \input{/etc/passwd} ~^$ Кран λ «ёлка» – naïve “q” 中 `a' --- <<"

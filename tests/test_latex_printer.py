@@ -4,11 +4,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from mechc.emit.latex.display import LINE, Line, display
-from mechc.emit.latex.notation import name, notation, points, spellings
-from mechc.emit.latex.printer import latex, plain
-from mechc.emit.latex.text import escape
 from mechc.frozen import replace
+from mechc.report.latex.display import LINE, Line, display
+from mechc.report.latex.notation import name, notation, points, spellings
+from mechc.report.latex.printer import latex, plain
+from mechc.report.latex.text import escape
 from report_samples import LONG, formula
 
 EN, UK, RU = (notation(language) for language in ("en", "uk", "ru"))

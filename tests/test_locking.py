@@ -14,8 +14,8 @@ from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.model.locking import Course, Locking, Reach, Stretch
 from mechc.model.result import Result
+from mechc.report.languages.en import WORDS
 from mechc.source import Source
-from mechc.words.en import WORDS
 from test_friction_ranges import COUPLED
 
 SAMPLED = WORDS.sampled

@@ -5,9 +5,9 @@ import pytest
 import mechc
 from good_mechanisms import ALL
 from mechanisms import sample
-from mechc.derivation.steps import Rule
 from mechc.diagnostics import MechcError
 from mechc.formula.to_text import text
+from mechc.report.derivation.steps import Rule
 
 TIED = """
 param a = 100 mm

@@ -4,10 +4,10 @@ import pytest
 
 import mechc
 from mechc.cli.check import report
-from mechc.derivation.to_text import render
 from mechc.driver import compile_source
 from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
+from mechc.report.text.derivation import render
 from mechc.source import Source
 
 LEVER = """\

@@ -7,9 +7,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from latex_reader import read
-from mechc.derivation.text_printer import ASCII, print_formula
-from mechc.emit.latex.notation import notation
-from mechc.emit.latex.printer import latex
 from mechc.formula.tree import (
     Call,
     Formula,
@@ -22,6 +19,9 @@ from mechc.formula.tree import (
     total,
 )
 from mechc.formula.walk import evaluate
+from mechc.report.latex.notation import notation
+from mechc.report.latex.printer import latex
+from mechc.report.text.printer import ASCII, print_formula
 from report_samples import formula
 
 VALUES = {"a": 1.3, "b": 0.7, "c": 2.1, "alpha": 0.4, "beta": 0.9, "theta": 0.25, "pi": math.pi}

@@ -18,6 +18,7 @@ from mechc.frozen import replace
 from mechc.model import mechanism as model
 from mechc.model.mechanism import LoadForm, LoadRatio, Speed, SpeedRatio
 from mechc.model.result import Result
+from mechc.report.text.verdict import to_text
 from mechc.source import Source
 from mechc.statics.answers import load_ratio
 from mechc.statics.assembly import Plane, direction
@@ -27,7 +28,6 @@ from mechc.statics.poses import candidates, settle
 from mechc.statics.referee import RefereeDisagrees, judge
 from mechc.statics.solve import factor
 from mechc.statics.speeds import speed_ratio
-from mechc.statics.to_text import to_text
 from mechc.statics.unfold import Unfolding
 from mechc.units import ANGLE, LENGTH, NUMBER
 

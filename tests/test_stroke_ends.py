@@ -9,10 +9,10 @@ import mechc
 from mechc.driver import Compilation, checked, warnings
 from mechc.formula.roots import roots
 from mechc.frozen import replace
+from mechc.report.text.stroke import to_table
 from mechc.source import Source
-from mechc.stroke.places import GRADED, graded, looked_at
-from mechc.stroke.stroke import Stretch
-from mechc.stroke.to_text import to_table
+from mechc.study.stroke.places import GRADED, graded, looked_at
+from mechc.study.stroke.stroke import Stretch
 
 STROKES = Path(__file__).parent / "corpus" / "strokes"
 

@@ -13,7 +13,7 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.routine.evaluate import evaluate, pose
 from mechc.source import Source
-from mechc.stroke.from_balance import run
+from mechc.study.stroke.from_balance import run
 
 WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
 PLACES = 2001

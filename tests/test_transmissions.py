@@ -6,9 +6,9 @@ from typing import Any
 import pytest
 
 import mechc
-from mechc.derivation.steps import Rule
 from mechc.driver import Compilation, compile_source
 from mechc.formula.to_text import text
+from mechc.report.derivation.steps import Rule
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 

@@ -6,11 +6,11 @@ from fractions import Fraction
 import pytest
 from hypothesis import given
 
-from mechc.derivation.text_printer import ASCII, UNICODE, print_formula
-from mechc.emit.latex.notation import notation
-from mechc.emit.latex.printer import latex
 from mechc.formula.tree import Call, Formula, Implicit, Number, Power, Product, Sum, Symbol, System
 from mechc.formula.typesetting import Row, Typesetter
+from mechc.report.latex.notation import notation
+from mechc.report.latex.printer import latex
+from mechc.report.text.printer import ASCII, UNICODE, print_formula
 from report_samples import formula
 from test_printers_agree import formulas
 

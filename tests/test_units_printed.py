@@ -4,9 +4,9 @@ import pytest
 
 import mechc
 from mechc.cli.check import report
-from mechc.derivation.to_text import render
 from mechc.driver import compile_source
 from mechc.emit.describe import si_unit
+from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.units import UNITS, Dimension
 

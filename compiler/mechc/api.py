@@ -8,8 +8,6 @@ from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from .check.poses import default_pose
-from .derivation.steps import Derivation
 from .diagnostics import Diagnostic, near_miss
 from .driver import Compilation, compile_source, emit, warnings
 from .emit import registry
@@ -21,9 +19,11 @@ from .formula.tree import Formula
 from .formula.walk import symbols
 from .model.result import Result
 from .model.values import dependent
+from .report.derivation.steps import Derivation
 from .routine.freed import freed, given_loads
 from .source import Source
-from .stroke.stroke import Stroke
+from .study.poses import default_pose
+from .study.stroke.stroke import Stroke
 
 if TYPE_CHECKING:
     import sympy

@@ -9,11 +9,10 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, TypeVar
 
 from . import __version__
-from .check.expectations import Finding, compare
-from .derivation.from_balance import derive
-from .derivation.steps import Derivation
 from .diagnostics import Diagnostic, Report
 from .emit.target import Emitted, Options, Target
+from .friction.from_balance import solve
+from .friction.solution import Solution
 from .kinematics.from_pose import arrange
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve
@@ -22,9 +21,6 @@ from .model.result import Definition, Result
 from .pose.from_model import settle
 from .pose.pose import Pose
 from .power.balance import Balance
-from .power.conclusions import conclude
-from .power.friction.from_balance import solve
-from .power.friction.solution import Solution
 from .power.from_plan import balance
 from .routine.from_results import program
 from .routine.steps import Routine
@@ -32,8 +28,9 @@ from .source import Source
 from .stage import Stage, within
 from .statics.referee import judge
 from .statics.verdict import Verdict
-from .stroke.gaps import remark as look_for_gaps
-from .stroke.in_step import remark
+from .study.expectations import Finding, compare
+from .study.stroke.gaps import remark as look_for_gaps
+from .study.stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, put_in
@@ -41,8 +38,9 @@ from .work import Allowance
 
 if TYPE_CHECKING:
     from .figure.figure import Figure
+    from .report.derivation.steps import Derivation
     from .statics.diagram import Diagram
-    from .stroke.stroke import Stroke
+    from .study.stroke.stroke import Stroke
 
 T = TypeVar("T")
 
@@ -111,6 +109,8 @@ class Compilation:
     @Stage
     def results(self) -> tuple[Result, ...]:
         """What was asked for, in the order of the text, with what follows from each."""
+        from .study.from_solution import conclude
+
         return self._sound(conclude(self.solution))
 
     @Stage
@@ -122,7 +122,7 @@ class Compilation:
     def constant_efficiency(self) -> None:
         """What is to be said of an efficiency that is given as one number."""
         if self.pose.mechanism.friction.efficiency is not None:
-            from .power.friction.constant import remark_on_constant
+            from .study.constant_efficiency import remark_on_constant
 
             remark_on_constant(self.solution, self.report)
 
@@ -144,8 +144,10 @@ class Compilation:
         return self._sound(look_for_gaps(self.plan, self.report))
 
     @Stage
-    def derivation(self) -> Derivation:
+    def derivation(self) -> "Derivation":
         """The derivation in steps, as on paper."""
+        from .report.derivation.from_solution import derive
+
         return self._sound(derive(self.solution, self.results))
 
     @Stage
@@ -188,7 +190,7 @@ class Compilation:
 
     def stroke(self, points: int) -> "Stroke":
         """Return the results along the stroke of the drive, in so many rows."""
-        from .stroke.from_balance import run
+        from .study.stroke.from_balance import run
 
         with within(Allowance(), self.report):
             return run(self.solution, self.results, points, self.report)

@@ -4,12 +4,6 @@ from collections.abc import Iterable, Iterator, Mapping, Set
 
 import click
 
-from ..check.expectations import Finding
-from ..derivation.definitions import Solved, grouped, lettered, literal_sizes, usual_weights
-from ..derivation.locking import friction_remarks
-from ..derivation.remarks import own_conditions, reaction
-from ..derivation.sections import Told, in_short
-from ..derivation.to_text import speller
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..emit.describe import si_unit
@@ -18,11 +12,17 @@ from ..formula.tree import Number
 from ..formula.walk import symbols
 from ..model.mechanism import GRAVITY
 from ..model.result import Definition, Result
+from ..report.definitions import Solved, grouped, lettered, literal_sizes, usual_weights
+from ..report.languages.en import WORDS
+from ..report.sections import Told, in_short
+from ..report.sentences.locking import friction_remarks
+from ..report.sentences.remarks import own_conditions, reaction
+from ..report.text.derivation import speller
+from ..report.text.verdict import to_text
 from ..source import Source
-from ..statics.to_text import to_text
 from ..statics.verdict import Verdict
+from ..study.expectations import Finding
 from ..syntax.settings import Settings
-from ..words.en import WORDS
 from .begin import begin
 from .inputs import settings_option, stdin_option
 from .session import Command, session, session_options, status

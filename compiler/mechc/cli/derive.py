@@ -2,8 +2,8 @@
 
 import click
 
-from ..derivation.to_text import render
 from ..driver import complete, warnings
+from ..report.text.derivation import render
 from ..syntax.settings import Settings
 from .begin import begin
 from .inputs import description_argument, settings_option, stdin_option

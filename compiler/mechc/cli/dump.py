@@ -14,12 +14,12 @@ from typing import Any, NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..derivation.text_printer import ASCII, print_formula
 from ..emit.describe import dimension_name, si_unit
 from ..figure.figure import Plane
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..frozen import REQUIRED, fields
+from ..report.text.printer import ASCII, print_formula
 from ..source import Span
 from ..syntax import ast
 from ..syntax.text import direction

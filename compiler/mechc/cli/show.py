@@ -2,10 +2,10 @@
 
 import click
 
-from ..derivation.to_text import render
 from ..driver import STAGES, VIEWS, Compilation
-from ..statics import bodies_to_text
-from ..statics import to_text as statics
+from ..report.text import free_bodies as bodies_to_text
+from ..report.text import verdict as statics
+from ..report.text.derivation import render
 from ..syntax.settings import Settings
 from .begin import begin
 from .dump import dump

@@ -3,7 +3,7 @@
 import click
 
 from ..driver import checked, warnings
-from ..stroke.to_text import to_csv, to_table
+from ..report.text.stroke import to_csv, to_table
 from ..syntax.settings import Settings
 from .begin import begin
 from .inputs import description_argument, settings_option, stdin_option

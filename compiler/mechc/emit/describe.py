@@ -7,11 +7,11 @@ import math
 from collections.abc import Iterable, Iterator
 from unicodedata import category
 
-from ..derivation.definitions import Solved, grouped
 from ..formula.to_text import text
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Definition
+from ..report.definitions import Solved, grouped
 from ..routine.steps import Function, Guard, Input
 from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension, base_units
 

@@ -6,8 +6,8 @@ Targets are found by name; third parties add theirs through the entry-point grou
 
 from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol
 
-from ..derivation.steps import Derivation
 from ..model.mechanism import Mechanism
+from ..report.derivation.steps import Derivation
 from ..routine.steps import Routine
 from ..statics.verdict import Verdict
 

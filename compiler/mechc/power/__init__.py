@@ -1,1 +1,5 @@
-"""Virtual power: Σ F·V = 0, solved for what was asked, and what follows from it."""
+"""Virtual power: Σ F·V = 0, solved without friction for what was asked.
+
+Promises: every ratio, load, speed and force at a joint is a formula in free parameters and
+the names of its ``where``; the equations vanish with it for every motion of the plan.
+"""

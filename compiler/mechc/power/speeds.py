@@ -8,15 +8,15 @@ from typing import NamedTuple
 from ..algebra.angle import Rational
 from ..algebra.factors import Factor, Opaque, Trig
 from ..algebra.from_formula import to_product
+from ..algebra.intervals import Box, sign
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..formula.tree import Call
 from ..kinematics.plan import Plan, Speeds
+from ..model.boxes import range_box
 from ..model.mechanism import Mechanism, Speed
 from ..pose.pose import Arm, Vector, gathered
-from .intervals import Box, sign
-from .trends import ranges
 
 
 class Rate(NamedTuple):
@@ -57,7 +57,7 @@ def magnitude(value: Product, mechanism: Mechanism) -> Product:
     A length, or a sum of lengths, keeps the sign that it has over the ranges given; what
     depends on angles changes sign beyond a dead centre and is put between bars.
     """
-    box, barred = ranges(mechanism), Product(1)
+    box, barred = range_box(mechanism), Product(1)
     result = Product(value.coefficient).scaled(1 if value.coefficient > 0 else -1)
     for factor, exponent in value.factors.items():
         part = Product.of(factor, exponent)

@@ -6,16 +6,6 @@ The document and its JSON Schema are both made from what stands here.
 from collections.abc import Mapping
 from typing import get_args
 
-from ...derivation.steps import (
-    Account,
-    Derivation,
-    Equation,
-    Passage,
-    PowerTerm,
-    Rule,
-    Saying,
-    Step,
-)
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import evaluate
@@ -34,6 +24,16 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...model.result import Definition, Result, Trend, Vanishing
+from ...report.derivation.steps import (
+    Account,
+    Derivation,
+    Equation,
+    Passage,
+    PowerTerm,
+    Rule,
+    Saying,
+    Step,
+)
 from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
 from ..describe import condition_lines, dimension_name, si_unit

@@ -1,1 +1,1 @@
-"""LaTeX: a report that compiles by itself, or a fragment of it, in three languages."""
+"""The LaTeX target: a report that compiles by itself, or a fragment of it."""

@@ -10,24 +10,31 @@ from typing import NamedTuple
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ...data import data
-from ...derivation.remarks import called, conditions, reaction
-from ...derivation.sections import sections
-from ...derivation.steps import Derivation, Equation, Step
-from ...derivation.wording import Sides, lines, sentence
 from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
 from ...model.mechanism import Geometry, Parameter, WithFriction
+from ...report.derivation.steps import Derivation, Equation, Step
+from ...report.languages import en, ru, uk
+from ...report.languages.locale import Words
+from ...report.latex.display import LINE, Line, display, vanishing
+from ...report.latex.given import (
+    ParameterRow,
+    VectorRow,
+    has_literal_lengths,
+    parameter_row,
+    scheme,
+    vector_row,
+)
+from ...report.latex.notation import Notation, notation, of_first_order, of_force, spellings
+from ...report.latex.printer import Box, box, plain, row
+from ...report.latex.results import SectionBlock, Speller, check, numbers, section_block
+from ...report.latex.text import escape, has_cyrillic
+from ...report.sections import sections
+from ...report.sentences.remarks import called, conditions, reaction
+from ...report.sentences.wording import Sides, lines, sentence
 from ...units import ANGLE
-from ...words import en, ru, uk
-from ...words.table import Words
 from ..target import Compiled, Emitted, Options
-from .display import LINE, Line, display, vanishing
-from .given import ParameterRow, VectorRow, has_literal_lengths, parameter_row, scheme, vector_row
-from .notation import Notation, notation, of_first_order, of_force, spellings
-from .printer import Box, box, plain, row
-from .results import SectionBlock, Speller, check, numbers, section_block
-from .text import escape, has_cyrillic
 
 _WORDS = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
 

@@ -1,0 +1,118 @@
+"""Signs of products over a box of parameter values, proved by interval arithmetic.
+
+Bounds are rounded outwards, so a sign that is returned is a proof; None only means that
+it was not proved.
+"""
+
+import math
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from .angle import RADIAN, Angle
+from .factors import CIRCLE, Factor, Length, Trig
+from .product import Product, Sum
+
+SLACK = 4e-16
+"""Relative outward rounding of one operation, some two units in the last place."""
+
+
+class Interval(NamedTuple):
+    """All numbers from ``low`` to ``high``."""
+
+    low: float
+    high: float
+
+
+Box = Mapping[str, Interval]
+
+
+def widened(low: float, high: float) -> Interval:
+    """Return an interval rounded outwards."""
+    return Interval(low - SLACK * abs(low) - 5e-324, high + SLACK * abs(high) + 5e-324)
+
+
+def sign(product: Product, box: Box) -> int | None:
+    """Return +1 or −1 if a product has that sign everywhere in a box, else None."""
+    result = 1 if product.coefficient > 0 else -1
+    for factor, exponent in product.factors.items():
+        low, high = factor_bounds(factor, box)
+        if low <= 0 <= high:
+            return None
+        if high < 0 and exponent % 2:
+            result = -result
+    return result
+
+
+def bounds(product: Product, box: Box) -> Interval:
+    """Return an interval that holds all values of a product in a box."""
+    result = widened(float(product.coefficient), float(product.coefficient))
+    for factor, exponent in product.factors.items():
+        result = _times(result, _raised(factor_bounds(factor, box), exponent))
+    return result
+
+
+def factor_bounds(factor: Factor, box: Box) -> Interval:
+    """Return an interval that holds all values of a factor in a box."""
+    match factor:
+        case Length(name):
+            return box.get(name, Interval(-math.inf, math.inf))
+        case Trig(function, angle):
+            low, high = _angle_bounds(angle, box)
+            return _sine(low, high) if function == "sin" else _sine(*_quarter(low, high))
+        case Sum():
+            parts = [bounds(t, box) for t in factor.terms]
+            return widened(sum(p.low for p in parts), sum(p.high for p in parts))
+        case _ if factor == CIRCLE:
+            return widened(math.pi, math.pi)
+        case _:
+            return Interval(-math.inf, math.inf)
+
+
+def _angle_bounds(angle: Angle, box: Box) -> Interval:
+    constant = math.radians(angle.degrees)
+    result = widened(constant, constant)
+    for name, c in angle.terms:
+        turn = Interval(1.0, 1.0) if name == RADIAN else box.get(name)
+        if turn is None:
+            return Interval(-math.inf, math.inf)
+        part = _times(widened(float(c), float(c)), turn)
+        result = widened(result.low + part.low, result.high + part.high)
+    return result
+
+
+def _quarter(low: float, high: float) -> Interval:
+    return widened(low + math.pi / 2, high + math.pi / 2)
+
+
+def _sine(low: float, high: float) -> Interval:
+    """Return the range of the sine over an interval."""
+    if not high - low < 2 * math.pi:
+        return Interval(-1.0, 1.0)
+    a, b = math.sin(low), math.sin(high)
+    top = 1.0 if _holds(low, high, math.pi / 2) else max(a, b) + SLACK
+    bottom = -1.0 if _holds(low, high, -math.pi / 2) else min(a, b) - SLACK
+    return Interval(max(bottom, -1.0), min(top, 1.0))
+
+
+def _holds(low: float, high: float, peak: float) -> bool:
+    """Tell whether an interval holds ``peak`` plus a whole number of turns (or nearly)."""
+    turns = math.ceil((low - peak) / (2 * math.pi) - 1e-12)
+    return peak + turns * 2 * math.pi <= high + 1e-12
+
+
+def _times(a: Interval, b: Interval) -> Interval:
+    corners = [x * y if x and y else 0.0 for x in a for y in b]
+    return widened(min(corners), max(corners))
+
+
+def _raised(a: Interval, exponent: int) -> Interval:
+    if exponent < 0:
+        if a.low <= 0 <= a.high:
+            return Interval(-math.inf, math.inf)
+        a, exponent = widened(1 / a.high, 1 / a.low), -exponent
+    result = a
+    for _ in range(exponent - 1):
+        result = _times(result, a)
+    if exponent % 2 == 0:
+        result = Interval(max(result.low, 0.0), result.high)
+    return result

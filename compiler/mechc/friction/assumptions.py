@@ -1,0 +1,61 @@
+"""Pins that are taken to be fast in a link: where another link would give another friction."""
+
+from collections.abc import Iterator
+
+from ..algebra.sums import add
+from ..diagnostics import Diagnostic
+from ..diagnostics import friction as words
+from ..formula.tree import ZERO
+from ..kinematics.release import Bond
+from ..model.mechanism import Force, Load, RubbingPin, Thrust
+from ..pose.pose import Pose
+from ..power.reactions import Reactions
+from .normal_forces import Given
+
+
+def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Iterator[Diagnostic]:
+    """Yield a remark on each pin whose friction depends on the link that it is fast in.
+
+    Between two links it does not where they press the pin alike, however both turn: then the
+    formula is ``exact`` for either of them.
+    """
+    mechanism = pose.mechanism
+    for pin in mechanism.friction.rubbing:
+        if not isinstance(pin, RubbingPin) or not pin.assumed or pin.radius == ZERO:
+            continue
+        bodies = mechanism.turning_at(pin.point)
+        others = bool([t for t in pose.touches if t.point == pin.point])
+        acting = [load for load in mechanism.loads if acts_on_pin(load, pin.point)]
+        if len(bodies) + others > 2 and not acting:
+            yield words.pin_fast_in(pin.span, pin.point, pin.carrier, bodies)
+        elif acting and not (exact and len(bodies) == 2 and _alike(pin, pose, driving, given)):
+            for load in acting:
+                yield words.load_on_a_pin(load.span, load.name, pin.point, pin.carrier, bodies)
+
+
+def acts_on_pin(load: Load, point: str) -> bool:
+    """Tell whether a load acts on a pin, and on none of the bodies there."""
+    match load:
+        case Force(point=at, link=link):
+            return at == point and not link
+        case Thrust(first=first, second=second, first_link=link, second_link=other):
+            return (first == point and not link) or (second == point and not other)
+        case _:
+            return False
+
+
+def _alike(pin: RubbingPin, pose: Pose, driving: str, given: Given) -> bool:
+    """Tell whether two links press a pin equally hard, whatever the pose."""
+    reactions = Reactions(pose, (driving,))
+    squares = []
+    for body in pose.mechanism.turning_at(pin.point):
+        found = reactions.of(Bond("pin", pin.point, body))
+        if found is None:
+            return False
+        parts = [
+            add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
+            for push in found.pushes
+        ]
+        squares.append(add(part * part for part in parts))
+    first, second = squares
+    return not add((first, -second))

@@ -1,0 +1,109 @@
+"""A closed form: as code takes it, and as it is printed."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from typing import Literal, NamedTuple, Protocol
+
+from ..algebra.factors import Factor, Trig
+from ..algebra.product import Product, Sum
+from ..algebra.sums import canonical
+from ..formula.operations import count_operations
+from ..formula.tree import Formula, product, total
+from ..frozen import frozen
+from ..model.result import Definition
+from .signs import AtAnyPose, AtOnePose, Signs, bare
+from .steps import Step
+
+Operator = Literal["<", ">", "="]
+
+
+@frozen
+class Printed:
+    """A formula for the signs of one pose, and the conditions under which they stay."""
+
+    formula: Formula
+    where: tuple[Definition, ...]
+    holds: tuple[tuple[Formula, Operator], ...]
+    steps: tuple[Step, ...] = ()
+
+
+@frozen
+class Named:
+    """A formula and what it rests on, each definition after those it needs.
+
+    What is ``positive`` must stay so, or the formula has no meaning. ``case`` is the same
+    as it is printed; ``steps`` tell how it was found where there is none. Names ``inside``
+    are the coefficients of a system, of which people read the structure only.
+    """
+
+    formula: Formula
+    where: tuple[Definition, ...] = ()
+    positive: tuple[Formula, ...] = ()
+    case: Printed | None = None
+    steps: tuple[Step, ...] = ()
+    inside: frozenset[str] = frozenset()
+
+
+class Condition(NamedTuple):
+    """A force that keeps its ideal sign in the formula: ``sign · force > 0``."""
+
+    sign: Product
+    force: Product
+
+
+class Way(Protocol):
+    """A way to solve for the driving load, and what its formula takes for granted then."""
+
+    conditions: list[Condition]
+
+    @property
+    def steps(self) -> Sequence[Step]:
+        """Return the steps taken so far."""
+        ...
+
+    def solve(self) -> Product:
+        """Return the driving load. Raises :class:`~.bodies.Entangled` where it cannot."""
+        ...
+
+
+def closed_form(way: Callable[[Signs], Way], factor: Product, taken: Set[str]) -> Named:
+    """Return the driving load times a factor, with signs that follow from the pose."""
+    signs = AtAnyPose(taken)
+    solver = way(signs)
+    formula = readable(canonical(solver.solve() * factor))
+    kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
+    positive = (force.formula() for force in kept if bare(force).factors)
+    return Named(formula, tuple(signs.definitions), tuple(positive))
+
+
+def printed_form(way: Callable[[Signs], Way], factor: Product, signs: AtOnePose) -> Printed:
+    """Return the driving load times a factor, for the signs of one pose."""
+    solver = way(signs)
+    formula = readable(canonical(solver.solve() * factor))
+    return Printed(formula, tuple(signs.definitions), conditions(signs), tuple(solver.steps))
+
+
+def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:
+    """Return the conditions under which signs stay what they are."""
+    operators: Mapping[int, Operator] = {-1: "<", 0: "=", 1: ">"}
+    return tuple((value, operators[sign]) for value, sign in signs.conditions.items())
+
+
+def readable(value: Product) -> Formula:
+    """Return a product in its shortest form: a sum may be divided by a sine or cosine first.
+
+    (sin u + c·cos u)/cos u reads better as tan u + c.
+    """
+    return min((value.formula(), *_divided(value)), key=count_operations)
+
+
+def _divided(value: Product) -> Iterator[Formula]:
+    """Yield the product with a sum divided by what stands across the line, term by term."""
+    for sum_, exponent in value.factors.items():
+        if not isinstance(sum_, Sum) or abs(exponent) != 1:
+            continue
+        others = {f: -e * exponent for f, e in value.factors.items() if e * exponent < 0}
+        trigs: dict[Factor, int] = {f: e for f, e in others.items() if isinstance(f, Trig)}
+        for below in (Product(1, trigs), Product(1, others)):
+            rest = value * Product(1, {sum_: -exponent}) * below**exponent
+            terms = total((term / below).formula() for term in sum_.terms)
+            yield product([(rest.formula(), 1), (terms, exponent)])

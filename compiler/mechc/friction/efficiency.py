@@ -1,0 +1,99 @@
+"""Efficiencies, given or found, whichever load drives.
+
+The load that is asked for drives where it moves along its force: with a positive ratio
+while tightening, with a negative one while releasing. Elsewhere it follows, and what
+arrives is the inverse quotient. At a dead centre nothing arrives.
+"""
+
+from ..algebra.from_formula import to_product
+from ..algebra.intervals import Box, sign
+from ..algebra.product import Product
+from ..formula.tree import ZERO, Call, Formula, Power, Symbol, number, product, quotient
+from ..frozen import replace
+from ..kinematics.plan import Plan
+from ..model.boxes import allowed_box
+from ..model.mechanism import Mechanism, Require, Sense
+from ..model.result import Case, Definition, Result
+from ..model.targets import SIGNS
+from ..power.numbers import default_values, value_of
+from ..source import Span
+from ..units import ANGLE, NUMBER
+from .closed_form import Named, Operator, Printed
+from .steps import Step
+
+
+class Drives:
+    """Whether the load that is asked for drives, here and at other poses."""
+
+    def __init__(self, ideal: Result, sense: Sense, plan: Plan) -> None:
+        self._ideal, self._k = ideal, Symbol(ideal.name)
+        self._sense = SIGNS[sense]
+        mechanism = plan.graph.pose.mechanism
+        self._always = _sign(ideal, _sizes(mechanism))
+        self._in_range = _sign(ideal, allowed_box(mechanism))
+        value = value_of(ideal, default_values(plan))
+        self._here = -1 if value is not None and value < 0 else 1
+
+    def with_constant(self, name: str, efficiency: Formula) -> Named:
+        """Return the ratio, which is called ``name``, with an efficiency that is given."""
+        here = product([(self._ideal.formula, 1), (efficiency, -self._exponent)])
+        share = product([(self._k, 1), (efficiency, -self._exponent)])
+        steps = (Step("efficiency", equations=((Symbol(name), share),)),)
+        if self._always is not None:
+            return Named(here, steps=steps)
+        whole = product([(self._k, 1), (Power(efficiency, self._turning(-1)), 1)])
+        case = Printed(here, (), self._condition(self._ideal.formula), steps)
+        return Named(whole, (self._definition(),), case=case)
+
+    def efficiency(self, real: Result, span: Span) -> Result:
+        """Return what of the power arrives, from the ratio with friction."""
+        k_f = Definition(f"{self._ideal.name}_f", real.formula)
+        without = to_product(self._ideal.formula)
+        here = ((without / Product.symbol(k_f.name)) ** self._exponent).formula()
+        formula, where = here, (*real.where, k_f)
+        if self._always is None:
+            formula, where = self._anywhere(k_f.name), (*where, self._definition())
+        case = self._case(here, real.case, k_f.name, span) if real.case else None
+        return replace(real, formula=formula, where=where, dimension=NUMBER, case=case)
+
+    def _case(self, here: Formula, real: Case, name: str, span: Span) -> Case:
+        """Return the efficiency as it is printed; it has the conditions of the ratio, too."""
+        where, holds = (*real.where, Definition(name, real.formula)), real.holds
+        if self._in_range is None:
+            where = (*where, self._definition())
+            holds += tuple(Require(f, o, ZERO, span) for f, o in self._condition(self._k))
+        return Case(here, where, holds)
+
+    def _anywhere(self, name: str) -> Formula:
+        """Return |σ|·(k/k_f)^σ, σ the sign that tells who drives: 0 at a dead centre."""
+        sigma = self._turning(1)
+        share = Power(quotient(self._k, Symbol(name)), sigma)
+        return product([(Call("abs", (Call("sign", (self._k,)),)), 1), (share, 1)])
+
+    def _turning(self, exponent: int) -> Formula:
+        """Return an exponent that changes its sign where the ratio does."""
+        return product([(number(exponent * self._sense), 1), (Call("sign", (self._k,)), 1)])
+
+    @property
+    def _exponent(self) -> int:
+        return self._sense * self._here
+
+    def _condition(self, ratio: Formula) -> tuple[tuple[Formula, Operator], ...]:
+        if self._in_range is not None:
+            return ()
+        return ((ratio, ">" if self._here > 0 else "<"),)
+
+    def _definition(self) -> Definition:
+        return Definition(self._ideal.name, self._ideal.formula)
+
+
+def _sign(result: Result, box: Box) -> int | None:
+    """Return the sign of a result all over a box, None where it is not proved."""
+    value = to_product(result.formula)
+    return sign(value, box) if value else None
+
+
+def _sizes(mechanism: Mechanism) -> Box:
+    """Return the box of all that is no angle."""
+    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    return {name: i for name, i in allowed_box(mechanism).items() if name not in angles}

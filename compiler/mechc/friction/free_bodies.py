@@ -1,0 +1,322 @@
+"""A mechanism as free bodies for a chain: rods, levers, sliders, and pins between rods.
+
+One half of a mirror, one branch of copies: a load on what they share counts for its part.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Literal, NamedTuple, assert_never
+
+from ..algebra.angle import Angle
+from ..algebra.product import ONE, ZERO, Product
+from ..algebra.sums import add
+from ..algebra.trigonometry import cosine, sine
+from ..frozen import frozen
+from ..kinematics.release import Bond, held_end
+from ..model.mechanism import Force, Link, Load, RubbingPin, Thrust, Torque
+from ..pose.pose import Pose, Touch, Vector, gathered
+from ..power.definitions import bound_names
+from ..power.loads import occurrences
+from ..power.reactions import Reactions
+from .normal_forces import Given, Pressed
+
+Kind = Literal["lever", "slider", "pin"]
+
+HALF_TURN = Angle.constant(180)
+
+
+class Entangled(Exception):
+    """The bodies do not follow one from another."""
+
+
+class Pull(NamedTuple):
+    """A force on a body: its size along a line at a point, and a couple; no line for a couple."""
+
+    name: str
+    point: str
+    line: Angle | None
+    size: Product = ONE
+    couple: Product = ZERO
+
+    def scaled(self, size: Product) -> "Pull":
+        """Return the pull times a size."""
+        return self._replace(size=self.size * size, couple=self.couple * size)
+
+    def along(self, direction: Angle) -> Product:
+        """Return the component in a direction."""
+        return ZERO if self.line is None else self.size * cosine(self.line - direction)
+
+    def across(self, direction: Angle) -> Product:
+        """Return the component in a direction turned by +90°."""
+        return ZERO if self.line is None else self.size * sine(self.line - direction)
+
+
+class Surface(NamedTuple):
+    """Friction of a body at a joint: its factor, its slip, and 1, or -1 for a slip turned round.
+
+    ``pressed`` is, of a guide, the ideal force across it.
+    """
+
+    name: str
+    factor: Product
+    slip: Product
+    turn: int = 1
+    pressed: Product = ZERO
+
+
+@frozen
+class Task:
+    """What a chain has to find: the driving load, the given ones, and how all are pressed.
+
+    ``owners`` tells of each load of which free load it is what multiple.
+    """
+
+    pose: Pose
+    driving: str
+    given: Given
+    owners: Mapping[str, tuple[str, Product]]
+    pressed: Sequence[Pressed]
+
+
+class Bodies:
+    """The free bodies of a task; with ``cranks`` pivoted links of two points are levers too."""
+
+    def __init__(self, task: Task, cranks: bool) -> None:
+        self._task, self._pose, self._mechanism = task, task.pose, task.pose.mechanism
+        self._pressed = {p.rub.bond: p for p in task.pressed}
+        rubbing = self._mechanism.friction.rubbing
+        self._carriers = {r.point: r.carrier for r in rubbing if isinstance(r, RubbingPin)}
+        self._reactions = Reactions(task.pose, (task.driving,))
+        self._fixed = {p.point for p in self._mechanism.pivots}
+        self._guides = dict(task.pose.guides)
+        if self._mechanism.mirror and task.pose.axis is not None:
+            for point in self._mechanism.mirror.sharing:
+                self._guides.setdefault(point, task.pose.axis)
+        turned = {k.link for k in self._mechanism.loads if isinstance(k, Torque)}
+        self._levers = {
+            k.name: k for k in self._mechanism.links if self._is_lever(k, turned, cranks)
+        }
+        self._rods = {f"S_{k.name}": k for k in self._mechanism.links if k.name not in self._levers}
+        self._refuse_the_rest(turned)
+
+    def _is_lever(self, link: Link, turned: set[str], cranks: bool) -> bool:
+        held = [p for p in link.points if p in self._fixed]
+        return len(held) == 1 and (len(link.points) > 2 or link.name in turned or cranks)
+
+    def _refuse_the_rest(self, turned: set[str]) -> None:
+        """Raise :class:`Entangled` for bodies and joints that are none of the four kinds."""
+        m = self._mechanism
+        bodies = any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
+        if m.cylinders or any(self._is_apart(load) for load in m.loads):
+            raise Entangled
+        held = {*self._levers, *(s.name for s in m.slides)}
+        afloat = any(t.body not in held for t in self._pose.touches)
+        named = {t.point for t in self._pose.touches}
+        twice = len(named) < len(self._pose.touches)
+        if bodies or afloat or twice or m.meshes or m.racks or m.screws:
+            raise Entangled
+        turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
+        carried = [*turning, *(p for s in m.slides for p in s.points)]
+        if len(set(carried)) < len(carried) or any(p in self._guides for p in turning):
+            raise Entangled
+
+    def _is_apart(self, load: Load) -> bool:
+        """Tell whether a load acts on a rod itself, or on a lever at its pivot."""
+        match load:
+            case Force(point=point, link=link):
+                ends = [(link, point)]
+            case Thrust(first=first, second=second):
+                ends = [(load.first_link, first), (load.second_link, second)]
+            case _:
+                return False
+        named = [(link, point) for link, point in ends if link]
+        return any(link not in self._levers or point in self._fixed for link, point in named)
+
+    def solvable(self) -> Iterator[str]:
+        """Yield the levers, the slides, and the points that neither carries."""
+        yield from self._levers
+        yield from (s.name for s in self._mechanism.slides)
+        carried = {p for k in self._levers.values() for p in k.points} | self._fixed
+        carried |= {p for s in self._mechanism.slides for p in s.points}
+        yield from dict.fromkeys(
+            p for k in self._rods.values() for p in k.points if p not in carried
+        )
+
+    def kind(self, body: str) -> Kind:
+        """Return what a body is."""
+        if body in self._levers:
+            return "lever"
+        return "slider" if body in self._guides or body in self._pose.slides else "pin"
+
+    def _points(self, body: str) -> tuple[str, ...]:
+        if body in self._pose.slides:
+            return next(s.points for s in self._mechanism.slides if s.name == body)
+        if body not in self._levers:
+            return (body,)
+        return tuple(p for p in self._levers[body].points if p not in self._fixed)
+
+    # --------------------------------------------------------------------------- loads
+
+    def loads_on(self, body: str) -> Iterator[Pull]:
+        """Yield the loads on a body, each in units of the free load that it is tied to."""
+        for load in self._mechanism.loads:
+            owner, factor = self._task.owners[load.name]
+            for place, link, line in self._acting(load):
+                size = factor.scaled(self._part(load))
+                if line is None and link == body:
+                    yield Pull(owner, "", None, ZERO, size)
+                elif line is not None and place in self._points(body):
+                    if not link:
+                        self._refuse_on_rod(place, body)
+                    yield Pull(owner, place, line, size)
+
+    def _acting(self, load: Load) -> Iterator[tuple[str, str, Angle | None]]:
+        """Yield where a load acts, on which link if that is said, and along which line."""
+        match load:
+            case Force(name, point, link=link):
+                yield point, link, self._pose.lines[name]
+            case Torque(link=link):
+                yield "", link, None
+            case Thrust(name, first, second) if second == f"{first}'":
+                yield first, load.first_link, self._pose.lines[name]
+            case Thrust(name, first, second):
+                yield second, load.second_link, self._pose.lines[name]
+                yield first, load.first_link, self._pose.lines[name] + HALF_TURN
+            case _:
+                assert_never(load)
+
+    def _part(self, load: Load) -> Fraction:
+        """Return how much of a load one half or branch takes."""
+        counted = occurrences(self._mechanism, load)
+        mirror, copies = self._mechanism.mirror, self._mechanism.copies
+        whole = Fraction(2 if mirror else 1) * (copies.number if copies else 1)
+        return load.times * counted / whole
+
+    def _refuse_on_rod(self, point: str, body: str) -> None:
+        """A load on a pin that is fast in a rod and rubs in a lever would bend the rod."""
+        carrier = self._carriers.get(point, "")
+        if body in self._levers and carrier and carrier != body:
+            raise Entangled
+
+    # ---------------------------------------------------------------------------- rods
+
+    def rods_at(self, body: str) -> Iterator[tuple[Link, str]]:
+        """Yield the rods that meet a body, and where."""
+        for rod in self._rods.values():
+            for point in rod.points:
+                if point in self._points(body):
+                    yield rod, point
+
+    def rod(self, name: str) -> Link | None:
+        """Return the rod whose force is called so."""
+        return self._rods.get(name)
+
+    def vector(self, rod: Link) -> tuple[Angle, Product]:
+        """Return a rod's direction and length."""
+        arms = self._pose.vector(rod.name, *rod.points)
+        if len(arms) != 1:
+            raise Entangled
+        return arms[0].angle, arms[0].length
+
+    def compression(self, rod: Link) -> Product:
+        """Return the ideal force by which a rod is pressed, unless that is a long sum."""
+        end = held_end(self._mechanism, rod)
+        found = self._reactions.of(Bond("pin", end, rod.name))
+        if found is None:
+            raise Entangled
+        outwards = self.vector(rod)[0]
+        along = found.along(outwards if end == rod.points[1] else outwards + HALF_TURN)
+        pressed = -add(along[n] * size for n, size in self._task.given.items() if n in along)
+        if any(bound_names(pressed)):
+            raise Entangled
+        return pressed
+
+    def surface(self, point: str, rod: Link) -> Surface | None:
+        """Return how a rod rubs at one of its ends: in what carries the pin, or about it."""
+        own = self._pressed.get(Bond("pin", point, rod.name))
+        if own:
+            return _surface(own)
+        others = [p for b, p in self._pressed.items() if b.kind == "pin" and b.point == point]
+        if self._carriers.get(point) != rod.name or not others:
+            return None
+        if len(others) > 1 or self._is_pressed_besides(point):
+            raise Entangled
+        return _surface(others[0])._replace(turn=-1)
+
+    def _is_pressed_besides(self, point: str) -> bool:
+        """Tell whether a pin has a guide, or is on a lever and in a slot or contact.
+
+        Then two links press one another at the pin with other forces than it has from them.
+        """
+        slides = any(point in s.points for s in self._mechanism.slides)
+        turning = any(point in k.points for k in self._levers.values())
+        touching = any(touch.point == point for touch in self._pose.touches)
+        return point in self._guides or slides or (turning and touching)
+
+    def touches_at(self, body: str) -> Iterator[tuple[Touch, bool]]:
+        """Yield the slots and contacts of a body, and whether it is the one under the pin."""
+        for touch in self._pose.touches:
+            if touch.point in self._points(body):
+                yield touch, False
+            if touch.body == body:
+                yield touch, True
+
+    def touch(self, name: str) -> Touch | None:
+        """Return the slot or contact whose force is called so."""
+        return next((t for t in self._pose.touches if f"R_{t.point}" == name), None)
+
+    def face(self, touch: Touch) -> Surface | None:
+        """Return how a pin rubs on the body under it, with the ideal force on the pin."""
+        pressed = self._pressed.get(Bond("touch", touch.point))
+        if pressed is None:
+            return None
+        (component,) = pressed.components
+        return _surface(pressed)._replace(pressed=component.ideal)
+
+    def is_rubbing(self, point: str) -> bool:
+        """Tell whether there is friction at a pin."""
+        return any(b.kind == "pin" and b.point == point for b in self._pressed)
+
+    # ---------------------------------------------------------------- levers and guides
+
+    def arms(self, lever: str) -> dict[str, Vector]:
+        """Return where the points of a lever are, seen from its pivot."""
+        pivot = self.pivot(lever)
+        points = (p for p in self._levers[lever].points if p != pivot)
+        arms = {p: self._pose.vector(lever, pivot, p) for p in points}
+        for touch in self._pose.touches:
+            if touch.body == lever:
+                tail = () if touch.tail == pivot else arms[touch.tail]
+                arms[under(touch)] = gathered((*tail, *touch.reach))
+        return arms
+
+    def pivot(self, lever: str) -> str:
+        """Return the point on which a lever turns."""
+        return next(p for p in self._levers[lever].points if p in self._fixed)
+
+    def bearing(self, lever: str) -> Surface | None:
+        """Return the friction of a lever on its pivot."""
+        pressed = self._pressed.get(Bond("pin", self.pivot(lever), lever))
+        return _surface(pressed) if pressed else None
+
+    def guide(self, body: str) -> Angle:
+        """Return the direction of the guide of a slider or slide."""
+        return self._pose.slides[body] if body in self._pose.slides else self._guides[body]
+
+    def sliding(self, body: str) -> Surface | None:
+        """Return the friction on the guide of a slider or slide, and the ideal force across it."""
+        bonds = [Bond("ground", body), *(Bond("slide", p, body) for p in self._points(body))]
+        pressed = next((self._pressed[b] for b in bonds if b in self._pressed), None)
+        if pressed is None:
+            return None
+        (component,) = pressed.components
+        return _surface(pressed)._replace(pressed=-component.ideal)
+
+
+def under(touch: Touch) -> str:
+    """Return the name of the place on a body that a pin touches."""
+    return f"under {touch.point}"
+
+
+def _surface(pressed: Pressed) -> Surface:
+    return Surface(pressed.rub.name, pressed.rub.factor, pressed.slip)

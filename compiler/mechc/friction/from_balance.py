@@ -1,0 +1,97 @@
+"""Friction: from the balance without it to everything that was asked for."""
+
+import math
+from collections.abc import Iterator
+
+from ..diagnostics import Report
+from ..diagnostics import friction as words
+from ..diagnostics.power import length_not_given
+from ..formula.rounding import Size
+from ..frozen import replace
+from ..model.mechanism import Efficiency, Find, LoadForm, LoadRatio, WithFriction
+from ..model.result import Result
+from ..model.targets import SIGNS
+from ..power.balance import Balance, Solved
+from ..power.definitions import let_results, open_lengths
+from ..power.numbers import DefaultNumbers, with_default
+from .solution import Solution, SolvedWithFriction
+
+
+def solve(balance: Balance, report: Report) -> Solution:
+    """Return the results without friction, with it, and the user's own formulas of them.
+
+    Reports what friction leaves undetermined (E510 … E514), a length that it needs (E506),
+    a drive that jams at the default pose (W513), too many formulas of the user's (E831).
+    """
+    numbers = DefaultNumbers(balance.plan)
+    with_friction = {s.result.name: s for s in _with_friction(balance, numbers, report)}
+    report.stop_on_errors()
+    known = {s.result.name: s for s in balance.solved} | with_friction
+    finds = balance.plan.graph.pose.mechanism.finds
+    solved = [known[find.name] for find in finds]
+    lets = let_results(balance.plan, [s.result for s in solved], report)
+    solved += [Solved(with_default(let, numbers.of(let))) for let in lets]
+    return Solution(balance, tuple(solved))
+
+
+def _with_friction(
+    balance: Balance, numbers: DefaultNumbers, report: Report
+) -> Iterator[SolvedWithFriction]:
+    """Yield what was asked for with friction; few descriptions ask for any."""
+    finds = balance.plan.graph.pose.mechanism.finds
+    asked = [f for f in finds if isinstance(f.target, WithFriction | Efficiency)]
+    if not asked:
+        return
+    from .results import FrictionResults
+
+    results = FrictionResults(balance, report)
+    ideal = {r.target: r for r in balance.results}
+    for find in asked:
+        assert isinstance(find.target, WithFriction | Efficiency)
+        without = ideal[find.target.of]
+        if (found := results.find(find, without)) is not None:
+            _check_lengths(find, found.result, balance, report)
+            result = _with_default(find, found.result, without, numbers, report)
+            yield replace(found, result=result)
+
+
+def _check_lengths(find: Find, result: Result, balance: Balance, report: Report) -> None:
+    if missing := open_lengths(balance.plan, (result.formula, *(d.formula for d in result.where))):
+        report.add(length_not_given(find.span, find.name, missing))
+
+
+def _with_default(
+    find: Find, result: Result, ideal: Result, numbers: DefaultNumbers, report: Report
+) -> Result:
+    """Return a result with its value at the default pose; warn where the drive jams there."""
+    size = numbers.of(result)
+    if _jams(find, size.number, ideal.default):
+        report.add(words.drive_jams(find.span, find.name, _drive(find)))
+        size = Size(None)
+    return with_default(result, size)
+
+
+def _jams(find: Find, number: float | None, ideal: float | None) -> bool:
+    """Return whether the drive has to move the mechanism and no force of it does.
+
+    A result may be infinite where the one without friction is, too.
+    """
+    match find.target:
+        case WithFriction(of, sense, order) if order != "first":
+            driven = ideal if ideal is not None and isinstance(of, LoadRatio | LoadForm) else 0.0
+            follows = SIGNS[sense] * driven < 0
+            if number is None or number == math.inf or follows:
+                return False
+            return not (math.isfinite(number) and number * driven >= 0)
+        case _:
+            return False
+
+
+def _drive(find: Find) -> str:
+    match find.target:
+        case WithFriction(LoadRatio(above)):
+            return above
+        case WithFriction(LoadForm(load)):
+            return load
+        case _:
+            return "of the drive"

@@ -1,0 +1,168 @@
+"""The driving load with friction, to first order and exactly, as a sum of powers.
+
+Every friction adds its power, factor · pressing force · slip, to what the drive must do.
+"""
+
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from ..algebra.angle import Rational
+from ..algebra.product import ZERO, Product
+from ..algebra.sums import add
+from ..formula.tree import Formula, Symbol, negative, number, product, total
+from ..model.mechanism import Mechanism
+from ..model.result import Result
+from ..power.joint_forces import size_of
+from ..power.speeds import even, magnitude
+from .closed_form import Named, Printed, conditions, readable
+from .coupled import Sizes
+from .normal_forces import Pressed
+from .pairs import Rub, radii, reduced
+from .signs import AtOnePose, is_root
+from .steps import Step
+
+
+def first_order(
+    ideal: Formula, pressed: Sequence[Pressed], sense: int, mechanism: Mechanism
+) -> Named:
+    """Return the driving load with the frictions that ideal pressing forces give.
+
+    The power of friction with ideal instead of true forces: the error is of second order.
+    """
+    parts = _powers(pressed, partial(magnitude, mechanism=mechanism))
+    return Named(_with(ideal, parts, sense))
+
+
+def first_order_case(
+    name: str, ideal: Result, pressed: Sequence[Pressed], sense: int, signs: AtOnePose
+) -> Printed:
+    """Return the same for the signs of a pose, and the forces and slips that it sums up."""
+    parts = _powers(pressed, positive_at(signs))
+    labels = radii(part.rub for part in parts)
+    terms: list[Formula] = [Symbol(ideal.name)]
+    forces: dict[Formula, Formula] = {}
+    slips: dict[Formula, Formula] = {}
+    for part in parts:
+        factor = named_factor(part.rub, labels, signs).formula()
+        force = _called(f"r_{part.rub.name}", part.force, forces, signs)
+        slip = _called(_slip_name(part.rub), part.slip, slips, signs)
+        terms.append(product([(number(sense), 1), (factor, 1), (force, 1), (slip, 1)]))
+    equations = [(own, known) for told in (forces, slips) for own, known in told.items()]
+    step = Step(
+        "first order",
+        equations=(*equations, (Symbol(name), total(terms))),
+        defined=tuple(signs.definitions),
+    )
+    formula = _with(ideal.formula, parts, sense)
+    return Printed(formula, (), conditions(signs), (step,))
+
+
+def _called(name: str, size: Product, told: dict[Formula, Formula], signs: AtOnePose) -> Formula:
+    """Return the name of a size, and note what it is: another of its kind where that is alike."""
+    own, formula = Symbol(signs.fresh(name)), size.formula()
+    told[own] = next((known for known, found in told.items() if found == formula), formula)
+    return own
+
+
+def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
+    """Return what gives absolute values, by the signs of a pose."""
+    return lambda value: value * signs.of("", value)
+
+
+def _slip_name(rub: Rub) -> str:
+    return f"{'Omega' if rub.bond.kind == 'pin' else 'v'}_{rub.name}"
+
+
+def named_factor(rub: Rub, labels: Mapping[str, str], signs: AtOnePose) -> Product:
+    """Return the factor of friction, the radius of a friction circle by its name."""
+    if rub.name in labels:
+        return signs.radius(labels[rub.name], rub.factor)
+    return signs.coefficient(reduced(rub.name), rub.factor)
+
+
+class Power(NamedTuple):
+    """The power of one friction: the ideal force and the slip."""
+
+    rub: Rub
+    force: Product
+    slip: Product
+
+    @property
+    def size(self) -> Product:
+        """Return the power itself."""
+        return self.rub.factor * self.force * self.slip
+
+
+def _powers(pressed: Sequence[Pressed], positive: Callable[[Product], Product]) -> list[Power]:
+    """Return the powers of frictions under ideal forces, but for those that are zero."""
+    found = []
+    for p in pressed:
+        parts = [c.ideal for c in p.components if c.ideal]
+        if parts and p.slip:
+            x, y = (*parts, ZERO)[:2]
+            force = size_of(x, y, positive) if y else positive(x)
+            found.append(Power(p.rub, force, positive(p.slip)))
+    return found
+
+
+def _with(ideal: Formula, parts: Sequence[Power], sense: int) -> Formula:
+    """Return the driving load with the powers of friction added."""
+    sizes = [even(p.size) for p in parts]
+    alone = readable(add(s for s in sizes if not _has_root(s)))
+    others = _gathered(s for s in sizes if _has_root(s))
+    added = total([alone, *(size.formula() for size in others)])
+    return total([ideal, added if sense > 0 else negative(added)])
+
+
+def _has_root(value: Product) -> bool:
+    return any(is_root(Product.of(factor)) for factor in value.factors)
+
+
+def _gathered(terms: Iterable[Product]) -> list[Product]:
+    """Return terms, those that differ by a number only in one."""
+    numbers: dict[Product, Rational] = {}
+    for term in terms:
+        alike = Product(1, term.factors)
+        numbers[alike] = numbers.get(alike, 0) + term.coefficient
+    return [alike.scaled(size) for alike, size in numbers.items()]
+
+
+def exact(
+    ideal: Formula,
+    pressed: Sequence[Pressed],
+    sizes: Sizes,
+    positive: Callable[[Product], Product],
+) -> Named:
+    """Return the driving load where every friction follows from its true pressing force.
+
+    ``positive`` gives absolute values.
+    """
+    parts = [(p.rub, p.rub.factor.formula(), positive(p.slip).formula()) for p in pressed]
+    steps = (Step("iterated"),)
+    whole = _sum(ideal, parts, sizes)
+    return Named(whole, sizes.definitions, sizes.positive, steps=steps, inside=sizes.inside)
+
+
+def exact_case(
+    ideal: Formula, pressed: Sequence[Pressed], sizes: Sizes, signs: AtOnePose
+) -> Printed:
+    """Return the same with a name for each slip, its sign that of a pose."""
+    labels, positive = radii(p.rub for p in pressed), positive_at(signs)
+    parts = []
+    for p in pressed:
+        slip = Symbol(signs.define(_slip_name(p.rub), positive(p.slip).formula()))
+        parts.append((p.rub, named_factor(p.rub, labels, signs).formula(), slip))
+    where = (*signs.definitions, *sizes.definitions)
+    steps = (Step("iterated"),)
+    return Printed(_sum(ideal, parts, sizes), where, conditions(signs), steps)
+
+
+def _sum(ideal: Formula, parts: Iterable[tuple[Rub, Formula, Formula]], sizes: Sizes) -> Formula:
+    """Return the driving load with the powers of friction: factor, true size and slip of each."""
+    sense = number(sizes.sense)
+    added = (
+        product([(sense, 1), (factor, 1), (Symbol(sizes.names[rub.name]), 1), (slip, 1)])
+        for rub, factor, slip in parts
+    )
+    return total([ideal, *added])

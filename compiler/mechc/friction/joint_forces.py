@@ -1,0 +1,97 @@
+"""Forces at joints with friction: as they are without it, and what each friction adds."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+
+from ..algebra.angle import Angle
+from ..algebra.product import ONE, Product
+from ..formula.tree import Call, Formula, Symbol, number, product, total
+from ..kinematics.forms import QUARTER
+from ..kinematics.plan import Plan
+from ..model.mechanism import Axial, Normal, Reaction
+from ..pose.pose import Arm
+from ..power.balance import Term
+from ..power.joint_forces import bond_of, component, line_of
+from ..power.reactions import Reactions
+from .closed_form import Named, Printed, conditions
+from .coupled import Sizes
+from .iterated import named_factor
+from .normal_forces import Pressed, load_of, term_of
+from .pairs import Rub, radii
+from .signs import AtOnePose
+from .steps import Step
+
+
+class ForceWithFriction:
+    """A force at a joint, every friction as large as ``sizes`` says."""
+
+    def __init__(
+        self,
+        target: Reaction | Axial | Normal,
+        plan: Plan,
+        driving: str,
+        pressed: Sequence[Pressed],
+        sizes: Sizes,
+    ) -> None:
+        self._target, self._pose = target, plan.graph.pose
+        self._pressed, self._sizes = pressed, sizes
+        rubs = [p.rub for p in pressed]
+        known = (plan, *(other for p in pressed for other in p.plans))
+        reactions = Reactions(self._pose, (driving,), partial(_terms, rubs), known)
+        self.transmitted = reactions.of(bond_of(target, self._pose))
+
+    def at_any_pose(self) -> Named:
+        """Return the force with signs that follow from the pose."""
+        formula = self._formula(
+            lambda rub: rub.factor, lambda slip: Call("sign", (slip.formula(),))
+        )
+        sizes = self._sizes
+        return Named(formula, sizes.definitions, sizes.positive, inside=sizes.inside)
+
+    def at_one_pose(self, signs: AtOnePose) -> Printed:
+        """Return the force as it is printed, for the signs of one pose."""
+        labels = radii(p.rub for p in self._pressed)
+        formula = self._formula(
+            lambda rub: named_factor(rub, labels, signs),
+            lambda slip: signs.of("", slip).formula(),
+        )
+        where = (*signs.definitions, *self._sizes.definitions)
+        return Printed(formula, where, conditions(signs), (Step("iterated"),))
+
+    def _formula(
+        self, factor: Callable[[Rub], Product], sign: Callable[[Product], Formula]
+    ) -> Formula:
+        frictions = {
+            load_of(p.rub): self._resisting(p, factor(p.rub), sign(p.slip)) for p in self._pressed
+        }
+
+        def along(*line: Arm) -> Formula:
+            assert self.transmitted is not None
+            return _form(component(self.transmitted, line), frictions)
+
+        x, y = Arm(ONE, Angle()), Arm(ONE, QUARTER)
+
+        match self._target:
+            case Reaction(part="size"):
+                return Call("hypot", (along(x), along(y)))
+            case Reaction(part="direction"):
+                return Call("atan2", (along(y), along(x)))
+            case _:
+                return along(*line_of(self._target, self._pose))
+
+    def _resisting(self, pressed: Pressed, factor: Product, sign: Formula) -> Formula:
+        """Return a friction as a load on its slip: its size, against the sign of the slip."""
+        size = Symbol(self._sizes.names[pressed.rub.name])
+        return product(
+            [(number(-self._sizes.sense), 1), (factor.formula(), 1), (size, 1), (sign, 1)]
+        )
+
+
+def _terms(rubs: Sequence[Rub], loose: Plan) -> list[Term]:
+    return [term_of(rub, loose) for rub in rubs]
+
+
+def _form(amounts: Mapping[str, Product], frictions: Mapping[str, Formula]) -> Formula:
+    kept = {load: amount for load, amount in amounts.items() if amount}
+    loads = {load: frictions.get(load, Symbol(load)) for load in kept}
+    return total(product([(kept[n].formula(), 1), (load, 1)]) for n, load in loads.items())

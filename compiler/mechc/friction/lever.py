@@ -1,0 +1,130 @@
+"""A lever on a pivot with friction: one quadratic for the force that is not known.
+
+With S the size of a force along e whose arm is a, b the moment that all others have against
+it and K their sum, friction at the pivot gives a·S − b = σ·ρ·|S·e + K|, σ the sense of the
+lever's turn. Squared, with c and q the components of K along and across e:
+
+    S = (a·b + ρ²c + σ·sgn(a)·ρ·√((a·c + b)² + (a² − ρ²)·q²)) / (a² − ρ²)
+
+The root taken is the one that has the sign of σ for small ρ. It solves the equation before
+squaring where a² > ρ², or else σ·(a·c + b) < 0; elsewhere no force turns the lever. Where all
+forces are parallel, q = 0, it is the quotient that a·S − b = ±ρ·(S + c) gives at once, as
+long as friction does not exceed the arm.
+"""
+
+from collections.abc import Mapping, Sequence
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.factors import Opaque
+from ..algebra.product import ONE, Product
+from ..algebra.sums import add
+from ..formula.tree import Call, negative, number, power, product, quotient, total
+from ..pose.pose import Vector
+from ..power.speeds import root
+from .free_bodies import Pull
+from .signs import Signs
+
+TWO = number(2)
+
+Arms = Mapping[str, Vector]
+"""Where the points of a lever are, seen from its pivot."""
+
+
+class Bearing(NamedTuple):
+    """A lever's pivot: the radius of its friction circle, and the sign of friction there."""
+
+    pivot: str
+    radius: Product
+    turn: Product
+
+
+class Balanced(NamedTuple):
+    """The size of the pull that balances a lever; it does so where ``turns`` is positive."""
+
+    size: Product
+    turns: Product = ONE
+
+
+def on_lever(
+    unknown: Pull, known: Sequence[Pull], arms: Arms, bearing: Bearing | None, signs: Signs
+) -> Balanced:
+    """Return the size of the unknown pull on a lever that is in balance."""
+    if unknown.line is not None and unknown.size != ONE:
+        part = ONE / unknown.size
+        found = on_lever(unknown.scaled(part), known, arms, bearing, signs)
+        return found._replace(size=found.size * part)
+    arm = moment(unknown, arms)
+    rest = add(moment(p, arms) for p in known)
+    if bearing is None:
+        return Balanced(-(rest / arm))
+    line = unknown.line or Angle()
+    along = add(p.along(line) for p in known)
+    across = add(p.across(line) for p in known)
+    if unknown.line is None:
+        load = _size(along, across, f"s_{bearing.pivot}_load", signs)
+        return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
+    label = unknown.name.removeprefix("S_").removeprefix("R_")
+    way = -1 if arm.coefficient < 0 else 1
+    arm, rest = arm.scaled(way), rest.scaled(-way)
+    across = -across if across.coefficient < 0 else across
+    bearing = bearing._replace(turn=bearing.turn.scaled(way))
+    turn = signs.unsquared(signs.of(f"s_{label}_arm", arm) * bearing.turn)
+    if not turn:
+        return Balanced(rest / arm)
+    if not across:
+        return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
+    return _root(label, (arm, rest, along, across), bearing, turn, signs)
+
+
+def _size(along: Product, across: Product, name: str, signs: Signs) -> Product:
+    """Return the size of a force; one along a line is what stands before its sine and cosine."""
+    whole = root(add((along * along, across * across)))
+    if any(isinstance(factor, Opaque) for factor in whole.factors):
+        return Product.of(Opaque(Call("hypot", (along.formula(), across.formula()))))
+    return whole * signs.of(name, whole)
+
+
+def _parallel(
+    label: str, parts: Sequence[Product], radius: Product, turn: Product, signs: Signs
+) -> Balanced:
+    """Return the force where all are parallel; the pivot takes (a·c + b)/a without friction."""
+    arm, rest, along = parts
+    pressed = signs.of(f"s_{label}_pivot", add((arm * along, rest)))
+    lever = turn * pressed * radius
+    left = add((arm, -lever))
+    return Balanced(add((lever * along, rest)) / left, arm * left)
+
+
+def _root(
+    label: str, parts: Sequence[Product], bearing: Bearing, turn: Product, signs: Signs
+) -> Balanced:
+    """Return the root of the quadratic, with what it is made of by names.
+
+    In code the radius has the sign of the turn: where that is zero, nothing rubs.
+    """
+    a, b, c, q = (
+        signs.named(f"{letter}_{label}", part).formula()
+        for letter, part in zip("abcq", parts, strict=True)
+    )
+    sense, signed = (ONE, turn * bearing.radius) if turn.factors else (turn, bearing.radius)
+    radius = signs.named(f"rho_{bearing.pivot}", signed).formula()
+    gap = total([product([(a, 1), (c, 1)]), b])
+    square = total([power(a, TWO), negative(power(radius, TWO))])
+    inside = total([power(gap, TWO), product([(square, 1), (q, 2)])])
+    above = [
+        product([(a, 1), (b, 1)]),
+        product([(radius, 2), (c, 1)]),
+        product([(sense.formula(), 1), (radius, 1), (Call("sqrt", (inside,)), 1)]),
+    ]
+    ahead = product([(bearing.turn.formula(), 1), (negative(gap), 1)])
+    root, turns = quotient(total(above), square), Call("max", (square, ahead))
+    return Balanced(Product.of(Opaque(root)), Product.of(Opaque(turns)))
+
+
+def moment(pull: Pull, arms: Arms) -> Product:
+    """Return the moment of a pull about the pivot, counter-clockwise."""
+    if pull.line is None:
+        return pull.couple
+    parts = (part.length * pull.across(part.angle) for part in arms[pull.point])
+    return add((*parts, pull.couple))

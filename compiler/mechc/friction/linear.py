@@ -1,0 +1,114 @@
+"""Friction in closed form where no pin rubs: guides, faces, threads and teeth.
+
+Each is pressed along one line, so that with the signs of the pressing forces known
+n = s·(ideal + Σ D·n) is a linear system, and the driving load a quotient of sums.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from ..algebra.determinant import determinant
+from ..algebra.product import ONE, ZERO, Product
+from ..algebra.sums import add, canonical
+from ..formula.tree import Formula, Symbol, number, product, total
+from .closed_form import Condition
+from .free_bodies import Entangled
+from .normal_forces import Pressed
+from .signs import Signs
+from .steps import Step
+
+MOST = 3
+"""More pairs than this make a formula that nobody reads."""
+
+
+class Straight:
+    """Solves the linear system."""
+
+    def __init__(
+        self, driving: str, ideal: Product, pressed: Sequence[Pressed], signs: Signs, sense: int
+    ) -> None:
+        if len(pressed) > MOST or any(len(p.components) != 1 for p in pressed):
+            raise Entangled
+        self._driving, self._ideal = driving, ideal
+        self._pressed, self._signs, self._sense = pressed, signs, sense
+        self.conditions: list[Condition] = []
+        self.steps: tuple[Step, ...] = ()
+
+    def solve(self) -> Product:
+        """Return the driving load."""
+        sides = [self._side(p) for p in self._pressed]
+        sizes = self._solved(sides)
+        self.conditions += [Condition(ONE, size) for size in sizes]
+        if self._signs.is_read:
+            self.steps = (self._step(sides, sizes),)
+        parts = (
+            p.rub.factor * self._slip(p) * p.slip * size
+            for p, size in zip(self._pressed, sizes, strict=True)
+        )
+        return canonical(add((self._ideal, *(part.scaled(self._sense) for part in parts))))
+
+    def _side(self, pressed: Pressed) -> Product:
+        """Return the sign of a pressing force in the ideal mechanism."""
+        sign = self._signs.of(f"s_{pressed.rub.name}", pressed.components[0].ideal)
+        if not sign:
+            raise Entangled
+        return sign
+
+    def _slip(self, pressed: Pressed) -> Product:
+        return self._signs.of(f"sigma_{pressed.rub.name}", pressed.slip)
+
+    def _solved(self, sides: Sequence[Product]) -> list[Product]:
+        """Return the sizes of the pressing forces by Cramer's rule."""
+        places = {p.rub.name: i for i, p in enumerate(self._pressed)}
+        matrix = []
+        for i, (pressed, side) in enumerate(zip(self._pressed, sides, strict=True)):
+            by = pressed.components[0].by
+            row = [self._share(by, name, side) for name in places]
+            row[i] = add((ONE, row[i]))
+            matrix.append(row)
+        right = [p.components[0].ideal * s for p, s in zip(self._pressed, sides, strict=True)]
+        whole = determinant(matrix)
+        return [canonical(_replaced(matrix, i, right) / whole) for i in range(len(right))]
+
+    def _share(self, by: Mapping[str, Product], name: str, side: Product) -> Product:
+        """Return by how much a unit of another pressing force presses less here."""
+        if name not in by:
+            return ZERO
+        other = next(p for p in self._pressed if p.rub.name == name)
+        return (side * by[name] * other.rub.factor * self._slip(other)).scaled(self._sense)
+
+    def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
+        """Tell the forces that press, the slips, and what frictions add to the driving load."""
+        balances = [self._balance(*pair) for pair in zip(self._pressed, sides, strict=True)]
+        found = zip(map(_size, self._pressed), (size.formula() for size in sizes), strict=True)
+        equations = dict.fromkeys((*balances, *found))
+        equations |= {(_slip(p), (self._slip(p) * p.slip).formula()): None for p in self._pressed}
+        sense = (number(self._sense), 1)
+        powers = (
+            product([sense, (p.rub.factor.formula(), 1), (_size(p), 1), (_slip(p), 1)])
+            for p in self._pressed
+        )
+        whole = total([self._ideal.formula(), *powers])
+        return Step("straight", equations=(*equations, (Symbol(self._driving), whole)))
+
+    def _balance(self, pressed: Pressed, side: Product) -> tuple[Formula, Formula]:
+        """Return a pressing force less what frictions change in it, and the ideal one."""
+        (component,) = pressed.components
+        shares = ((self._share(component.by, p.rub.name, side), _size(p)) for p in self._pressed)
+        changes = (product([(share.formula(), 1), (n, 1)]) for share, n in shares if share)
+        return total([_size(pressed), *changes]), (component.ideal * side).formula()
+
+
+def _size(pressed: Pressed) -> Formula:
+    return Symbol(f"n_{pressed.rub.name}")
+
+
+def _slip(pressed: Pressed) -> Formula:
+    return Symbol(f"v_{pressed.rub.name}")
+
+
+def _replaced(
+    matrix: Sequence[Sequence[Product]], place: int, column: Sequence[Product]
+) -> Product:
+    """Return the determinant of a matrix with one column replaced."""
+    rows = zip(matrix, column, strict=True)
+    return determinant([[*row[:place], value, *row[place + 1 :]] for row, value in rows])

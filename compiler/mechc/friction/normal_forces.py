@@ -1,0 +1,124 @@
+"""How hard each pair of surfaces is pressed: by the loads, and by friction elsewhere.
+
+Friction is a load like others, a couple between two links or a force along a guide, so
+every pressing force is a linear form in the given loads and in all frictions. Only that a
+friction is its factor times the size of a pressing force is not linear.
+"""
+
+from collections.abc import Mapping, Sequence
+
+from ..algebra.product import Product
+from ..algebra.sums import add
+from ..frozen import frozen, replace
+from ..kinematics.plan import Plan
+from ..model.mechanism import Torque
+from ..power.balance import Equations, Term
+from ..power.reactions import Push, Reactions
+from .pairs import Rub
+
+Given = Mapping[str, Product]
+"""The size of each given load."""
+
+
+@frozen
+class Pressed:
+    """A pair of surfaces in a mechanism under given loads, friction not yet known.
+
+    Its pressing force has perpendicular ``components``, each ``ideal + Σ by[other] · f``
+    with f the frictions as they act on the slips. ``slip`` is per unit speed of the
+    driving load, times how often the mechanism has the pair and over how often it has
+    the load, so that ``friction · |slip|`` is what it adds to the driving load. ``plans``
+    are those by which the components were found.
+    """
+
+    rub: Rub
+    slip: Product
+    components: tuple["Component", ...]
+    plans: tuple[Plan, ...]
+
+
+@frozen
+class Component:
+    """One component of a pressing force."""
+
+    ideal: Product
+    by: Mapping[str, Product]
+
+
+class Undetermined(Exception):
+    """Equilibrium leaves open how hard a pair of surfaces is pressed."""
+
+    def __init__(self, rub: Rub) -> None:
+        self.rub = rub
+
+
+class PressedByAnother(Exception):
+    """A load that is neither given nor driving presses a pair of surfaces."""
+
+    def __init__(self, load: str) -> None:
+        self.load = load
+
+
+class Idle(Exception):
+    """A pair of surfaces can slip without any load moving."""
+
+    def __init__(self, rub: Rub) -> None:
+        self.rub = rub
+
+
+def press(
+    plan: Plan, equations: Equations, driving: str, rubs: Sequence[Rub], given: Given
+) -> tuple[Pressed, ...]:
+    """Return how every pair is pressed and slips where one load drives.
+
+    Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open,
+    :class:`PressedByAnother` where a load has a part in it that is not given, and :class:`Idle`
+    where a motion that moves no load changes how it slips.
+    """
+    pose = plan.graph.pose
+    names = {load_of(rub): rub.name for rub in rubs}
+    reactions = Reactions(
+        pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs], (plan,)
+    )
+    slips = [_slip(rub, plan, equations, driving) for rub in rubs]
+    pressed = []
+    for rub, slip in zip(rubs, slips, strict=True):
+        transmitted = reactions.of(rub.bond)
+        if transmitted is None:
+            raise Undetermined(rub)
+        components = (_component(push, names, given) for push in transmitted.pushes)
+        pressed.append(Pressed(rub, slip, tuple(components), transmitted.plans))
+    return tuple(pressed)
+
+
+def _slip(rub: Rub, plan: Plan, equations: Equations, driving: str) -> Product:
+    slip = equations.per_power(driving, term_of(rub, plan).power)
+    if slip is None:
+        raise Idle(rub)
+    return slip
+
+
+def load_of(rub: Rub) -> str:
+    """Return the name of a friction as a load; no description can have it."""
+    return f"friction of {rub.name} {rub.bond.kind}"
+
+
+def term_of(rub: Rub, plan: Plan) -> Term:
+    """Return a friction as a term of the power equations: it does work with its slip."""
+    load = Torque(load_of(rub), "", plan.graph.pose.mechanism.span)
+    return Term(load, Product(rub.number), rub.speeds(plan), None)
+
+
+def _component(push: Push, names: Mapping[str, str], given: Given) -> Component:
+    known = names.keys() | given.keys()
+    for load, amount in push.amounts.items():
+        if amount and load not in known:
+            raise PressedByAnother(load)
+    ideal = add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
+    by = {name: push.amounts[load] for load, name in names.items() if push.amounts.get(load)}
+    return Component(ideal, by)
+
+
+def scaled(pressed: Sequence[Pressed], factor: Product) -> tuple[Pressed, ...]:
+    """Return what adds to a multiple of the driving load."""
+    return tuple(replace(p, slip=p.slip * factor) for p in pressed)

@@ -1,0 +1,113 @@
+"""What a chain notes of its way, so that a derivation can tell it step by step."""
+
+from collections.abc import Iterable, Mapping, Sequence
+from typing import assert_never
+
+from ..algebra.product import Product
+from ..algebra.sums import canonical
+from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
+from ..model.mechanism import Link
+from .free_bodies import Bodies, Kind, Pull
+from .lever import moment
+from .signs import Signs, exact_sign
+from .steps import Kind as StepKind
+from .steps import Step
+
+Pair = tuple[Formula, Formula]
+
+
+class Notes:
+    """Notes steps in order, each with the names that it is the first to use."""
+
+    def __init__(self, bodies: Bodies, signs: Signs) -> None:
+        self._bodies, self._signs = bodies, signs
+        self.steps: list[Step] = []
+        self._told = 0
+
+    def rod(self, rod: Link, sense: Product, resistances: Sequence[Product], turn: Product) -> None:
+        """Note the line of a rod's force."""
+        senses = {exact_sign(r.coefficient) for r in resistances}
+        kind: StepKind = "crossed" if len(senses) == 1 else "outer"
+        if len(resistances) == 1:
+            kind = "single"
+        elif not turn:
+            kind = "parallel"
+        self._note(kind, rod.name, sense=exact_sign(sense.coefficient))
+
+    def face(self, point: str) -> None:
+        """Note the line of a force on a face."""
+        self._note("face", point)
+
+    def balance(
+        self,
+        kind: Kind,
+        body: str,
+        pulls: Sequence[Pull],
+        friction: Product,
+        found: Mapping[str, Product],
+    ) -> None:
+        """Note a body in balance under pulls of unknown size, and what that gives."""
+        pivot, sense = "", 0
+        match kind:
+            case "lever":
+                pivot, sense = self._bodies.pivot(body), exact_sign(friction.coefficient)
+                equations = [self._moments(body, pulls, friction)]
+            case "slider":
+                equations = [self._along(body, pulls, friction)]
+            case "pin":
+                equations = _across(pulls, found)
+            case _:
+                assert_never(kind)
+        told = {d.name for d in self._signs.definitions}
+        equations += [(Symbol(n), s.formula()) for n, s in found.items() if n not in told]
+        self._note(kind, body, pivot, sense, equations)
+
+    def _note(
+        self,
+        kind: StepKind,
+        body: str,
+        pivot: str = "",
+        sense: int = 0,
+        equations: Sequence[Pair] = (),
+    ) -> None:
+        fresh = self._signs.definitions[self._told :]
+        self._told = len(self._signs.definitions)
+        self.steps.append(Step(kind, body, pivot, sense, tuple(equations), tuple(fresh)))
+
+    def _moments(self, lever: str, pulls: Sequence[Pull], friction: Product) -> Pair:
+        """Return the moments about the pivot, and the couple of its friction."""
+        arms = self._bodies.arms(lever)
+        moments = _sum(moment(pull, arms) for pull in pulls)
+        if not friction:
+            return moments, ZERO
+        line = next(pull.line for pull in pulls if pull.line is not None)
+        parts = (_sum(p.along(line) for p in pulls), _sum(p.across(line) for p in pulls))
+        return moments, product([(friction.formula(), 1), (_size(parts), 1)])
+
+    def _along(self, body: str, pulls: Sequence[Pull], friction: Product) -> Pair:
+        """Return the forces along a guide, and the friction of what presses on it."""
+        guide = self._bodies.guide(body)
+        across = _sum(pull.across(guide) for pull in pulls)
+        along = _sum(pull.along(guide) for pull in pulls)
+        return along, product([(friction.formula(), 1), (across, 1)])
+
+
+def _size(parts: Iterable[Formula]) -> Formula:
+    """Return the size of a force of two parts that are square to each other."""
+    match [part for part in parts if part != ZERO]:
+        case []:
+            return ZERO
+        case [part]:
+            return Call("abs", (part,))
+        case both:
+            return Call("hypot", tuple(both))
+
+
+def _across(pulls: Sequence[Pull], found: Mapping[str, Product]) -> list[Pair]:
+    """Return the forces on a pin across each of those that are found."""
+    lines = [pull.line for pull in pulls if pull.name in found]
+    return [(_sum(p.across(line) for p in pulls), ZERO) for line in lines if line is not None]
+
+
+def _sum(terms: Iterable[Product]) -> Formula:
+    return total(canonical(term).formula() for term in terms if term)

@@ -1,0 +1,167 @@
+"""What rubs: for each pair of surfaces what presses them, and how fast they slip.
+
+A pin of several links rubs in each of them but the one that carries it.
+"""
+
+from collections.abc import Iterable, Iterator
+from fractions import Fraction
+from typing import NamedTuple
+
+from ..algebra.angle import Angle
+from ..algebra.from_formula import to_product
+from ..algebra.product import Product
+from ..formula.tree import PI
+from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
+from ..kinematics.graph import Form, Graph
+from ..kinematics.plan import Plan, Speeds
+from ..kinematics.release import Bond, Measure, members
+from ..model.mechanism import (
+    Rubbing,
+    RubbingFace,
+    RubbingGuide,
+    RubbingMesh,
+    RubbingPin,
+    RubbingThread,
+)
+from ..pose.pose import Pose, Touch
+from ..power.joint_forces import guiding
+from ..power.loads import repeated
+
+
+class Rub(NamedTuple):
+    """A pair of surfaces: ``factor · |force of the bond|`` resists its ``slip``.
+
+    The factor is the radius of a friction circle in metres, against a relative rotation,
+    or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``,
+    ``A_guide``. The mechanism has ``number`` of them: one in each half or branch.
+    """
+
+    name: str
+    bond: Bond
+    factor: Product
+    slip: Measure
+    number: Fraction = Fraction(1)
+
+    def speeds(self, plan: Plan) -> Speeds:
+        """Return the slip per unit of each drive."""
+        return plan.value(self.slip(plan.graph))
+
+
+def rubs(pose: Pose) -> tuple[Rub, ...]:
+    """Return all pairs of surfaces that rub, in the order of the text.
+
+    Side forces on a guide that halves or branches share cancel: nothing rubs there, nor where
+    the coefficient is written as 0.
+    """
+    found = (rub for rubbing in pose.mechanism.friction.rubbing for rub in _of(rubbing, pose))
+    return tuple(rub._replace(number=_number(rub.bond, pose)) for rub in found if rub.factor)
+
+
+def _of(rubbing: Rubbing, pose: Pose) -> Iterator[Rub]:
+    match rubbing:
+        case RubbingPin():
+            yield from _pin(rubbing, pose)
+        case RubbingGuide(point, factor):
+            bond = guiding(point, pose)
+            guide = pose.guide_of(point)
+            if guide is not None and not _is_shared(bond, pose):
+                along = guide
+                yield Rub(
+                    f"{point}_guide",
+                    bond,
+                    to_product(factor),
+                    lambda graph: projection(graph.velocities[point], along),
+                )
+        case RubbingMesh(kind, point, factor):
+            yield Rub(f"{point}_{kind}", Bond(kind, point), to_product(factor), _rim(rubbing, pose))
+        case RubbingThread(point, factor):
+            slip = _along_thread(rubbing, pose)
+            yield Rub(f"{point}_screw", Bond("screw", point), to_product(factor), slip)
+        case RubbingFace(point, factor):
+            touch = next(t for t in pose.touches if t.point == point)
+            yield Rub(f"{point}_face", Bond("touch", point), to_product(factor), _sliding(touch))
+
+
+def _pin(pin: RubbingPin, pose: Pose) -> Iterator[Rub]:
+    links = [name for name in pose.mechanism.turning_at(pin.point) if name != pin.carrier]
+    for link in links:
+        name = pin.point if len(links) == 1 else f"{pin.point}{link}"
+        slip = _turning(link, pin.carrier)
+        bond = Bond("pin", pin.point, link)
+        yield Rub(name, bond, to_product(pin.radius), slip)
+
+
+def _turning(link: str, carrier: str) -> Measure:
+    """Return the rotation of a link relative to what carries its pin."""
+
+    def slip(graph: Graph) -> Form:
+        own = spin(graph, link)
+        return subtract(own, spin(graph, carrier)) if carrier else own
+
+    return slip
+
+
+def _sliding(touch: Touch) -> Measure:
+    def slip(graph: Graph) -> Form:
+        there = next((t for t in graph.pose.touches if t.point == touch.point), touch)
+        return leaving(graph, there, touch.normal + QUARTER)
+
+    return slip
+
+
+def _rim(mesh: RubbingMesh, pose: Pose) -> Measure:
+    """Return the speed of the first wheel's rim, or of a rack."""
+    if mesh.kind == "rack":
+        return lambda graph: projection(graph.velocities[mesh.point], _guide(mesh.point, pose))
+    pair = next(m for m in pose.mechanism.meshes if (m.kind, m.first) == (mesh.kind, mesh.point))
+    return lambda graph: scaled(spin(graph, pair.first_link), pose.radii[pair.first_radius])
+
+
+def _along_thread(thread: RubbingThread, pose: Pose) -> Measure:
+    """Return v·p/(πd) + ω·d/2: what the axial force times μ does work with.
+
+    With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
+    force F presses with F/cos ψ.
+    """
+    screw = next(s for s in pose.mechanism.screws if s.point == thread.point)
+    diameter = to_product(thread.thread)
+    slope = pose.radii[screw.pitch] / (to_product(PI) * diameter)
+
+    def slip(graph: Graph) -> Form:
+        ahead = projection(graph.velocities[thread.point], _guide(thread.point, pose))
+        round_ = scaled(spin(graph, screw.link), -diameter.scaled(Fraction(1, 2)))
+        return subtract(scaled(ahead, slope), round_)
+
+    return slip
+
+
+def radii(rubs: Iterable[Rub]) -> dict[str, str]:
+    """Return what the radius of each pin's friction circle is called: rho where all are alike."""
+    pins = [rub for rub in rubs if rub.bond.kind == "pin"]
+    alike = len({rub.factor.formula() for rub in pins}) == 1
+    return {rub.name: "rho" if alike else f"rho_{rub.name}" for rub in pins}
+
+
+def reduced(rub: str) -> str:
+    """Return what the reduced coefficient of a guide, face or pair is called.
+
+    >>> reduced("C_guide")
+    'mu_C'
+    """
+    return f"mu_{rub.partition('_')[0]}"
+
+
+def _guide(point: str, pose: Pose) -> Angle:
+    guide = pose.guide_of(point)
+    assert guide is not None, "the model lets racks and screws move guided points only"
+    return guide
+
+
+def _is_shared(bond: Bond, pose: Pose) -> bool:
+    points = set(members(pose, bond))
+    groups = (pose.mechanism.mirror, pose.mechanism.copies)
+    return any(group is not None and points <= set(group.sharing) for group in groups)
+
+
+def _number(bond: Bond, pose: Pose) -> Fraction:
+    return repeated(pose.mechanism, members(pose, bond))

@@ -1,0 +1,338 @@
+"""Ratios and loads with friction in them, and their efficiency."""
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from ..algebra.product import ONE, Product
+from ..algebra.sums import add, canonical
+from ..diagnostics import Report
+from ..diagnostics import friction as words
+from ..diagnostics.power import transmission_presses
+from ..formula.tree import ZERO, Formula
+from ..formula.walk import evaluate, symbols
+from ..frozen import replace
+from ..kinematics.release import unclear
+from ..model.boxes import allowed_box
+from ..model.mechanism import (
+    Axial,
+    Efficiency,
+    Find,
+    LoadForm,
+    LoadRatio,
+    Normal,
+    Reaction,
+    Require,
+    Sense,
+    WithFriction,
+)
+from ..model.result import Case as PrintedCase
+from ..model.result import Definition, Result
+from ..model.targets import SIGNS
+from ..power.balance import Balance
+from ..power.definitions import bound_sums, intermediates
+from ..power.loads import given_size
+from ..power.numbers import default_values, value_of
+from ..power.speeds import magnitude
+from .assumptions import assumptions
+from .closed_form import Named, Printed, Way, closed_form, printed_form
+from .coupled import Sizes, true_sizes
+from .efficiency import Drives
+from .free_bodies import Entangled, Task
+from .iterated import exact, exact_case, first_order, first_order_case
+from .joint_forces import ForceWithFriction
+from .linear import Straight
+from .normal_forces import Idle, Pressed, PressedByAnother, Undetermined, press, scaled
+from .pairs import Rub, rubs
+from .sequential import Chain
+from .signs import AtOnePose, Signs
+from .solution import SolvedWithFriction
+from .steps import Step
+
+
+class Case(NamedTuple):
+    """A result without friction: which load drives, by how much what is asked exceeds it."""
+
+    ideal: Result
+    driving: str
+    factor: Product
+    given: Mapping[str, Product]
+
+
+class FrictionResults:
+    """Finds what friction does to one result after another."""
+
+    def __init__(self, balance: Balance, report: Report) -> None:
+        self._plan, self._equations, self._report = balance.plan, balance.equations, report
+        self._driving = next(iter(balance.driving), "")
+        self._mechanism = balance.plan.graph.pose.mechanism
+        self._valued = dict(self._weights())
+        self._rubs: tuple[Rub, ...] = rubs(balance.plan.graph.pose)
+        self._pressed: dict[str, tuple[Pressed, ...] | None] = {}
+        self._known: dict[object, tuple[Pressed, ...] | None] = {}
+
+    def _weights(self) -> Iterator[tuple[str, Formula]]:
+        """Yield the loads of known size, such as weights."""
+        for load in self._mechanism.loads:
+            size = given_size(self._mechanism, load.name)
+            if size is not None and self._equations.owner(load.name)[0] == load.name:
+                yield load.name, size
+
+    def find(self, find: Find, ideal: Result) -> SolvedWithFriction | None:
+        """Return the result with friction; None where an error was reported."""
+        match find.target:
+            case WithFriction(Reaction() | Axial() | Normal() as force, sense):
+                return self._force(find, ideal, force, sense)
+            case WithFriction(LoadRatio() | LoadForm() as of, sense, order):
+                named = self._solve(find, self._case(of, ideal), sense, order)
+                if named is None:
+                    return None
+                steps = named.case.steps if named.case else named.steps
+                return SolvedWithFriction(self._result(find, ideal, named), steps=steps)
+            case Efficiency(of, sense):
+                found = self._efficiency(find, ideal, of, sense)
+                return SolvedWithFriction(found) if found else None
+            case _:
+                return None
+
+    def by_rubbing(self, find: Find, ideal: Result) -> Result | None:
+        """Return the result that friction alone makes, whatever efficiency overrides it."""
+        match find.target:
+            case WithFriction(LoadRatio() | LoadForm() as of, sense):
+                named = self._rubbing(find, self._case(of, ideal), sense, "exact")
+                return self._result(find, ideal, named) if named else None
+            case _:
+                return None
+
+    def coupled(self, find: Find, ideal: Result) -> Result | None:
+        """Return the same from the coupled equations, which hold where a closed form may not."""
+        match find.target:
+            case WithFriction(LoadRatio() | LoadForm() as of, sense):
+                case = self._case(of, ideal)
+                pressed = self._press(find, case)
+                if pressed is None:
+                    return None
+                sizes = true_sizes(pressed, SIGNS[sense], self._taken())
+                named = self._iterated(ideal, scaled(pressed, case.factor), sizes)
+                return self._result(find, ideal, named)
+            case _:
+                return None
+
+    def _case(self, of: LoadRatio | LoadForm, ideal: Result) -> Case:
+        match of:
+            case LoadRatio(above, below):
+                upper, factor = self._equations.owner(above)
+                lower, share = self._equations.owner(below)
+                return Case(ideal, upper, factor, {lower: ONE / share})
+            case LoadForm(load):
+                return Case(ideal, load, ONE, self._others(load))
+
+    def _others(self, driving: str) -> Mapping[str, Product]:
+        """Return all other free loads as they stand: one that does no work presses, too."""
+        names = (*self._equations.columns, *self._equations.idle_loads)
+        return {n: Product.symbol(n) for n in names if n != driving}
+
+    # ------------------------------------------------------------------------- solving
+
+    def _solve(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
+        efficiency = self._mechanism.friction.efficiency
+        if efficiency is not None:
+            return Drives(case.ideal, sense, self._plan).with_constant(find.name, efficiency)
+        return self._rubbing(find, case, sense, order)
+
+    def _rubbing(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
+        sign = SIGNS[sense]
+        pressed = self._press(find, case)
+        if pressed is None:
+            return None
+        added = scaled(pressed, case.factor)
+        if order == "first":
+            return replace(
+                first_order(case.ideal.formula, added, sign, self._mechanism),
+                case=self._at_default(
+                    partial(first_order_case, find.name, case.ideal, added, sign)
+                ),
+            )
+        closed = self._closed(case, pressed, sign)
+        pose, driving = self._plan.graph.pose, case.driving
+        for remark in assumptions(pose, driving, case.given, exact=closed is not None):
+            self._report.add(remark)
+        if closed and self._stands(find, case.ideal, closed):
+            return closed
+        sizes = true_sizes(pressed, sign, self._taken())
+        iterated = self._iterated(case.ideal, added, sizes)
+        if closed and not self._stands(find, case.ideal, iterated):
+            return closed
+        return iterated
+
+    def _stands(self, find: Find, ideal: Result, found: Named) -> bool:
+        """Tell whether a formula has a value at the default pose, as far as that has values.
+
+        A closed form has none where friction turns a pressing force round: there it takes
+        iteration. Neither has one where the drive jams.
+        """
+        value = value_of(self._result(find, ideal, found), self._values())
+        return value is None or math.isfinite(value)
+
+    def _closed(self, case: Case, pressed: Sequence[Pressed], sense: int) -> Named | None:
+        """Return the first closed form that there is; None where all equations hang together."""
+        for way in self._ways(case, pressed, sense):
+            try:
+                found = closed_form(way, case.factor, self._taken())
+            except Entangled:
+                continue
+            printed = partial(printed_form, way, case.factor)
+            return replace(found, case=self._at_default(printed))
+        return None
+
+    def _ways(
+        self, case: Case, pressed: Sequence[Pressed], sense: int
+    ) -> Iterator[Callable[[Signs], Way]]:
+        loads = self._mechanism.loads
+        owners = {load.name: self._equations.owner(load.name) for load in loads}
+        task = Task(self._plan.graph.pose, case.driving, case.given, owners, pressed)
+        yield lambda signs: Chain(task, False, signs, sense)
+        yield lambda signs: Chain(task, True, signs, sense)
+        columns = self._equations.columns
+        works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
+        ideal = canonical(-(add(works) / columns[case.driving][0]))
+        yield lambda signs: Straight(case.driving, ideal, pressed, signs, sense)
+
+    def _at_default(self, printed: Callable[[AtOnePose], Printed]) -> Printed | None:
+        """Return what is printed for the default pose; None where a value or a sign is missing."""
+        values = self._values()
+        taken = values.keys() | self._taken()
+        try:
+            return printed(AtOnePose(taken, values, allowed_box(self._mechanism)))
+        except (KeyError, Entangled):
+            return None
+
+    def _values(self) -> dict[str, float]:
+        """Return the default pose's values, with loads of unknown size near 1, none like another.
+
+        Equal ones may cancel in a joint; the order of lines may not change them.
+        """
+        loads = sorted(self._mechanism.loads, key=lambda load: load.name)
+        values = {load.name: 1 + i / 7 for i, load in enumerate(loads)}
+        values |= default_values(self._plan)
+        for name, formula in self._valued.items():
+            if symbols(formula) <= values.keys():
+                values[name] = evaluate(formula, values)
+        return values
+
+    def _iterated(self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
+        """Return the load by Newton's method, as it is printed for the default pose."""
+        positive = partial(magnitude, mechanism=self._mechanism)
+        found = exact(ideal.formula, pressed, sizes, positive)
+        case = self._at_default(partial(exact_case, ideal.formula, pressed, sizes))
+        return replace(found, case=case)
+
+    def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
+        """Return how the pairs are pressed under the loads of a case, found once for each."""
+        key = case.driving, tuple(case.given.items())
+        if key not in self._known:
+            self._known[key] = self._try(find, case)
+        self._pressed[case.ideal.name] = self._known[key]
+        return self._known[key]
+
+    def _try(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
+        if self._equations.number != 1:
+            self._report.add(words.several_freedoms(find.span, self._equations.number))
+            return None
+        pressed_on = unclear(self._mechanism)
+        for rub in self._rubs:
+            if rub.bond.kind == "pin" and rub.bond.point in pressed_on:
+                self._report.add(transmission_presses(find.span, rub.bond.point, rubs=True))
+                return None
+        plan, given = self._plan, case.given
+        try:
+            pressed = press(plan, self._equations, case.driving, self._rubs, given)
+        except Undetermined as found:
+            self._report.add(words.pressed_how_hard(find.span, found.rub.bond.point))
+            return None
+        except PressedByAnother as found:
+            self._report.add(words.another_load_presses(find.span, found.load, find.name))
+            return None
+        except Idle as found:
+            self._report.add(words.slips_either_way(find.span, found.rub.bond.point))
+            return None
+        return pressed
+
+    def _taken(self) -> set[str]:
+        mechanism = self._mechanism
+        pose = self._plan.graph.pose
+        named = (*mechanism.parameters, *mechanism.loads, *mechanism.finds, *mechanism.lets)
+        return {item.name for item in (*named, *pose.definitions)}
+
+    # -------------------------------------------------------------------------- forces
+
+    def _force(
+        self, find: Find, ideal: Result, force: Reaction | Axial | Normal, sense: Sense
+    ) -> SolvedWithFriction | None:
+        """Return a force at a joint, as large as friction everywhere makes it."""
+        case = Case(ideal, self._driving, ONE, self._others(self._driving))
+        pressed = self._press(find, case)
+        if pressed is None:
+            return None
+        sizes = true_sizes(pressed, SIGNS[sense], self._taken())
+        found = ForceWithFriction(force, self._plan, self._driving, pressed, sizes)
+        if found.transmitted is None:
+            return None
+        named = replace(found.at_any_pose(), case=self._at_default(found.at_one_pose))
+        result = self._result(find, replace(ideal, where=()), named)
+        sums = [
+            d
+            for plan, push in zip(found.transmitted.plans, found.transmitted.pushes, strict=True)
+            for d in bound_sums(plan, list(push.amounts.values()))
+        ]
+        result = replace(result, where=tuple(dict.fromkeys((*sums, *result.where))))
+        return SolvedWithFriction(result, steps=(Step("iterated"),))
+
+    # ------------------------------------------------------------------------- results
+
+    def _result(self, find: Find, ideal: Result, named: Named) -> Result:
+        pressed = self._pressed.get(ideal.name) or ()
+        sums = list(self._sums(pressed))
+        return Result(
+            find.name,
+            find.target,
+            ideal.dimension,
+            named.formula,
+            self._where(ideal, named.formula, (*sums, *named.where)),
+            ideal.coefficients,
+            guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
+            case=self._case_of(find, ideal, named.case) if named.case else None,
+            inside=named.inside,
+        )
+
+    def _case_of(self, find: Find, ideal: Result, printed: Printed) -> PrintedCase:
+        where = self._where(ideal, printed.formula, printed.where)
+        holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
+        return PrintedCase(printed.formula, where, tuple(holds))
+
+    def _where(
+        self, ideal: Result, formula: Formula, own: Sequence[Definition]
+    ) -> tuple[Definition, ...]:
+        """Return definitions with those that they rest on: of the pose, of weights."""
+        formulas = [formula, *(d.formula for d in own)]
+        used = {name for f in formulas for name in symbols(f)}
+        weights = [Definition(n, f) for n, f in self._valued.items() if n in used]
+        known = [*weights, *intermediates(self._plan, formulas), *ideal.where]
+        return tuple(dict.fromkeys((*known, *own)))
+
+    def _sums(self, pressed: Sequence[Pressed]) -> Iterable[Definition]:
+        """Return the named sums that slips and pressing forces rest on."""
+        yield from bound_sums(self._plan, [p.slip for p in pressed])
+        for each in pressed:
+            for plan, component in zip(each.plans, each.components, strict=True):
+                yield from bound_sums(plan, [component.ideal, *component.by.values()])
+
+    def _efficiency(
+        self, find: Find, ideal: Result, of: LoadRatio | LoadForm, sense: Sense
+    ) -> Result | None:
+        named = self._solve(find, self._case(of, ideal), sense, "exact")
+        if named is None:
+            return None
+        whole = self._result(find, ideal, named)
+        return Drives(ideal, sense, self._plan).efficiency(whole, find.span)

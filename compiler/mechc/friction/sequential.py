@@ -1,0 +1,237 @@
+"""Friction in closed form, along a chain from the loads to the drive.
+
+Free bodies are solved one after another, each with one force left unknown:
+
+- a *rod* pushes along a line turned by arcsin((±ρ₁ ± ρ₂)/L), the common tangent of the
+  friction circles at its ends;
+- a *lever* balances moments about its pivot, whose friction makes that a quadratic;
+- a *face*, of a slot or contact, pushes along its normal turned by the angle of friction;
+- a *slider* balances along its guide, with the guide's factor times the force across;
+- a *pin* between two rods balances both ways. Its friction is exact there only if both
+  rods carry the same force, as in a symmetric knee.
+
+Where a body has more unknowns the chain ends (:class:`Entangled`): its equations hang
+together, and :mod:`.exact` solves them.
+"""
+
+from collections.abc import Iterator, Sequence
+from typing import assert_never
+
+from ..algebra.angle import Angle
+from ..algebra.factors import Opaque
+from ..algebra.product import ONE, ZERO, Product
+from ..algebra.sums import add, canonical
+from ..model.mechanism import Link
+from ..pose.pose import Touch
+from .closed_form import Condition
+from .free_bodies import HALF_TURN, Bodies, Entangled, Kind, Pull, Surface, Task, under
+from .lever import Bearing, on_lever
+from .notes import Notes
+from .pairs import radii, reduced
+from .signs import Signs
+from .steps import Step
+
+
+class Chain:
+    """Solves body after body; ``sizes`` are the forces known so far, in units of the load."""
+
+    def __init__(self, task: Task, cranks: bool, signs: Signs, sense: int) -> None:
+        self._bodies = Bodies(task, cranks)
+        self._driving, self._signs, self._sense = task.driving, signs, sense
+        self.sizes: dict[str, Product] = dict(task.given)
+        self.conditions: list[Condition] = []
+        self._notes = Notes(self._bodies, signs)
+        self._given = task.given
+        self._radii = radii(p.rub for p in task.pressed)
+        self._lines: dict[str, Angle] = {}
+
+    @property
+    def steps(self) -> list[Step]:
+        """Return the steps taken so far."""
+        return self._notes.steps
+
+    def solve(self) -> Product:
+        """Return the driving load. Raises :class:`Entangled` where the chain ends."""
+        left = list(self._bodies.solvable())
+        while self._driving not in self.sizes:
+            body = next(filter(self._solves, left), None)
+            if body is None:
+                raise Entangled
+            left.remove(body)
+        return canonical(self.sizes[self._driving])
+
+    def _solves(self, body: str) -> bool:
+        """Solve a body if it has no more unknowns than equations."""
+        kind = self._bodies.kind(body)
+        pulls = list(self._pulls(body))
+        unknown = [p for p in pulls if p.name not in self.sizes]
+        if len(unknown) != (2 if kind == "pin" else 1):
+            return False
+        known = [p.scaled(self.sizes[p.name]) for p in pulls if p.name in self.sizes]
+        friction = self._balance(kind, body, unknown, known)
+        if self._signs.is_read:
+            free = [p.scaled(self._given.get(p.name) or Product.symbol(p.name)) for p in pulls]
+            found = {p.name: self.sizes[p.name] for p in unknown}
+            self._notes.balance(kind, body, free, friction, found)
+        return True
+
+    def _balance(
+        self, kind: Kind, body: str, unknown: Sequence[Pull], known: Sequence[Pull]
+    ) -> Product:
+        """Find the unknown sizes; return friction per unit of what presses, with its sign."""
+        match kind:
+            case "lever":
+                return self._lever(body, unknown[0], known)
+            case "slider":
+                return self._slider(body, unknown[0], known)
+            case "pin":
+                return self._pin(body, unknown, known)
+            case _:
+                assert_never(kind)
+
+    # ---------------------------------------------------------------------------- rods
+
+    def _pulls(self, body: str) -> Iterator[Pull]:
+        """Yield the forces on a body, those of rods under a unit of force."""
+        yield from self._bodies.loads_on(body)
+        for rod, point in self._bodies.rods_at(body):
+            yield self._push(rod, point)
+        for touch, is_under in self._bodies.touches_at(body):
+            line = self._face(touch)
+            place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
+            yield Pull(f"R_{touch.point}", place, ahead)
+
+    def _push(self, rod: Link, point: str) -> Pull:
+        """Return what a rod under a unit of force does to what it meets at a point."""
+        line, surface = self._line(rod), self._bodies.surface(point, rod)
+        pressed, counted = self._pressed(rod), self._counted(rod)
+        couple = pressed * counted * self._resistance(surface) if surface else ZERO
+        pushes = (point == rod.points[1]) == (counted == ONE)
+        return Pull(f"S_{rod.name}", point, line if pushes else line + HALF_TURN, ONE, couple)
+
+    def _counted(self, rod: Link) -> Product:
+        """Return 1 where compression counts as positive, -1 where people read of a pull."""
+        pulled = self._signs.is_read and self._pressed(rod) == -ONE
+        return -ONE if pulled else ONE
+
+    def _line(self, rod: Link) -> Angle:
+        """Return the line of a rod's force: the tangent of the friction circles at its ends."""
+        if rod.name not in self._lines:
+            direction, length = self._bodies.vector(rod)
+            surfaces = self._surfaces(rod)
+            offset = add(map(self._resistance, surfaces))
+            turn = -(self._pressed(rod) * offset) / length if offset else ZERO
+            self._lines[rod.name] = self._signs.turned(f"delta_{rod.name}", direction, "asin", turn)
+            if surfaces and self._signs.is_read:
+                resistances = [self._resistance(s) for s in surfaces]
+                self._notes.rod(rod, self._pressed(rod), resistances, turn)
+        return self._lines[rod.name]
+
+    def _face(self, touch: Touch) -> Angle:
+        """Return the line of the force on a pin: the normal turned by the angle of friction."""
+        name, surface = f"R_{touch.point}", self._bodies.face(touch)
+        if surface and name not in self._lines:
+            side = self._signs.of(f"s_{touch.point}", surface.pressed)
+            turn = -(self._resistance(surface) * side)
+            label = f"phi_{touch.point}"
+            self._lines[name] = self._signs.turned(label, touch.normal, "atan", turn)
+            if self._signs.is_read:
+                self._notes.face(touch.point)
+        return self._lines.get(name, touch.normal)
+
+    def _surfaces(self, rod: Link) -> list[Surface]:
+        return [s for p in rod.points if (s := self._bodies.surface(p, rod))]
+
+    def _pressed(self, rod: Link) -> Product:
+        """Return the sign of a rod's force in the ideal mechanism, 1 for compression."""
+        return self._signs.of(f"s_{rod.name}", self._bodies.compression(rod))
+
+    def _resistance(self, surface: Surface) -> Product:
+        """Return the factor of friction with the sign of the slip."""
+        return self._factor(surface) * self._turn(surface)
+
+    def _factor(self, surface: Surface) -> Product:
+        """Return the factor of friction, the radius of a friction circle by its name."""
+        label = self._radii.get(surface.name)
+        if label:
+            return self._signs.radius(label, surface.factor)
+        return self._signs.coefficient(reduced(surface.name), surface.factor)
+
+    def _turn(self, surface: Surface) -> Product:
+        """Return the sign of the slip in the motion that is meant."""
+        sign = self._signs.of(f"sigma_{surface.name}", surface.slip)
+        return sign.scaled(self._sense * surface.turn)
+
+    # -------------------------------------------------------------------------- bodies
+
+    def _lever(self, body: str, unknown: Pull, known: Sequence[Pull]) -> Product:
+        surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
+        bearing = Bearing(pivot, self._factor(surface), self._turn(surface)) if surface else None
+        size, turns = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
+        self._settle(unknown, size)
+        if turns.factors:
+            self.conditions.append(Condition(ONE, turns))
+        return self._resistance(surface) if surface else ZERO
+
+    def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> Product:
+        """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed.
+
+        Which side that is does not depend on the guide's own friction, so it follows from
+        the balance without that, in which the lines of rods and faces are turned already.
+        """
+        guide, surface = self._bodies.guide(body), self._bodies.sliding(body)
+        against, side = ZERO, ZERO
+        if not unknown.along(guide):
+            raise Entangled
+        if surface:
+            free = -(add(p.along(guide) for p in known) / unknown.along(guide))
+            pushed = add(p.across(guide) for p in (*known, unknown.scaled(free)))
+            side = self._signs.of(f"s_{body}", canonical(pushed))
+            against = self._resistance(surface) * side
+
+        def along(pull: Pull) -> Product:
+            return add((pull.along(guide), -(against * pull.across(guide))))
+
+        size = -(add(map(along, known)) / along(unknown))
+        self._settle(unknown, size)
+        if surface:
+            pressing = add(p.across(guide) for p in (*known, unknown.scaled(size)))
+            self._keep(side, pressing)
+        return against
+
+    def _pin(self, body: str, unknown: Sequence[Pull], known: Sequence[Pull]) -> Product:
+        for one, other in (unknown, unknown[::-1]):
+            if one.line is None or other.line is None or not one.across(other.line):
+                raise Entangled
+            parts = add(p.across(other.line) for p in known)
+            self._settle(one, -(parts / one.across(other.line)))
+        if self._bodies.is_rubbing(body) and not self._are_alike(body):
+            raise Entangled
+        return ZERO
+
+    def _are_alike(self, body: str) -> bool:
+        """Tell whether both rods at a pin carry the same force, whatever the pose."""
+        rods = [rod for rod, _ in self._bodies.rods_at(body)]
+        if len(rods) != 2:
+            return False
+        first, second = (self.sizes[f"S_{rod.name}"] for rod in rods)
+        return not add((first * first, -(second * second)))
+
+    def _settle(self, pull: Pull, size: Product) -> None:
+        rod, size = self._bodies.rod(pull.name), canonical(size)
+        if pull.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
+            size = self._signs.named(pull.name, size)
+        self.sizes[pull.name] = size
+        if rod and self._surfaces(rod):
+            self._keep(self._pressed(rod) * self._counted(rod), self.sizes[pull.name])
+        touch = self._bodies.touch(pull.name)
+        if touch and (surface := self._bodies.face(touch)):
+            side = self._signs.of(f"s_{touch.point}", surface.pressed)
+            self._keep(side, self.sizes[pull.name])
+
+    def _keep(self, sign: Product, force: Product) -> None:
+        """Note that a force keeps its ideal sign; one that only friction brings about has none."""
+        if force and not sign:
+            raise Entangled
+        if force:
+            self.conditions.append(Condition(sign, force))

@@ -1,0 +1,246 @@
+"""Signs of slips and forces: of a printed case, or of whatever pose is evaluated.
+
+A closed form needs to know which way each joint slips and whether each rod is pressed or
+pulled. Code takes these signs from the ideal solution at the pose; a printed formula
+states one case, that of the default pose.
+"""
+
+import math
+from collections.abc import Mapping, Set
+from typing import Literal, Protocol
+
+from ..algebra.angle import Angle, Rational
+from ..algebra.factors import Factor, Length, Opaque, Trig
+from ..algebra.intervals import Box, Interval, sign
+from ..algebra.product import Product, Sum
+from ..algebra.trigonometry import cosine, sine
+from ..formula.tree import Call, Formula
+from ..formula.walk import evaluate
+from ..model.result import Definition
+
+Inverse = Literal["asin", "atan"]
+"""The function that gives a turn."""
+
+
+NIL = 1e-12
+"""What is smaller than this has no sign: forces and slips are of order one, per length."""
+
+
+ACUTE = Interval(1e-9, math.pi / 2 - 1e-9)
+"""What a turned line turns by: the arc of a positive sine or tangent."""
+
+
+class Signs(Protocol):
+    """A way to write signs down, and what it had to name so far.
+
+    ``is_read`` tells that people read the formula, so that its steps are noted.
+    """
+
+    definitions: list[Definition]
+    is_read: bool
+
+    def radius(self, name: str, factor: Product) -> Product:
+        """Return the radius of a friction circle, which may be called ``name``."""
+        ...
+
+    def coefficient(self, name: str, factor: Product) -> Product:
+        """Return what a joint resists by, which may be called ``name``."""
+        ...
+
+    def of(self, name: str, value: Product) -> Product:
+        """Return the sign of a value, which may be called ``name``."""
+        ...
+
+    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+        """Return a line turned by the arc of a sine or tangent, which may be called ``name``."""
+        ...
+
+    def unsquared(self, value: Product) -> Product:
+        """Return a product without the squares of signs, which are 1 but at single poses."""
+        ...
+
+    def named(self, name: str, value: Product) -> Product:
+        """Return a value, by a name where it is more than a product of few factors."""
+        ...
+
+    def define(self, name: str, formula: Formula) -> str:
+        """Return what a formula is called from now on: ``name``, if that is free."""
+        ...
+
+
+class _Names:
+    """The names in order of definition; what is the same has one name."""
+
+    def __init__(self, taken: Set[str]) -> None:
+        self.definitions: list[Definition] = []
+        self._taken = set(taken)
+        self._known: dict[Formula, str] = {}
+
+    def named(self, name: str, value: Product) -> Product:
+        """Return a value, by a name unless it is a number, or one length, sine or cosine."""
+        if not value.factors or _is_single(value):
+            return value
+        return Product.symbol(self.define(name, value.formula()))
+
+    def define(self, name: str, formula: Formula) -> str:
+        """Return what a formula is called from now on."""
+        if formula not in self._known:
+            name = self.fresh(name)
+            self._known[formula] = name
+            self.definitions.append(Definition(name, formula))
+        return self._known[formula]
+
+    def fresh(self, name: str) -> str:
+        """Return a name that nothing else has: ``name``, if that is free."""
+        while name in self._taken:
+            name += "_"
+        self._taken.add(name)
+        return name
+
+    def turn(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+        """Return a line turned by an arc, or back by that of the opposite value."""
+        there, back = (Call(by, (v.formula(),)) for v in (value, -value))
+        if back in self._known:
+            return line - Angle.of(self._known[back])
+        return line + Angle.of(self.define(name, there))
+
+
+class AtAnyPose(_Names):
+    """Signs and turns as names with formulas of their own."""
+
+    is_read = False
+
+    def __init__(self, taken: Set[str]) -> None:
+        super().__init__(taken)
+        self._own: set[Factor] = set()
+
+    def radius(self, name: str, factor: Product) -> Product:
+        """Return the radius as it is."""
+        return factor
+
+    def coefficient(self, name: str, factor: Product) -> Product:
+        """Return the coefficient as it is."""
+        return factor
+
+    def of(self, name: str, value: Product) -> Product:
+        """Return the name of the sign, with a minus for that of the opposite."""
+        telling = bare(value)
+        if not telling.factors:
+            return telling
+        positive = Product(1, telling.factors)
+        known = self.define(name, Call("sign", (positive.formula(),)))
+        self._own.add(Length(known))
+        return Product.symbol(known).scaled(telling.coefficient)
+
+    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+        """Return the line turned by a named angle, which carries its sign."""
+        return self.turn(name, line, by, self.unsquared(value)) if value else line
+
+    def unsquared(self, value: Product) -> Product:
+        """Return a product without the squares of signs, which are 1 but at single poses."""
+        odd = {f: e for f, e in value.factors.items() if e % 2 or f not in self._own}
+        return Product(value.coefficient, {f: 1 if f in self._own else e for f, e in odd.items()})
+
+
+class AtOnePose(_Names):
+    """Signs as numbers, and turns as positive angles, as they are at one pose.
+
+    ``box`` are ranges that parameters keep to, so that what has one sign in it needs no
+    condition.
+    """
+
+    is_read = True
+
+    def __init__(self, taken: Set[str], values: Mapping[str, float], box: Box) -> None:
+        super().__init__(taken)
+        self._values, self._box = dict(values), dict(box)
+        self.conditions: dict[Formula, int] = {}
+
+    def radius(self, name: str, factor: Product) -> Product:
+        """Return the name of the radius, of a number too: rho^2 reads better than its digits."""
+        return Product.symbol(self.define(name, factor.formula())) if factor else factor
+
+    def coefficient(self, name: str, factor: Product) -> Product:
+        """Return the coefficient, by a name where it has sums in it."""
+        has_sums = any(isinstance(f, Sum | Opaque) for f in factor.factors)
+        return self.radius(name, factor) if has_sums else factor
+
+    def of(self, name: str, value: Product) -> Product:
+        """Return 1, 0 or -1, and note what the sign was taken of."""
+        telling = bare(value)
+        if not telling.factors:
+            return telling
+        parts = (self._sign_of(Product.of(factor)) for factor in telling.factors)
+        return Product(math.prod(parts)).scaled(telling.coefficient)
+
+    def _sign_of(self, factor: Product) -> int:
+        """Return the sign of a factor; note it where other values would change it."""
+        known = 1 if is_root(factor) else sign(factor, self._box)
+        if known is not None:
+            return known
+        here = _sign(factor.evaluate(self._values))
+        self.conditions[factor.formula()] = here
+        return here
+
+    def turned(self, name: str, line: Angle, by: Inverse, value: Product) -> Angle:
+        """Return the line turned by a positive angle, one way or the other.
+
+        A coefficient of friction that is zero for once turns as a small one would.
+        """
+        if not value:
+            return line
+        sign = exact_sign(value.coefficient)
+        for factor, exponent in value.factors.items():
+            sign *= _sign(Product.of(factor, exponent).evaluate(self._values)) or 1
+        size = value.scaled(sign)
+        known = _angle_of(size) if by == "atan" else None
+        if known and abs(known.evaluate(self._values)) < math.pi / 2:
+            return line + known * sign
+        arc = self.turn(name, line, by, size) - line
+        self._box.update((named, ACUTE) for named, _ in arc.terms)
+        return line + arc * sign
+
+    def unsquared(self, value: Product) -> Product:
+        """Return the product: its signs are numbers."""
+        return value
+
+    def define(self, name: str, formula: Formula) -> str:
+        """Return what a formula is called from now on, and note its value."""
+        known = super().define(name, formula)
+        self._values[known] = evaluate(formula, self._values)
+        return known
+
+
+def _angle_of(tangent: Product) -> Angle | None:
+    """Return the angle where a value is written as the tangent of one."""
+    sines = (f.angle for f in tangent.factors if isinstance(f, Trig) and f.function == "sin")
+    return next((a for a in sines if tangent == sine(a) / cosine(a)), None)
+
+
+def is_root(value: Product) -> bool:
+    """Tell whether a product is a single square root."""
+    match list(value.factors.items()):
+        case [(Opaque(Call("sqrt" | "hypot")), 1)]:
+            return True
+        case _:
+            return False
+
+
+def _is_single(value: Product) -> bool:
+    (factor, exponent), *more = value.factors.items()
+    return not more and exponent == 1 and isinstance(factor, Length | Trig)
+
+
+def bare(value: Product) -> Product:
+    """Return a product of the same sign, with no more in it than that needs."""
+    odd = {factor: 1 for factor, exponent in value.factors.items() if exponent % 2}
+    return Product(exact_sign(value.coefficient), odd)
+
+
+def exact_sign(value: Rational) -> int:
+    """Return the sign of a coefficient, which may be as small as it likes."""
+    return (value > 0) - (value < 0)
+
+
+def _sign(value: float) -> int:
+    return (value > NIL) - (value < -NIL)

@@ -1,1 +1,0 @@
-"""Friction inside the balance of power: what rubs, what presses, and k with it."""

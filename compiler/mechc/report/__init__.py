@@ -1,0 +1,5 @@
+"""What people read: the derivation in steps, sentences in three languages, text and LaTeX.
+
+Promises: nothing is computed here that an earlier stage has not found; every name is
+explained once, before or where it is first met.
+"""

@@ -1,0 +1,206 @@
+"""The derivation: what a person would write on paper, as data.
+
+Speeds are named ``V_A`` (of point A), angular velocities ``omega_OBA`` (of a link).
+Every relation is a pair of formulas; the words for each rule, in each language,
+belong to whoever prints.
+"""
+
+from collections.abc import Mapping
+from enum import StrEnum
+from types import MappingProxyType
+from typing import NamedTuple
+
+from ...formula.tree import Formula
+from ...frozen import frozen
+from ...model.result import Definition, Result
+
+
+class Rule(StrEnum):
+    """The rule of mechanics that gives a relation."""
+
+    LEVER = "lever"
+    """Points of a link that turns about a pivot: V = ω·r, so speeds are as the arms."""
+    ARM = "arm"
+    """One point of a link that turns about a pivot: V = ω·r."""
+    PROJECTION = "projection"
+    """Equal projections of the end velocities on the line of a rod."""
+    ROTATION = "rotation"
+    """The angular velocity of a link from the velocities of two of its points."""
+    BODY = "body"
+    """The velocity of a point of a link from another point's and the rotation."""
+    DYAD = "dyad"
+    """The velocity of a point from its projections on two rods."""
+    TOGETHER = "together"
+    """Relations that must be solved together."""
+    GUIDE = "guide"
+    """A point that moves along its guide."""
+    SLOT = "slot"
+    """Equal velocities of a pin and the body under it across a slot."""
+    CONTACT = "contact"
+    """Equal velocities of two bodies along their common normal."""
+    GEAR = "gear"
+    """Pitch circles that roll on one another."""
+    BELT = "belt"
+    """A belt or chain that runs with two rims."""
+    RACK = "rack"
+    """A rack that moves with the rim of its gear."""
+    SCREW = "screw"
+    """A nut that moves by the pitch for each turn."""
+    PARTING = "parting"
+    """The rate at which the distance of two points grows."""
+    COMPONENT = "component"
+    """The component of a point's velocity along the load that acts on it."""
+
+
+class Equation(NamedTuple):
+    """``left = right``."""
+
+    left: Formula
+    right: Formula
+
+
+@frozen
+class Step:
+    """One numbered step: the rule, the points and link it is applied to, what it gives.
+
+    ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
+    for PROJECTION the two ends of the rod; for SLOT and CONTACT the pin and the body, for GEAR
+    and BELT the two pivots, for RACK the pivot and the rack, for PARTING the two points; for
+    TOGETHER the links involved; for COMPONENT the point and the load, ``V_A_P`` being the
+    speed of A along P.
+    ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
+    """
+
+    rule: Rule
+    subject: tuple[str, ...]
+    relations: tuple[Equation, ...]
+    results: tuple[Equation, ...]
+
+
+@frozen
+class PowerTerm:
+    """The power of one load: ``times · load · speed``; ``speed`` is signed along the load."""
+
+    load: str
+    point: str
+    times: Formula
+    speed: Formula
+
+
+class Saying(StrEnum):
+    """What a passage says; the words belong to each language."""
+
+    RELEASED = "released"
+    """The principle of released constraints."""
+    PIVOT = "pivot"
+    """A pivot is let go."""
+    GUIDE = "guide"
+    """A point, or a body that translates, is let go off its guide."""
+    PIN = "pin"
+    """A link is let go off a pin."""
+    TOUCH = "touch"
+    """A slot or contact is let go."""
+    IDLE = "idle"
+    """A bond is let go where no load does work."""
+    ROD = "rod"
+    """The force of a rod without loads acts along it."""
+    SMOOTH = "smooth"
+    """A guide presses across itself only."""
+    SHARED = "shared"
+    """Forces across the line of symmetry cancel."""
+    TIGHTENING = "tightening"
+    """Friction while the drive moves along its force."""
+    RELEASING = "releasing"
+    """Friction while the drive yields."""
+    PINS_RUB = "pins rub"
+    """Friction in a pin is a couple."""
+    GUIDES_RUB = "guides rub"
+    """Friction in a guide goes with the force across it."""
+    ROD_FORCES = "rod forces"
+    """What the forces in rods are called."""
+    PART = "part"
+    """One of the equal parts of a mechanism is looked at."""
+    UNIT = "unit"
+    """What forces are measured by."""
+    PRESSED = "pressed"
+    """A rod is pressed."""
+    PULLED = "pulled"
+    """A rod is pulled."""
+    CROSSED = "crossed"
+    """A rod's force along the crossed tangent of the friction circles."""
+    OUTER = "outer"
+    """A rod's force along an outer tangent of the friction circles."""
+    PARALLEL = "parallel"
+    """A rod's force along the outer tangent of equal friction circles."""
+    SINGLE = "single"
+    """A rod's force with friction at one end."""
+    FACE = "face"
+    """A force on a face, turned by the angle of friction."""
+    MOMENTS = "moments"
+    """Moments about a pivot without friction."""
+    TURNS_LEFT = "turns left"
+    """Moments about a pivot with friction, the link turning counter-clockwise."""
+    TURNS_RIGHT = "turns right"
+    """The same for a link that turns clockwise."""
+    SQUARED = "squared"
+    """Moments with friction in the pivot, solved for a force."""
+    ALONG = "along"
+    """Forces along a guide without friction."""
+    RUBS_ALONG = "rubs along"
+    """Forces along a guide with friction."""
+    KNEE = "knee"
+    """Forces on a pin between rods."""
+    FIRST_ORDER = "first order"
+    """Frictions under the forces that there are without them."""
+    FIRST_ORDER_LESS = "first order, less"
+    """The same where the drive yields."""
+    SLIP_OF_PIN = "slip of pin"
+    """What a pin's slip and coefficient are."""
+    SLIP_OF_FACE = "slip of face"
+    """What the slip of a guide, face or pair is."""
+    STRAIGHT = "straight"
+    """Frictions of what is pressed along one line each."""
+    EFFICIENT = "efficient"
+    """An efficiency that was given."""
+    ITERATED = "iterated"
+    """Frictions that depend on each other."""
+
+
+@frozen
+class Passage:
+    """A sentence with the equations that it leads to.
+
+    ``names`` are the points, links and loads that the sentence mentions, by the places that
+    its words have for them; ``formulas`` what it has of mathematics.
+    """
+
+    saying: Saying
+    equations: tuple[Equation, ...] = ()
+    names: Mapping[str, tuple[str, ...]] = MappingProxyType({})
+    formulas: Mapping[str, Formula] = MappingProxyType({})
+
+
+@frozen
+class Account:
+    """How results were found that are told together, such as the components of one force.
+
+    ``where`` is what the equations rest on.
+    """
+
+    results: tuple[str, ...]
+    passages: tuple[Passage, ...]
+    where: tuple[Definition, ...] = ()
+
+
+@frozen
+class Derivation:
+    """The velocity steps, the power equation (or several, at mobility m), the results.
+
+    ``accounts`` tell of results that need more than the power equation.
+    """
+
+    steps: tuple[Step, ...]
+    terms: tuple[PowerTerm, ...]
+    balances: tuple[Equation, ...]
+    results: tuple[Result, ...]
+    accounts: tuple[Account, ...] = ()

@@ -1,0 +1,239 @@
+"""English."""
+
+from .locale import Words
+
+WORDS = Words(
+    babel="english",
+    title="Force transmission of the mechanism",
+    source="Source",
+    made_by="Derived by mechc {version}",
+    given="Given",
+    conventions="Directions are angles counter-clockwise from the {x} axis.",
+    metres="Numbers that stand for lengths in formulas are in metres.",
+    symbol="Symbol",
+    quantity="Quantity",
+    value="Value",
+    range="Range",
+    any_value="any",
+    pivots="pinned to the ground: {points}",
+    slider="the point {point} moves along a guide with the direction {direction}",
+    through=", through {point}",
+    rods="rods with two pins: {links}",
+    bodies="rigid links: {links}",
+    force="the force {load} acts at {point} in the direction {direction}",
+    weight="the weight {load} acts at {point} in the direction {direction}",
+    torque="the couple {load} acts on the link {link}, positive counter-clockwise",
+    mirror="the mechanism is symmetric about a line with the direction {direction}; "
+    "one half is described, both halves share {points}",
+    copies="the mechanism has {number} identical branches that share {points}",
+    joints={
+        "slide": "the body {body} only translates, in the direction {direction}",
+        "telescope": "telescopic links: {links}",
+        "slot": "the pin {point} slides along the line {line} of {body}",
+        "contact": "the point {point} touches {body} with the common normal {normal}",
+        "gear": "the gears on {first} (radius {one}) and {second} (radius {two}) mesh",
+        "inner": "the gear on {first} (radius {one}) and the inner gear on {second} "
+        "(radius {two}) mesh",
+        "belt": "a belt joins the pulleys on {first} (radius {one}) and {second} (radius {two})",
+        "crossed": "a crossed belt joins the pulleys on {first} (radius {one}) and "
+        "{second} (radius {two})",
+        "rack": "the rack at {point} meshes with the gear on {pivot} (radius {radius})",
+        "screw": "the screw {link} moves {point} by {pitch} for each turn",
+        "on link": "{point} on the link {link}",
+        "actuator": "the actuator {load} pushes {first} and {second} apart",
+        "spring": "the spring {load} acts between {first} and {second}",
+        "drive": "the drive is {name}",
+    },
+    rubbing={
+        "pin": "friction in the pin {points}: the radius of its friction circle is {value}",
+        "pins": "friction in the pins {points}: the radius of their friction circles is {value}",
+        "guide": "friction in the guide of {point}: coefficient {value}",
+        "reduced guide": "friction in the guide of {point}: reduced coefficient {value}",
+        "face": "friction where {point} slides on another body: coefficient {value}",
+        "gear": "friction of the gears that {point} is the first pivot of: {value} of the force "
+        "passed on is lost",
+        "belt": "friction of the belt that {point} is the first pivot of: {value} of the force "
+        "passed on is lost",
+        "rack": "friction of the rack at {point}: {value} of the force passed on is lost",
+        "screw": "friction in the thread of the screw at {point}: coefficient {value}, mean "
+        "diameter {diameter}",
+        "efficiency": "the efficiency is {value}",
+        "tightening": "with friction the motion is along the arrow of {loads}",
+        "releasing": "with friction the motion is against the arrow of {loads}",
+    },
+    geometry="Geometry",
+    vector="Vector",
+    length="Length or coordinates",
+    direction="Direction",
+    velocities="Velocities",
+    magnitudes="Velocities are given by their magnitudes in the motion considered.",
+    signed="Velocities along guides are positive in the guide's direction, angular velocities "
+    "counter-clockwise.",
+    rules={
+        "lever": "Lever rule: about the pivot {first} the velocities of {rest} are proportional "
+        "to their arms.",
+        "arm": "The link turns about the pivot {first}: the velocity of {rest} is the angular "
+        "velocity times the arm.",
+        "projection": "Theorem on the projections of the velocities of two points of a rigid "
+        "body: on the line {joined} the velocities of {all} have equal projections.",
+        "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
+        "body": "Plane motion of the link {first}: the velocity of one point and the rotation "
+        "about it give the velocity of another ({rest}).",
+        "dyad": "Dyad {joined}: the velocity of the common pin follows from its projections on "
+        "the two links.",
+        "together": "The relations for {all} are solved together.",
+        "guide": "The guide fixes the direction of the velocity of {all}.",
+        "slot": "The pin {first} slides in {rest}: across the slot the pin and the body"
+        " under it have equal velocities.",
+        "contact": "The point {first} touches {rest}: along the common normal both have "
+        "equal velocities.",
+        "gear": "The gears on {all} roll on one another: their pitch circles have equal"
+        " speeds at the pitch point.",
+        "belt": "The belt between {all} runs with both rims: their speeds are equal.",
+        "rack": "The rack {rest} moves with the pitch circle of the gear on {first}.",
+        "screw": "The screw moves {rest} by its pitch for each turn.",
+        "parting": "Rate of the distance between {all}: the difference of their velocities"
+        " along the line through them.",
+        "component": "Component of the velocity of {first} in the direction of the load {rest}.",
+    },
+    sayings={
+        "released": "Principle of released constraints: a bond is taken away, its force becomes a "
+        "load, and the powers of all loads add up to zero in the motion that is left.{held}",
+        "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "
+        "{speed}.",
+        "guide": "Let {point} leave its guide in the direction {direction} with the velocity "
+        "{speed}.",
+        "pin": "Let the link {link} part from the pin {point} in the direction {direction} with "
+        "the velocity {speed}.",
+        "touch": "Let {point} part from the surface that it touches in the direction {direction} "
+        "with the velocity {speed}.",
+        "idle": "Let the bond at {point} go in the direction {direction}: no load does work then, "
+        "and this component is zero.",
+        "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
+        "line.",
+        "smooth": "The guide of {point} presses across itself only.",
+        "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
+        "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
+        "releasing": "The motion is against the arrow of {drive}; friction acts against every "
+        "slip.",
+        "pins rub": "The friction of a pin is a couple: the force on the pin times the radius "
+        "{radius} of the friction circle.",
+        "guides rub": "The friction of a guide is its coefficient times the force across it.",
+        "rod forces": "{force} is the force in a rod: the thrust of one that is pressed, the pull "
+        "of one that is pulled.",
+        "part": "By symmetry one of the equal parts is considered.",
+        "unit": "Forces are given per unit of {load}.",
+        "pressed": "The rod {link} is pressed.",
+        "pulled": "The rod {link} is pulled.",
+        "crossed": "The force in {link} acts along the crossed tangent of the friction circles at "
+        "its ends, as it turns the same way on both pins.",
+        "outer": "The force in {link} acts along an outer tangent of the friction circles at its "
+        "ends, as it turns on its pins in opposite ways.",
+        "parallel": "The force in {link} keeps its direction: the outer tangent of equal friction "
+        "circles is parallel to it.",
+        "single": "The force in {link} goes through the pin at one end and touches the friction "
+        "circle at the other.",
+        "face": "The whole force {force} of the face on {point}, the normal force with friction, "
+        "is turned from the normal by the angle of friction.",
+        "moments": "Moments about {point} of the forces on {link}:",
+        "turns left": "The link {link} turns counter-clockwise. Moments about {point}, on the "
+        "right that of the friction in the pivot:",
+        "turns right": "The link {link} turns clockwise. Moments about {point}, on the right that "
+        "of the friction in the pivot:",
+        "squared": "Squared, this is a quadratic equation; its solution:",
+        "along": "Forces on {point} along its guide:",
+        "rubs along": "Forces on {point} along its guide, on the right its friction:",
+        "knee": "Forces on the pin {point}, across each of the rods:",
+        "first order": "To first order the joints are pressed as without friction. Each friction "
+        "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
+        "velocity.",
+        "first order, less": "To first order the joints are pressed as without friction. Each "
+        "friction takes away its coefficient times the force {force} times the slip, per unit of "
+        "the drive’s velocity.",
+        "slip of pin": "The slip of a pin is its rotation {turn}, with the radius of the friction "
+        "circle for a coefficient.",
+        "slip of face": "Along a face the slip is the speed {speed}.",
+        "straight": "Each friction is its coefficient times the force {force} that presses the "
+        "surfaces; the frictions themselves change these forces. The power of each is this times "
+        "the speed {speed} of the slip, per unit of the drive’s velocity:",
+        "efficient": "The efficiency is given: of the power that drives, this part arrives.",
+        "iterated": "Here each friction depends on the others. With {sizes} the forces that press "
+        "the joints, {parts} their components without friction and {changes} what all frictions "
+        "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
+    },
+    held="The drive ({loads}) is held still.",
+    hence="hence",
+    power="Power equation",
+    power_rule="Principle of virtual powers: in equilibrium the powers of all loads add up to "
+    "zero in every possible motion.",
+    several="There are {count} independent motions, hence {count} equations.",
+    results="Results",
+    force_ratio="Force transmission coefficient",
+    load="Load",
+    speed_ratio="Velocity ratio",
+    joint_force="Force at a joint",
+    joint_force_with_friction="Force at a joint, with friction",
+    with_friction={
+        "tightening": "With friction, {drive} drives",
+        "releasing": "With friction, {drive} yields",
+        "first": "With friction, to first order",
+    },
+    efficiency="Efficiency",
+    where="where",
+    solve="{names}: the solution, on the branch of the values given, of",
+    proportional="Proportionality:",
+    independent="{result} does not depend on {names}.",
+    swaps="{result} does not change when {first} and {second} change places.",
+    trends={
+        "rises": "Within the ranges given, {result} rises with {names}.",
+        "falls": "Within the ranges given, {result} falls with increasing {names}.",
+        "rises between poles": "Within the ranges given, {result} rises with {names} on either "
+        "side of each value at which it becomes infinite.",
+        "falls between poles": "Within the ranges given, {result} falls with increasing {names} "
+        "on either side of each value at which it becomes infinite.",
+        "constant": "{result} does not change with {names}.",
+        "turns": "Within the ranges given, {result} does not vary monotonically with {names}.",
+        "unknown": "",
+    },
+    zero="{result} vanishes when {condition}",
+    pole="{result} becomes infinite when {condition}",
+    when="that is, at {condition}",
+    centres={
+        "output still": "dead centre: the output stands still while the drive moves",
+        "drive locked": "dead centre: the drive stands still while the output can move",
+        "perpendicular load": "the load is perpendicular to the velocity of its point",
+        "other": "",
+    },
+    states={
+        "locked": "Self-locking: {load} alone moves nothing",
+        "jammed": "Jammed: no force {drive} moves anything",
+    },
+    all_loads="the load",
+    as_given="at the values given",
+    where_it_holds="for {condition}",
+    any_of="any {name}",
+    in_range="in the range given for {condition}",
+    all_of_range="in the whole range given",
+    out_of_range="outside the range given",
+    course="For {condition}, {result} runs from {least} to {greatest}",
+    steady="For {condition}, {result} is {least} throughout",
+    stuck="{least} (nothing moves)",
+    usual="it is between 0.9 and 0.95 for {conditions} only",
+    always_usual="it is between 0.9 and 0.95 throughout",
+    unusual="it is nowhere between 0.9 and 0.95",
+    sampled="These bounds are found by sampling and refined, not proved.",
+    derivatives="Sensitivities (partial derivatives)",
+    slope="Derivative along the stroke",
+    holds="This holds while {conditions}.",
+    requirements="The result holds for",
+    numbers="Numerical values",
+    at_default="At the values given",
+    undetermined="undetermined",
+    agrees="Check: the equilibrium of the free bodies gives the same result in {count} poses "
+    "(largest relative difference {error}).",
+    disagrees="Check failed: the equilibrium of the free bodies gives another result (relative "
+    "difference {error}).",
+    pending="The equilibrium of the free bodies has not been compared.",
+    conjunction="and",
+    units={},
+)

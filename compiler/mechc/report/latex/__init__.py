@@ -1,0 +1,1 @@
+"""Mathematics, quantities and tables as LaTeX."""

@@ -1,0 +1,97 @@
+r"""Numbers and quantities with the user's unit, as LaTeX.
+
+>>> from ...formula.tree import degrees, number
+>>> from ...units import ANGLE, LENGTH
+>>> from ..languages.en import WORDS
+>>> from .notation import notation
+>>> quantity(number(Fraction(1, 10)), LENGTH, "mm", WORDS, notation("en"))
+'100\\,\\text{mm}'
+>>> quantity(degrees(Fraction(25, 2)), ANGLE, "deg", WORDS, notation("ru"))
+'12{,}5^\\circ'
+"""
+
+import math
+import re
+from fractions import Fraction
+
+from ...formula.layout import in_degrees
+from ...formula.tree import ZERO, Formula, Number
+from ...formula.walk import evaluate
+from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units
+from ..languages.locale import Words
+from .notation import Notation
+from .printer import latex
+
+_DIGITS = 6
+
+
+def quantity(value: Formula, dimension: Dimension, unit: str, words: Words, style: Notation) -> str:
+    """Return a constant, given in SI, in a unit (the SI unit when none was written)."""
+    chosen = unit or usual_unit(dimension)
+    return decimal(_in_unit(value, chosen), style) + unit_symbol(chosen, words)
+
+
+def length_of(formula: Formula, words: Words, style: Notation) -> str:
+    """Return a length; a number with its unit."""
+    if isinstance(formula, Number) and formula != ZERO:
+        return quantity(formula, LENGTH, "", words, style)
+    return latex(formula, style)
+
+
+def measured(value: float, dimension: Dimension, words: Words, style: Notation) -> str:
+    """Return a computed value, given in SI, in the usual unit of its dimension."""
+    chosen = usual_unit(dimension)
+    return decimal(value / _factor(chosen), style) + unit_symbol(chosen, words)
+
+
+def usual_unit(dimension: Dimension) -> str:
+    """Return degrees for an angle, else the SI unit, made of base units where it has no name."""
+    if dimension in (ANGLE, NUMBER):
+        return "deg" if dimension == ANGLE else ""
+    known = (name for name, u in UNITS.items() if u.factor == 1 and u.dimension == dimension)
+    return next(known, base_units(dimension))
+
+
+def _factor(unit: str) -> float:
+    if unit not in UNITS:
+        return 1.0
+    known = UNITS[unit]
+    return float(known.factor) * (math.pi if known.pi else 1.0)
+
+
+def _in_unit(value: Formula, unit: str) -> Fraction | float:
+    known = UNITS.get(unit)
+    turn = in_degrees(value)
+    if known is not None and known.pi and turn is not None:
+        return turn / 180 / known.factor
+    if isinstance(value, Number) and not (known and known.pi):
+        return value.value / known.factor if known else value.value
+    return evaluate(value, {}) / _factor(unit)
+
+
+def decimal(value: Fraction | float, style: Notation) -> str:
+    r"""Return a number to six significant digits, with the language's decimal sign.
+
+    >>> from .notation import notation
+    >>> decimal(2.5e-16, notation("uk"))
+    '2{,}5\\cdot 10^{-16}'
+    """
+    mantissa, _, exponent = f"{float(value):.{_DIGITS}g}".partition("e")
+    digits = mantissa.replace(".", style.decimal)
+    return rf"{digits}\cdot 10^{{{int(exponent)}}}" if exponent else digits
+
+
+def unit_symbol(unit: str, words: Words) -> str:
+    r"""Return a unit behind its number.
+
+    >>> from ..languages.uk import WORDS
+    >>> unit_symbol("m/s^2", WORDS), unit_symbol("1/m", WORDS)
+    ('\\,\\text{м}/\\text{с}^2', '\\,\\text{м}^{-1}')
+    """
+    if not unit:
+        return ""
+    if unit == "deg":
+        return r"^\circ"
+    unit = re.sub(r"^1/([A-Za-z]+)(?:\^(\d+))?", lambda m: f"{m[1]}^{{-{m[2] or 1}}}", unit)
+    letters = re.sub("[A-Za-z]+", lambda m: rf"\text{{{words.units.get(m[0], m[0])}}}", unit)
+    return r"\," + letters.replace("*", r"\cdot ")

@@ -1,0 +1,248 @@
+"""The report's last part: what was found and what follows from it."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
+from math import isfinite
+from typing import NamedTuple
+
+from ...formula.layout import decimal as exact_decimal
+from ...formula.layout import is_angle
+from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
+from ...model.mechanism import SpeedRatio
+from ...model.result import Definition, Result
+from ...statics.verdict import Verdict
+from ..definitions import Solved, grouped
+from ..derivation.steps import Equation, Passage
+from ..languages.locale import Words
+from ..sections import Section
+from ..sentences.remarks import asked, heading, is_nameless, ratio, remarks, said
+from .display import LINE, Line, balance, display, vanishing
+from .notation import Notation, name, points
+from .printer import Box, box, latex, plain
+from .quantity import decimal, measured, unit_symbol
+
+_WIDE = 9.0
+"""Em beyond which a left side is no mere name or ratio of speeds."""
+
+
+class PassageBlock(NamedTuple):
+    """One passage of how results came about: a sentence, and a display or nothing."""
+
+    sentence: str
+    equations: str
+
+
+class Findings(NamedTuple):
+    """What follows from one result: remarks in sentences, sensitivities."""
+
+    remarks: tuple[str, ...]
+    derivatives: str
+    sensitivities: str
+
+
+class SectionBlock(NamedTuple):
+    """Results under one heading, ready for LaTeX."""
+
+    heading: str
+    passages: tuple[PassageBlock, ...]
+    displays: tuple[str, ...]
+    findings: tuple[Findings, ...]
+
+
+def section_block(section: Section, words: Words, style: Notation) -> SectionBlock:
+    """Return everything the report says of the results of one section.
+
+    Its parts are written in the order in which they are read: a name is defined where it
+    comes first.
+    """
+    passages = tuple(_passage(p, words, style) for p in section.passages)
+    units = {n: unit_symbol(unit, words) for n, unit in section.units.items()}
+    main = _together(section.results, style, words)
+    main = main or _main(section.results[0], words, style, units)
+    return SectionBlock(
+        heading(section.results[0], words, Speller(style)),
+        passages,
+        (*main, *_where(section.where, words, style, units)),
+        tuple(_findings(r, words, style) for r in section.results),
+    )
+
+
+def _together(results: Sequence[Result], style: Notation, words: Words) -> tuple[str, ...]:
+    """Return the components of one force below each other; nothing for a single result."""
+    if len(results) == 1:
+        return ()
+    lines = tuple(Line(_left(r, style), r.formula) for r in results)
+    return (display(lines, style, words.where),)
+
+
+def _passage(passage: Passage, words: Words, style: Notation) -> PassageBlock:
+    shown = "\n".join(_displays(passage.equations, words, style))
+    return PassageBlock(said(passage, words, Speller(style)), shown)
+
+
+def _displays(equations: Iterable[Equation], words: Words, style: Notation) -> Iterator[str]:
+    """Yield displays of equations; one with a wide left side stands alone."""
+    for _, group in groupby(equations, lambda e: e if _is_wide(e, style) else None):
+        part = tuple(group)
+        line = Line(box(part[0].left, style), part[0].right)
+        if _is_wide(part[0], style) and line.left.width + box(line.right, style).width > LINE:
+            yield _balance(part[0], words, style)
+        else:
+            yield _display(part, words, style)
+
+
+def _is_wide(equation: Equation, style: Notation) -> bool:
+    return box(equation.left, style).width > _WIDE
+
+
+def _display(equations: Iterable[Equation], words: Words, style: Notation) -> str:
+    lines = [Line(box(e.left, style), e.right, is_angle(e.right, style.angles)) for e in equations]
+    return display(tuple(lines), style, words.where)
+
+
+def _balance(equation: Equation, words: Words, style: Notation) -> str:
+    if equation.right == ZERO:
+        return vanishing(equation.left, style, words.where)
+    return balance(*equation, style, words.where)
+
+
+def _findings(result: Result, words: Words, style: Notation) -> Findings:
+    return Findings(
+        remarks(result, words, Speller(style)),
+        _derivatives(result, words, style),
+        words.slope if result.where else words.derivatives,
+    )
+
+
+def _left(result: Result, style: Notation) -> Box:
+    """Return the left side, ``k = P/F`` for a ratio with a name of its own."""
+    symbol, asked_for = box(asked(result), style), ratio(result)
+    if asked_for is None or is_nameless(result):
+        return symbol
+    whole = box(asked_for, style)
+    return Box(f"{symbol.tex}={whole.tex}", symbol.width + whole.width + 1.2, tall=True)
+
+
+def _main(
+    result: Result, words: Words, style: Notation, units: Mapping[str, str]
+) -> tuple[str, ...]:
+    left = _left(result, style)
+    short = left.width + box(result.formula, style).width <= LINE
+    if result.coefficients and not short:
+        return _as_form(left, result.coefficients, words, style)
+    line = Line(left, result.formula, unit=units.get(result.name, ""))
+    return (display((line,), style, words.where, boxed=True),)
+
+
+def _as_form(
+    left: Box, coefficients: Mapping[str, Formula], words: Words, style: Notation
+) -> tuple[str, ...]:
+    """Return a long linear form with a name for the coefficient of every load."""
+    named = {load: Symbol(f"c_{load}") for load in coefficients}
+    form = total(product([(named[load], 1), (Symbol(load), 1)]) for load in coefficients)
+    lines = tuple(Line(box(named[load], style), f) for load, f in coefficients.items())
+    first = display((Line(left, form),), style, words.where, boxed=True)
+    return first, words.where, display(lines, style, words.where)
+
+
+def _where(
+    where: Iterable[Definition], words: Words, style: Notation, units: Mapping[str, str]
+) -> tuple[str, ...]:
+    """Return definitions, neighbours in one display; a system's names before its equations."""
+    told: list[str] = []
+    for solved, groups in groupby(grouped(where), lambda group: isinstance(group, Solved)):
+        if solved:
+            told += (part for group in groups for part in _solved(group, words, style))
+        else:
+            told.append(display(tuple(_line(g, style, units) for g in groups), style, words.where))
+    return (words.where, *told) if told else ()
+
+
+def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, str]) -> Line:
+    assert isinstance(definition, Definition)
+    own = definition.name
+    unit = units.get(own, "")
+    return Line(plain(name(own, style)), definition.formula, own in style.angles, unit)
+
+
+def _solved(group: Definition | Solved, words: Words, style: Notation) -> tuple[str, str]:
+    assert isinstance(group, Solved)
+    names = ", ".join(f"${name(n, style)}$" for n in group.names)
+    lines = tuple(Line(plain("0"), zero) for zero in group.zeros)
+    return words.solve.format(names=names), display(lines, style, words.where)
+
+
+def _derivatives(result: Result, words: Words, style: Notation) -> str:
+    if isinstance(result.target, SpeedRatio):
+        return ""
+    symbol = latex(asked(result), style)
+    lines = tuple(
+        Line(_slope(symbol, parameter, style, total=bool(result.where)), formula)
+        for parameter, formula in (result.derivatives or {}).items()
+        if formula != ZERO
+    )
+    return display(lines, style, words.where) if lines else ""
+
+
+def _slope(symbol: str, parameter: str, style: Notation, total: bool) -> Box:
+    """Return the sign of a derivative: a total one where other angles follow the parameter."""
+    d = r"\mathrm{d}" if total else r"\partial"
+    whole = rf"\frac{{{d} {symbol}}}{{{d} {name(parameter, style)}}}"
+    return Box(whole, 0.6 + plain(symbol).width, tall=True)
+
+
+_SIGNS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq ", "~": r"\sim "}
+
+
+class Speller(NamedTuple):
+    """Mathematics inside a sentence, between dollar signs."""
+
+    style: Notation
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """Return the names that are angles."""
+        return self.style.angles
+
+    def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
+        """Return sides joined by signs."""
+        tex = [self._side(side, angle) for side in sides]
+        tail = (_SIGNS.get(sign, sign) + side for sign, side in zip(signs, tex[1:], strict=True))
+        return f"${tex[0]}{''.join(tail)}$"
+
+    def _side(self, side: Formula, angle: bool) -> str:
+        """Return a side; a number alone is a decimal where it can be."""
+        if isinstance(side, Number) and not angle and (figures := exact_decimal(side.value)):
+            return figures.replace(".", self.style.decimal)
+        return latex(side, self.style, angle)
+
+    def point(self, names: str) -> str:
+        """Return a point, a link or a vector."""
+        return f"${points(names)}$"
+
+
+def numbers(results: Iterable[Result], words: Words, style: Notation) -> tuple[str, ...]:
+    """Return the results at the default pose."""
+    return tuple(shown for r in results if (shown := _number(r, words, style)))
+
+
+def _number(result: Result, words: Words, style: Notation) -> str:
+    symbol = latex(asked(result), style)
+    if result.undetermined:
+        return rf"${symbol}$ {words.undetermined} ($0/0$)"
+    if result.default is None or not isfinite(result.default):
+        return ""
+    return f"${symbol}={measured(result.default, result.dimension, words, style)}$"
+
+
+def check(verdict: Verdict, words: Words, style: Notation) -> str:
+    """Return the referee's line."""
+    if not verdict.trials:
+        return words.pending
+    poses = {tuple(sorted(trial.values.items())) for trial in verdict.trials}
+    template = words.agrees if verdict.agrees else words.disagrees
+    return template.format(count=len(poses), error=f"${decimal(_rounded(verdict.worst), style)}$")
+
+
+def _rounded(error: float) -> float:
+    return float(f"{error:.1e}")

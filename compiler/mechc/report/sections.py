@@ -1,0 +1,138 @@
+"""The results in the order of a report: those of one joint together, each name told once."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import zip_longest
+from types import MappingProxyType
+
+from ..formula.operations import count_operations
+from ..formula.tree import Call, Formula, Implicit, Symbol, System
+from ..formula.walk import symbols
+from ..frozen import frozen, replace
+from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
+from ..model.result import Definition, Result
+from .definitions import lettered, literal_sizes, usual_weights
+from .derivation.steps import Account, Derivation, Passage
+from .sentences.remarks import reaction
+
+LONG = 24
+"""The size of a force that takes more operations is given by the components."""
+
+
+@frozen
+class Section:
+    """Results that are told under one heading, how they came about, and what they rest on.
+
+    ``units`` are those of loads that are numbers.
+    """
+
+    passages: tuple[Passage, ...]
+    results: tuple[Result, ...]
+    where: tuple[Definition, ...]
+    has_usual_g: bool = False
+    units: Mapping[str, str] = MappingProxyType({})
+
+
+def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
+    """Yield the results under their headings; what was told before is left out."""
+    told, usual, units = Told(), usual_weights(mechanism), literal_sizes(mechanism)
+    for account, results in _grouped(derivation):
+        told.equations(account)
+        rested = told.untold([Symbol(d.name) for d in account.where], account.where)
+        fresh = [*rested, *(d for r in results for d in told.of(r))]
+        shown = tuple(in_short(r, results) for r in _conditioned_once(results))
+        weighs = any(d.name in usual for d in fresh)
+        yield Section(account.passages, shown, tuple(lettered(fresh, usual)), weighs, units)
+
+
+class Told:
+    """What the names in a report stand for, so that nothing is told twice."""
+
+    def __init__(self) -> None:
+        self._results: set[str] = set()
+        self._known: dict[str, Formula] = {}
+
+    def of(self, result: Result) -> list[Definition]:
+        """Return what is new in a result's definitions, and note it."""
+        where = [d for d in result.where if d.name not in result.inside]
+        fresh = self.untold([result.formula], where)
+        self._results.add(result.name)
+        return fresh
+
+    def untold(self, formulas: Iterable[Formula], where: Sequence[Definition]) -> list[Definition]:
+        """Return the definitions that formulas rest on and that are new, and note them."""
+        needed = self._needed(formulas, where)
+        new = [d for d in needed if self._known.get(d.name) != d.formula]
+        systems = {d.formula.system for d in new if isinstance(d.formula, Implicit)}
+        fresh = [d for d in needed if d in new or _system(d) in systems]
+        self._known |= dict(fresh)
+        return fresh
+
+    def equations(self, account: Account) -> None:
+        """Note the names that the equations of an account define."""
+        for passage in account.passages:
+            for left, right in passage.equations:
+                if isinstance(left, Symbol):
+                    self._known[left.name] = right
+
+    def _needed(self, formulas: Iterable[Formula], where: Sequence[Definition]) -> list[Definition]:
+        """Return what formulas rest on, not looking behind results that were told."""
+        used = {name for formula in formulas for name in symbols(formula)}
+        needed = []
+        for definition in reversed(where):
+            if definition.name in used - self._results:
+                needed.append(definition)
+                used |= symbols(definition.formula)
+        return needed[::-1]
+
+
+def _system(definition: Definition) -> System | None:
+    formula = definition.formula
+    return formula.system if isinstance(formula, Implicit) else None
+
+
+def _grouped(derivation: Derivation) -> Iterator[tuple[Account, Sequence[Result]]]:
+    owners = {name: account for account in derivation.accounts for name in account.results}
+    left = list(derivation.results)
+    while left:
+        account = owners.get(left[0].name) or Account((left[0].name,), ())
+        yield account, [r for r in left if r.name in account.results]
+        left = [r for r in left if r.name not in account.results]
+
+
+def _conditioned_once(results: Sequence[Result]) -> Iterator[Result]:
+    """Yield results told together, the conditions of the last for those that have the same."""
+    for result, after in zip_longest(results, results[1:]):
+        alike = after is not None and after.holds == result.holds
+        yield replace(result, holds=()) if alike else result
+
+
+def in_short(result: Result, results: Iterable[Result]) -> Result:
+    """Return a direction, or a long size, by the components of the force among the results."""
+    match _part(result):
+        case "direction" if symbols(result.formula):
+            return replace(result, formula=Call("atan2", _components(result, results)[::-1]))
+        case "size" if count_operations(result.formula) > LONG:
+            return replace(result, formula=Call("hypot", _components(result, results)))
+        case _:
+            return result
+
+
+def _part(result: Result) -> str:
+    force = reaction(result)
+    return force.part if force else ""
+
+
+def _components(result: Result, results: Iterable[Result]) -> tuple[Formula, ...]:
+    beside = {_part(r): Symbol(r.name) for r in results if _force(r) == _force(result)}
+    return beside["x"], beside["y"]
+
+
+def _force(result: Result) -> Target | None:
+    """Return what force with what friction a result is a part of."""
+    match result.target:
+        case WithFriction(Reaction() as force, sense):
+            return WithFriction(replace(force, part="size"), sense)
+        case Reaction() as force:
+            return replace(force, part="size")
+        case _:
+            return None

@@ -1,0 +1,212 @@
+"""What follows from a result, in sentences, whatever the language and whoever prints."""
+
+from collections.abc import Iterable
+from typing import assert_never
+
+from ...formula.layout import is_angle
+from ...formula.tree import ZERO, Formula, Power, Sum, Symbol, product, quotient, total
+from ...formula.walk import walk
+from ...model.mechanism import (
+    Axial,
+    Efficiency,
+    LoadForm,
+    LoadRatio,
+    Normal,
+    Reaction,
+    Require,
+    Speed,
+    SpeedRatio,
+    WithFriction,
+)
+from ...model.result import Result, Trend, Vanishing
+from ..derivation.steps import Passage
+from ..languages.locale import Words
+from .locking import friction_remarks
+from .speller import Speller
+from .wording import enumeration, positive_first
+
+
+def said(passage: Passage, words: Words, spell: Speller) -> str:
+    """Return what a passage says."""
+    names = {
+        place: enumeration((spell.point(n) for n in listed), words)
+        for place, listed in passage.names.items()
+        if listed
+    }
+    formulas = {
+        place: spell.relation((f,), (), place == "direction")
+        for place, f in passage.formulas.items()
+    }
+    held = " " + words.held.format(loads=names["held"]) if "held" in names else ""
+    return words.sayings[passage.saying].format_map({**names, **formulas, "held": held})
+
+
+def heading(result: Result, words: Words, spell: Speller) -> str:
+    """Return what kind of thing was found; ``""`` for a formula of the user's own."""
+    match result.target:
+        case LoadRatio():
+            return words.force_ratio
+        case LoadForm():
+            return words.load
+        case SpeedRatio():
+            return words.speed_ratio
+        case Reaction() | Axial() | Normal():
+            return words.joint_force
+        case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
+            said = words.with_friction["first" if order == "first" else sense]
+            said = said.format(drive=_spelled(Symbol(drive), spell))
+            return f"{said} ({_spelled(asked(result), spell)})"
+        case WithFriction():
+            return words.joint_force_with_friction
+        case Efficiency():
+            return words.efficiency
+        case None:
+            return ""
+        case _:
+            assert_never(result.target)
+
+
+def ratio(result: Result) -> Formula | None:
+    """Return the ratio that was asked for, ``P/F`` or ``V_D/V_A``; None for anything else."""
+    match result.target:
+        case LoadRatio(above, below):
+            return quotient(Symbol(above), Symbol(below))
+        case SpeedRatio(above, below):
+            return quotient(_speed(above), _speed(below))
+        case Efficiency():
+            return _share(result)
+        case _:
+            return None
+
+
+def _share(result: Result) -> Formula:
+    """Return ``k/k_f``, or ``k_f/k`` where the load drives."""
+    name = result.name.removeprefix("eta_")
+    ideal, real = Symbol(name), Symbol(f"{name}_f")
+    below = any(isinstance(f, Power) and f.base == real for f in walk(result.formula))
+    return quotient(ideal, real) if below else quotient(real, ideal)
+
+
+def _speed(speed: Speed) -> Formula:
+    return Symbol(f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}")
+
+
+def asked(result: Result) -> Formula:
+    """Return the result's own symbol; a ratio that was given no name stands for itself."""
+    asked_for = ratio(result)
+    return asked_for if asked_for and is_nameless(result) else Symbol(called(result))
+
+
+def called(result: Result) -> str:
+    """Return a result's name in print; the direction of a force has an angle's letter."""
+    force = reaction(result)
+    if force and force.part == "direction":
+        return f"phi_{result.name.replace('_direction', '')}"
+    return result.name
+
+
+def reaction(result: Result) -> Reaction | None:
+    """Return the force that a result is a part of, with friction or without it."""
+    match result.target:
+        case Reaction() as force:
+            return force
+        case WithFriction(Reaction() as force):
+            return force
+        case _:
+            return None
+
+
+def is_nameless(result: Result) -> bool:
+    """Return whether a result's name was made up (``V_D_over_V_A``)."""
+    return "_over_" in result.name
+
+
+def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
+    """Return what follows from a result: limits, proportions, symmetries, trends, locking."""
+    symbol = _spelled(asked(result), spell)
+    said = _holds(result, words, spell)
+    said += [_limit(words.zero, symbol, v, words, spell) for v in result.zeros]
+    said += [_limit(words.pole, symbol, v, words, spell) for v in result.poles]
+    said += _proportions(result, words, spell)
+    if result.independent:
+        names = _symbols(result.independent, words, spell)
+        said.append(words.independent.format(result=symbol, names=names))
+    for first, second in result.swaps:
+        one, other = (_spelled(Symbol(n), spell) for n in (first, second))
+        said.append(words.swaps.format(result=symbol, first=one, second=other))
+    said += _trends(result, symbol, words, spell)
+    return (*said, *friction_remarks(result, words, spell))
+
+
+def _holds(result: Result, words: Words, spell: Speller) -> list[str]:
+    held = own_conditions(result)
+    return [words.holds.format(conditions=conditions(held, spell))] if held else []
+
+
+def _spelled(formula: Formula, spell: Speller) -> str:
+    return spell.relation((formula,), (), False)
+
+
+def _limit(template: str, symbol: str, limit: Vanishing, words: Words, spell: Speller) -> str:
+    condition = spell.relation((limit.factor, ZERO), ("=",), False)
+    said = template.format(result=symbol, condition=condition)
+    if limit.at:
+        name, value = limit.at[0], _ordered(limit.at[1])
+        place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
+        said += ", " + words.when.format(condition=place)
+    kind = words.centres[limit.kind]
+    return f"{said} ({kind})." if kind else f"{said}."
+
+
+def _ordered(angle: Formula) -> Formula:
+    """Return an angle as it is written, ``90° − θ``."""
+    return total(positive_first(angle.terms)) if isinstance(angle, Sum) else angle
+
+
+def _proportions(result: Result, words: Words, spell: Speller) -> list[str]:
+    powers = {n: e for n, e in (result.proportional or {}).items() if e}
+    if not powers:
+        return []
+    simple = product((Symbol(n), e) for n, e in powers.items())
+    return [f"{words.proportional} {spell.relation((asked(result), simple), ('~',), False)}."]
+
+
+def _symbols(names: Iterable[str], words: Words, spell: Speller) -> str:
+    return enumeration([_spelled(Symbol(n), spell) for n in names], words)
+
+
+def _trends(result: Result, symbol: str, words: Words, spell: Speller) -> list[str]:
+    groups: dict[Trend, list[str]] = {}
+    for parameter, trend in (result.trends or {}).items():
+        groups.setdefault(trend, []).append(parameter)
+    return [
+        words.trends[trend].format(result=symbol, names=_symbols(names, words, spell))
+        for trend, names in groups.items()
+        if words.trends[trend]
+    ]
+
+
+def own_conditions(result: Result) -> tuple[Require, ...]:
+    """Return the conditions of a case, of an efficiency what the ratio's sign must be.
+
+    Else it has those of what it is made of.
+    """
+    if not isinstance(result.target, Efficiency):
+        return result.holds
+    ratio = Symbol(result.name.removeprefix("eta_"))
+    return tuple(h for h in result.holds if h.left == ratio)
+
+
+def conditions(requires: Iterable[Require], spell: Speller) -> str:
+    """Return the conditions of use, the links of a chain joined again."""
+    chains: list[tuple[tuple[Formula, ...], tuple[str, ...]]] = []
+    for require in requires:
+        if chains and chains[-1][0][-1] == require.left:
+            sides, signs = chains.pop()
+            chains.append(((*sides, require.right), (*signs, require.operator)))
+        else:
+            chains.append(((require.left, require.right), (require.operator,)))
+    return ", ".join(
+        spell.relation(sides, signs, any(is_angle(s, spell.angles) for s in sides))
+        for sides, signs in chains
+    )

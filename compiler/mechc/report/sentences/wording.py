@@ -1,0 +1,145 @@
+"""A derivation put into words, whatever the language and whoever prints."""
+
+from collections.abc import Callable, Iterable, Set
+
+from ...formula.tree import (
+    Call,
+    Formula,
+    Number,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    negative,
+    product,
+    quotient,
+    total,
+)
+from ...formula.walk import children, rebuild, symbols
+from ..derivation.steps import Equation, Step
+from ..languages.locale import Words
+
+
+def sentence(step: Step, words: Words, spell: Callable[[str], str]) -> str:
+    """Return the rule of a step in words; ``spell`` writes a name of the drawing."""
+    first, *rest = step.subject or ("",)
+    together = first if len(first.rstrip("'0123456789")) > 1 else "".join(step.subject)
+    return words.rules[step.rule].format(
+        first=spell(first),
+        rest=enumeration((spell(s) for s in rest or (first,)), words),
+        all=enumeration((spell(s) for s in step.subject), words),
+        joined=spell(together),
+    )
+
+
+def enumeration(items: Iterable[str], words: Words) -> str:
+    """Return ``A, B and C`` in the table's language."""
+    *most, last = items
+    return f"{', '.join(most)} {words.conjunction} {last}" if most else last
+
+
+def as_ratio(equation: Equation) -> Equation:
+    """Return ``V_B/V_A = …`` for ``V_B = V_A·…``, as textbooks print it; others unchanged.
+
+    >>> from ...formula.tree import Call
+    >>> from ...formula.to_text import text
+    >>> left, right = as_ratio(
+    ...     Equation(
+    ...         Symbol("V_B"),
+    ...         product([(Symbol("V_A"), 1), (Call("cot", (Symbol("alpha"),)), 1)]),
+    ...     )
+    ... )
+    >>> f"{text(left)} = {text(right)}"
+    'V_B/V_A = cot(alpha)'
+
+    A velocity and an angular velocity make no ratio: ``V_A = a·omega_OA`` stays.
+    """
+    match equation:
+        case Equation(Symbol(name), Product(factors)) if is_speed(name):
+            speeds = [f for f in factors if isinstance(f, Symbol) and is_speed(f.name)]
+            others = [f for f in factors if f not in speeds]
+            alike = [f for f in speeds if f.name[0] == name[0]]
+            if len(alike) == len(speeds) == 1 and not any(_mentions_speed(f) for f in others):
+                ratio = quotient(equation.left, speeds[0])
+                return Equation(ratio, product((f, 1) for f in others))
+    return equation
+
+
+def is_speed(name: str) -> bool:
+    """Return whether a name is a velocity ``V_A`` or an angular velocity ``omega_OA``."""
+    return name.startswith(("V_", "omega_"))
+
+
+def _mentions_speed(factor: Formula) -> bool:
+    base = factor.base if isinstance(factor, Power) else factor
+    return isinstance(base, Symbol) and is_speed(base.name)
+
+
+Sides = tuple[Formula, ...]
+"""Two or more sides of a chain of equations, ``V_D/V_B = OD/OB = b/a``."""
+
+
+def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
+    """Return what a step's rule says and what follows from it, speeds as ratios.
+
+    What follows for the same left side continues its chain; nothing is said twice.
+    """
+    said = [as_ratio(e) for e in step.relations]
+    hence = [e for e in dict.fromkeys(map(as_ratio, step.results)) if e not in said]
+    if len(said) == len(hence) == 1 and said[0].left == hence[0].left:
+        return ((*said[0], hence[0].right),), ()
+    return tuple(map(tuple, said)), tuple(map(tuple, hence))
+
+
+def positive_first(terms: Iterable[Formula]) -> list[Formula]:
+    """Return terms with one that has no minus in front, where there is one.
+
+    >>> from ...formula.tree import degrees, negative, total
+    >>> from ...formula.to_text import text
+    >>> text(total(positive_first([negative(Symbol("theta")), degrees(180)])))
+    'pi - theta'
+    """
+    ordered = list(terms)
+    lead = next((i for i, t in enumerate(ordered) if not has_minus(t)), 0)
+    return [*ordered[lead : lead + 1], *ordered[:lead], *ordered[lead + 1 :]]
+
+
+def geometry_first(formula: Formula, turns: Set[str]) -> Formula:
+    """Return a formula with ``sin(α − δ)`` for ``−sin(δ − α)``, δ one of the turns by friction.
+
+    >>> from ...formula.tree import Call, negative, total
+    >>> from ...formula.to_text import text
+    >>> sine = Call("sin", (total([Symbol("delta"), negative(Symbol("alpha"))]),))
+    >>> text(geometry_first(product([(Symbol("S"), 1), (sine, 1)]), {"delta"}))
+    '-S*sin(alpha - delta)'
+    """
+    parts = tuple(geometry_first(part, turns) for part in children(formula))
+    whole = rebuild(formula, parts) if parts else formula
+    match whole:
+        case Call("sin", (Sum(terms),)) if _led_by(terms, turns):
+            return negative(Call("sin", (_turned_round(terms),)))
+        case Call("cos", (Sum(terms),)) if _led_by(terms, turns):
+            return Call("cos", (_turned_round(terms),))
+        case Call("hypot" | "abs" as size, of):
+            return Call(size, tuple(negative(part) if has_minus(part) else part for part in of))
+        case _:
+            return whole
+
+
+def _turned_round(terms: Iterable[Formula]) -> Formula:
+    return total(positive_first(map(negative, terms)))
+
+
+def _led_by(terms: Iterable[Formula], turns: Set[str]) -> bool:
+    """Tell whether all that is added are turns, and something else is taken away."""
+    signed = [(has_minus(term), symbols(term) <= turns) for term in terms]
+    return all(turned for minus, turned in signed if not minus) and (True, False) in signed
+
+
+def has_minus(term: Formula) -> bool:
+    """Return whether a term is printed with a minus in front."""
+    match term:
+        case Number(value) | Product((Number(value), *_)):
+            return value < 0
+        case _:
+            return False

@@ -1,0 +1,179 @@
+"""The derivation for the terminal: numbered steps, the rule in words, what it gives."""
+
+import re
+from collections.abc import Iterable, Iterator, Mapping
+from textwrap import wrap
+from typing import NamedTuple
+
+from ...formula.layout import is_angle
+from ...formula.tree import ZERO, Formula, Symbol
+from ...frozen import replace
+from ...model.mechanism import GRAVITY, Mechanism
+from ...model.result import Definition, Result
+from ...units import ANGLE
+from ..definitions import Solved, grouped
+from ..derivation.steps import Derivation, Step
+from ..languages.en import WORDS
+from ..sections import Section, sections
+from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
+from ..sentences.wording import Sides, lines, sentence
+from .printer import ASCII, UNICODE, Signs, print_point, print_side
+
+WIDTH = 80
+"""Columns that lines keep to where they can."""
+
+_DEEP = " " * 8
+_INNERMOST = re.compile(r"\([^()]*\)")
+
+
+class Speller(NamedTuple):
+    """Mathematics inside a sentence, with the signs of a terminal."""
+
+    signs: Signs
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """Return the names that are angles."""
+        return self.signs.angles
+
+    def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
+        """Return sides joined by signs."""
+        line = print_side(sides[0], self.signs, angle)
+        for sign, side in zip(signs, sides[1:], strict=True):
+            shown = self.signs.relations.get(sign, sign)
+            line += f" {shown} {print_side(side, self.signs, angle)}"
+        return line
+
+    def point(self, names: str) -> str:
+        """Return a point, a link or a vector."""
+        return print_point(names, self.signs)
+
+
+def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True) -> str:
+    """Return the derivation as text, ending in a line feed.
+
+    Velocities are named ``V_A``, angular velocities ``ω_OA``; with ``unicode`` False
+    only ASCII characters are used in formulas. Lines keep to 80 columns, except a
+    formula that has no place to break.
+    """
+    spell = speller(derivation, mechanism, unicode)
+    lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
+    for section in sections(derivation, mechanism):
+        lines += _section(section, spell)
+    if mechanism.requires:
+        lines += [
+            "",
+            *_wrapped(f"{WORDS.requirements} {conditions(mechanism.requires, spell)}.", ""),
+        ]
+    return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
+
+
+def speller(derivation: Derivation, mechanism: Mechanism, unicode: bool) -> Speller:
+    """Return what spells mathematics, with the names that are angles in this mechanism."""
+    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    for result in derivation.results:
+        for definition in result.where:
+            if is_angle(definition.formula, angles):
+                angles.add(definition.name)
+    return Speller(replace(UNICODE if unicode else ASCII, angles=frozenset(angles)))
+
+
+def _title(mechanism: Mechanism) -> list[str]:
+    return [*_wrapped(mechanism.title or mechanism.name, ""), *_wrapped(mechanism.source, "")]
+
+
+def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
+    if not derivation.steps:
+        return
+    yield from ("", WORDS.velocities)
+    for number, step in enumerate(derivation.steps, 1):
+        yield from _step(number, step, spell)
+
+
+def _step(number: int, step: Step, spell: Speller) -> Iterator[str]:
+    yield from _wrapped(sentence(step, WORDS, spell.point), f"{number:>3}. ")
+    said, hence = lines(step)
+    yield from _equations((*said, *hence), spell)
+
+
+def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
+    if derivation.balances:
+        yield from ("", WORDS.power)
+        yield from _wrapped(WORDS.power_rule, "     ")
+        yield from _equations(derivation.balances, spell)
+
+
+def _section(section: Section, spell: Speller) -> Iterator[str]:
+    yield from ("", heading(section.results[0], WORDS, spell) or WORDS.results)
+    for passage in section.passages:
+        yield from _wrapped(said(passage, WORDS, spell), "     ")
+        yield from _equations(passage.equations, spell)
+    if section.passages:
+        yield f"     {WORDS.hence}"
+    for result in section.results:
+        yield from _result(result, spell, section.units)
+    if section.where:
+        yield f"     {WORDS.where}"
+        for group in grouped(section.where):
+            yield from _group(group, spell, section.units)
+    if section.has_usual_g:
+        yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
+    for result in section.results:
+        for remark in remarks(result, WORDS, spell):
+            yield from _wrapped(remark, "   - ")
+
+
+def _result(result: Result, spell: Speller, units: Mapping[str, str]) -> list[str]:
+    asked_for = ratio(result)
+    left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
+    angle = is_angle(result.formula, spell.angles)
+    whole = spell.relation((*left, result.formula), ("=",) * len(left), angle)
+    return _broken(whole + _unit(result.name, units, spell))
+
+
+def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:
+    """Return the unit behind a load that is a number, '' behind anything else."""
+    unit = units.get(name, "")
+    return f" {unit.replace('*', '·') if spell.signs.fancy else unit}".rstrip()
+
+
+def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str]) -> Iterator[str]:
+    if isinstance(group, Definition):
+        left = spell.relation((Symbol(group.name),), (), False)
+        right = spell.relation((group.formula,), (), group.name in spell.angles)
+        yield from _broken(f"{left} = {right}{_unit(group.name, units, spell)}")
+    else:
+        names = ", ".join(spell.relation((Symbol(n),), (), False) for n in group.names)
+        yield from _wrapped(WORDS.solve.format(names=names), _DEEP)
+        for zero in group.zeros:
+            yield from _broken(spell.relation((zero, ZERO), ("=",), False))
+
+
+def _equations(equations: Iterable[Sides], spell: Speller) -> list[str]:
+    """Return equations, aligned at the first equals sign where that costs no width."""
+    rows = [[spell.relation((side,), (), False) for side in e] for e in equations]
+    widest = max((len(row[0]) for row in rows), default=0)
+    aligned = [" = ".join((row[0].rjust(widest), *row[1:])) for row in rows]
+    if max(map(len, aligned), default=0) > WIDTH - len(_DEEP):
+        aligned = [line.lstrip() for line in aligned]
+    return [part for line in aligned for part in _broken(line)]
+
+
+def _broken(equation: str) -> list[str]:
+    """Break a long equation at the spaces around its signs, not within ``sin(α + β)``."""
+    indent = _DEEP + " " * (len(equation) - len(equation.lstrip()))
+    tied = _INNERMOST.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
+    lines = wrap(
+        tied,
+        WIDTH,
+        initial_indent=indent,
+        subsequent_indent=indent + "    ",
+        break_long_words=False,
+        break_on_hyphens=False,
+    )
+    return [line.replace("\u00a0", " ") for line in lines]
+
+
+def _wrapped(text: str, lead: str) -> list[str]:
+    hanging = " " * len(lead)
+    return wrap(text, WIDTH, initial_indent=lead, subsequent_indent=hanging, break_long_words=False)

@@ -1,0 +1,186 @@
+"""Formulas for the terminal, on one line.
+
+>>> from ...formula.tree import Call, Sum, Symbol, number, product
+>>> a, b, alpha, theta = map(Symbol, ("a", "b", "alpha", "theta"))
+>>> k = product(
+...     [(number(2), 1), (b, 1), (a, -1), (Call("cos", (alpha,)), 1)]
+...     + [(Call("sin", (theta,)), 1), (Call("cos", (Sum((alpha, theta)),)), -1)]
+... )
+>>> print_formula(k, UNICODE)
+'2b/a · cos α · sin θ / cos(α + θ)'
+>>> print_formula(k, ASCII)
+'2*b/a * cos(alpha) * sin(theta) / cos(alpha + theta)'
+"""
+
+from collections.abc import Mapping, Sequence
+from fractions import Fraction
+from itertools import pairwise
+
+from ...formula.layout import TRIGONOMETRIC, decimal
+from ...formula.names import GREEK, split_name
+from ...formula.tree import Formula, Number, Pi, Power, Symbol
+from ...formula.typesetting import Around, Row, Typesetter
+from ...frozen import frozen
+
+_RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
+_LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+
+@frozen
+class Signs:
+    """The signs of one character set; ``fancy`` when it has Greek letters and raised digits."""
+
+    fancy: bool
+    times: str
+    joint: str
+    minus: str
+    degree: str
+    pi: str
+    relations: Mapping[str, str]
+    angles: frozenset[str] = frozenset()
+
+
+UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠", "~": "∼"})
+ASCII = Signs(False, " * ", "*", "-", " deg", "pi", {})
+
+
+_INVERSE = {"asin": "arcsin", "acos": "arccos", "atan": "arctan"}
+
+
+def print_formula(formula: Formula, signs: Signs, angle: bool = False) -> str:
+    """Return a formula on one line; one that is an angle has its constants in degrees."""
+    return _Terminal(signs).whole(formula, angle)
+
+
+def print_side(formula: Formula, signs: Signs, angle: bool) -> str:
+    """Return a side of a relation: a number alone is a decimal where it can be.
+
+    >>> print_side(Number(Fraction(3, 4)), UNICODE, False)
+    '0.75'
+    """
+    if isinstance(formula, Number) and not angle:
+        return _Terminal(signs).number(formula.value, decimal(formula.value), Around.SUM)
+    return print_formula(formula, signs, angle)
+
+
+def print_name(name: str, signs: Signs) -> str:
+    """Return a quantity's name.
+
+    >>> [print_name(name, UNICODE) for name in ("alpha_1", "omega_O1B", "len_O1B")]
+    ['α₁', 'ω_O₁B', 'O₁B']
+    """
+    if not signs.fancy:
+        return name
+    if name.startswith("len_"):
+        return print_point(name.removeprefix("len_"), signs)
+    head, primes, indices = split_name(name)
+    letter = GREEK.get(head, head) + primes
+    if indices and indices[0].isdigit():
+        letter += indices[0].translate(_LOWERED)
+        indices = indices[1:]
+    return "_".join((letter, *(GREEK.get(i, print_point(i, signs)) for i in indices)))
+
+
+def print_point(name: str, signs: Signs) -> str:
+    """Return a point, a link or an index, its numbers lowered."""
+    return name.translate(_LOWERED) if signs.fancy else name
+
+
+class _Terminal(Typesetter[str]):
+    """Sets formulas as text on one line."""
+
+    built = False
+
+    def __init__(self, signs: Signs) -> None:
+        self.signs, self.raised, self.angles = signs, signs.fancy, signs.angles
+
+    def numeral(self, figures: str) -> str:
+        return figures.replace("-", self.signs.minus)
+
+    def ratio(self, value: Fraction) -> str:
+        return self.numeral(str(value))
+
+    def degrees(self, number: str) -> str:
+        return number + self.signs.degree
+
+    def pi(self) -> str:
+        return self.signs.pi
+
+    def name(self, name: str) -> str:
+        return print_name(name, self.signs)
+
+    def parentheses(self, inner: str) -> str:
+        return f"({inner})"
+
+    def minus(self, piece: str) -> str:
+        return self.signs.minus + piece
+
+    def joined(self, term: str) -> str:
+        if term.startswith(self.signs.minus):
+            return f" {self.signs.minus} {term.removeprefix(self.signs.minus)}"
+        return f" + {term}"
+
+    def row(self, pieces: Sequence[str]) -> str:
+        return "".join(pieces)
+
+    def factors(self, formulas: Row, pieces: Sequence[str]) -> str:
+        """Return factors side by side, letters close together and functions apart."""
+        line = pieces[0]
+        for (before, factor), piece in zip(pairwise(formulas), pieces[1:], strict=True):
+            close = _is_letter(before) and _is_letter(factor)
+            line += (self.signs.joint if close else self.signs.times) + piece
+        return line
+
+    def over(self, above: str, below: str, several: bool) -> str:
+        sign = " / " if " " in above + below else "/"
+        return f"{above}{sign}({below})" if several else f"{above}{sign}{below}"
+
+    def beside(self, first: str, second: str) -> str:
+        return first + self.signs.times + second
+
+    def scaled(self, lead: str, rest: str) -> str:
+        return lead + self.signs.times + rest
+
+    def led(self, factors: Row, angle: bool) -> str:
+        """Return the factors that a decimal leads, in the order given."""
+        return self.row_of(factors, Around.FACTOR, angle)
+
+    def power(self, base: str, exponent: str) -> str:
+        if self.signs.fancy and exponent.isdigit():
+            return base + exponent.translate(_RAISED)
+        return f"{base}^{exponent}"
+
+    def holds(self, call: str) -> bool:
+        return call.endswith((")", "|"))
+
+    def root(self, inner: str) -> str:
+        return f"√({inner})" if self.signs.fancy else f"sqrt({inner})"
+
+    def absolute(self, inner: str) -> str:
+        return f"|{inner}|" if self.signs.fancy else f"abs({inner})"
+
+    def applied(self, function: str, exponent: str, argument: Formula, inner: str) -> str:
+        """Return a function of one argument, ``cos α`` without parentheses."""
+        word = self._word(function) + exponent.translate(_RAISED)
+        is_trigonometric = self.signs.fancy and function in TRIGONOMETRIC
+        bare = is_trigonometric and inner.replace("°", "").isalnum()
+        return f"{word} {inner}" if bare else f"{word}({inner})"
+
+    def called(self, function: str, arguments: Sequence[str]) -> str:
+        return f"{self._word(function)}({', '.join(arguments)})"
+
+    def solution(self, unknown: str, zeros: Sequence[str]) -> str:
+        equal = ", ".join(f"{zero} = 0" for zero in zeros)
+        return f"{self.name(unknown)}: {equal}"
+
+    def _word(self, function: str) -> str:
+        return _INVERSE.get(function, function) if self.signs.fancy else function
+
+
+def _is_letter(factor: Formula) -> bool:
+    """Return whether a factor may stand close: a number, a letter, a letter's power."""
+    base = factor.base if isinstance(factor, Power) else factor
+    if isinstance(base, Symbol):
+        head, _, indices = split_name(base.name)
+        return (head in GREEK or len(head) == 1) and all(map(str.isdigit, indices))
+    return isinstance(base, Number | Pi)

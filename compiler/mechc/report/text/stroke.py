@@ -1,0 +1,213 @@
+"""The stroke as a table for people, and as comma-separated values for programs."""
+
+import csv
+import io
+import math
+from collections.abc import Collection, Iterator, Sequence
+
+from ...formula.to_text import text
+from ...model.locking import USUAL, Course
+from ...study.stroke.stroke import (
+    Branch,
+    Column,
+    Content,
+    Extremum,
+    Row,
+    Singular,
+    Stretch,
+    Stroke,
+    Stuck,
+)
+from ...units import ANGLE, UNITS, Dimension
+
+NEAR = 1e-13
+"""What is nearer, against the stroke, is the same place: a dead centre, say."""
+
+
+def to_csv(stroke: Stroke) -> str:
+    """Return the rows as CSV in SI and radians, 17 digits, empty where there is no value.
+
+    What is infinite is ``inf``, whichever sign it has nearby. With friction a last column says
+    what does not move.
+    """
+    out = io.StringIO()
+    writer = csv.writer(out, lineterminator="\n")
+    more = ["stuck"] if stroke.courses else []
+    writer.writerow([stroke.drive, *(c.name for c in stroke.columns), "trouble", *more])
+    for row in stroke.rows:
+        values = ("" if math.isnan(v) else repr(v) for v in row.values)
+        held = [_held(row, stroke)] if more else []
+        writer.writerow([repr(row.drive), *values, _trouble(row), *held])
+    return out.getvalue()
+
+
+def _trouble(row: Row) -> str:
+    """Return what is wrong at a place, ``k undetermined`` too."""
+    return ", ".join(
+        [row.trouble] * bool(row.trouble) + [f"{n} undetermined" for n in row.undetermined]
+    )
+
+
+def _held(row: Row, stroke: Stroke) -> str:
+    """Return which results are stuck at a place: ``k_f jammed, k_hold locked``."""
+    near = NEAR * (stroke.high - stroke.low)
+    stuck = (s for s in stroke.stuck if s.low - near <= row.drive <= s.high + near)
+    return ", ".join(f"{s.result} {s.state}" for s in stuck)
+
+
+def to_table(stroke: Stroke, velocities: bool = False) -> str:
+    """Return the rows as a table, then stretches, singular poses and extrema, in users' units.
+
+    With ``velocities`` the table has slopes and velocity ratios, too.
+    """
+    hidden: set[Content] = set() if velocities else {"slope", "velocity"}
+    return "\n".join(_lines(stroke, hidden)) + "\n"
+
+
+def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
+    shown = [i for i, c in enumerate(stroke.columns) if c.content not in hidden]
+    columns = [stroke.columns[i] for i in shown]
+    head = [_headed(stroke.drive, _unit(stroke.dimension, stroke.unit))]
+    head += [_headed(c.name, _unit(c.dimension, c.unit)) for c in columns]
+    body = [
+        [
+            _place(row.drive, stroke),
+            *_cells([row.values[i] for i in shown], columns, row.undetermined),
+            row.trouble or _held(row, stroke),
+        ]
+        for row in stroke.rows
+    ]
+    yield from _table([[*head, ""], *body])
+    for stretch in stroke.stretches:
+        yield from _stretch(stretch, stroke)
+    if not stroke.stretches:
+        yield "There is no pose anywhere on the stroke."
+    yield from (_without(name, loads) for name, loads in stroke.without)
+    yield from (_branch(b, stroke) for b in stroke.branches)
+    yield from (_singular(s, stroke) for s in stroke.singular)
+    yield from (_extremum(e, stroke) for e in stroke.extrema)
+    yield from (_stuck(s, stroke) for s in stroke.stuck)
+    yield from (_course(name, course, stroke) for name, course in stroke.courses)
+    yield from _looked(stroke)
+
+
+def _cells(
+    values: Sequence[float], columns: Sequence[Column], undetermined: Collection[str]
+) -> list[str]:
+    return [
+        "undetermined" if c.name in undetermined else _cell(v, c)
+        for v, c in zip(values, columns, strict=True)
+    ]
+
+
+def _cell(value: float, column: Column) -> str:
+    if not math.isfinite(value):
+        return "" if math.isnan(value) else "infinite"
+    return f"{value / _factor(_unit(column.dimension, column.unit)):.9g}"
+
+
+def _unit(dimension: Dimension, wanted: str) -> str:
+    """Return the unit shown: the user's, degrees for angles, SI for the rest."""
+    if wanted in UNITS:
+        return wanted
+    return "deg" if dimension == ANGLE else ""
+
+
+def _factor(unit: str) -> float:
+    if not unit:
+        return 1.0
+    known = UNITS[unit]
+    return float(known.factor) * (math.pi if known.pi else 1.0)
+
+
+def _headed(name: str, unit: str) -> str:
+    return f"{name} [{unit}]" if unit else name
+
+
+def _place(place: float, stroke: Stroke, digits: int = 9) -> str:
+    return f"{place / _factor(_unit(stroke.dimension, stroke.unit)):.{digits}g}"
+
+
+def _at(place: float, stroke: Stroke) -> str:
+    unit = _unit(stroke.dimension, stroke.unit)
+    return f"{stroke.drive} = {_place(place, stroke, 13)}{' ' if unit else ''}{unit}"
+
+
+def _table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    for row in rows:
+        cells = [cell.rjust(w) for cell, w in zip(row[:-1], widths, strict=False)]
+        yield "  ".join([*cells, row[-1]]).rstrip()
+
+
+def _stretch(stretch: Stretch, stroke: Stroke) -> Iterator[str]:
+    if stretch.before:
+        yield f"below {_at(stretch.low, stroke)}: {stretch.before}"
+    if stretch.after:
+        yield f"above {_at(stretch.high, stroke)}: {stretch.after}"
+    if not stretch.reached:
+        span = _span(stretch.low, stretch.high, stroke)
+        yield f"{span} cannot be reached from the default pose without taking a loop apart"
+
+
+def _without(name: str, loads: Sequence[str]) -> str:
+    values = " and ".join(f"`let {load} = …`" for load in loads)
+    return f"{name} is not shown: it rests on {', '.join(loads)}, without a value; add {values}"
+
+
+def _branch(found: Branch, stroke: Stroke) -> str:
+    at = _at(found.drive, stroke)
+    return f"branch point at {at}: the loop {found.loop} can go on in two ways"
+
+
+def _singular(found: Singular, stroke: Stroke) -> str:
+    kinds = {
+        "output still": "dead centre, the output stands still while the drive moves",
+        "drive locked": "dead centre, the drive stands still while the output can move",
+        "branch point": "zero and infinite at once",
+        "perpendicular load": "a load perpendicular to the velocity of its point, no dead centre",
+        "jump": "it changes its sign at once, as a direction turns round where two points meet",
+        "other": "",
+    }
+    exact = f", exactly {text(found.exact)}" if found.exact is not None else ""
+    why = f": {kinds[found.kind]}" if kinds[found.kind] else ""
+    return f"{found.result} = {found.value} at {_at(found.drive, stroke)}{exact}{why}"
+
+
+def _extremum(found: Extremum, stroke: Stroke) -> str:
+    return f"{found.result} has a {found.kind} {found.value:.13g} at {_at(found.drive, stroke)}"
+
+
+def _stuck(found: Stuck, stroke: Stroke) -> str:
+    says = {
+        "free": "",
+        "locked": "self-locking, the load alone moves nothing,",
+        "jammed": "jammed, no force of the drive moves anything,",
+    }
+    return f"{found.result}: {says[found.state]} from {_span(found.low, found.high, stroke)}"
+
+
+def _course(name: str, course: Course, stroke: Stroke) -> str:
+    parts = " and ".join(f"from {_span(*part, stroke)}" for part in course.usual)
+    return (
+        f"{name} runs from {course.least:.3g} to {course.greatest:.3g}; "
+        f"it is between {USUAL[0]} and {USUAL[1]} {parts or 'nowhere'}"
+    )
+
+
+def _looked(stroke: Stroke) -> Iterator[str]:
+    """Yield at how many places the stroke was looked at, and what that means."""
+    most = max((count for _, count in stroke.looked), default=0)
+    fewer: dict[int, list[str]] = {}
+    for name, count in stroke.looked:
+        fewer.setdefault(count, []).append(name)
+    others = [f"; {', '.join(fewer[n])} at {n}" for n in fewer if n < most]
+    if most:
+        yield (
+            f"Looked at {most} places{''.join(others)}: zeros, poles and extrema between "
+            "neighbouring ones are refined, two of them closer together may be missed."
+        )
+
+
+def _span(low: float, high: float, stroke: Stroke) -> str:
+    return f"{_at(low, stroke)} to {_at(high, stroke)}"

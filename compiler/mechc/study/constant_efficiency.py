@@ -1,0 +1,152 @@
+"""How far a constant efficiency is from the truth: against friction, and near dead centres.
+
+With the angle δ by which friction turns a rod's line of force, a ratio k changes by
+|dk/dφ|·δ, so that the efficiency is about 1/(1 + |d ln k/dφ|·δ).
+"""
+
+import math
+from collections.abc import Callable, Iterator
+from functools import cache, partial
+
+from ..diagnostics import Report
+from ..diagnostics import friction as words
+from ..formula.walk import evaluate, symbols
+from ..friction.results import FrictionResults
+from ..friction.solution import Solution
+from ..model.mechanism import Find, WithFriction
+from ..model.result import Result
+from .ranges import moved, range_of, shown, spaced, spans, turns
+from .ratios import sizes
+from .sampling import looked_at
+from .states import Moving
+from .sweep import Places
+
+FAR = 0.05
+"""By so much a constant may miss the efficiency that friction makes."""
+
+STEEP = 8.0
+"""|d ln k/dφ| per radian at which pins of an eighth of a rod's length with f = 0.1, δ = 0.0125,
+take a tenth of the force."""
+
+STEP = 1e-6
+"""Half the distance over which k is differenced, as a part of a radian or of the stroke."""
+
+PLACES = 48
+"""Places at which a range is looked at for steep ratios."""
+
+
+def remark_on_constant(solution: Solution, report: Report) -> None:
+    """Warn where an efficiency given as one number is far from the truth."""
+    friction = FrictionResults(solution.balance, Report(report.source))
+    for find in solution.plan.graph.pose.mechanism.finds:
+        if isinstance(find.target, WithFriction):
+            ideal = next(r for r in solution.results if r.target == find.target.of)
+            real = friction.by_rubbing(find, ideal) if _rubs(solution) else None
+            if real is not None:
+                coupled = partial(friction.coupled, find, ideal)
+                _Beside(solution, find, ideal, real, coupled).remark(report)
+            elif where := list(_steep(solution, ideal)):
+                report.add(words.efficiency_near_dead_centre(find.span, ideal.name, where))
+
+
+def _rubs(solution: Solution) -> bool:
+    return bool(solution.plan.graph.pose.mechanism.friction.rubbing)
+
+
+# --------------------------------------------------------------------- beside friction
+
+
+class _Beside:
+    """A constant efficiency beside the one that friction makes."""
+
+    def __init__(
+        self,
+        solution: Solution,
+        find: Find,
+        ideal: Result,
+        real: Result,
+        coupled: Callable[[], Result | None],
+    ) -> None:
+        assert isinstance(find.target, WithFriction)
+        self._solution, self._find = solution, find
+        self._ideal, self._real, self._sense = ideal, real, find.target.sense
+        self._coupled = cache(coupled)
+        self._mechanism = solution.plan.graph.pose.mechanism
+        self._loads = sizes(self._mechanism, real)
+
+    def remark(self, report: Report) -> None:
+        """Warn where both differ much, at the default pose or on a range."""
+        if self._loads is None:
+            return
+        here = self._moving("")
+        found = (
+            [f"{here.efficiency(0.0):.3g} at the default pose"] if self._is_far(here, 0.0) else []
+        )
+        for name in moved(self._mechanism, (self._ideal, self._real)):
+            found += self._along(name)
+        if found:
+            given = self._given(here, 0.0)
+            report.add(words.efficiency_beside_friction(self._find.span, given, found))
+
+    def _moving(self, name: str) -> Moving:
+        places = Places(self._solution.plan, name, self._loads or {})
+        return Moving(places, self._ideal, self._real, self._sense, self._coupled)
+
+    def _given(self, moving: Moving, place: float) -> float:
+        efficiency, values = self._mechanism.friction.efficiency, moving.places.values(place)
+        known = efficiency is not None and symbols(efficiency) <= values.keys()
+        return evaluate(efficiency, values) if efficiency is not None and known else math.nan
+
+    def _is_far(self, moving: Moving, place: float) -> bool:
+        return abs(self._given(moving, place) - moving.efficiency(place)) > FAR
+
+    def _along(self, name: str) -> Iterator[str]:
+        """Yield what friction makes of the efficiency where both differ."""
+        ends, moving = range_of(name, self._mechanism), self._moving(name)
+        if ends is None:
+            return
+        places = looked_at(moving, *ends)
+        for part in spans(places, lambda x: self._is_far(moving, x)):
+            inside = [x for x in places if part[0] <= x <= part[1]]
+            values = [moving.efficiency(x) for x in (*part, *inside)]
+            span = shown(name, part, self._mechanism)
+            yield f"{min(values):.3g} … {max(values):.3g} for {span}"
+
+
+# ------------------------------------------------------------------- near dead centres
+
+
+def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
+    """Yield where a ratio changes so fast that friction takes much."""
+    mechanism = solution.plan.graph.pose.mechanism
+    loads = sizes(mechanism, ideal)
+    if loads is None or ideal.default is None:
+        return
+    for name in moved(mechanism, (ideal,)):
+        places, ends = Places(solution.plan, name, loads), range_of(name, mechanism)
+        here = places.defaults[name]
+        whole = ends or (here, here)
+        scale = 1.0 if turns(name, mechanism) else whole[1] - whole[0]
+        slope = _Slope(places, ideal, scale)
+        if ends:
+            for part in spans(spaced(ends, PLACES), slope.is_steep):
+                yield f"for {shown(name, part, mechanism)}"
+        elif scale and slope.is_steep(here):
+            yield f"at the default {name}"
+
+
+class _Slope:
+    """The logarithmic slope of a ratio along a parameter, per radian or per stroke."""
+
+    def __init__(self, places: Places, ideal: Result, scale: float) -> None:
+        self._places, self._ideal, self._scale = places, ideal, scale
+
+    def is_steep(self, place: float) -> bool:
+        """Tell whether the ratio changes fast, passes zero or has no value."""
+        step, here = STEP * self._scale, self._places.of(self._ideal, place)
+        before, after = (self._places.of(self._ideal, place + s) for s in (-step, step))
+        first, last = (v if math.isfinite(v) else here for v in (before, after))
+        if not first * last > 0:
+            return True
+        width = STEP * (math.isfinite(before) + math.isfinite(after))
+        return abs(math.log(last / first)) > STEEP * width

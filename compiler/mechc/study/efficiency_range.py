@@ -1,0 +1,54 @@
+"""Through what an efficiency runs, and how long it is what textbooks assume."""
+
+import math
+from collections.abc import Iterator
+
+from ..model.locking import USUAL, Course, Range
+from ..model.mechanism import Efficiency
+from ..model.result import Result
+from .ranges import moved, range_of, spans, unit_of, varying
+from .ratios import Study
+from .sampling import looked_at
+from .states import Moving
+
+SAME = 1e-9
+"""What varies less is the same: the efficiency does not depend on that parameter."""
+
+
+def courses(study: Study, efficiency: Result) -> Iterator[Course]:
+    """Yield the course of an efficiency over each range that it depends on."""
+    assert isinstance(efficiency.target, Efficiency)
+    of, sense = efficiency.target.of, efficiency.target.sense
+    both, mechanism = (study.ideal(of), study.real(of, sense)), study.mechanism
+    turning = set(moved(mechanism, both))
+    for name in varying(mechanism, both):
+        ends, moving = range_of(name, mechanism), study.moving(of, sense, name)
+        if ends and moving:
+            course = _Run(moving, *ends).course(name, unit_of(name, mechanism))
+            if course and (name in turning or course.greatest - course.least > SAME):
+                yield course
+
+
+class _Run:
+    """An efficiency over one range."""
+
+    def __init__(self, moving: Moving, low: float, high: float) -> None:
+        self._moving, self._low, self._high = moving, low, high
+        self._places = looked_at(moving, low, high)
+
+    def course(self, name: str, unit: str) -> Course | None:
+        """Return the whole, None where there is no efficiency anywhere."""
+        values = [v for x in self._places if math.isfinite(v := self._moving.efficiency(x))]
+        if not values:
+            return None
+        ends, usual = (self._low, self._high), tuple(self._usual())
+        return Course(name, unit, ends, min(values), max(values), usual)
+
+    def _usual(self) -> Iterator[Range]:
+        """Yield the stretches on which it is usual, if it only passes through that, too."""
+        low, high = USUAL
+        enough = spans(self._places, lambda x: self._moving.efficiency(x) >= low)
+        for first, last in list(enough):
+            inside = [x for x in self._places if first < x < last]
+            places = [first, *inside, last]
+            yield from spans(places, lambda x: self._moving.efficiency(x) <= high)

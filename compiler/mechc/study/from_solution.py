@@ -1,0 +1,150 @@
+"""What follows from a result: zeros and poles, proportions, symmetries, trends, derivatives."""
+
+from collections.abc import Callable, Mapping
+from functools import cache, partial
+from itertools import combinations
+from typing import TYPE_CHECKING
+
+from ..algebra.derivative import depends_openly, derivative
+from ..algebra.equality import equal
+from ..algebra.factors import Length
+from ..algebra.product import Product
+from ..algebra.sums import add
+from ..formula.tree import Formula, Symbol
+from ..formula.walk import evaluate, substitute, symbols
+from ..friction.solution import Solution, SolvedWithFriction
+from ..frozen import replace
+from ..model.boxes import range_box
+from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
+from ..model.result import Result, Trend
+from ..pose.pose import Pose
+from ..power.balance import Balance, Solved
+from ..power.numbers import default_values
+from .trends import trend
+from .zeros import poles, zeros
+
+if TYPE_CHECKING:
+    from .ratios import Study
+
+MANY = 16
+"""A result of more parameters than this is given without swaps, trends and derivatives.
+
+Their number grows with the square of the parameters', and nobody reads them then.
+"""
+
+
+def conclude(solution: Solution) -> tuple[Result, ...]:
+    """Return the results with what follows from each."""
+    values, study = default_values(solution.plan), cache(partial(_study, solution))
+    return tuple(_concluded(item, solution, values, study) for item in solution.solved)
+
+
+def _study(solution: Solution) -> "Study":
+    from .ratios import Study
+
+    return Study(solution)
+
+
+def _concluded(
+    item: Solved | SolvedWithFriction,
+    solution: Solution,
+    values: Mapping[str, float],
+    study: "Callable[[], Study]",
+) -> Result:
+    balance = solution.balance
+    if isinstance(item, SolvedWithFriction) or item.value is None:
+        return _with_friction(item.result, balance, study)
+    mechanism = balance.plan.graph.pose.mechanism
+    result = replace(
+        item.result,
+        zeros=zeros(item, balance, values),
+        poles=poles(item, balance, values),
+        proportional=_proportional(item.value, item.result),
+        independent=_independent(item.result, mechanism),
+    )
+    used = symbols(result.formula)
+    names = [p.name for p in mechanism.parameters if p.name in used]
+    if len(names) > MANY or not depends_openly(item.value):
+        return result
+    if result.where:
+        return replace(result, derivatives=_along_the_stroke(item.value, balance.plan.graph.pose))
+    slopes = {name: derivative(item.value, name) for name in names}
+    box = range_box(mechanism)
+    trends: dict[str, Trend] = {name: trend(item.value, slopes[name], name, box) for name in names}
+    return replace(
+        result,
+        swaps=_swaps(result.formula, mechanism, names),
+        trends=trends,
+        derivatives={name: slope.formula() for name, slope in slopes.items()},
+    )
+
+
+def _with_friction(result: Result, balance: Balance, study: "Callable[[], Study]") -> Result:
+    """Return a result as it is printed, with where the mechanism moves at all."""
+    printed, friction = result.printed(), balance.plan.graph.pose.mechanism.friction
+    if friction.efficiency is not None:
+        return printed
+    match result.target:
+        case WithFriction(of=LoadRatio() | LoadForm(), order="exact"):
+            from .locking import locking
+
+            return replace(printed, locking=locking(study(), result, printed))
+        case Efficiency():
+            from .efficiency_range import courses
+
+            return replace(printed, courses=tuple(courses(study(), result)))
+        case _:
+            return printed
+
+
+def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | None:
+    """Return the derivative by the drive, through all loops; None where a rate is not known."""
+    drive = pose.mechanism.drive
+    moving = {d.name for d in pose.definitions} & symbols(value.formula())
+    if drive is None or not moving <= pose.rates.keys():
+        return None
+    direct = [derivative(value, drive.parameter)]
+    slope = add([*direct, *(derivative(value, n) * pose.rates[n] for n in sorted(moving))])
+    return {drive.parameter: slope.formula()}
+
+
+def _proportional(value: Product, result: Result) -> Mapping[str, int]:
+    """Return the powers of parameters that occur nowhere but as a factor.
+
+    One that an intermediate angle depends on, too, is in no simple proportion.
+    """
+    factors = {f.name: e for f, e in value.factors.items() if isinstance(f, Length)}
+    rest = Product(1, {f: e for f, e in value.factors.items() if not isinstance(f, Length)})
+    inside = symbols(rest.formula()).union(*(symbols(d.formula) for d in result.where))
+    return {name: e for name, e in factors.items() if name not in inside}
+
+
+def _independent(result: Result, mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the parameters that a result does not depend on, but for those of friction alone."""
+    used = {s for f in (result.formula, *(d.formula for d in result.where)) for s in symbols(f)}
+    used |= {
+        s for p in mechanism.parameters if p.name in used and p.value for s in symbols(p.value)
+    }
+    used |= mechanism.friction.parameters
+    return tuple(p.name for p in mechanism.parameters if p.name not in used and not p.dependent)
+
+
+def _swaps(formula: Formula, mechanism: Mechanism, names: list[str]) -> tuple[tuple[str, str], ...]:
+    """Return the pairs of parameters that may change places."""
+    kinds = {p.name: p.dimension for p in mechanism.parameters}
+    return tuple(
+        (a, b)
+        for a, b in combinations(names, 2)
+        if kinds[a] == kinds[b]
+        and _agree_at_a_pose(formula, a, b)
+        and equal(formula, substitute(formula, {a: Symbol(b), b: Symbol(a)}))
+    )
+
+
+def _agree_at_a_pose(formula: Formula, a: str, b: str) -> bool:
+    """Rule most pairs out at one pose, before the exact test."""
+    names = sorted(symbols(formula))
+    values = {name: 0.3 + 0.61803 * i % 0.7 for i, name in enumerate(names)}
+    here = evaluate(formula, values)
+    there = evaluate(formula, {**values, a: values[b], b: values[a]})
+    return not abs(here - there) > 1e-9 * (abs(here) + abs(there))

@@ -1,0 +1,159 @@
+"""Self-locking as a condition: solved for each angle, and where in its range it holds."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import chain, groupby, pairwise
+
+from ..algebra.from_formula import to_product
+from ..formula.operations import count_operations
+from ..formula.solved import Solution, poles, zeros
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..frozen import frozen
+from ..model.locking import Bound, Locking, Range, Reach, State, Stretch
+from ..model.mechanism import LoadForm, LoadRatio, WithFriction
+from ..model.result import Result
+from .ranges import EXACT, NEARLY, last, range_of, turns, unit_of, varying
+from .ratios import Study
+from .sampling import PLACES, before_dead_centre, dead_centre, looked_at
+from .states import Moving
+
+BEYOND = math.pi / 2
+"""How far beyond its range an angle is followed, to the next dead centre at most."""
+
+SHORT = 12
+"""An end of more operations than this is told as a figure."""
+
+LONG = 200
+"""A formula of more operations than this is not solved for anything."""
+
+Solve = Callable[[Formula, str], Iterator[Solution]]
+
+
+def locking(study: Study, real: Result, printed: Result) -> Locking | None:
+    """Return where a ratio with friction is locked or jammed; None where it has no values.
+
+    ``printed`` is the same as it is printed, which is what is solved for angles.
+    """
+    assert isinstance(real.target, WithFriction)
+    asked = real.target.of
+    assert isinstance(asked, LoadRatio | LoadForm)
+    mechanism, sense = study.mechanism, real.target.sense
+    here = study.moving(asked, sense, "")
+    state = here.at(0.0).state if here else None
+    if state is None:
+        return None
+    reaches = []
+    for name in varying(mechanism, (study.ideal(asked), real)):
+        moving = study.moving(asked, sense, name)
+        looked_at = _window(name, moving, study) if moving else None
+        if moving and looked_at is not None:
+            stretches = _Stretches(name, moving, printed, range_of(name, mechanism))
+            unit = unit_of(name, mechanism)
+            reaches.append(Reach(name, unit, stretches.range, tuple(stretches.found(*looked_at))))
+    drive, load = (asked.load, "") if isinstance(asked, LoadForm) else (asked.above, asked.below)
+    return Locking(state, drive, load, tuple(reaches))
+
+
+# ---------------------------------------------------------------------- what is looked at
+
+
+def _window(name: str, moving: Moving, study: Study) -> Range | None:
+    """Return what is looked at: the range, and of an open pose what is beyond it."""
+    pose = study.solution.plan.graph.pose
+    given = range_of(name, pose.mechanism)
+    if pose.definitions or moving.is_slow or not turns(name, pose.mechanism):
+        return given
+    here = moving.places.defaults[name]
+    low, high = given or (here, here)
+    return (
+        _next_dead_centre(low, -BEYOND, moving),
+        _next_dead_centre(high, BEYOND, moving),
+    )
+
+
+def _next_dead_centre(start: float, beyond: float, moving: Moving) -> float:
+    """Return the place of the next dead centre, or where nothing more is looked at."""
+    driven = moving.driven(start)
+    if driven is None:
+        return start
+    places = [start + beyond * step / PLACES for step in range(PLACES + 1)]
+    for before, place in pairwise(places):
+        if moving.driven(place) != driven:
+            return before_dead_centre(moving, before, place)
+    return places[-1]
+
+
+# --------------------------------------------------------------------------- stretches
+
+
+@frozen
+class _Stretches:
+    """Finds the stretches of one parameter on which nothing moves."""
+
+    name: str
+    moving: Moving
+    printed: Result
+    range: Range | None
+
+    def found(self, low: float, high: float) -> Iterator[Stretch]:
+        """Yield the stretches in their order."""
+        places = looked_at(self.moving, low, high, self.range or ()) if low < high else []
+        first = 0
+        for state, group in groupby(places, lambda x: self.moving.at(x).state):
+            last = first + len(list(group)) - 1
+            if state in ("locked", "jammed"):
+                yield self._stretch(places, first, last, state)
+            first = last + 1
+
+    def _stretch(self, places: Sequence[float], first: int, last: int, state: State) -> Stretch:
+        low, high = self._end(places, first, -1), self._end(places, last, 1)
+        begins = places[first] if low is None else low.place
+        ends = places[last] if high is None else high.place
+        return Stretch(state, low, high, self._within(begins, ends), self._is_sampled(low, high))
+
+    def _is_sampled(self, *ends: Bound | None) -> bool:
+        """Tell a stretch that was found by looking from one between ends that are solved for."""
+        solved = [end.exact is not None for end in ends if end]
+        return self.moving.is_iterated or not solved or not all(solved)
+
+    def _end(self, places: Sequence[float], i: int, way: int) -> Bound | None:
+        """Return where a state ends that the place i is the last to have."""
+        if not 0 <= i + way < len(places):
+            return None
+        a, b = places[i], places[i + way]
+        here, there = self.moving.at(a), self.moving.at(b)
+        if here.driven != there.driven:
+            is_pose = bool(self.moving.places.values(b))
+            return self._bound(
+                dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
+            )
+        state = here.state
+        width = NEARLY if self.moving.is_slow else EXACT
+        place = last(lambda x: self.moving.at(x).state == state, a, b, width)
+        return self._bound(place, self.printed, (zeros if state == "locked" else poles,))
+
+    def _within(self, low: float, high: float) -> Range | None:
+        if self.range is None:
+            return None
+        first, last = max(low, self.range[0]), min(high, self.range[1])
+        return (first, last) if first < last else None
+
+    def _bound(
+        self, place: float, result: Result, ways: Sequence[Solve], is_dead_centre: bool = False
+    ) -> Bound:
+        """Return an end with its formula, if it has one of names that do not vary themselves."""
+        if count_operations(result.formula) > LONG:
+            return Bound(place, None, is_dead_centre)
+        values = self.moving.places.named(result, place)
+        varying = self.moving.places.varying(result)
+        for solution in chain(*(solve(result.formula, self.name) for solve in ways)):
+            exact = solution.at(place, values)
+            if exact is not None and symbols(exact).isdisjoint(varying) and _is_short(exact):
+                shown = exact if solution.period else to_product(exact).formula()
+                return Bound(evaluate(exact, values), shown, is_dead_centre)
+        return Bound(place, None, is_dead_centre)
+
+
+def _is_short(exact: Formula) -> bool:
+    return count_operations(exact) <= SHORT

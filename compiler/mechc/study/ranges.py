@@ -1,0 +1,114 @@
+"""What results are followed along: the drive, angles, and whatever else has a range."""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from itertools import groupby
+
+from ..formula.walk import evaluate, symbols
+from ..model.locking import Range
+from ..model.mechanism import Mechanism
+from ..model.result import Result
+from ..units import ANGLE, LENGTH, UNITS
+
+
+def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
+    """Yield the drive, angles, and what else has a range, if results depend on them.
+
+    They come in the order of the text.
+    """
+    used = _used(mechanism, results)
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    for parameter in mechanism.parameters:
+        turns = parameter.dimension == ANGLE and not parameter.dependent
+        is_followed = turns or parameter.range is not None or parameter.name == drive
+        if parameter.name in used and parameter.value and is_followed:
+            yield parameter.name
+
+
+def moved(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
+    """Yield those among them that may pass a dead centre: the drive and angles."""
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    for name in varying(mechanism, results):
+        if name == drive or turns(name, mechanism):
+            yield name
+
+
+def _used(mechanism: Mechanism, results: Sequence[Result]) -> set[str]:
+    used: set[str] = set()
+    for result in results:
+        used |= symbols(result.formula).union(*(symbols(d.formula) for d in result.where))
+    dependent = [p for p in mechanism.parameters if p.dependent and p.value]
+    for _ in dependent:
+        used |= {s for p in dependent if p.value and p.name in used for s in symbols(p.value)}
+    return used
+
+
+def range_of(name: str, mechanism: Mechanism) -> Range | None:
+    """Return the drive's stroke, or a parameter's range, from its lower end."""
+    drive = mechanism.drive
+    ends = next(p.range for p in mechanism.parameters if p.name == name)
+    if drive and drive.parameter == name and drive.low and drive.high:
+        low, high = evaluate(drive.low, {}), evaluate(drive.high, {})
+    elif ends is not None:
+        low, high = (evaluate(end, {}) for end in ends)
+    else:
+        return None
+    return (low, high) if low < high else (high, low)
+
+
+def turns(name: str, mechanism: Mechanism) -> bool:
+    """Tell whether a parameter is an angle."""
+    return any(p.name == name and p.dimension == ANGLE for p in mechanism.parameters)
+
+
+def unit_of(name: str, mechanism: Mechanism) -> str:
+    """Return the unit that was written, "" for angles and numbers."""
+    parameter = next(p for p in mechanism.parameters if p.name == name)
+    if parameter.dimension == ANGLE:
+        return ""
+    return parameter.unit or ("m" if parameter.dimension == LENGTH else "")
+
+
+def spaced(ends: Range, parts: int) -> list[float]:
+    """Return places from one end of a range to the other."""
+    low, high = ends
+    return [low + (high - low) * i / parts for i in range(parts)] + [high]
+
+
+EXACT, NEARLY = 1e-13, 1e-10
+"""Widths, against the size of what is looked at, to which an end is narrowed down."""
+
+
+def last(holds: Callable[[float], bool], good: float, bad: float, width: float = EXACT) -> float:
+    """Return the last place at which something holds that no longer does at another."""
+    least = width * max(abs(good), abs(bad))
+    while abs(bad - good) > least and (middle := (good + bad) / 2) not in (good, bad):
+        if holds(middle):
+            good = middle
+        else:
+            bad = middle
+    return good
+
+
+def spans(places: Sequence[float], holds: Callable[[float], bool]) -> Iterator[Range]:
+    """Yield the stretches on which something holds."""
+    first = 0
+    for so, group in groupby(places, holds):
+        final = first + len(list(group)) - 1
+        if so:
+            low = last(holds, places[first], places[first - 1], NEARLY) if first else places[0]
+            high = places[-1]
+            if final + 1 < len(places):
+                high = last(holds, places[final], places[final + 1], NEARLY)
+            yield low, high
+        first = final + 1
+
+
+def shown(name: str, ends: Range, mechanism: Mechanism) -> str:
+    """Return a stretch as a message says it: ``alpha = 1 deg .. 7.1 deg``."""
+    parameter = next(p for p in mechanism.parameters if p.name == name)
+    unit = parameter.unit or ("rad" if parameter.dimension == ANGLE else "")
+    known = UNITS.get(unit)
+    factor = float(known.factor) * (math.pi if known.pi else 1.0) if known else 1.0
+    low, high = (f"{end / factor:.4g}{' ' if unit else ''}{unit}" for end in ends)
+    return f"{name} = {low} .. {high}"

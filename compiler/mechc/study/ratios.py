@@ -1,0 +1,65 @@
+"""Ratios with friction along one parameter each, evaluated once for all that is asked of them."""
+
+from functools import cache, partial
+
+from ..diagnostics import Report
+from ..formula.walk import symbols
+from ..friction.results import FrictionResults
+from ..friction.solution import Solution
+from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Sense, WithFriction
+from ..model.result import Result
+from ..source import Source
+from .states import Moving
+from .sweep import Places
+
+
+class Study:
+    """What is looked at in a mechanism with friction: locking, jams and efficiencies alike."""
+
+    def __init__(self, solution: Solution) -> None:
+        self.solution = solution
+        self.mechanism = solution.plan.graph.pose.mechanism
+        self._moving: dict[tuple[str, Sense, str], Moving] = {}
+        self.coupled = cache(self._coupled)
+
+    def ideal(self, of: LoadRatio | LoadForm) -> Result:
+        """Return the ratio without friction."""
+        return next(r for r in self.solution.results if r.target == of)
+
+    def real(self, of: LoadRatio | LoadForm, sense: Sense) -> Result:
+        """Return the ratio with friction."""
+        return next(r for r in self.solution.results if r.target == WithFriction(of, sense))
+
+    def moving(self, of: LoadRatio | LoadForm, sense: Sense, parameter: str) -> Moving | None:
+        """Return a ratio along a parameter; None where loads without a size are in it."""
+        ideal, real = self.ideal(of), self.real(of, sense)
+        key = ideal.name, sense, parameter
+        loads = sizes(self.mechanism, real)
+        if loads is None:
+            return None
+        if key not in self._moving:
+            places = Places(self.solution.plan, parameter, loads)
+            coupled = partial(self.coupled, real.name)
+            self._moving[key] = Moving(places, ideal, real, sense, coupled)
+        return self._moving[key]
+
+    def _coupled(self, name: str) -> Result | None:
+        """Return a ratio with friction from the coupled equations."""
+        find = next(f for f in self.mechanism.finds if f.name == name)
+        assert isinstance(find.target, WithFriction)
+        ideal = next(r for r in self.solution.results if r.target == find.target.of)
+        return self._friction.coupled(find, ideal)
+
+    @property
+    def _friction(self) -> FrictionResults:
+        """What finds results with friction; whatever can be reported has been before."""
+        return FrictionResults(self.solution.balance, Report(Source("", "")))
+
+
+def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:
+    """Return sizes for loads without one: any will do for one load, for several none."""
+    loads = {load.name for load in mechanism.loads}
+    formulas = [real.formula, *(d.formula for d in real.where)]
+    known = {d.name for d in real.where}
+    missing = {s for f in formulas for s in symbols(f)} & loads - known
+    return dict.fromkeys(missing, 1.0) if len(missing) < 2 else None

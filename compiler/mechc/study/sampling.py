@@ -1,0 +1,167 @@
+"""At which places of a range friction is looked at: evenly, and closely where much happens.
+
+Beside a dead centre k is small or large against friction, so that something is stuck
+there, on however short a stretch. Between places where the efficiency is lowest something
+may be stuck, too. Cells in which the ratio without friction is not nearly straight are
+halved, so that no dead centres hide in them, be it a zero and a pole or two zeros.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import partial
+from itertools import pairwise
+
+from ..formula.roots import lowest
+from .ranges import NEARLY, last, spaced
+from .states import Moving
+
+PLACES = 36
+"""Places between which dead centres are looked for."""
+
+SELDOM = 3
+"""Only one in so many is looked at where friction is found by iteration, which takes long."""
+
+HALVINGS = 8
+"""Further places beside a dead centre, each half as far from it as the one before."""
+
+NEAREST = 2.0**-20
+"""How near the last place is: as near as friction is sure to be larger than k, or k than it."""
+
+NEAR = 1e-9
+"""What is nearer to 0, against the distance of places, is 0."""
+
+BENT = 0.02
+"""A cell is halved where its middle is off the straight line by this part of the values."""
+
+DEEPEST = 10
+"""How often a cell is halved at most."""
+
+TOUCHED = 1e-6
+"""A ratio that comes nearer to nil than this, against its value beside, touches it."""
+
+FLAT = 1e-9
+"""Where an efficiency differs by less from its neighbours, it is as low or high as they are."""
+
+JUMP = 1e-6
+"""The width of a jump, where a sign changes, against the distance of places."""
+
+SECTIONS, FEWER = 16, 9
+"""Sections to a lowest or highest efficiency, after which three figures are right."""
+
+
+def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = ()) -> list[float]:
+    """Return places from one end to the other, ``also`` among them if they lie between.
+
+    None is nearer to a dead centre than what rounding leaves to be solved there.
+    """
+    even = spaced((low, high), PLACES)
+    still = [z for a, b in pairwise(even) for z in _dead_centres(moving, a, b)]
+    beside = [c + away for c in (low, high, *still) for away in _near(moving, even[1] - low)]
+    chosen = even[::SELDOM] if moving.is_slow else even
+    places = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
+    jumps = (x for a, b in pairwise(places) for x in _jumps(moving, a, b))
+    nearest = NEAREST * (even[1] - low) / 2
+    places = sorted({*places, *(x for x in jumps if all(abs(x - c) > nearest for c in still))})
+    edges = [x for a, b in pairwise(places) for x in _edge(moving, a, b)]
+    places = sorted({*places, *edges})
+    return sorted({*places, *_extremes(moving, places)})
+
+
+def _near(moving: Moving, step: float) -> Iterator[float]:
+    """Yield how far from a dead centre to look, on both sides."""
+    halvings = 1 if moving.is_slow else HALVINGS
+    for part in (*(0.5**i for i in range(1, halvings + 1)), NEAREST):
+        yield from (-step * part, step * part)
+
+
+# -------------------------------------------------------------------- dead centres
+
+
+def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> Iterator[float]:
+    """Yield the dead centres between two places; ``depth`` falls with every halving."""
+    if moving.driven(b) != moving.driven(a):
+        yield dead_centre(moving, a, b)
+        return
+    middle = (a + b) / 2
+    first, here, final = (moving.without(x) for x in (a, middle, b))
+    size = abs(first) + 2 * abs(here) + abs(final)
+    if not abs(first + final - 2 * here) > BENT * size:
+        return
+    if depth:
+        yield from _dead_centres(moving, a, middle, depth - 1)
+        yield from _dead_centres(moving, middle, b, depth - 1)
+    else:
+        yield from _touched(moving, a, b)
+
+
+def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:
+    """Yield where a ratio comes to nil, or to infinity, and back, near a narrow cell."""
+    low, high = 2 * a - b, 2 * b - a
+    sizes = [abs(moving.without(x)) for x in (low, high)]
+    nil = lowest(lambda x: abs(moving.without(x)), low, high)
+    if abs(moving.without(nil)) <= TOUCHED * max(sizes):
+        yield nil
+    pole = lowest(lambda x: -abs(moving.without(x)), low, high)
+    if not abs(moving.without(pole)) * TOUCHED < min(sizes):
+        yield pole
+
+
+def dead_centre(moving: Moving, a: float, b: float) -> float:
+    """Return the dead centre between two places, 0 where it is nearly that."""
+    place = before_dead_centre(moving, a, b)
+    return 0.0 if abs(place) < NEAR * abs(b - a) else place
+
+
+def before_dead_centre(moving: Moving, a: float, b: float) -> float:
+    """Return the last place, from the first of two on, that is still before the dead centre."""
+    driven = moving.driven(a)
+    return last(lambda x: driven is not None and moving.driven(x) == driven, a, b)
+
+
+# ------------------------------------------------------------------------ extremes
+
+
+def _jumps(moving: Moving, a: float, b: float) -> Iterator[float]:
+    """Yield the places on either side of each change of a sign of a slip or force."""
+    width = (b - a) * JUMP
+    while moving.signs(a) != moving.signs(b) and b - a > 2 * width:
+        place = _last_alike(moving, a, b)
+        yield place
+        yield place + width
+        a = place + width
+
+
+def _last_alike(moving: Moving, a: float, b: float) -> float:
+    signs = moving.signs(a)
+    return last(lambda x: moving.signs(x) == signs, a, b, NEARLY)
+
+
+def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
+    """Yield the last place at which it moves as at the first, where it sticks at the second.
+
+    There an efficiency may fall to nothing at once.
+    """
+    state, driven, beyond = moving.at(a).state, moving.driven(a), moving.at(b).state
+    if None not in (state, beyond) and state != beyond and moving.driven(b) == driven:
+        yield last(lambda x: moving.at(x).state == state, a, b, NEARLY)
+        yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY)
+
+
+def _extremes(moving: Moving, places: Sequence[float]) -> Iterator[float]:
+    """Yield where the efficiency is lowest or highest between places."""
+    values = [moving.efficiency(x) for x in places]
+    sections = FEWER if moving.is_slow else SECTIONS
+    for i in range(1, len(places) - 1):
+        before, here, after = values[i - 1 : i + 2]
+        if not max(abs(here - before), abs(here - after)) > FLAT or here == 0:
+            continue
+        for sense in (1, -1):
+            if sense * here <= sense * before and sense * here <= sense * after:
+                efficiency = partial(_signed, moving, sense)
+                yield lowest(efficiency, places[i - 1], places[i + 1], sections)
+
+
+def _signed(moving: Moving, sense: int, place: float) -> float:
+    """Return an efficiency times a sign, infinite where there is none."""
+    value = moving.efficiency(place)
+    return math.inf if math.isnan(value) else sense * value

@@ -1,0 +1,176 @@
+"""Whether a mechanism moves at a place: freely, or held by friction, or not at all.
+
+Between k while releasing and k while tightening nothing moves. If 0 lies between them the
+load alone moves nothing, which is self-locking: the ratio of the motion that the load
+drives has not the sign of k. If the motion that the drive drives has no such ratio, no
+force of the drive moves it.
+
+That there is none is a solution as well: the load would have to be turned round, or the
+forces that balance with less friction end before all of it is there. Where no solution is
+found at all, nothing is said.
+"""
+
+import math
+from collections.abc import Callable, Iterator, Sequence
+from functools import cached_property
+from typing import NamedTuple
+
+from ..formula.tree import ZERO, Call, Formula, Implicit
+from ..formula.walk import longer_way, status, symbols, walk
+from ..frozen import replace
+from ..model.locking import State
+from ..model.result import Definition, Result
+from ..model.targets import SIGNS, Sense
+from .sweep import VALUE, Places, guarded
+
+
+class Found(NamedTuple):
+    """What a place is like: ``share`` is the ratio with friction over the one without.
+
+    It is NaN where nothing balances. ``driven`` is whether the load drives the motion, not
+    the drive, None at a dead centre. There is no state there, and where nothing was found.
+    """
+
+    state: State | None
+    share: float
+    driven: bool | None
+
+
+NOWHERE = Found(None, math.nan, None)
+
+
+class Moving:
+    """A ratio with friction next to the one without, along one parameter.
+
+    ``coupled`` returns the ratio from equations that hold where a closed form does not: where
+    friction turns a force at a joint round.
+    """
+
+    def __init__(
+        self,
+        places: Places,
+        ideal: Result,
+        real: Result,
+        sense: Sense,
+        coupled: Callable[[], Result | None],
+    ) -> None:
+        self.places, self.ideal, self.real = places, ideal, real
+        self._sign, self._coupled = SIGNS[sense], coupled
+        self._known: dict[float, Found] = {}
+        self._ideal_ratios: dict[float, float] = {}
+
+    @cached_property
+    def is_iterated(self) -> bool:
+        """Tell whether friction is found by iteration."""
+        return any(solutions(self.real))
+
+    @cached_property
+    def is_slow(self) -> bool:
+        """Tell whether friction or the pose is found by iteration."""
+        return any(isinstance(f, Implicit) for d in self.real.where for f in walk(d.formula))
+
+    def at(self, place: float) -> Found:
+        """Return what a place is like."""
+        if place not in self._known:
+            self._known[place] = self._look(place)
+        return self._known[place]
+
+    def driven(self, place: float) -> bool | None:
+        """Return whether the motion is the one that the load drives; None at a dead centre."""
+        ideal = self.without(place)
+        return self._sign * ideal < 0 if math.isfinite(ideal) and ideal else None
+
+    def without(self, place: float) -> float:
+        """Return the ratio without friction."""
+        if place not in self._ideal_ratios:
+            self._ideal_ratios[place] = self.places.of(self.ideal, place)
+        return self._ideal_ratios[place]
+
+    def signs(self, place: float) -> tuple[float, ...]:
+        """Return the signs of slips and forces: where one changes, friction may jump."""
+        names, signed = self._signed
+        values = self.places.named(signed, place) if self.places.values(place) else {}
+        return tuple(values[name] for name in names if name in values)
+
+    @cached_property
+    def _signed(self) -> tuple[list[str], Result]:
+        """Return names for all signs in the ratio with friction, and a result that has them."""
+        parts = (part for d in self.real.where for part in walk(d.formula))
+        signs = [
+            Definition(f"{VALUE}{i}", sign)
+            for i, sign in enumerate(dict.fromkeys(p for p in parts if is_sign(p)))
+        ]
+        needed = frozenset[str]().union(*(symbols(sign.formula) for sign in signs))
+        where = list(signs)
+        for definition in reversed(self.real.where):
+            if definition.name in needed:
+                where.insert(0, definition)
+                needed |= symbols(definition.formula)
+        alone = replace(self.real, formula=ZERO, where=tuple(where), guards=())
+        return [sign.name for sign in signs], alone
+
+    def _look(self, place: float) -> Found:
+        driven = self.driven(place)
+        if driven is None:
+            return NOWHERE
+        real = self._real(place)
+        if real is None:
+            return Found(None, math.nan, driven)
+        share = real / self.without(place)
+        if share > 0:
+            return Found("free", share, driven)
+        return Found("locked" if driven else "jammed", share, driven)
+
+    def _real(self, place: float) -> float | None:
+        """Return the ratio with friction, NaN where nothing balances, None where none is found."""
+        found = self._value(self.real, place)
+        if found is not None or self.is_iterated:
+            return found
+        coupled = self._coupled()
+        return self._value(coupled, place) if coupled else None
+
+    def _value(self, result: Result, place: float) -> float | None:
+        """Return a result's value, NaN where its system says that there is none."""
+        values = self.places.named(result, place)
+        found = guarded(result, values)
+        if math.isfinite(found):
+            return found
+        unknowns = {id(unknown.system): unknown for unknown in solutions(result)}
+        known = [u for u in unknowns.values() if symbols(u) <= values.keys()]
+        ways = {status(unknown, values) for unknown in known}
+        if 2 in ways:
+            return self._by_longer_ways(result, known, place)
+        return math.nan if ways else None
+
+    def _by_longer_ways(
+        self, result: Result, unknowns: Sequence[Implicit], place: float
+    ) -> float | None:
+        """Return the same where corrections ran out: more of them tell whether there is one."""
+        values, known = self.places.named(result, place), dict[str, float]()
+        for unknown in unknowns:
+            ended, found = longer_way(unknown, values)
+            if ended:
+                return math.nan if ended == 1 else None
+            for name, formula in result.where:
+                if isinstance(formula, Implicit) and formula.system is unknown.system:
+                    known[name] = found[formula.index]
+        value = guarded(result, self.places.resting_on(known, result, place))
+        return value if math.isfinite(value) else math.nan
+
+    def efficiency(self, place: float) -> float:
+        """Return what of the power arrives, 0 where nothing moves, NaN at a dead centre."""
+        state, share, driven = self.at(place)
+        if state is None:
+            return math.nan
+        return 0.0 if state != "free" else share if driven else 1 / share
+
+
+def is_sign(formula: Formula) -> bool:
+    """Tell whether a formula is the sign of another."""
+    return isinstance(formula, Call) and formula.function == "sign"
+
+
+def solutions(result: Result) -> Iterator[Implicit]:
+    """Yield the pressing forces that a result finds by iteration, several of one system."""
+    inside = (d.formula for d in result.where if d.name in result.inside)
+    return (formula for formula in inside if isinstance(formula, Implicit))

@@ -1,0 +1,95 @@
+"""Values along the drive: parameters, what follows from them, results."""
+
+import math
+from collections.abc import Mapping, Sequence
+
+from ...algebra.product import Product
+from ...formula.rounding import EPS, Rounded, Rounding
+from ...formula.tree import Formula
+from ...formula.walk import evaluate, symbols
+from ...kinematics.plan import Plan
+from ...model.mechanism import Drive, Parameter
+from ...model.result import Result
+from ...model.values import Chain, Values, allowed, completed, defaults, dependent, holds
+
+NOT_ASSEMBLED = "cannot be assembled"
+EXCLUDED = "excluded by a condition of use"
+
+
+def ends_of(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
+    """Return the ends of a stroke, the range's where none is given; None without either."""
+    low, high = (
+        (drive.low, drive.high) if drive.low and drive.high else parameter.range or (None, None)
+    )
+    if low is None or high is None:
+        return None
+    first, second = evaluate(low, {}), evaluate(high, {})
+    return min(first, second), max(first, second)
+
+
+class Along:
+    """Evaluates formulas at places of the drive, the other parameters at their defaults."""
+
+    def __init__(self, plan: Plan, lets: Mapping[str, Formula], ends: Sequence[float] = ()) -> None:
+        pose = plan.graph.pose
+        self._mechanism = pose.mechanism
+        assert pose.mechanism.drive is not None
+        self._drive = pose.mechanism.drive.parameter
+        self.defaults = defaults(pose.mechanism)
+        self._definitions = dict(pose.definitions)
+        self._chain = Chain({**dependent(pose.mechanism), **self._definitions, **lets})
+        bound = {name: value.formula() for name, value in plan.bindings}
+        self._inner = Chain({**dict(pose.closing), **bound})
+        self._open = dict.fromkeys(pose.placeholders, 1.0)
+        self._near = 2 * EPS * max(map(abs, ends), default=0.0)
+        self._known: dict[float, Values] = {}
+        self._known_inside: dict[float, Values] = {}
+
+    def given(self, place: float) -> Values:
+        """Return what is given at a place of the drive."""
+        return {**self._open, **self.defaults, self._drive: place}
+
+    def values(self, place: float) -> Values:
+        """Return all that has a value at a place of the drive."""
+        if place not in self._known:
+            self._known[place] = self._chain.complete(self.given(place))
+        return self._known[place]
+
+    def rounding(self, place: float) -> Rounding:
+        """Return the values at a place of the drive with what rounding makes of them.
+
+        The place itself is as near as the ends of the stroke and the steps between them are.
+        """
+        rounding = Rounding(self.given(place))
+        rounding.values[self._drive] = Rounded(place, self._near)
+        rounding.define(self._chain.definitions)
+        rounding.define(self._inner.definitions)
+        return rounding
+
+    def of(self, formula: Formula, where: Result | None, place: float) -> float:
+        """Return a formula's value, with the definitions of a result; NaN where it has none.
+
+        It has none either where a condition of the result is broken.
+        """
+        values = self.values(place)
+        if where:
+            values = completed(values, (d for d in where.where if d.name not in values))
+            if not all(holds(guard, values) for guard in where.guards):
+                return math.nan
+        return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan
+
+    def inside(self, value: Product, place: float) -> float:
+        """Return the value of something that the compiler found on its way, NaN at a pole."""
+        if place not in self._known_inside:
+            self._known_inside[place] = self._inner.complete(self.values(place))
+        try:
+            return value.evaluate(self._known_inside[place])
+        except (KeyError, ZeroDivisionError, ValueError, OverflowError):
+            return math.nan
+
+    def trouble(self, place: float) -> str:
+        """Return why there is no pose at a place, '' where there is one."""
+        values = self.values(place)
+        if not all(math.isfinite(values[name]) for name in self._definitions if name in values):
+            return NOT_ASSEMBLED
+        return "" if allowed(self._mechanism, values) else EXCLUDED

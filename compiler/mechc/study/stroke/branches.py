@@ -1,0 +1,91 @@
+"""Branch points: places at which the two closures of a loop meet and the drive can go on.
+
+A margin that vanishes there and is positive on either side has its least value at the
+place, so it is the zero of its slope: found to the last bits, where a zero that is only
+touched is found to half of them.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ...algebra.derivative import depends_openly, derivative
+from ...algebra.product import Product
+from ...algebra.sums import add
+from ...formula.roots import Function, Root, lowest, roots
+from ...formula.walk import symbols
+from ...pose.pose import Pose
+from .along import Along
+from .stroke import Branch
+
+NIL = 1e-12
+"""A margin below this part of its greatest value is zero; twice what rounding makes of one."""
+
+TOUCHING = 0.25
+"""What is left of a margin beside a place where it is touched, at most: a ninth of a parabola's."""
+
+ONE_PLACE = 1e-9
+"""Places closer than this part of the stroke are one."""
+
+
+def branch_points(pose: Pose, along: Along, places: Sequence[float]) -> tuple[Branch, ...]:
+    """Return the branch points between the first and the last of the places, in their order."""
+    found = [
+        Branch(limit.loop, *root)
+        for limit in pose.limits
+        for margin in limit.margins
+        for root in _touched(margin, pose, along, places)
+    ]
+    kept: list[Branch] = []
+    for branch in sorted(found, key=lambda b: (b.loop, b.drive)):
+        last = kept[-1] if kept else None
+        width = ONE_PLACE * (places[-1] - places[0])
+        if not last or last.loop != branch.loop or branch.drive - last.drive > width:
+            kept.append(branch)
+    return tuple(sorted(kept, key=lambda b: b.drive))
+
+
+def _touched(product: Product, pose: Pose, along: Along, places: Sequence[float]) -> Iterator[Root]:
+    def margin(place: float) -> float:
+        return along.inside(product, place)
+
+    size = max((abs(v) for v in map(margin, places) if v == v), default=0.0)
+    for root in _turning(margin, _slope(product, pose), along, places):
+        if abs(margin(root.place)) <= NIL * size:
+            yield root
+
+
+def _turning(
+    margin: Function, slope: Product | None, along: Along, places: Sequence[float]
+) -> Iterator[Root]:
+    """Yield where a margin may be least; one that only changes its sign is the end of a loop."""
+    if slope is not None:
+        yield from roots(lambda place: along.inside(slope, place), places)
+        return
+    values = [margin(x) for x in places]
+    for i in range(1, len(places) - 1):
+        before, here, after = values[i - 1 : i + 2]
+        if before >= here <= after and here <= TOUCHING * max(before, after):
+            place = lowest(margin, places[i - 1], places[i + 1])
+            yield Root(place, 1e-8 * (places[-1] - places[0]))
+
+
+def _slope(margin: Product, pose: Pose) -> Product | None:
+    """Return the derivative of a margin by the drive, None where a rate is not known."""
+    names = symbols(margin.formula()) & _moving(pose)
+    if not names or not depends_openly(margin, names) or not names <= rates_of(pose).keys():
+        return None
+    return add(derivative(margin, name) * rates_of(pose)[name] for name in sorted(names))
+
+
+def rates_of(pose: Pose) -> Mapping[str, Product]:
+    """Return the derivatives by the drive of all names that move, the drive's own included."""
+    assert pose.mechanism.drive is not None
+    return pose.rates or {pose.mechanism.drive.parameter: Product(1)}
+
+
+def _moving(pose: Pose) -> frozenset[str]:
+    assert pose.mechanism.drive is not None
+    moving = {pose.mechanism.drive.parameter}
+    for name, formula in pose.closing:
+        if not moving.isdisjoint(symbols(formula)):
+            moving.add(name)
+    return frozenset(moving)

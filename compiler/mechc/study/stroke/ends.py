@@ -1,0 +1,83 @@
+"""The ends of what can be assembled, where a loop that is closed by iteration comes to its own.
+
+Newton's method gives up a hair before the place at which two solutions meet; the curve of
+solutions is followed to the place itself. Where the curve does not turn back there, another
+one crosses it: a branch point, at which the drive can go on and the loop in two ways.
+"""
+
+from collections.abc import Callable, Iterator, Sequence
+from functools import partial
+from typing import NamedTuple
+
+from ...formula.folds import Curve
+from ...formula.tree import Formula, Implicit, System
+from ...formula.walk import evaluate, numeric, solution
+from ...model.values import Chain, dependent
+from ...pose.pose import Pose
+from ...units import LENGTH
+from .along import Along
+
+Outer = Callable[[float], Sequence[float]]
+"""The outer symbols of a system at a place of the drive."""
+
+BACK = 1e-3
+"""The part of the stroke by which one goes back before the curve is followed."""
+
+
+class End(NamedTuple):
+    """The last place that can be reached, and the loop that another branch crosses there."""
+
+    place: float
+    crossed: str = ""
+
+
+def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> End:
+    """Return where a loop turns back, or another branch crosses it, beyond an edge.
+
+    ``range_`` is the length of the stroke, negative where there are poses after the edge.
+    The edge itself is returned where neither happens.
+    """
+    inside, goal = edge - BACK * range_, edge + BACK * range_
+    loops = [limit.loop for limit in pose.limits if limit.group == "system"]
+    for (system, outer), loop in zip(_systems(pose, along), loops, strict=False):
+        start = solution(system, tuple(outer(inside)))
+        scales = [*_scales(system, start, pose), 1.0 if _turns(pose) else abs(range_)]
+        curve = Curve(numeric(system), outer, scales)
+        end = curve.end(start, inside, goal)
+        if end.turns and (end.place - goal) * range_ < 0:
+            return End(end.place)
+        if (crossing := curve.crossing(start, inside, goal)) is not None:
+            return End(crossing, loop)
+    return End(edge)
+
+
+def _systems(pose: Pose, along: Along) -> Iterator[tuple[System, Outer]]:
+    """Yield each system with its outer symbols along the drive."""
+    before: dict[str, Formula] = {}
+    for name, formula in pose.definitions:
+        if isinstance(formula, Implicit) and not any(_solves(f, formula) for f in before.values()):
+            chain = Chain({**dependent(pose.mechanism), **before})
+            yield formula.system, partial(_outer, formula, chain, along)
+        before[name] = formula
+
+
+def _solves(known: Formula, formula: Implicit) -> bool:
+    return isinstance(known, Implicit) and known.system == formula.system
+
+
+def _outer(formula: Implicit, chain: Chain, along: Along, place: float) -> list[float]:
+    values = chain.complete(along.given(place))
+    return [evaluate(argument, values) for argument in formula.arguments]
+
+
+def _scales(system: System, start: Sequence[float], pose: Pose) -> list[float]:
+    """Return a radian for each unknown angle, and for each unknown length what it is."""
+    named = {p.name for p in pose.mechanism.parameters if p.dimension == LENGTH}
+    lengths = [name in named or name.startswith("len_") for name in system.unknowns]
+    return [max(abs(s), 1e-3) if length else 1.0 for s, length in zip(start, lengths, strict=True)]
+
+
+def _turns(pose: Pose) -> bool:
+    assert pose.mechanism.drive is not None
+    drive = pose.mechanism.drive.parameter
+    return all(p.dimension != LENGTH for p in pose.mechanism.parameters if p.name == drive)

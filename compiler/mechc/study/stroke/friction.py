@@ -1,0 +1,51 @@
+"""Friction along the stroke: results as code takes them, and where nothing moves."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ...formula.tree import Implicit
+from ...formula.walk import walk
+from ...friction.solution import Solution
+from ...frozen import replace
+from ...model.locking import Course
+from ...model.result import Result
+from ...model.targets import Efficiency, WithFriction
+from .stroke import Extremum, Stuck
+
+APART = 12
+"""Of so many places one is enough where friction is found by iteration, which takes long."""
+
+
+def some(places: Sequence[float], result: Result) -> Sequence[float]:
+    """Return the places at which a result is looked at, the ends among them."""
+    formulas = (d.formula for d in result.where)
+    iterated = any(isinstance(part, Implicit) for f in formulas for part in walk(f))
+    if not iterated or not isinstance(result.target, WithFriction | Efficiency):
+        return places
+    return [*places[:-1:APART], places[-1]]
+
+
+def in_code(result: Result, solution: Solution) -> Result:
+    """Return a result as code takes it, with signs that follow from the pose."""
+    whole = next(r for r in solution.results if r.name == result.name)
+    return replace(result, formula=whole.formula, where=whole.where)
+
+
+def stuck(results: Iterable[Result], drive: str) -> Iterator[Stuck]:
+    """Yield where friction lets nothing move."""
+    for result in results:
+        for reach in result.locking.reaches if result.locking else ():
+            if reach.parameter == drive:
+                for stretch in reach.stretches:
+                    if stretch.within:
+                        yield Stuck(result.name, stretch.state, *stretch.within)
+
+
+def is_told(extremum: Extremum, result: Result) -> bool:
+    """Tell an extremum from one of an efficiency where nothing moves."""
+    return extremum.value > 0 or not isinstance(result.target, Efficiency)
+
+
+def courses(results: Iterable[Result], drive: str) -> Iterator[tuple[str, Course]]:
+    """Yield each efficiency with what it runs through."""
+    for result in results:
+        yield from ((result.name, c) for c in result.courses if c.parameter == drive)

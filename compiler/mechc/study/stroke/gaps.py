@@ -1,0 +1,62 @@
+"""Where on its stroke a mechanism cannot be assembled, found without any of its results."""
+
+from collections.abc import Iterator
+from itertools import pairwise
+
+from ...diagnostics import Report
+from ...diagnostics import stroke as words
+from ...kinematics.plan import Plan
+from .along import NOT_ASSEMBLED, Along, ends_of
+from .places import spaced
+
+CELLS = 120
+"""Cells of a stroke whose ends are looked at."""
+
+HALVINGS = 40
+"""After so many nothing is left of a cell that is shown."""
+
+FLAT = 1e-6
+"""A part of the stroke that is narrower is a place where a loop lies flat, rounded."""
+
+Part = tuple[float, float]
+
+
+def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
+    """Return the parts of the stroke on which a loop does not close, with W594 for all of them."""
+    mechanism = plan.graph.pose.mechanism
+    drive = mechanism.drive
+    parameter = next((p for p in mechanism.parameters if drive and p.name == drive.parameter), None)
+    ends = ends_of(drive, parameter) if drive and parameter else None
+    if not drive or not parameter or not ends or not plan.graph.pose.loops:
+        return ()
+    wide = FLAT * (ends[1] - ends[0])
+    parts = _parts(Along(plan, {}), spaced(*ends, CELLS))
+    found = tuple((low, high) for low, high in parts if high - low > wide)
+    if found:
+        shown = drive.parameter, found, parameter.dimension, CELLS + 1
+        report.add(words.not_assembled(drive.span, *shown))
+    return found
+
+
+def _parts(along: Along, places: list[float]) -> Iterator[Part]:
+    closed = [along.trouble(x) != NOT_ASSEMBLED for x in places]
+    start = None if closed[0] else places[0]
+    for (a, b), (before, after) in zip(pairwise(places), pairwise(closed), strict=True):
+        if before and not after:
+            start = _edge(along, a, b)
+        elif after and not before and start is not None:
+            yield start, _edge(along, b, a)
+            start = None
+    if start is not None:
+        yield start, places[-1]
+
+
+def _edge(along: Along, good: float, bad: float) -> float:
+    """Return the last place that closes between one that does and one that does not."""
+    for _ in range(HALVINGS):
+        middle = (good + bad) / 2
+        if along.trouble(middle) == NOT_ASSEMBLED:
+            bad = middle
+        else:
+            good = middle
+    return good

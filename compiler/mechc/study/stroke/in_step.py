@@ -1,0 +1,136 @@
+"""Whether the directions given follow the drive as rods, wheels and guides demand.
+
+A direction that is given and not closed stays where it is when the drive moves, unless its
+formula has the drive in it. All links must turn along the stroke as the velocities say.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+
+from ...diagnostics import Report
+from ...diagnostics import stroke as words
+from ...formula.walk import symbols
+from ...kinematics.plan import Plan
+from ...model.mechanism import Contact, Force, Link, Mechanism, Slide, Slot, Telescope, Thrust
+from ...pose.pose import Pose, Vector, evaluate_vector
+from .along import Along
+
+STEP = 1e-6
+"""The part of a radian or a metre by which the drive is moved to see what turns."""
+
+SLACK = 1e-5
+"""Rates that differ by less than this part are equal: differences lose half the digits."""
+
+Rates = Mapping[str, float]
+"""How fast each link turns."""
+
+
+def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
+    """Return the links that do not follow the drive at its default, with W591 for each."""
+    drive = plan.graph.pose.mechanism.drive
+    if drive is None:
+        return ()
+    along = Along(plan, {})
+    place = along.defaults.get(drive.parameter)
+    found = tuple(_out_of_step(plan, along, place)) if place is not None else ()
+    for link in found:
+        report.add(words.direction_stays(link.span, link.name, drive.parameter))
+    return found
+
+
+def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
+    """Yield the links whose direction matters and does not follow the drive."""
+    pose = plan.graph.pose
+    if not _mentioned(pose) <= along.values(place).keys():
+        return
+    if plan.mobility != 1 or any(along.trouble(place + s) for s in (-STEP, 0, STEP)):
+        return
+    drawn = {link.name: _turning(pose, link, along, place) for link in pose.mechanism.links}
+    demanded, doubled = (_demanded(plan, along.values(place), size) for size in (1.0, 2.0))
+    leader = _leader(pose, drawn)
+    if not demanded or not demanded.get(leader):
+        return
+    pace = drawn[leader] / demanded[leader]
+    for link in filter(lambda link: _matters(link, pose.mechanism), pose.mechanism.links):
+        here, there = drawn[link.name], demanded[link.name] * pace
+        if demanded[link.name] != doubled[link.name]:
+            # Its length is open: only whether it turns is known.
+            here, there = float(abs(here) > SLACK), float(abs(there) > SLACK)
+        if abs(here - there) > SLACK * max(abs(there), *map(abs, drawn.values())):
+            yield link
+
+
+def _mentioned(pose: Pose) -> set[str]:
+    """Return the names that the links' vectors rest on: all must have values."""
+    vectors = (vector for frame in pose.frames.values() for vector in frame.values())
+    return {
+        name
+        for vector in vectors
+        for arm in vector
+        for name in (*symbols(arm.length.formula()), *arm.angle.names)
+    }
+
+
+def _turning(pose: Pose, link: Link, along: Along, place: float) -> float:
+    """Return how fast a link turns in the drawing, per unit of the drive.
+
+    The point that turns fastest counts: others may stand for what a part touches just now.
+    """
+    before, after = along.values(place - STEP), along.values(place + STEP)
+    first, *others = link.points
+    turns = [_turn(pose.vector(link.name, first, point), before, after) for point in others]
+    return max(turns, key=abs) / (2 * STEP)
+
+
+def _turn(arm: Vector, before: Mapping[str, float], after: Mapping[str, float]) -> float:
+    """Return the angle from where a vector was to where it is."""
+    (a, b), (c, d) = evaluate_vector(arm, before), evaluate_vector(arm, after)
+    return math.atan2(a * d - b * c, a * c + b * d)
+
+
+def _demanded(plan: Plan, known: Mapping[str, float], size: float) -> Rates:
+    """Return how fast the links turn by the joints, lengths that are not given being ``size``."""
+    values = {**known, **dict.fromkeys(plan.graph.pose.placeholders, size)}
+    try:
+        for name, value in plan.bindings:
+            values[name] = value.evaluate(values)
+        links = plan.graph.pose.mechanism.links
+        return {link.name: plan.spin(link.name)[0].evaluate(values) for link in links}
+    except (KeyError, ZeroDivisionError):
+        return {}
+
+
+def _leader(pose: Pose, drawn: Rates) -> str:
+    """Return the link that the drive turns: the crank, else the one that turns fastest."""
+    drive = pose.mechanism.drive
+    assert drive is not None
+    cranks = [
+        name
+        for name, frame in pose.frames.items()
+        if name in drawn
+        and any(drive.parameter in dict(a.angle.terms) for v in frame.values() for a in v)
+    ]
+    return max(cranks or drawn, key=lambda name: abs(drawn[name]), default="")
+
+
+def _matters(link: Link, mechanism: Mechanism) -> bool:
+    """Tell whether anything but a couple is at a link, so that its direction tells."""
+    pins = set(link.points) - {p.point for p in mechanism.pivots}
+    return not pins.isdisjoint(_at_work(link, mechanism))
+
+
+def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
+    """Yield the points at which something other than the link is."""
+    bodies: list[Link | Slide | Telescope] = [*mechanism.links, *mechanism.slides]
+    bodies += mechanism.telescopes
+    for body in bodies:
+        yield from body.points if body is not link else ()
+    yield from (slider.point for slider in mechanism.sliders)
+    touches: list[Slot | Contact] = [*mechanism.slots, *mechanism.contacts]
+    for touch in touches:
+        yield from (touch.point, touch.tail, touch.head)
+    for load in mechanism.loads:
+        if isinstance(load, Thrust):
+            yield from (load.first, load.second)
+        elif isinstance(load, Force):
+            yield load.point

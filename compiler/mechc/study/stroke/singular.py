@@ -1,0 +1,177 @@
+"""Singular poses: where a ratio of loads is zero or infinite, and what stands still there."""
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
+from typing import Literal
+
+from ...formula.roots import Function, Root, jumps, roots
+from ...formula.tree import Formula, degrees, number, product, total
+from ...formula.walk import evaluate, symbols
+from ...model.result import Result, Vanishing
+from .along import Along
+from .stroke import Branch, Kind, Singular, Stretch
+
+Value = Literal["0", "infinite"]
+
+Order = Literal["0", "infinite", "finite", "jump"]
+"""What a result does at a place; ``jump``: it is finite on either side, but not the same."""
+
+SAME = 1e-9
+"""A zero and a pole closer than this part of the stroke are one place: k is undetermined."""
+
+BESIDE = 1e-6
+"""Zeros and poles closer to a branch point than this part of the stroke lie on it.
+
+Angles of a triangle that is nearly flat have half the digits.
+"""
+
+NEARBY = (1e-7, 1e-6, 1e-5, 1e-4)
+"""The parts of the stroke from a place at which its order is seen, the nearest that does first.
+
+Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; nearer, rounding.
+"""
+
+ALIKE, VARIES = 0.1, 0.3
+"""What two exponents of one power may differ by, and which is none of a constant."""
+
+STEADY = 1e-3
+"""What a function that is finite changes by from one side of a place to the other, at most."""
+
+STEP = 1e-6
+"""The part of a stretch from its end at which is seen what a factor does there."""
+
+
+def singular_poses(
+    result: Result, drive: str, along: Along, stretch: Stretch, places: Sequence[float]
+) -> Iterator[Singular]:
+    """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
+    conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
+    conditions += [(v, "infinite") for v in result.poles]
+    for vanishing, value in conditions:
+        for root in places_of(result, vanishing, along, stretch, places):
+            exact = _exact(vanishing, drive, along, root)
+            yield Singular(result.name, value, vanishing.kind, *root, exact)
+    for place in jumps(lambda x: along.of(result.formula, result, x), places):
+        yield Singular(result.name, "undetermined", "jump", place, math.ulp(place), None)
+
+
+def places_of(
+    result: Result, vanishing: Vanishing, along: Along, stretch: Stretch, places: Sequence[float]
+) -> Iterator[Root]:
+    """Yield where on a stretch a result's factor vanishes."""
+
+    def factor(place: float) -> float:
+        return along.of(vanishing.factor, result, place)
+
+    yield from roots(factor, places)
+    yield from _at_the_ends(factor, stretch)
+
+
+def _at_the_ends(factor: Function, stretch: Stretch) -> Iterator[Root]:
+    """Yield the ends beyond which nothing can be assembled, where the factor goes to zero.
+
+    It does so as a square root: it halves where the distance from the end is quartered.
+    """
+    step = STEP * (stretch.high - stretch.low)
+    ends = ((stretch.low, stretch.before, step), (stretch.high, stretch.after, -step))
+    for end, why, inwards in ends:
+        if why and abs(factor(end + inwards)) < 0.7 * abs(factor(end + 4 * inwards)):
+            yield Root(end, math.ulp(end))
+
+
+def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formula | None:
+    """Return the drive as a constant formula, turned by half turns to the place found."""
+    if vanishing.at is None or vanishing.at[0] != drive:
+        return None
+    formula = vanishing.at[1]
+    if symbols(formula) - along.defaults.keys():
+        return None
+    value = evaluate(formula, along.values(root.place))
+    turns = round((root.place - value) / math.pi)
+    shifted = total([formula, product([(number(turns), 1), (degrees(180), 1)])])
+    return shifted if math.isclose(value + turns * math.pi, root.place, abs_tol=1e-9) else None
+
+
+def order_at(function: Function, place: float, range_: float) -> Order | None:
+    """Return what a function does at a place; None where it is no power of the distance.
+
+    >>> order_at(lambda x: (1e-6 - x) / x, 0.0, 1.0)
+    'infinite'
+    """
+    for part in NEARBY:
+        sides = (_exponent(function, place, side * part * range_) for side in (-1, 1))
+        if exponents := [e for e in sides if e is not None]:
+            if max(exponents) < -VARIES:
+                return "infinite"
+            if min(exponents) > VARIES:
+                return "0"
+            if max(map(abs, exponents)) > VARIES:
+                return None
+            before, after = (function(place + side * part / 16 * range_) for side in (-1, 1))
+            return "jump" if abs(before - after) > STEADY * abs(after) else "finite"
+    return None
+
+
+def _exponent(function: Function, place: float, distance: float) -> float | None:
+    """Return the power of the distance by which a function varies, None where it is none."""
+    sizes = [abs(function(place + distance * part)) for part in (1, 1 / 4, 1 / 16)]
+    if not all(0 < size < math.inf for size in sizes):
+        return None
+    first, second = (math.log(far / near, 4) for far, near in pairwise(sizes))
+    return second if abs(first - second) < ALIKE else None
+
+
+def told_apart(
+    found: Iterable[Singular],
+    branches: Sequence[Branch],
+    range_: float,
+    orders: Mapping[str, Callable[[float], Order | None]],
+) -> tuple[Singular, ...]:
+    """Return singular poses in their order, those left out that only a branch point makes.
+
+    ``orders`` say of each result what it does at a place: which of a zero and a pole that are
+    at one place, where neither of them leaves it undetermined; or that what vanishes there
+    makes it neither, as something else is infinite.
+    """
+    beside = BESIDE * range_
+    kept: list[Singular] = []
+    on_a_branch: dict[tuple[str, Branch], list[Singular]] = {}
+    for one in sorted(found, key=lambda s: s.drive):
+        branch = next((b for b in branches if abs(one.drive - b.drive) <= beside), None)
+        if branch is None:
+            kept.append(one)
+        elif one.kind != "jump":
+            on_a_branch.setdefault((one.result, branch), []).append(one)
+    for (_, branch), ones in on_a_branch.items():
+        if len({one.value for one in ones}) == 1:
+            kept.append(ones[0]._replace(drive=branch.drive, bracket=branch.bracket))
+    kept.sort(key=lambda s: (s.result, s.drive))
+    merged = _merged(kept, SAME * range_, orders)
+    return tuple(sorted(merged, key=lambda s: s.drive))
+
+
+def _merged(
+    found: Sequence[Singular],
+    width: float,
+    orders: Mapping[str, Callable[[float], Order | None]],
+) -> Iterator[Singular]:
+    """Yield singular poses, those of a result at one place as what it comes to there."""
+    groups: list[list[Singular]] = []
+    for one in found:
+        last = groups[-1][-1] if groups else None
+        if last and last.result == one.result and one.drive - last.drive <= width:
+            groups[-1].append(one)
+        else:
+            groups.append([one])
+    for ones in groups:
+        first = ones[0]
+        value = orders[first.result](first.drive)
+        kind: Kind = "branch point"
+        undetermined = first._replace(value="undetermined", kind=kind)
+        if len({one.value for one in ones}) > 1:
+            yield next((one for one in ones if one.value == value), undetermined)
+        elif value == "jump":
+            yield undetermined
+        elif value != "finite" or first.value == "undetermined":
+            yield first

@@ -1,0 +1,121 @@
+"""The stroke as data: rows, the stretches on which it can be run, singular poses, extrema."""
+
+from collections.abc import Mapping
+from typing import Literal, NamedTuple
+
+from ...formula.tree import Formula
+from ...frozen import frozen
+from ...model.locking import Course, State
+from ...units import Dimension
+
+Kind = Literal[
+    "output still", "drive locked", "branch point", "perpendicular load", "jump", "other"
+]
+Content = Literal["result", "slope", "velocity", "angle"]
+
+
+class Row(NamedTuple):
+    """One place: the drive, each column's value (NaN where it has none), and what is wrong.
+
+    ``trouble`` is '' at a pose that stands. Columns that are 0/0 there are ``undetermined``;
+    what is infinite has no sign.
+    """
+
+    drive: float
+    values: tuple[float, ...]
+    trouble: str
+    undetermined: tuple[str, ...] = ()
+
+
+class Column(NamedTuple):
+    """A result, its slope along the drive, a velocity ratio, or a transmission angle."""
+
+    name: str
+    dimension: Dimension
+    content: Content = "result"
+    unit: str = ""
+
+
+class Stretch(NamedTuple):
+    """A part of the stroke that can be run; what ends it at either side, '' at the stroke's end.
+
+    It is ``reached`` unless the loops would have to be taken apart to get there from the
+    default pose.
+    """
+
+    low: float
+    high: float
+    before: str
+    after: str
+    reached: bool = True
+
+
+class Singular(NamedTuple):
+    """A place at which a result is zero or infinite, and which kind of pose that is.
+
+    ``exact`` is the drive as a formula, where a factor that vanishes can be solved for it.
+    The place lies within ``bracket``.
+    """
+
+    result: str
+    value: Literal["0", "infinite", "undetermined"]
+    kind: Kind
+    drive: float
+    bracket: float
+    exact: Formula | None
+
+
+class Branch(NamedTuple):
+    """A place at which two closures of a loop are one and it can go on in two ways: a change point.
+
+    Results may well be finite there. The place lies within ``bracket``.
+    """
+
+    loop: str
+    drive: float
+    bracket: float
+
+
+class Extremum(NamedTuple):
+    """A place at which a result is least or greatest nearby."""
+
+    result: str
+    kind: Literal["minimum", "maximum"]
+    drive: float
+    value: float
+
+
+class Stuck(NamedTuple):
+    """A part of the stroke on which a result with friction is locked, or jammed."""
+
+    result: str
+    state: State
+    low: float
+    high: float
+
+
+@frozen
+class Stroke:
+    """Everything along the stroke of one mechanism; all in SI and radians.
+
+    ``courses`` tell of each efficiency what it runs through. ``without`` are the loads asked
+    for that rest on loads without a value, with these. ``looked`` tells of each result at how many
+    places it was looked at: what is found between two of them is refined.
+    """
+
+    drive: str
+    dimension: Dimension
+    unit: str
+    low: float
+    high: float
+    columns: tuple[Column, ...]
+    rows: tuple[Row, ...]
+    stretches: tuple[Stretch, ...]
+    singular: tuple[Singular, ...]
+    branches: tuple[Branch, ...]
+    extrema: tuple[Extremum, ...]
+    stuck: tuple[Stuck, ...]
+    courses: tuple[tuple[str, Course], ...]
+    defaults: Mapping[str, float]
+    without: tuple[tuple[str, tuple[str, ...]], ...] = ()
+    looked: tuple[tuple[str, int], ...] = ()

@@ -1,0 +1,129 @@
+"""Velocity ratios along the stroke: how fast the loads' points move, per unit of the drive's speed.
+
+The drive's speed is that of what it moves: the crank that it turns, the slider or the pair
+of points that it shifts, else its own rate, written ``s'``.
+"""
+
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple, assert_never
+
+from ...algebra.angle import rational
+from ...algebra.product import Product
+from ...algebra.sums import add, canonical
+from ...formula.tree import Symbol
+from ...formula.walk import symbols
+from ...kinematics.plan import Plan
+from ...model.mechanism import Arrow, Force, Load, Thrust, Torque
+from ...power.balance import Balance, Term
+from ...units import FREQUENCY, VELOCITY, Dimension
+from .branches import rates_of
+
+
+class Velocity(NamedTuple):
+    """A speed under a name, or a ratio of two."""
+
+    name: str
+    dimension: Dimension
+    value: Product
+
+
+def velocities(balance: Balance) -> Iterator[Velocity]:
+    """Yield the speed of each load's point along the load, or of its link, by the drive's."""
+    plan = balance.plan
+    drive = _drive(balance) if plan.mobility == 1 else None
+    if drive is None or not drive.value:
+        return
+    open_lengths = plan.graph.pose.placeholders.keys()
+    for speed in _distinct(balance.terms):
+        ratio = canonical(speed.value / drive.value)
+        if speed.name != drive.name and open_lengths.isdisjoint(symbols(ratio.formula())):
+            dimension = speed.dimension.over(drive.dimension)
+            yield Velocity(f"{speed.name}/{drive.name}", dimension, ratio)
+
+
+def _distinct(terms: Iterable[Term]) -> Iterator[Velocity]:
+    """Yield the speeds, named with the load too where loads act on a point in several ways."""
+    speeds: dict[str, dict[str, Velocity]] = {}
+    for term in terms:
+        speed = _of_load(term)
+        alike = speeds.setdefault(speed.name, {})
+        if all(known.value != speed.value for known in alike.values()):
+            alike[term.load.name] = speed
+    for alike in speeds.values():
+        for load, speed in alike.items():
+            yield speed if len(alike) == 1 else speed._replace(name=f"{speed.name}({load})")
+
+
+def _of_load(term: Term) -> Velocity:
+    """Return the speed against which a load works."""
+    match term.load:
+        case Force(point=point):
+            return Velocity(f"V_{point}", VELOCITY, term.speed[0])
+        case Torque(link=link):
+            return Velocity(f"omega_{link}", FREQUENCY, term.speed[0])
+        case Thrust(first=first, second=second):
+            # Across the mirror the term has the first point's half of the rate.
+            halves = 2 if second == f"{first}'" else 1
+            return Velocity(f"V_{first}{second}", VELOCITY, term.speed[0].scaled(halves))
+        case _:
+            assert_never(term.load)
+
+
+def _drive(balance: Balance) -> Velocity | None:
+    candidates = (_crank(balance.plan), _shifted(balance), _own_rate(balance.plan))
+    return next((found for found in candidates if found is not None), None)
+
+
+def _crank(plan: Plan) -> Velocity | None:
+    """Return the spin of a link on a pivot that turns as fast as the drive."""
+    pose = plan.graph.pose
+    assert pose.mechanism.drive is not None
+    drive = pose.mechanism.drive.parameter
+    pivots = {p.point for p in pose.mechanism.pivots}
+    for link in pose.mechanism.links:
+        angles = (arm.angle for vector in pose.frames[link.name].values() for arm in vector)
+        turns = any(a.terms in (((drive, 1),), ((drive, -1),)) for a in angles)
+        if turns and not pivots.isdisjoint(link.points):
+            return Velocity(f"omega_{link.name}", FREQUENCY, plan.spin(link.name)[0])
+    return None
+
+
+def _shifted(balance: Balance) -> Velocity | None:
+    """Return the speed of what a drive shifts that is a length of the description."""
+    pose = balance.plan.graph.pose
+    assert pose.mechanism.drive is not None
+    length = Symbol(pose.mechanism.drive.parameter)
+    for arrow in pose.mechanism.geometry:
+        if isinstance(arrow, Arrow) and arrow.length == length:
+            ends = {arrow.tail, arrow.head}
+            for term in balance.terms:
+                if _pair(term.load) == ends:
+                    return _of_load(term)
+            pivots = {p.point for p in pose.mechanism.pivots}
+            guide = pose.guide_of(arrow.head)
+            if guide is not None and arrow.tail in pivots:
+                speed = balance.plan.component(arrow.head, guide)[0]
+                return Velocity(f"V_{arrow.head}", VELOCITY, speed)
+    return None
+
+
+def _pair(load: Load) -> set[str]:
+    return {load.first, load.second} if isinstance(load, Thrust) else set()
+
+
+def _own_rate(plan: Plan) -> Velocity | None:
+    """Return the drive's rate, from a link whose direction is known to move with it."""
+    pose = plan.graph.pose
+    assert pose.mechanism.drive is not None
+    drive, rates = pose.mechanism.drive.parameter, rates_of(pose)
+    dimension = next(p.dimension for p in pose.mechanism.parameters if p.name == drive)
+    per_second = Dimension(dimension.length, dimension.mass, dimension.time - 1)
+    for link in pose.mechanism.links:
+        vectors = [v for v in pose.frames[link.name].values() if len(v) == 1]
+        for vector in vectors:
+            terms = vector[0].angle.terms
+            pace = add(rates[n].scaled(rational(c)) for n, c in terms if n in rates)
+            spin = plan.spin(link.name)[0]
+            if pace and spin:
+                return Velocity(f"{drive}'", per_second, spin / pace)
+    return None

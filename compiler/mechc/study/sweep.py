@@ -1,0 +1,85 @@
+"""Results where one parameter varies and the others stand at their values."""
+
+import math
+from collections.abc import Mapping
+
+from ..formula.tree import Formula
+from ..formula.walk import symbols
+from ..kinematics.plan import Plan
+from ..model.result import Result
+from ..model.values import Chain, allowed, compare, defaults, dependent
+
+VALUE, LEFT, RIGHT = "=", "<", ">"
+"""What a result's value, and the sides of its guards, are called beside its definitions."""
+
+
+class Places:
+    """Evaluates results; ``loads`` are sizes of loads that nobody gives."""
+
+    def __init__(self, plan: Plan, parameter: str, loads: Mapping[str, float]) -> None:
+        pose = plan.graph.pose
+        self._mechanism = pose.mechanism
+        self._parameter = parameter
+        self.defaults = {**loads, **defaults(pose.mechanism)}
+        lets = {let.name: let.value for let in pose.mechanism.lets}
+        self._formulas = {**dependent(pose.mechanism), **dict(pose.definitions), **lets}
+        self._chain = Chain(self._formulas)
+        self._known: dict[float, dict[str, float]] = {}
+        self._chains: dict[int, tuple[Result, Chain]] = {}
+        self._last: tuple[Result, float, dict[str, float]] | None = None
+
+    def values(self, place: float) -> dict[str, float]:
+        """Return all that has a value at a place; nothing where no pose is allowed."""
+        if place not in self._known:
+            values = self._chain.complete({**self.defaults, self._parameter: place})
+            self._known[place] = values if allowed(self._mechanism, values) else {}
+        return self._known[place]
+
+    def varying(self, result: Result) -> set[str]:
+        """Return the parameter and the names that vary with it, those of a result among them."""
+        formulas = {**self._formulas, **dict(result.where)}
+        needed = {name: symbols(formula) for name, formula in formulas.items()}
+        varying, before = {self._parameter}, 0
+        while len(varying) > before:
+            before = len(varying)
+            varying |= {n for n, needs in needed.items() if not varying.isdisjoint(needs)}
+        return varying
+
+    def of(self, result: Result, place: float) -> float:
+        """Return a result's value, NaN where it has none."""
+        return self.named(result, place).get(VALUE, math.nan)
+
+    def resting_on(
+        self, known: Mapping[str, float], result: Result, place: float
+    ) -> dict[str, float]:
+        """Return the same where some of a result's definitions have known values."""
+        return Chain(_formulas(result)).complete({**self.values(place), **known})
+
+    def named(self, result: Result, place: float) -> dict[str, float]:
+        """Return what has a value at a place, the names that a result mentions among it."""
+        if self._last and self._last[0] is result and self._last[1] == place:
+            return self._last[2]
+        key = id(result)
+        if key not in self._chains:
+            self._chains[key] = result, Chain(_formulas(result))
+        found = self._chains[key][1].complete(self.values(place))
+        self._last = result, place, found
+        return found
+
+
+def guarded(result: Result, values: Mapping[str, float]) -> float:
+    """Return a result among all that has a value, NaN where a guard does not hold."""
+    sides = (
+        (values.get(f"{LEFT}{i}"), guard.operator, values.get(f"{RIGHT}{i}"))
+        for i, guard in enumerate(result.guards)
+    )
+    sound = all(a is None or b is None or compare(a, sign, b) for a, sign, b in sides)
+    return values.get(VALUE, math.nan) if sound else math.nan
+
+
+def _formulas(result: Result) -> dict[str, Formula]:
+    """Return a result's definitions, and with them its value and the sides of its guards."""
+    found = {**dict(result.where), VALUE: result.formula}
+    for i, guard in enumerate(result.guards):
+        found |= {f"{LEFT}{i}": guard.left, f"{RIGHT}{i}": guard.right}
+    return found

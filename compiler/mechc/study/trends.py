@@ -1,0 +1,110 @@
+"""Where a result rises and falls: signs of its derivatives over the range, proved.
+
+The box is made of the parameters' ranges; a parameter without a range stands at its
+value, and a length without a value is anything positive.
+"""
+
+import math
+from collections.abc import Iterator
+
+from ..algebra.intervals import Box, Interval, sign, widened
+from ..algebra.product import Product, Sum
+from ..formula.walk import symbols
+from ..model.result import Trend
+
+PARTS = 48
+"""A factor's sign is looked for on at most this many parts of the box."""
+
+
+PLACES = 16
+"""Values along a parameter at which a divisor's sign is looked at."""
+
+
+def trend(value: Product, slope: Product, name: str, box: Box) -> Trend:
+    """Return how a result moves with a parameter, from its derivative by it.
+
+    Where the derivative keeps its sign a result still jumps from one infinity to the other
+    at a pole: it rises on either side, not across.
+    """
+    if not slope:
+        return "constant"
+    ends = {sign(slope, _corner(box, name, end)) for end in (0, 1)}
+    if ends == {1, -1}:
+        return "turns"
+    if ends not in ({1}, {-1}) or not _keeps_sign(slope, box):
+        return "unknown"
+    divisors = [d for d in _divisors(value) if name in symbols(d.formula())]
+    if all(_is_free_of_zeros(d, box) for d in divisors):
+        return "rises" if ends == {1} else "falls"
+    if any(_changes_sign(d, name, box) for d in divisors):
+        return "rises between poles" if ends == {1} else "falls between poles"
+    return "unknown"
+
+
+def _divisors(product: Product) -> Iterator[Product]:
+    """Yield what a product is divided by, in its sums, too: nothing else makes it infinite."""
+    for factor, exponent in product.factors.items():
+        if exponent < 0:
+            yield Product.of(factor)
+        if isinstance(factor, Sum):
+            for term in factor.terms:
+                yield from _divisors(term)
+
+
+def _changes_sign(divisor: Product, name: str, box: Box) -> bool:
+    """Prove that a divisor is zero somewhere along a parameter, the others in the middle."""
+    if name not in box:
+        return False
+    low, high = box[name]
+    places = [low + (high - low) * i / PLACES for i in range(PLACES + 1)]
+    signs = {sign(divisor, {**_corner(box, name, 0), name: widened(x, x)}) for x in places}
+    return {1, -1} <= signs
+
+
+def _corner(box: Box, name: str, end: int) -> Box:
+    """Return one end of a parameter's range, the others standing in the middle of theirs."""
+    middles = {n: (low + high) / 2 for n, (low, high) in box.items() if math.isfinite(high)}
+    at = {n: middles.get(n, 1.0) for n in box}
+    if name in middles:
+        at[name] = box[name][end]
+    return {n: widened(x, x) for n, x in at.items()}
+
+
+def _keeps_sign(slope: Product, box: Box) -> bool:
+    """Tell whether no factor that could change sign does so in the box."""
+    return all(
+        _is_free_of_zeros(Product(1, {f: 1}), box) for f, e in slope.factors.items() if e % 2
+    )
+
+
+def _is_free_of_zeros(factor: Product, box: Box) -> bool:
+    """Prove that one factor has no zero in a box, halving the box where needed."""
+    waiting = [box]
+    for _ in range(PARTS):
+        if not waiting:
+            return True
+        part = waiting.pop()
+        if sign(factor, part) is None:
+            name = _widest(part)
+            if name is None:
+                return False
+            waiting.extend(_halves(part, name))
+    return not waiting
+
+
+def _widest(box: Box) -> str | None:
+    """Return the parameter with the widest finite range, relative to its size."""
+    widths = {
+        name: (high - low) / max(abs(low), abs(high), 1e-300)
+        for name, (low, high) in box.items()
+        if math.isfinite(high - low)
+    }
+    name = max(widths, key=lambda n: widths[n], default=None)
+    return name if name is not None and widths[name] > 1e-9 else None
+
+
+def _halves(box: Box, name: str) -> Iterator[Box]:
+    low, high = box[name]
+    middle = (low + high) / 2
+    for half in (Interval(low, middle), Interval(middle, high)):
+        yield {**box, name: half}

@@ -1,0 +1,243 @@
+"""Zeros and poles: which factors vanish, at which angle, and what stands still there."""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Literal
+
+from ..algebra.angle import RADIAN, Angle
+from ..algebra.factors import Factor, Trig
+from ..algebra.halving import without
+from ..algebra.orders import Root, angles, order, roots
+from ..algebra.product import Bound, Product, Sum
+from ..algebra.sums import canonical
+from ..formula.tree import Call, Formula
+from ..formula.tree import Sum as Terms
+from ..formula.walk import evaluate, symbols, walk
+from ..kinematics.forms import QUARTER
+from ..kinematics.plan import Plan
+from ..model.mechanism import Force
+from ..model.result import Vanishing
+from ..power.balance import Balance, Solved, Term
+
+STEPS = (1e-4, 1e-7)
+"""How far from a root the values are compared that refute it, in radians.
+
+Far from it rounding does no harm; near it no other root that is close by does.
+"""
+
+NIL = 1e-9
+"""A sum is zero below this part of its size a radian away."""
+
+Kind = Literal["output still", "drive locked", "perpendicular load", "other"]
+
+
+def zeros(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
+    """Return the conditions under which a ratio is zero.
+
+    The load above the line needs no force there: the point of the load below stands
+    still (a dead centre), or moves across it.
+    """
+    return tuple(_conditions(item, balance, near, 1))
+
+
+def poles(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Vanishing, ...]:
+    """Return the conditions under which a ratio is infinite.
+
+    The point of the load above stands still while the other moves (the drive is locked),
+    or moves across its load.
+    """
+    return tuple(_conditions(item, balance, near, -1))
+
+
+def _conditions(
+    item: Solved, balance: Balance, near: Mapping[str, float], side: int
+) -> Iterator[Vanishing]:
+    """Yield the conditions, each proved by the order that the whole value has there."""
+    assert item.value is not None
+    for factor, exponent in item.value.factors.items():
+        if exponent * side > 0 and _may_vanish(factor, near):
+            match factor:
+                case Trig():
+                    yield from _at_roots(factor, item, balance, near, side)
+                case _:
+                    kind = _kind(factor, (), item, balance, side)
+                    left = _without_shared(factor, item.value, near)
+                    yield from (
+                        Vanishing(f.formula(), None, kind) for f in left if _may_vanish(f, near)
+                    )
+
+
+def _at_roots(
+    trig: Trig, item: Solved, balance: Balance, near: Mapping[str, float], side: int
+) -> Iterator[Vanishing]:
+    """Yield a sine or cosine where the value has its order at every root; else single roots.
+
+    cos 3a/cos² a vanishes at 30° and at 150°, not at 90°.
+    """
+    assert item.value is not None
+    found = roots(trig, item.value)
+    proved = [r for r in found if _has_order(item, r, near, side)]
+    kinds = [_kind(r.factor, (r,), item, balance, side) for r in proved]
+    if len(proved) == len(found) and len({*kinds}) == 1:
+        yield Vanishing(trig.formula(), solution(trig, near), kinds[0])
+    else:
+        for root, kind in zip(proved, kinds, strict=True):
+            yield Vanishing(root.factor.formula(), solution(root.factor, near), kind)
+
+
+def _has_order(item: Solved, root: Root, near: Mapping[str, float], side: int) -> bool:
+    """Prove that a value is zero (infinite) at a root, with the values given, too."""
+    assert item.value is not None
+    found = order(item.value, root.name, root.value)
+    return found is not None and found * side > 0 and not _is_refuted(item, root, near, side)
+
+
+def _is_refuted(item: Solved, root: Root, near: Mapping[str, float], side: int) -> bool:
+    """Tell whether a value does something else where lengths are just as they are given.
+
+    With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
+    closing loops may itself be infinite there, such as a pin's distance along a slot that is
+    parallel to its guide.
+    """
+    names = {root.name, *root.value.names}
+    if not names <= near.keys() or any(d.name in names for d in item.result.where):
+        return False
+    place = root.value.evaluate(near)
+
+    def is_otherwise(step: float) -> bool:
+        sizes = [_size_near(item, {**near, root.name: place + h}) for h in (step, step / 2)]
+        if not all(math.isfinite(size) and size for size in sizes):
+            return False
+        return math.log2(sizes[0] / sizes[1]) * side < 0.5
+
+    return all(map(is_otherwise, STEPS))
+
+
+def _size_near(item: Solved, values: Mapping[str, float]) -> float:
+    """Return the size of a result, with all that follows from the values; NaN for none."""
+    found = dict(values)
+    for name, formula in (*item.result.where, ("", item.result.formula)):
+        if not symbols(formula) <= found.keys():
+            return math.nan
+        found[name] = evaluate(formula, found)
+    return abs(found[""])
+
+
+def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -> Iterable[Factor]:
+    """Return what is left of a sum without the sines that it shares with one across the line.
+
+    Nothing where one of them cannot be split off, or is shared for the lengths given only:
+    then it is not known what is left.
+    """
+    across = _roots_across(factor, value)
+    shared = [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
+    rest = without(factor, [r.factor for r in shared]) if isinstance(factor, Sum) else None
+    left = [f for f in rest.factors if isinstance(f, Sum)] if shared and rest else [factor]
+    known = all(order(Product.of(f), r.name, r.value) == 0 for f in left for r in shared)
+    by_chance = any(_is_nil(f, r, near) for f in left for r in across)
+    return left if known and not by_chance else []
+
+
+def _roots_across(factor: Factor, value: Product) -> list[Root]:
+    """Return the roots of the sines across the line that have a symbol in common with a sum."""
+    above = value.factors[factor] > 0
+    inside = {name for angle in angles(Product.of(factor)) for name in angle.names}
+    return [
+        root
+        for trig, e in value.factors.items()
+        if isinstance(trig, Trig) and (e > 0) != above and trig.angle.names & inside
+        for root in roots(trig, value)
+    ]
+
+
+def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
+    """Tell whether a sum is zero at a root for the values given, against its size elsewhere."""
+    if not isinstance(factor, Sum) or not {root.name, *root.value.names} <= near.keys():
+        return False
+    if not symbols(factor.formula()) <= near.keys():
+        return False
+    place = root.value.evaluate(near)
+    here, there = (abs(factor.evaluate({**near, root.name: place + h})) for h in (0, 1))
+    return here < NIL * there
+
+
+def _may_vanish(factor: Factor, near: Mapping[str, float]) -> bool:
+    """Tell a sum, or a sine or cosine of something that varies, from lengths and constants.
+
+    A sum of lengths that are all positive, ``a + b``, does not vanish.
+    """
+    match factor:
+        case Trig(angle=angle):
+            return any(name != RADIAN for name, _ in angle.terms)
+        case Sum():
+            return not _all_positive(factor.formula(), near)
+        case _:
+            return isinstance(factor, Bound)
+
+
+def _all_positive(formula: Formula, near: Mapping[str, float]) -> bool:
+    """Tell whether a sum has no functions and no term that is negative by default."""
+    if not isinstance(formula, Terms) or any(isinstance(f, Call) for f in walk(formula)):
+        return False
+    known = symbols(formula) <= near.keys()
+    return known and all(evaluate(t, near) > 0 for t in formula.terms)
+
+
+def _kind(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Kind:
+    """Tell a point that stands still from one that moves across its load."""
+    still, moving = (item.below, item.above) if side > 0 else (item.above, item.below)
+    tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
+    if not still or still in tied or balance.plan.mobility != 1:
+        return "other"
+    terms = {t.load.name: t for t in balance.terms}
+    if not terms[moving].power[0]:
+        return "other"
+    across = _across(balance.plan, terms[still])
+    ratio = canonical(across / terms[moving].power[0]) if across else across
+    if ratio and not _vanishes(ratio, factor, at):
+        return "perpendicular load"
+    return "output still" if side > 0 else "drive locked"
+
+
+def _vanishes(ratio: Product, factor: Factor, at: Sequence[Root]) -> bool:
+    """Tell whether a ratio is zero with a factor: by its order where that has roots."""
+    if at:
+        return all((order(ratio, root.name, root.value) or 0) > 0 for root in at)
+    return ratio.factors.get(factor, 0) > 0
+
+
+def _across(plan: Plan, term: Term) -> Product:
+    """Return the component of a load's point velocity across the load; 0 for a torque."""
+    if not isinstance(term.load, Force) or term.line is None:
+        return Product(0)
+    return plan.component(term.load.point, term.line + QUARTER)[0]
+
+
+def solution(factor: Factor, near: Mapping[str, float]) -> tuple[str, Formula] | None:
+    """Return (symbol, value) at which a sine or cosine vanishes, the one nearest by.
+
+    ``near`` are default values; the symbol is the first of the angle's by name whose
+    coefficient is ±1, or its only one.
+    """
+    if not isinstance(factor, Trig):
+        return None
+    terms = [(n, c) for n, c in factor.angle.terms if n != RADIAN]
+    unit = next(((n, c) for n, c in terms if abs(c) == 1), terms[0] if len(terms) == 1 else None)
+    if unit is None:
+        return None
+    name, c = unit
+    rest = factor.angle - Angle(((name, c),))
+    first = Angle.constant(0 if factor.function == "sin" else 90)
+    turns = _nearest(factor, first, near)
+    value = (first + Angle.constant(180 * turns) - rest) * (1 / Fraction(c))
+    return name, value.formula()
+
+
+def _nearest(factor: Trig, first: Angle, near: Mapping[str, float]) -> int:
+    """Return the half turns to add so that the angle is as near as can be to its default."""
+    try:
+        now = factor.angle.evaluate(near)
+    except KeyError:
+        return 0
+    return round((now - first.evaluate({})) / math.pi)
