@@ -39,11 +39,12 @@ from mechc.model.mechanism import (
     Torque,
     Turn,
 )
-from mechc.model.result import Definition, Result, Vanishing
+from mechc.model.result import Definition
 from mechc.report.derivation.steps import Derivation, Equation, Rule, Step
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import Trial, Verdict
+from mechc.study.analysis import Analysis, Vanishing
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER
 
 HERE = Span(0, 0)
@@ -133,7 +134,7 @@ CLAMP_STEPS = (
     ),
 )
 
-CLAMP_K = Result(
+CLAMP_K = Analysis(
     "k",
     LoadRatio("P", "F"),
     NUMBER,
@@ -233,7 +234,7 @@ def six_bar() -> Compiled:
         Step(Rule.ROTATION, ("O2CD",), equations("omega_O2CD = V_C/r_3"), ()),
     )
     results = (
-        Result(
+        Analysis(
             "M",
             LoadForm("M"),
             FORCE,
@@ -246,13 +247,13 @@ def six_bar() -> Compiled:
             independent=("r_1", "mu"),
             default=float("nan"),
         ),
-        Result(
+        Analysis(
             "V_D_over_V_A",
             SpeedRatio(Speed("point", "D"), Speed("point", "A")),
             NUMBER,
             formula("sin(beta)/sin(gamma)*" + "*".join(names)),
         ),
-        Result("p", None, NUMBER, formula("4*M/(pi*l_1**2)*0.35*sqrt(mu**2+1)")),
+        Analysis("p", None, NUMBER, formula("4*M/(pi*l_1**2)*0.35*sqrt(mu**2+1)")),
     )
     derivation = Derivation(steps, (), equations("M*omega_O1A - Q*V_D = 0", "F*V_C = 0"), results)
     return compiled(mechanism, derivation, Verdict((), ("R_A is left undetermined",)))

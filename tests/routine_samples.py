@@ -39,12 +39,13 @@ from mechc.model.mechanism import (
     SpeedRatio,
     Torque,
 )
-from mechc.model.result import Definition, Result, Vanishing
+from mechc.model.result import Definition
 from mechc.report.derivation.steps import Derivation, Equation, PowerTerm, Rule, Step
 from mechc.routine.from_results import program
 from mechc.routine.steps import Routine
 from mechc.source import Span
 from mechc.statics.verdict import Trial, Verdict
+from mechc.study.analysis import Analysis, Vanishing
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER, Dimension
 from systems import triad
 
@@ -95,7 +96,7 @@ CLAMP_K = quotient(
 )
 
 
-def clamp() -> tuple[Mechanism, tuple[Result, ...]]:
+def clamp() -> tuple[Mechanism, tuple[Analysis, ...]]:
     mechanism = Mechanism(
         "packet_clamp",
         "Packet clamp",
@@ -105,7 +106,7 @@ def clamp() -> tuple[Mechanism, tuple[Result, ...]]:
         loads=(force("P"), force("F")),
         requires=(Require(total([ALPHA, BETA]), "<", degrees(90), HERE),),
     )
-    result = Result(
+    result = Analysis(
         "k",
         LoadRatio("P", "F"),
         NUMBER,
@@ -121,7 +122,7 @@ def clamp() -> tuple[Mechanism, tuple[Result, ...]]:
     return mechanism, (result,)
 
 
-def chained() -> tuple[Mechanism, tuple[Result, ...]]:
+def chained() -> tuple[Mechanism, tuple[Analysis, ...]]:
     """Intermediates with shared parts, a load's linear form, lets that use both."""
     phi = s("phi")
     where = (
@@ -154,14 +155,14 @@ def chained() -> tuple[Mechanism, tuple[Result, ...]]:
     )
     form = total([product([(k, 1), (s("F"), 1)]), product([(gain, 1), (s("M"), 1), (A, -1)])])
     return mechanism, (
-        Result("k", LoadRatio("P", "F"), NUMBER, k, where),
-        Result("P", LoadForm("P"), FORCE, form, where, coefficients={"F": k, "M": gain}),
-        Result("F", None, FORCE, mechanism.lets[0].value),
-        Result("twice", None, FORCE, product([(number(2), 1), (s("P"), 1), (s("w"), 1)])),
+        Analysis("k", LoadRatio("P", "F"), NUMBER, k, where),
+        Analysis("P", LoadForm("P"), FORCE, form, where, coefficients={"F": k, "M": gain}),
+        Analysis("F", None, FORCE, mechanism.lets[0].value),
+        Analysis("twice", None, FORCE, product([(number(2), 1), (s("P"), 1), (s("w"), 1)])),
     )
 
 
-def badly_named() -> tuple[Mechanism, tuple[Result, ...]]:
+def badly_named() -> tuple[Mechanism, tuple[Analysis, ...]]:
     names = ["lambda", "int", "I", "n", "i", "np", "β", "beta", "beta_2", "double", "l_A'", "k"]
     mechanism = Mechanism(
         "class",
@@ -174,17 +175,17 @@ def badly_named() -> tuple[Mechanism, tuple[Result, ...]]:
     ratio = product([(sin(s("lambda")), 2), (s("β"), 1), (s("beta"), -1)])
     where = (Definition("sin_lambda", s("int")), Definition("NAN", total(terms)))
     return mechanism, (
-        Result(
+        Analysis(
             "k", None, NUMBER, product([(s("NAN"), 1), (ratio, 1), (s("sin_lambda"), 1)]), where
         ),
-        Result("k_n", None, NUMBER, total([s("I"), s("np")])),
-        Result("int", None, NUMBER, total([s("β"), product([(number(2), 1), (s("beta"), 1)])])),
-        Result("int_", None, NUMBER, product([(s("int"), 1), (s("double"), 1)])),
-        Result("seven", None, NUMBER, number(7)),
+        Analysis("k_n", None, NUMBER, total([s("I"), s("np")])),
+        Analysis("int", None, NUMBER, total([s("β"), product([(number(2), 1), (s("beta"), 1)])])),
+        Analysis("int_", None, NUMBER, product([(s("int"), 1), (s("double"), 1)])),
+        Analysis("seven", None, NUMBER, number(7)),
     )
 
 
-def whole_language() -> tuple[Mechanism, tuple[Result, ...]]:
+def whole_language() -> tuple[Mechanism, tuple[Analysis, ...]]:
     """Every function, every kind of number and of exponent."""
     x, y = s("x"), s("y")
     parts: dict[str, Formula] = {
@@ -220,10 +221,10 @@ def whole_language() -> tuple[Mechanism, tuple[Result, ...]]:
             parameter("y", NUMBER, number(Fraction(1, 2))),
         ),
     )
-    return mechanism, tuple(Result(n, None, NUMBER, formula) for n, formula in parts.items())
+    return mechanism, tuple(Analysis(n, None, NUMBER, formula) for n, formula in parts.items())
 
 
-def chain_of(stages: int) -> tuple[Mechanism, tuple[Result, ...]]:
+def chain_of(stages: int) -> tuple[Mechanism, tuple[Analysis, ...]]:
     """Each stage's intermediate depends twice on the one before: a tree would be 2^n long."""
     where = [Definition("v0", sin(ALPHA))]
     for i in range(1, stages):
@@ -234,10 +235,10 @@ def chain_of(stages: int) -> tuple[Mechanism, tuple[Result, ...]]:
         where.append(Definition(f"v{i}", step))
     mechanism = Mechanism("chain", "", "", HERE, (angle("alpha", 30), angle("beta", 20)))
     ratio = SpeedRatio(Speed("point", "D"), Speed("link", "OA"))
-    return mechanism, (Result("u", ratio, NUMBER, s(f"v{stages - 1}"), tuple(where)),)
+    return mechanism, (Analysis("u", ratio, NUMBER, s(f"v{stages - 1}"), tuple(where)),)
 
 
-def triple() -> tuple[Mechanism, tuple[Result, ...]]:
+def triple() -> tuple[Mechanism, tuple[Analysis, ...]]:
     """A ternary link on three rods: four unknowns of one system, two of them in k."""
     made = triad()
     system = made.system()
@@ -257,8 +258,8 @@ def triple() -> tuple[Mechanism, tuple[Result, ...]]:
         implicit(system, 3), {"epsilon": product([(s("epsilon_2"), 1), (number(2), -1)])}
     )
     return mechanism, (
-        Result("k", LoadRatio("P", "F"), NUMBER, k, where[:3]),
-        Result("delta", None, ANGLE, total([inner, s("phi")]), back),
+        Analysis("k", LoadRatio("P", "F"), NUMBER, k, where[:3]),
+        Analysis("delta", None, ANGLE, total([inner, s("phi")]), back),
     )
 
 
@@ -304,6 +305,6 @@ def guarded_by(operators: tuple[Operator, ...]) -> Compiled:
     for i, operator in enumerate(operators):
         require = Require(s("x"), operator, s("y"), HERE)
         mechanism = Mechanism("guarded", "", "", HERE, parameters, requires=(require,))
-        functions += program(mechanism, (Result(f"f{i}", None, NUMBER, formula),)).functions
+        functions += program(mechanism, (Analysis(f"f{i}", None, NUMBER, formula),)).functions
     routine = Routine("guarded", "", "", tuple(functions))
     return Known(mechanism, Derivation((), (), (), ()), routine, Verdict(()), "0.0.0")

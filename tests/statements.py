@@ -14,8 +14,8 @@ from mechc.formula.tree import Formula, Implicit
 from mechc.formula.walk import FUNCTIONS, symbols, walk
 from mechc.formula.walk import evaluate as slowly
 from mechc.model.mechanism import Mechanism
-from mechc.model.result import Result, Vanishing
 from mechc.model.values import bounds, defaults, dependent, independent
+from mechc.study.analysis import Analysis, Vanishing
 
 Values = Mapping[str, float]
 Curve = Callable[[float], float]
@@ -54,7 +54,7 @@ def evaluate(formula: Formula, values: Values) -> float:
         return math.nan
 
 
-def poses(mechanism: Mechanism, result: Result, number: int, seed: int) -> Iterator[Values]:
+def poses(mechanism: Mechanism, result: Analysis, number: int, seed: int) -> Iterator[Values]:
     """Yield poses over the whole ranges; without one a parameter keeps its value."""
     dice = Random(seed)
     kept = defaults(mechanism)
@@ -66,7 +66,7 @@ def poses(mechanism: Mechanism, result: Result, number: int, seed: int) -> Itera
         yield with_rest(mechanism, result, drawn)
 
 
-def with_rest(mechanism: Mechanism, result: Result, values: Values) -> Values:
+def with_rest(mechanism: Mechanism, result: Analysis, values: Values) -> Values:
     """Return values with what follows from them."""
     found = dict(values)
     for name, formula in (*dependent(mechanism).items(), *result.where):
@@ -74,11 +74,11 @@ def with_rest(mechanism: Mechanism, result: Result, values: Values) -> Values:
     return found
 
 
-def value(mechanism: Mechanism, result: Result, values: Values) -> float:
+def value(mechanism: Mechanism, result: Analysis, values: Values) -> float:
     return evaluate(result.formula, with_rest(mechanism, result, values))
 
 
-def refuted(mechanism: Mechanism, result: Result, seed: int = 0) -> Iterator[str]:
+def refuted(mechanism: Mechanism, result: Analysis, seed: int = 0) -> Iterator[str]:
     """Yield every statement on a result that sampling refutes."""
     for pose in poses(mechanism, result, 3, seed):
         yield from trends(mechanism, result, pose)
@@ -89,7 +89,7 @@ def refuted(mechanism: Mechanism, result: Result, seed: int = 0) -> Iterator[str
 # ------------------------------------------------------------------------------ trends
 
 
-def trends(mechanism: Mechanism, result: Result, pose: Values) -> Iterator[str]:
+def trends(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
     ranged = {p.name: p for p in independent(mechanism) if p.range is not None}
     for name, trend in (result.trends or {}).items():
         if trend == "unknown" or name not in ranged:
@@ -124,7 +124,7 @@ def _trend_refuted(trend: str, found: list[float]) -> str:
 # ------------------------------------------------------- proportions, swaps, independence
 
 
-def proportions(mechanism: Mechanism, result: Result, pose: Values) -> Iterator[str]:
+def proportions(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
     k = value(mechanism, result, _free(mechanism, pose))
     for name, power in (result.proportional or {}).items():
         more = {**_free(mechanism, pose), name: 3 * pose[name]}
@@ -152,7 +152,7 @@ def _close(a: float, b: float) -> bool:
 # ----------------------------------------------------------------------- zeros and poles
 
 
-def limits(mechanism: Mechanism, result: Result, seed: int) -> Iterator[str]:
+def limits(mechanism: Mechanism, result: Analysis, seed: int) -> Iterator[str]:
     """Yield the zeros and poles that are none."""
     for pose, name, low, high in _sweeps(mechanism, result, seed):
 
@@ -164,12 +164,12 @@ def limits(mechanism: Mechanism, result: Result, seed: int) -> Iterator[str]:
         yield from _roots_refuted(result, name, curve, low, high)
 
 
-def _side(result: Result, limit: Vanishing) -> int:
+def _side(result: Analysis, limit: Vanishing) -> int:
     return 1 if limit in result.zeros else -1
 
 
 def _at_refuted(
-    mechanism: Mechanism, result: Result, limit: Vanishing, pose: Values
+    mechanism: Mechanism, result: Analysis, limit: Vanishing, pose: Values
 ) -> Iterator[str]:
     if limit.at is None or limit.at[0] not in {p.name for p in independent(mechanism)}:
         return
@@ -195,7 +195,7 @@ def order(size: Curve, x: float, near: float) -> float | None:
 
 
 def _roots_refuted(
-    result: Result, name: str, curve: Callable[[float], Values], low: float, high: float
+    result: Analysis, name: str, curve: Callable[[float], Values], low: float, high: float
 ) -> Iterator[str]:
     for limit in (*result.zeros, *result.poles):
 
@@ -212,12 +212,12 @@ def _roots_refuted(
 
 
 def _order_at(
-    result: Result, curve: Callable[[float], Values], x: float, wide: float
+    result: Analysis, curve: Callable[[float], Values], x: float, wide: float
 ) -> float | None:
     return order(lambda at: abs(evaluate(result.formula, curve(at))), x, NEAR * wide)
 
 
-def missing(mechanism: Mechanism, result: Result, seed: int = 0) -> Iterator[str]:
+def missing(mechanism: Mechanism, result: Analysis, seed: int = 0) -> Iterator[str]:
     """Yield the zeros and poles within the ranges that no statement is about."""
     for pose, name, low, high in _sweeps(mechanism, result, seed):
 
@@ -233,7 +233,7 @@ def missing(mechanism: Mechanism, result: Result, seed: int = 0) -> Iterator[str
 
 
 def _sweeps(
-    mechanism: Mechanism, result: Result, seed: int
+    mechanism: Mechanism, result: Analysis, seed: int
 ) -> Iterator[tuple[Values, str, float, float]]:
     ranged = [p for p in independent(mechanism) if p.range is not None]
     for pose in poses(mechanism, result, 2, seed + 1):

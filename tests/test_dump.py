@@ -16,10 +16,11 @@ from mechc.frozen import field, frozen
 from mechc.kinematics.graph import Flow, Kind, Relation, Rule, Unknown
 from mechc.kinematics.plan import Binding, Block
 from mechc.model import mechanism as model
-from mechc.model.result import Definition, Result, Vanishing
+from mechc.model.result import Definition
 from mechc.pose.pose import Arm
 from mechc.routine.steps import Function, Guard, Input, Step
 from mechc.source import Span
+from mechc.study.analysis import Analysis, Vanishing
 from mechc.syntax import ast
 from mechc.units import ANGLE, LENGTH, NUMBER
 
@@ -234,7 +235,7 @@ def test_what_an_earlier_stage_made_is_named() -> None:
 
 
 def test_what_stands_twice_is_named_by_where_it_stands_first() -> None:
-    result = Result("k", None, NUMBER, a, zeros=(Vanishing(a, None, "other"),) * 2)
+    result = Analysis("k", None, NUMBER, a, zeros=(Vanishing(a, None, "other"),) * 2)
     lines = shown({"results": (result,), "again": result.zeros, "once more": result.zeros}, "power")
     assert lines[-2:] == [
         "again: as in power.results.k.zeros",

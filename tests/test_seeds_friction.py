@@ -16,7 +16,7 @@ import pytest
 import mechc
 from mechc.api import SolvedMechanism
 from mechc.formula.walk import evaluate, symbols
-from mechc.model.result import Result
+from mechc.study.analysis import Analysis
 from seed_friction import entries
 
 RIGHT = math.pi / 2
@@ -290,7 +290,7 @@ def reaching(solved: SolvedMechanism, values: Inputs) -> dict[str, float]:
     return {name: value for name, value in values.items() if name in wanted}
 
 
-def holds_there(result: Result, values: Inputs) -> bool:
+def holds_there(result: Analysis, values: Inputs) -> bool:
     return all(
         math.copysign(1, evaluate(h.left, values)) == (1 if h.operator == ">" else -1)
         for h in result.holds

@@ -17,7 +17,6 @@ from .formula.to_sympy import to_sympy
 from .formula.to_text import text
 from .formula.tree import Formula
 from .formula.walk import symbols
-from .model.result import Result
 from .model.values import dependent
 from .report.derivation.steps import Derivation
 from .routine.freed import freed, given_loads
@@ -31,6 +30,7 @@ if TYPE_CHECKING:
     from .figure.figure import Figure
     from .routine.steps import Function, Routine
     from .statics.diagram import Diagram
+    from .study.analysis import Analysis
 
 
 class SolvedMechanism:
@@ -64,7 +64,7 @@ class SolvedMechanism:
         return self._compilation.mechanism.title
 
     @cached_property
-    def results(self) -> Mapping[str, Result]:
+    def results(self) -> "Mapping[str, Analysis]":
         """Every ``find`` and ``let`` by name, in order, with what follows from it.
 
         A result has its formula, where it vanishes and where it is infinite, how it
@@ -94,7 +94,7 @@ class SolvedMechanism:
         """The named intermediates that results mention, in order of definition."""
         return {d.name: to_sympy(d.formula) for r in self.results.values() for d in r.where}
 
-    def _result(self, name: str) -> Result:
+    def _result(self, name: str) -> "Analysis":
         if name in self.results:
             return self.results[name]
         hint = near_miss(name, self.results) or f"there are {', '.join(self.results)}"

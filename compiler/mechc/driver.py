@@ -40,6 +40,7 @@ if TYPE_CHECKING:
     from .figure.figure import Figure
     from .report.derivation.steps import Derivation
     from .statics.diagram import Diagram
+    from .study.analysis import Analysis
     from .study.stroke.stroke import Stroke
 
 T = TypeVar("T")
@@ -107,7 +108,7 @@ class Compilation:
         return self._sound(solve(self.balance, self.report))
 
     @Stage
-    def results(self) -> tuple[Result, ...]:
+    def results(self) -> "tuple[Analysis, ...]":
         """What was asked for, in the order of the text, with what follows from each."""
         from .study.from_solution import conclude
 

@@ -11,7 +11,7 @@ from ..formula.to_text import text
 from ..formula.tree import Number
 from ..formula.walk import symbols
 from ..model.mechanism import GRAVITY
-from ..model.result import Definition, Result
+from ..model.result import Definition
 from ..report.definitions import Solved, grouped, lettered, literal_sizes, usual_weights
 from ..report.languages.en import WORDS
 from ..report.sections import Told, in_short
@@ -21,6 +21,7 @@ from ..report.text.derivation import speller
 from ..report.text.verdict import to_text
 from ..source import Source
 from ..statics.verdict import Verdict
+from ..study.analysis import Analysis
 from ..study.expectations import Finding
 from ..syntax.settings import Settings
 from .begin import begin
@@ -71,7 +72,7 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told, given = Told(), {r.name for r in compilation.results if _is_given(r)}
     usual, units = usual_weights(compilation.mechanism), literal_sizes(compilation.mechanism)
-    before: Result | None = None
+    before: Analysis | None = None
     for result in compilation.results:
         where = [d for d in told.of(result) if d.name not in given]
         yield from _of_result(in_short(result, compilation.results), where, usual, units, before)
@@ -82,17 +83,17 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     yield from _of_verdict(compilation.verdict, verbose)
 
 
-def _is_given(result: Result) -> bool:
+def _is_given(result: Analysis) -> bool:
     """Tell a value that the description gives, such as a load's, from what was found."""
     return result.target is None and isinstance(result.formula, Number)
 
 
 def _of_result(
-    result: Result,
+    result: Analysis,
     where: Iterable[Definition],
     usual: Set[str],
     units: Mapping[str, str],
-    before: Result | None,
+    before: Analysis | None,
 ) -> Iterator[str]:
     """Yield what is known of a result, without what the one before has just told."""
     if _is_given(result) and result.default is not None:
@@ -118,7 +119,7 @@ def _of_result(
         yield f"    does not depend on {', '.join(result.independent)}"
 
 
-def _sizes(result: Result) -> list[str]:
+def _sizes(result: Analysis) -> list[str]:
     """Return the pressing forces that a result is made of."""
     return sorted(symbols(result.formula) & result.inside)
 

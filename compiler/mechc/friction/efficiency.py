@@ -13,7 +13,7 @@ from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism, Require, Sense
-from ..model.result import Case, Definition, Result
+from ..model.result import Case, Definition, FrictionResult, Result
 from ..model.targets import SIGNS
 from ..power.numbers import default_values, value_of
 from ..source import Span
@@ -45,7 +45,7 @@ class Drives:
         case = Printed(here, (), self._condition(self._ideal.formula), steps)
         return Named(whole, (self._definition(),), case=case)
 
-    def efficiency(self, real: Result, span: Span) -> Result:
+    def efficiency(self, real: FrictionResult, span: Span) -> FrictionResult:
         """Return what of the power arrives, from the ratio with friction."""
         k_f = Definition(f"{self._ideal.name}_f", real.formula)
         without = to_product(self._ideal.formula)

@@ -28,7 +28,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Case as PrintedCase
-from ..model.result import Definition, Result
+from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS
 from ..power.balance import Balance
 from ..power.definitions import bound_sums, intermediates
@@ -96,7 +96,7 @@ class FrictionResults:
             case _:
                 return None
 
-    def by_rubbing(self, find: Find, ideal: Result) -> Result | None:
+    def by_rubbing(self, find: Find, ideal: Result) -> FrictionResult | None:
         """Return the result that friction alone makes, whatever efficiency overrides it."""
         match find.target:
             case WithFriction(LoadRatio() | LoadForm() as of, sense):
@@ -105,7 +105,7 @@ class FrictionResults:
             case _:
                 return None
 
-    def coupled(self, find: Find, ideal: Result) -> Result | None:
+    def coupled(self, find: Find, ideal: Result) -> FrictionResult | None:
         """Return the same from the coupled equations, which hold where a closed form may not."""
         match find.target:
             case WithFriction(LoadRatio() | LoadForm() as of, sense):
@@ -291,10 +291,10 @@ class FrictionResults:
 
     # ------------------------------------------------------------------------- results
 
-    def _result(self, find: Find, ideal: Result, named: Named) -> Result:
+    def _result(self, find: Find, ideal: Result, named: Named) -> FrictionResult:
         pressed = self._pressed.get(ideal.name) or ()
         sums = list(self._sums(pressed))
-        return Result(
+        return FrictionResult(
             find.name,
             find.target,
             ideal.dimension,
@@ -330,7 +330,7 @@ class FrictionResults:
 
     def _efficiency(
         self, find: Find, ideal: Result, of: LoadRatio | LoadForm, sense: Sense
-    ) -> Result | None:
+    ) -> FrictionResult | None:
         named = self._solve(find, self._case(of, ideal), sense, "exact")
         if named is None:
             return None

@@ -2,7 +2,7 @@
 
 from ..frozen import frozen
 from ..kinematics.plan import Plan
-from ..model.result import Result
+from ..model.result import FrictionResult, Result
 from ..power.balance import Balance, Solved
 from .steps import Step
 
@@ -11,7 +11,7 @@ from .steps import Step
 class SolvedWithFriction:
     """A result with friction, and the ``steps`` by which it was found."""
 
-    result: Result
+    result: FrictionResult
     steps: tuple[Step, ...] = ()
 
 

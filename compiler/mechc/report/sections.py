@@ -9,7 +9,8 @@ from ..formula.tree import Call, Formula, Implicit, Symbol, System
 from ..formula.walk import symbols
 from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
-from ..model.result import Definition, Result
+from ..model.result import Definition
+from ..study.analysis import Analysis
 from .definitions import lettered, literal_sizes, usual_weights
 from .derivation.steps import Account, Derivation, Passage
 from .sentences.remarks import reaction
@@ -26,7 +27,7 @@ class Section:
     """
 
     passages: tuple[Passage, ...]
-    results: tuple[Result, ...]
+    results: tuple[Analysis, ...]
     where: tuple[Definition, ...]
     has_usual_g: bool = False
     units: Mapping[str, str] = MappingProxyType({})
@@ -51,7 +52,7 @@ class Told:
         self._results: set[str] = set()
         self._known: dict[str, Formula] = {}
 
-    def of(self, result: Result) -> list[Definition]:
+    def of(self, result: Analysis) -> list[Definition]:
         """Return what is new in a result's definitions, and note it."""
         where = [d for d in result.where if d.name not in result.inside]
         fresh = self.untold([result.formula], where)
@@ -90,7 +91,7 @@ def _system(definition: Definition) -> System | None:
     return formula.system if isinstance(formula, Implicit) else None
 
 
-def _grouped(derivation: Derivation) -> Iterator[tuple[Account, Sequence[Result]]]:
+def _grouped(derivation: Derivation) -> Iterator[tuple[Account, Sequence[Analysis]]]:
     owners = {name: account for account in derivation.accounts for name in account.results}
     left = list(derivation.results)
     while left:
@@ -99,14 +100,14 @@ def _grouped(derivation: Derivation) -> Iterator[tuple[Account, Sequence[Result]
         left = [r for r in left if r.name not in account.results]
 
 
-def _conditioned_once(results: Sequence[Result]) -> Iterator[Result]:
+def _conditioned_once(results: Sequence[Analysis]) -> Iterator[Analysis]:
     """Yield results told together, the conditions of the last for those that have the same."""
     for result, after in zip_longest(results, results[1:]):
         alike = after is not None and after.holds == result.holds
         yield replace(result, holds=()) if alike else result
 
 
-def in_short(result: Result, results: Iterable[Result]) -> Result:
+def in_short(result: Analysis, results: Iterable[Analysis]) -> Analysis:
     """Return a direction, or a long size, by the components of the force among the results."""
     match _part(result):
         case "direction" if symbols(result.formula):
@@ -117,17 +118,17 @@ def in_short(result: Result, results: Iterable[Result]) -> Result:
             return result
 
 
-def _part(result: Result) -> str:
+def _part(result: Analysis) -> str:
     force = reaction(result)
     return force.part if force else ""
 
 
-def _components(result: Result, results: Iterable[Result]) -> tuple[Formula, ...]:
+def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Formula, ...]:
     beside = {_part(r): Symbol(r.name) for r in results if _force(r) == _force(result)}
     return beside["x"], beside["y"]
 
 
-def _force(result: Result) -> Target | None:
+def _force(result: Analysis) -> Target | None:
     """Return what force with what friction a result is a part of."""
     match result.target:
         case WithFriction(Reaction() as force, sense):

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Set
 
 from ..frozen import replace
 from ..model.mechanism import Mechanism
-from ..model.result import Result
+from ..model.result import Definition, FrictionResult, Result
 
 
 def given_loads(mechanism: Mechanism, results: Iterable[Result]) -> frozenset[str]:
@@ -25,7 +25,12 @@ def freed(
 
 
 def _freed(result: Result, names: Set[str]) -> Result:
-    case = result.case
-    if case is not None:
-        case = replace(case, where=tuple(d for d in case.where if d.name not in names))
-    return replace(result, where=tuple(d for d in result.where if d.name not in names), case=case)
+    where = _without(result.where, names)
+    if not isinstance(result, FrictionResult) or result.case is None:
+        return replace(result, where=where)
+    case = replace(result.case, where=_without(result.case.where, names))
+    return replace(result, where=where, case=case)
+
+
+def _without(where: Iterable[Definition], names: Set[str]) -> tuple[Definition, ...]:
+    return tuple(d for d in where if d.name not in names)

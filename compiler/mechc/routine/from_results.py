@@ -23,8 +23,9 @@ from ..model.mechanism import (
     Torque,
     WithFriction,
 )
-from ..model.result import Result
+from ..model.result import FrictionResult, Result
 from ..pose.pose import ClosedLoop
+from ..study.analysis import as_printed
 from ..units import FORCE, TORQUE
 from .lengths import with_roots
 from .loops import closing_guard, unseen_loops
@@ -115,9 +116,9 @@ class _Read(NamedTuple):
 
 def _read(result: Result, formula: Formula, known: Iterable[tuple[str, Formula]]) -> _Read:
     """Return a result as people read it: a case where there is one, no system's coefficients."""
-    if result.case is None and not result.inside:
+    if not isinstance(result, FrictionResult) or (result.case is None and not result.inside):
         return _Read(formula, tuple(Step(name, f) for name, f in known))
-    printed = result.printed()
+    printed = as_printed(result)
     used, where = set(symbols(printed.formula)), []
     named = {d.name for d in printed.where}
     for name, found in reversed([*(k for k in known if k[0] not in named), *printed.where]):

@@ -14,7 +14,7 @@ from ..formula.walk import evaluate, symbols
 from ..friction.results import FrictionResults
 from ..friction.solution import Solution
 from ..model.mechanism import Find, WithFriction
-from ..model.result import Result
+from ..model.result import FrictionResult, Result
 from .ranges import moved, range_of, shown, spaced, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
@@ -64,8 +64,8 @@ class _Beside:
         solution: Solution,
         find: Find,
         ideal: Result,
-        real: Result,
-        coupled: Callable[[], Result | None],
+        real: FrictionResult,
+        coupled: Callable[[], FrictionResult | None],
     ) -> None:
         assert isinstance(find.target, WithFriction)
         self._solution, self._find = solution, find

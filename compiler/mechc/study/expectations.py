@@ -26,6 +26,7 @@ from ..model.mechanism import Expect, Mechanism
 from ..model.result import Definition, Result
 from ..model.values import Chain, Values, completed, dependent
 from ..units import UNITS
+from .analysis import as_printed
 from .poses import complete, default_pose, random_poses
 
 POSES = 12
@@ -95,7 +96,7 @@ def _judge(
 ) -> Finding:
     if _is_number(expect):
         return _compare_number(expect, result, mechanism)
-    printed = result.printed()
+    printed = as_printed(result)
     if not expect.at and _proved(expect.value, printed, mechanism):
         return Finding(expect, "proved")
     return _compare_formula(expect, printed, mechanism, definitions)

@@ -16,10 +16,11 @@ from ..friction.solution import Solution, SolvedWithFriction
 from ..frozen import replace
 from ..model.boxes import range_box
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
-from ..model.result import Result, Trend
+from ..model.result import Result
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
 from ..power.numbers import default_values
+from .analysis import Analysis, Trend, as_printed
 from .trends import trend
 from .zeros import poles, zeros
 
@@ -33,7 +34,7 @@ Their number grows with the square of the parameters', and nobody reads them the
 """
 
 
-def conclude(solution: Solution) -> tuple[Result, ...]:
+def conclude(solution: Solution) -> tuple[Analysis, ...]:
     """Return the results with what follows from each."""
     values, study = default_values(solution.plan), cache(partial(_study, solution))
     return tuple(_concluded(item, solution, values, study) for item in solution.solved)
@@ -50,13 +51,13 @@ def _concluded(
     solution: Solution,
     values: Mapping[str, float],
     study: "Callable[[], Study]",
-) -> Result:
+) -> Analysis:
     balance = solution.balance
     if isinstance(item, SolvedWithFriction) or item.value is None:
         return _with_friction(item.result, balance, study)
     mechanism = balance.plan.graph.pose.mechanism
     result = replace(
-        item.result,
+        as_printed(item.result),
         zeros=zeros(item, balance, values),
         poles=poles(item, balance, values),
         proportional=_proportional(item.value, item.result),
@@ -79,9 +80,9 @@ def _concluded(
     )
 
 
-def _with_friction(result: Result, balance: Balance, study: "Callable[[], Study]") -> Result:
+def _with_friction(result: Result, balance: Balance, study: "Callable[[], Study]") -> Analysis:
     """Return a result as it is printed, with where the mechanism moves at all."""
-    printed, friction = result.printed(), balance.plan.graph.pose.mechanism.friction
+    printed, friction = as_printed(result), balance.plan.graph.pose.mechanism.friction
     if friction.efficiency is not None:
         return printed
     match result.target:

@@ -7,7 +7,7 @@ from ..formula.walk import symbols
 from ..friction.results import FrictionResults
 from ..friction.solution import Solution
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Sense, WithFriction
-from ..model.result import Result
+from ..model.result import FrictionResult, Result
 from ..source import Source
 from .states import Moving
 from .sweep import Places
@@ -26,9 +26,10 @@ class Study:
         """Return the ratio without friction."""
         return next(r for r in self.solution.results if r.target == of)
 
-    def real(self, of: LoadRatio | LoadForm, sense: Sense) -> Result:
+    def real(self, of: LoadRatio | LoadForm, sense: Sense) -> FrictionResult:
         """Return the ratio with friction."""
-        return next(r for r in self.solution.results if r.target == WithFriction(of, sense))
+        found = (r for r in self.solution.results if isinstance(r, FrictionResult))
+        return next(r for r in found if r.target == WithFriction(of, sense))
 
     def moving(self, of: LoadRatio | LoadForm, sense: Sense, parameter: str) -> Moving | None:
         """Return a ratio along a parameter; None where loads without a size are in it."""
@@ -43,7 +44,7 @@ class Study:
             self._moving[key] = Moving(places, ideal, real, sense, coupled)
         return self._moving[key]
 
-    def _coupled(self, name: str) -> Result | None:
+    def _coupled(self, name: str) -> FrictionResult | None:
         """Return a ratio with friction from the coupled equations."""
         find = next(f for f in self.mechanism.finds if f.name == name)
         assert isinstance(find.target, WithFriction)

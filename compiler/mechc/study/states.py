@@ -19,7 +19,7 @@ from ..formula.tree import ZERO, Call, Formula, Implicit
 from ..formula.walk import longer_way, status, symbols, walk
 from ..frozen import replace
 from ..model.locking import State
-from ..model.result import Definition, Result
+from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS, Sense
 from .sweep import VALUE, Places, guarded
 
@@ -50,9 +50,9 @@ class Moving:
         self,
         places: Places,
         ideal: Result,
-        real: Result,
+        real: FrictionResult,
         sense: Sense,
-        coupled: Callable[[], Result | None],
+        coupled: Callable[[], FrictionResult | None],
     ) -> None:
         self.places, self.ideal, self.real = places, ideal, real
         self._sign, self._coupled = SIGNS[sense], coupled
@@ -172,5 +172,6 @@ def is_sign(formula: Formula) -> bool:
 
 def solutions(result: Result) -> Iterator[Implicit]:
     """Yield the pressing forces that a result finds by iteration, several of one system."""
-    inside = (d.formula for d in result.where if d.name in result.inside)
-    return (formula for formula in inside if isinstance(formula, Implicit))
+    inside = result.inside if isinstance(result, FrictionResult) else frozenset[str]()
+    formulas = (d.formula for d in result.where if d.name in inside)
+    return (formula for formula in formulas if isinstance(formula, Implicit))

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from ..algebra.intervals import Box, Interval, sign, widened
 from ..algebra.product import Product, Sum
 from ..formula.walk import symbols
-from ..model.result import Trend
+from .analysis import Trend
 
 PARTS = 48
 """A factor's sign is looked for on at most this many parts of the box."""

@@ -17,8 +17,8 @@ from ..formula.walk import evaluate, symbols, walk
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
-from ..model.result import Vanishing
 from ..power.balance import Balance, Solved, Term
+from .analysis import Vanishing
 
 STEPS = (1e-4, 1e-7)
 """How far from a root the values are compared that refute it, in radians.

@@ -23,7 +23,7 @@ from ...model.mechanism import (
     Target,
     WithFriction,
 )
-from ...model.result import Definition, Result, Trend, Vanishing
+from ...model.result import Definition
 from ...report.derivation.steps import (
     Account,
     Derivation,
@@ -36,6 +36,7 @@ from ...report.derivation.steps import (
 )
 from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
+from ...study.analysis import Analysis, Trend, Vanishing
 from ..describe import condition_lines, dimension_name, si_unit
 from ..target import Compiled
 from .figure import FIGURE
@@ -171,7 +172,7 @@ COURSE: Kind[Course] = record(
 _POWERS = map_of(Kind({"type": "integer"}, int))
 _PAIRS = list_of(list_of(TEXT))
 
-RESULT: Kind[Result] = record(
+RESULT: Kind[Analysis] = record(
     "result",
     "A find or a let, solved.",
     member("name", "As in the description.", TEXT, lambda r: r.name),

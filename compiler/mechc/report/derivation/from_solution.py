@@ -12,8 +12,8 @@ from ...kinematics.graph import Form, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...kinematics.plan import Block
 from ...model.mechanism import Force, Speed, SpeedRatio, Thrust, Torque
-from ...model.result import Result
 from ...power.balance import Balance, Term
+from ...study.analysis import Analysis
 from ..sentences.wording import has_minus, positive_first
 from .forces import of_forces
 from .friction import of_friction
@@ -24,7 +24,7 @@ from .steps import Derivation, Equation, PowerTerm, Rule, Step
 Names = Mapping[int, Named]
 
 
-def derive(solution: Solution, results: Sequence[Result]) -> Derivation:
+def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
     """Return the derivation of what was asked for, with the results as they are concluded."""
     balance = solution.balance
     writer = _Writer(balance)

@@ -12,7 +12,8 @@ from typing import NamedTuple
 
 from ...formula.tree import Formula
 from ...frozen import frozen
-from ...model.result import Definition, Result
+from ...model.result import Definition
+from ...study.analysis import Analysis
 
 
 class Rule(StrEnum):
@@ -202,5 +203,5 @@ class Derivation:
     steps: tuple[Step, ...]
     terms: tuple[PowerTerm, ...]
     balances: tuple[Equation, ...]
-    results: tuple[Result, ...]
+    results: tuple[Analysis, ...]
     accounts: tuple[Account, ...] = ()

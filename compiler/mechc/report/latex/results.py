@@ -9,8 +9,9 @@ from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
 from ...model.mechanism import SpeedRatio
-from ...model.result import Definition, Result
+from ...model.result import Definition
 from ...statics.verdict import Verdict
+from ...study.analysis import Analysis
 from ..definitions import Solved, grouped
 from ..derivation.steps import Equation, Passage
 from ..languages.locale import Words
@@ -67,7 +68,7 @@ def section_block(section: Section, words: Words, style: Notation) -> SectionBlo
     )
 
 
-def _together(results: Sequence[Result], style: Notation, words: Words) -> tuple[str, ...]:
+def _together(results: Sequence[Analysis], style: Notation, words: Words) -> tuple[str, ...]:
     """Return the components of one force below each other; nothing for a single result."""
     if len(results) == 1:
         return ()
@@ -106,7 +107,7 @@ def _balance(equation: Equation, words: Words, style: Notation) -> str:
     return balance(*equation, style, words.where)
 
 
-def _findings(result: Result, words: Words, style: Notation) -> Findings:
+def _findings(result: Analysis, words: Words, style: Notation) -> Findings:
     return Findings(
         remarks(result, words, Speller(style)),
         _derivatives(result, words, style),
@@ -114,7 +115,7 @@ def _findings(result: Result, words: Words, style: Notation) -> Findings:
     )
 
 
-def _left(result: Result, style: Notation) -> Box:
+def _left(result: Analysis, style: Notation) -> Box:
     """Return the left side, ``k = P/F`` for a ratio with a name of its own."""
     symbol, asked_for = box(asked(result), style), ratio(result)
     if asked_for is None or is_nameless(result):
@@ -124,7 +125,7 @@ def _left(result: Result, style: Notation) -> Box:
 
 
 def _main(
-    result: Result, words: Words, style: Notation, units: Mapping[str, str]
+    result: Analysis, words: Words, style: Notation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     left = _left(result, style)
     short = left.width + box(result.formula, style).width <= LINE
@@ -172,7 +173,7 @@ def _solved(group: Definition | Solved, words: Words, style: Notation) -> tuple[
     return words.solve.format(names=names), display(lines, style, words.where)
 
 
-def _derivatives(result: Result, words: Words, style: Notation) -> str:
+def _derivatives(result: Analysis, words: Words, style: Notation) -> str:
     if isinstance(result.target, SpeedRatio):
         return ""
     symbol = latex(asked(result), style)
@@ -221,12 +222,12 @@ class Speller(NamedTuple):
         return f"${points(names)}$"
 
 
-def numbers(results: Iterable[Result], words: Words, style: Notation) -> tuple[str, ...]:
+def numbers(results: Iterable[Analysis], words: Words, style: Notation) -> tuple[str, ...]:
     """Return the results at the default pose."""
     return tuple(shown for r in results if (shown := _number(r, words, style)))
 
 
-def _number(result: Result, words: Words, style: Notation) -> str:
+def _number(result: Analysis, words: Words, style: Notation) -> str:
     symbol = latex(asked(result), style)
     if result.undetermined:
         return rf"${symbol}$ {words.undetermined} ($0/0$)"

@@ -6,7 +6,7 @@ from fractions import Fraction
 from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
 from ...model.locking import Bound, Course, Locking, Range, Reach, Stretch
-from ...model.result import Result
+from ...study.analysis import Analysis
 from ...units import UNITS
 from ..languages.locale import Words
 from .speller import Speller
@@ -18,7 +18,7 @@ DIGITS = 4
 HALF_CIRCLE = 180 / 3.141592653589793
 
 
-def friction_remarks(result: Result, words: Words, spell: Speller) -> Iterator[str]:
+def friction_remarks(result: Analysis, words: Words, spell: Speller) -> Iterator[str]:
     """Yield where nothing moves, what an efficiency runs through, and whether that is proved."""
     if result.locking:
         yield from _locking(result.locking, words, spell)
@@ -107,7 +107,7 @@ def _within(stretch: Stretch, reach: Reach, words: Words, spell: Speller) -> str
     return f", {words.in_range.format(condition=_span(stretch.within, reach, words, spell))}"
 
 
-def _course(result: Result, course: Course, words: Words, spell: Speller) -> str:
+def _course(result: Analysis, course: Course, words: Words, spell: Speller) -> str:
     least, greatest = (_share(v, words, spell) for v in (course.least, course.greatest))
     said = (words.steady if least == greatest else words.course).format(
         result=spell.relation((Symbol(result.name),), (), False),

@@ -18,7 +18,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
-from ...model.result import Result, Trend, Vanishing
+from ...study.analysis import Analysis, Trend, Vanishing
 from ..derivation.steps import Passage
 from ..languages.locale import Words
 from .locking import friction_remarks
@@ -41,7 +41,7 @@ def said(passage: Passage, words: Words, spell: Speller) -> str:
     return words.sayings[passage.saying].format_map({**names, **formulas, "held": held})
 
 
-def heading(result: Result, words: Words, spell: Speller) -> str:
+def heading(result: Analysis, words: Words, spell: Speller) -> str:
     """Return what kind of thing was found; ``""`` for a formula of the user's own."""
     match result.target:
         case LoadRatio():
@@ -66,7 +66,7 @@ def heading(result: Result, words: Words, spell: Speller) -> str:
             assert_never(result.target)
 
 
-def ratio(result: Result) -> Formula | None:
+def ratio(result: Analysis) -> Formula | None:
     """Return the ratio that was asked for, ``P/F`` or ``V_D/V_A``; None for anything else."""
     match result.target:
         case LoadRatio(above, below):
@@ -79,7 +79,7 @@ def ratio(result: Result) -> Formula | None:
             return None
 
 
-def _share(result: Result) -> Formula:
+def _share(result: Analysis) -> Formula:
     """Return ``k/k_f``, or ``k_f/k`` where the load drives."""
     name = result.name.removeprefix("eta_")
     ideal, real = Symbol(name), Symbol(f"{name}_f")
@@ -91,13 +91,13 @@ def _speed(speed: Speed) -> Formula:
     return Symbol(f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}")
 
 
-def asked(result: Result) -> Formula:
+def asked(result: Analysis) -> Formula:
     """Return the result's own symbol; a ratio that was given no name stands for itself."""
     asked_for = ratio(result)
     return asked_for if asked_for and is_nameless(result) else Symbol(called(result))
 
 
-def called(result: Result) -> str:
+def called(result: Analysis) -> str:
     """Return a result's name in print; the direction of a force has an angle's letter."""
     force = reaction(result)
     if force and force.part == "direction":
@@ -105,7 +105,7 @@ def called(result: Result) -> str:
     return result.name
 
 
-def reaction(result: Result) -> Reaction | None:
+def reaction(result: Analysis) -> Reaction | None:
     """Return the force that a result is a part of, with friction or without it."""
     match result.target:
         case Reaction() as force:
@@ -116,12 +116,12 @@ def reaction(result: Result) -> Reaction | None:
             return None
 
 
-def is_nameless(result: Result) -> bool:
+def is_nameless(result: Analysis) -> bool:
     """Return whether a result's name was made up (``V_D_over_V_A``)."""
     return "_over_" in result.name
 
 
-def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
+def remarks(result: Analysis, words: Words, spell: Speller) -> tuple[str, ...]:
     """Return what follows from a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
     said = _holds(result, words, spell)
@@ -138,7 +138,7 @@ def remarks(result: Result, words: Words, spell: Speller) -> tuple[str, ...]:
     return (*said, *friction_remarks(result, words, spell))
 
 
-def _holds(result: Result, words: Words, spell: Speller) -> list[str]:
+def _holds(result: Analysis, words: Words, spell: Speller) -> list[str]:
     held = own_conditions(result)
     return [words.holds.format(conditions=conditions(held, spell))] if held else []
 
@@ -163,7 +163,7 @@ def _ordered(angle: Formula) -> Formula:
     return total(positive_first(angle.terms)) if isinstance(angle, Sum) else angle
 
 
-def _proportions(result: Result, words: Words, spell: Speller) -> list[str]:
+def _proportions(result: Analysis, words: Words, spell: Speller) -> list[str]:
     powers = {n: e for n, e in (result.proportional or {}).items() if e}
     if not powers:
         return []
@@ -175,7 +175,7 @@ def _symbols(names: Iterable[str], words: Words, spell: Speller) -> str:
     return enumeration([_spelled(Symbol(n), spell) for n in names], words)
 
 
-def _trends(result: Result, symbol: str, words: Words, spell: Speller) -> list[str]:
+def _trends(result: Analysis, symbol: str, words: Words, spell: Speller) -> list[str]:
     groups: dict[Trend, list[str]] = {}
     for parameter, trend in (result.trends or {}).items():
         groups.setdefault(trend, []).append(parameter)
@@ -186,7 +186,7 @@ def _trends(result: Result, symbol: str, words: Words, spell: Speller) -> list[s
     ]
 
 
-def own_conditions(result: Result) -> tuple[Require, ...]:
+def own_conditions(result: Analysis) -> tuple[Require, ...]:
     """Return the conditions of a case, of an efficiency what the ratio's sign must be.
 
     Else it has those of what it is made of.

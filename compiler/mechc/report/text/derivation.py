@@ -9,7 +9,8 @@ from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Formula, Symbol
 from ...frozen import replace
 from ...model.mechanism import GRAVITY, Mechanism
-from ...model.result import Definition, Result
+from ...model.result import Definition
+from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..definitions import Solved, grouped
 from ..derivation.steps import Derivation, Step
@@ -123,7 +124,7 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
             yield from _wrapped(remark, "   - ")
 
 
-def _result(result: Result, spell: Speller, units: Mapping[str, str]) -> list[str]:
+def _result(result: Analysis, spell: Speller, units: Mapping[str, str]) -> list[str]:
     asked_for = ratio(result)
     left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
     angle = is_angle(result.formula, spell.angles)

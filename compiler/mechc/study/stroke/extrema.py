@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal
 
 from ...formula.roots import lowest, roots
-from ...model.result import Result
+from ...study.analysis import Analysis
 from .along import Along
 from .stroke import Extremum
 
@@ -19,7 +19,7 @@ What changes less is constant but for rounding.
 
 
 def extrema(
-    result: Result, drive: str, along: Along, places: Sequence[float]
+    result: Analysis, drive: str, along: Along, places: Sequence[float]
 ) -> Iterator[Extremum]:
     """Yield the extrema between places that lie close together."""
     values = [along.of(result.formula, result, x) for x in places]
@@ -36,7 +36,9 @@ def extrema(
             yield Extremum(result.name, KINDS[sense], near, value)
 
 
-def turns_between(extremum: Extremum, poles: Sequence[float], result: Result, along: Along) -> bool:
+def turns_between(
+    extremum: Extremum, poles: Sequence[float], result: Analysis, along: Along
+) -> bool:
     """Tell an extremum near a pole from a value at the pole, which is rounding.
 
     The result turns there within an eighth of the way to the pole.
@@ -54,7 +56,7 @@ def _usual(values: Sequence[float]) -> float:
 
 
 def _turning(
-    result: Result, drive: str, along: Along, sense: int, within: tuple[float, float]
+    result: Analysis, drive: str, along: Along, sense: int, within: tuple[float, float]
 ) -> float:
     """Return the place between two others at which a result turns: where its slope is 0."""
     slope = (result.derivatives or {}).get(drive)

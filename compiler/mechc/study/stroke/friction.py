@@ -7,15 +7,15 @@ from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
 from ...model.locking import Course
-from ...model.result import Result
 from ...model.targets import Efficiency, WithFriction
+from ...study.analysis import Analysis
 from .stroke import Extremum, Stuck
 
 APART = 12
 """Of so many places one is enough where friction is found by iteration, which takes long."""
 
 
-def some(places: Sequence[float], result: Result) -> Sequence[float]:
+def some(places: Sequence[float], result: Analysis) -> Sequence[float]:
     """Return the places at which a result is looked at, the ends among them."""
     formulas = (d.formula for d in result.where)
     iterated = any(isinstance(part, Implicit) for f in formulas for part in walk(f))
@@ -24,13 +24,13 @@ def some(places: Sequence[float], result: Result) -> Sequence[float]:
     return [*places[:-1:APART], places[-1]]
 
 
-def in_code(result: Result, solution: Solution) -> Result:
+def in_code(result: Analysis, solution: Solution) -> Analysis:
     """Return a result as code takes it, with signs that follow from the pose."""
     whole = next(r for r in solution.results if r.name == result.name)
     return replace(result, formula=whole.formula, where=whole.where)
 
 
-def stuck(results: Iterable[Result], drive: str) -> Iterator[Stuck]:
+def stuck(results: Iterable[Analysis], drive: str) -> Iterator[Stuck]:
     """Yield where friction lets nothing move."""
     for result in results:
         for reach in result.locking.reaches if result.locking else ():
@@ -40,12 +40,12 @@ def stuck(results: Iterable[Result], drive: str) -> Iterator[Stuck]:
                         yield Stuck(result.name, stretch.state, *stretch.within)
 
 
-def is_told(extremum: Extremum, result: Result) -> bool:
+def is_told(extremum: Extremum, result: Analysis) -> bool:
     """Tell an extremum from one of an efficiency where nothing moves."""
     return extremum.value > 0 or not isinstance(result.target, Efficiency)
 
 
-def courses(results: Iterable[Result], drive: str) -> Iterator[tuple[str, Course]]:
+def courses(results: Iterable[Analysis], drive: str) -> Iterator[tuple[str, Course]]:
     """Yield each efficiency with what it runs through."""
     for result in results:
         yield from ((result.name, c) for c in result.courses if c.parameter == drive)

@@ -13,7 +13,8 @@ from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, Mechanism, Parameter
-from ...model.result import Definition, Result
+from ...model.result import Definition
+from ...study.analysis import Analysis
 from ...units import ANGLE, LENGTH, Dimension
 from .along import EXCLUDED, NOT_ASSEMBLED, Along, ends_of
 from .branches import branch_points
@@ -39,7 +40,7 @@ FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
 
 
-def run(solution: Solution, results: Sequence[Result], points: int, report: Report) -> Stroke:
+def run(solution: Solution, results: Sequence[Analysis], points: int, report: Report) -> Stroke:
     """Return ``points`` rows along the stroke, and what is singular or extreme on it.
 
     Reports E591 without a drive, E592 without a stroke's ends.
@@ -71,7 +72,7 @@ class _Runner:
     def __init__(
         self,
         solution: Solution,
-        results: Sequence[Result],
+        results: Sequence[Analysis],
         parameter: Parameter,
         low: float,
         high: float,
@@ -88,7 +89,7 @@ class _Runner:
         self._branches = branch_points(self._pose, self._along, self._places)
         self._crossings: list[Branch] = []
 
-    def _without(self, result: Result) -> tuple[str, ...]:
+    def _without(self, result: Analysis) -> tuple[str, ...]:
         """Return the loads that a result rests on and whose size nobody gives."""
         loads = {load.name for load in self._pose.mechanism.loads}
         defined = {d.name for d in result.where}
@@ -149,7 +150,7 @@ class _Runner:
             column = Column(name, ANGLE, "angle")
             yield _Filled(column, partial(self._angle, angle))
 
-    def _values(self, formula: Formula, where: Result) -> Callable[[float], float]:
+    def _values(self, formula: Formula, where: Analysis) -> Callable[[float], float]:
         return lambda place: self._along.of(formula, where, place)
 
     def _angle(self, angle: Transmission, place: float) -> float:
@@ -228,7 +229,7 @@ class _Runner:
     def _within(self, stretch: Stretch) -> list[float]:
         return looked_at(stretch, self._places)
 
-    def _looked(self, result: Result, stretches: Sequence[Stretch]) -> int:
+    def _looked(self, result: Analysis, stretches: Sequence[Stretch]) -> int:
         """Return at how many places of the stroke a result was looked at."""
         return sum(len(some(self._within(stretch), result)) for stretch in stretches)
 
@@ -253,13 +254,13 @@ class _Runner:
     ) -> Order | None:
         return order_at(function, place, range_)
 
-    def _poles(self, result: Result, singular: Sequence[Singular]) -> list[float]:
+    def _poles(self, result: Analysis, singular: Sequence[Singular]) -> list[float]:
         """Return where a result is infinite, or what it is with friction."""
         ideal = getattr(result.target, "of", result.target)
         names = {ratio.name for ratio in self._ratios if ratio.target == ideal}
         return [s.drive for s in singular if s.result in names and s.value == "infinite"]
 
-    def _own_poles(self, result: Result, stretch: Stretch) -> list[float]:
+    def _own_poles(self, result: Analysis, stretch: Stretch) -> list[float]:
         """Return where a result that is no ratio of loads is infinite on a stretch."""
         if isinstance(result.target, LoadRatio):
             return []
@@ -270,12 +271,12 @@ class _Runner:
             for root in places_of(result, pole, self._along, stretch, places)
         ]
 
-    def _is_pole(self, found: Extremum, result: Result) -> bool:
+    def _is_pole(self, found: Extremum, result: Analysis) -> bool:
         """Tell a pole, which samples on either side of it enclose, from an extremum."""
         values = self._values(result.formula, result)
         return self._order(values, self._high - self._low, found.drive) == "infinite"
 
-    def _rounded(self, found: Extremum, result: Result) -> Iterator[Extremum]:
+    def _rounded(self, found: Extremum, result: Analysis) -> Iterator[Extremum]:
         """Yield an extremum, 0 where that is nothing but rounding; none where there is no value."""
         rounding = self._along.rounding(found.drive)
         number, _ = beyond_rounding(found.value, result.formula, result.where, rounding)

@@ -8,7 +8,7 @@ from typing import Literal
 from ...formula.roots import Function, Root, jumps, roots
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
-from ...model.result import Result, Vanishing
+from ...study.analysis import Analysis, Vanishing
 from .along import Along
 from .stroke import Branch, Kind, Singular, Stretch
 
@@ -43,7 +43,7 @@ STEP = 1e-6
 
 
 def singular_poses(
-    result: Result, drive: str, along: Along, stretch: Stretch, places: Sequence[float]
+    result: Analysis, drive: str, along: Along, stretch: Stretch, places: Sequence[float]
 ) -> Iterator[Singular]:
     """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
     conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
@@ -57,7 +57,7 @@ def singular_poses(
 
 
 def places_of(
-    result: Result, vanishing: Vanishing, along: Along, stretch: Stretch, places: Sequence[float]
+    result: Analysis, vanishing: Vanishing, along: Along, stretch: Stretch, places: Sequence[float]
 ) -> Iterator[Root]:
     """Yield where on a stretch a result's factor vanishes."""
 

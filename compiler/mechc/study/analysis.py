@@ -1,0 +1,65 @@
+"""A result as people read it, with what follows from it."""
+
+from collections.abc import Mapping
+from typing import Literal, NamedTuple
+
+from ..formula.tree import Formula
+from ..frozen import fields, frozen, replace
+from ..model.locking import Course, Locking
+from ..model.mechanism import Require
+from ..model.result import FrictionResult, Result
+
+
+class Vanishing(NamedTuple):
+    """A condition ``factor = 0`` under which a result is zero, or infinite.
+
+    ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None.
+    ``kind`` tells a dead centre from a load perpendicular to its point's velocity.
+    """
+
+    factor: Formula
+    at: tuple[str, Formula] | None
+    kind: Literal["output still", "drive locked", "perpendicular load", "other"]
+
+
+Trend = Literal[
+    "rises", "falls", "rises between poles", "falls between poles", "constant", "turns", "unknown"
+]
+"""``between poles``: on each side of the values at which a result is infinite, not across them."""
+
+
+@frozen
+class Analysis(Result):
+    """A result as it is printed, with where it vanishes, how it moves, where friction locks.
+
+    ``proportional`` maps a parameter to the power in which the result is proportional to
+    it; ``swaps`` are pairs that may be exchanged; ``trends`` say how it moves over each
+    parameter's range (by a proof of the sign of the derivative, never by sampling);
+    ``derivatives`` are the partial ones. ``holds`` are the conditions of a result that is
+    printed for one case; ``inside`` are the names of its ``where`` that are coefficients of a
+    system. ``locking`` tells of a ratio with friction where nothing moves, ``courses`` of an
+    efficiency what it runs through.
+    """
+
+    zeros: tuple[Vanishing, ...] = ()
+    poles: tuple[Vanishing, ...] = ()
+    proportional: Mapping[str, int] | None = None
+    independent: tuple[str, ...] = ()
+    swaps: tuple[tuple[str, str], ...] = ()
+    trends: Mapping[str, Trend] | None = None
+    derivatives: Mapping[str, Formula] | None = None
+    holds: tuple[Require, ...] = ()
+    inside: frozenset[str] = frozenset()
+    locking: Locking | None = None
+    courses: tuple[Course, ...] = ()
+
+
+def as_printed(result: Result) -> Analysis:
+    """Return a result as people read it: one with friction for the case of the default pose."""
+    analysis = Analysis(*(getattr(result, f.name) for f in fields(Result)))
+    if not isinstance(result, FrictionResult):
+        return analysis
+    if result.case is None:
+        return replace(analysis, inside=result.inside)
+    formula, where, holds = result.case.formula, result.case.where, result.case.holds
+    return replace(analysis, formula=formula, where=where, holds=holds, inside=result.inside)
