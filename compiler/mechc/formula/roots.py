@@ -32,6 +32,16 @@ JUMP = 1e-3
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
+def spaced(low: float, high: float, parts: int) -> list[float]:
+    """Return the ends of equal cells, the last one exactly.
+
+    >>> spaced(0, 1, 4)
+    [0.0, 0.25, 0.5, 0.75, 1]
+    """
+    parts = max(parts, 1)
+    return [low + (high - low) * i / parts for i in range(parts)] + [high]
+
+
 class Root(NamedTuple):
     """A zero, and the width of the interval that holds it."""
 

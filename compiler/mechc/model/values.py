@@ -133,6 +133,19 @@ def bounds(parameter: Parameter) -> tuple[float, float]:
     return (0.1, 1.4) if parameter.dimension == ANGLE else (0.5, 2.0)
 
 
+def range_of(name: str, mechanism: Mechanism) -> tuple[float, float] | None:
+    """Return the drive's stroke, or a parameter's range, from its lower end; None without."""
+    drive = mechanism.drive
+    ends = next(p.range for p in mechanism.parameters if p.name == name)
+    if drive and drive.parameter == name and drive.low and drive.high:
+        low, high = evaluate(drive.low, {}), evaluate(drive.high, {})
+    elif ends is not None:
+        low, high = (evaluate(end, {}) for end in ends)
+    else:
+        return None
+    return min(low, high), max(low, high)
+
+
 def allowed(mechanism: Mechanism, values: Values) -> bool:
     """Return whether every ``require`` holds; one on what has no value cannot be judged."""
     return all(holds(condition, values) for condition in mechanism.requires)

@@ -10,12 +10,14 @@ from functools import cache, partial
 
 from ..diagnostics import Report
 from ..diagnostics import friction as words
+from ..formula.roots import spaced
 from ..formula.walk import evaluate, symbols
 from ..friction.results import FrictionResults
 from ..friction.solution import Solution
 from ..model.mechanism import Find, WithFriction
 from ..model.result import FrictionResult, Result
-from .ranges import moved, range_of, shown, spaced, spans, turns
+from ..model.values import range_of
+from .ranges import moved, shown, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
 from .states import Moving
@@ -129,7 +131,7 @@ def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
         scale = 1.0 if turns(name, mechanism) else whole[1] - whole[0]
         slope = _Slope(places, ideal, scale)
         if ends:
-            for part in spans(spaced(ends, PLACES), slope.is_steep):
+            for part in spans(spaced(*ends, PLACES), slope.is_steep):
                 yield f"for {shown(name, part, mechanism)}"
         elif scale and slope.is_steep(here):
             yield f"at the default {name}"

@@ -6,7 +6,8 @@ from collections.abc import Iterator
 from ..model.locking import USUAL, Course, Range
 from ..model.mechanism import Efficiency
 from ..model.result import Result
-from .ranges import moved, range_of, spans, unit_of, varying
+from ..model.values import range_of
+from .ranges import moved, spans, unit_of, varying
 from .ratios import Study
 from .sampling import looked_at
 from .states import Moving

@@ -13,7 +13,8 @@ from ..frozen import frozen
 from ..model.locking import Bound, Locking, Range, Reach, State, Stretch
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
-from .ranges import EXACT, NEARLY, last, range_of, turns, unit_of, varying
+from ..model.values import range_of
+from .ranges import EXACT, NEARLY, last, turns, unit_of, varying
 from .ratios import Study
 from .sampling import PLACES, before_dead_centre, dead_centre, looked_at
 from .states import Moving

@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..model.locking import Range
 from ..model.mechanism import Mechanism
 from ..model.result import Result
@@ -43,19 +43,6 @@ def _used(mechanism: Mechanism, results: Sequence[Result]) -> set[str]:
     return used
 
 
-def range_of(name: str, mechanism: Mechanism) -> Range | None:
-    """Return the drive's stroke, or a parameter's range, from its lower end."""
-    drive = mechanism.drive
-    ends = next(p.range for p in mechanism.parameters if p.name == name)
-    if drive and drive.parameter == name and drive.low and drive.high:
-        low, high = evaluate(drive.low, {}), evaluate(drive.high, {})
-    elif ends is not None:
-        low, high = (evaluate(end, {}) for end in ends)
-    else:
-        return None
-    return (low, high) if low < high else (high, low)
-
-
 def turns(name: str, mechanism: Mechanism) -> bool:
     """Tell whether a parameter is an angle."""
     return any(p.name == name and p.dimension == ANGLE for p in mechanism.parameters)
@@ -67,12 +54,6 @@ def unit_of(name: str, mechanism: Mechanism) -> str:
     if parameter.dimension == ANGLE:
         return ""
     return parameter.unit or ("m" if parameter.dimension == LENGTH else "")
-
-
-def spaced(ends: Range, parts: int) -> list[float]:
-    """Return places from one end of a range to the other."""
-    low, high = ends
-    return [low + (high - low) * i / parts for i in range(parts)] + [high]
 
 
 EXACT, NEARLY = 1e-13, 1e-10

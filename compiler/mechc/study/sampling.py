@@ -11,8 +11,8 @@ from collections.abc import Iterator, Sequence
 from functools import partial
 from itertools import pairwise
 
-from ..formula.roots import lowest
-from .ranges import NEARLY, last, spaced
+from ..formula.roots import lowest, spaced
+from .ranges import NEARLY, last
 from .states import Moving
 
 PLACES = 36
@@ -54,7 +54,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
 
     None is nearer to a dead centre than what rounding leaves to be solved there.
     """
-    even = spaced((low, high), PLACES)
+    even = spaced(low, high, PLACES)
     still = [z for a, b in pairwise(even) for z in _dead_centres(moving, a, b)]
     beside = [c + away for c in (low, high, *still) for away in _near(moving, even[1] - low)]
     chosen = even[::SELDOM] if moving.is_slow else even

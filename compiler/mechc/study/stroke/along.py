@@ -8,23 +8,11 @@ from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.tree import Formula
 from ...formula.walk import evaluate, symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Drive, Parameter
 from ...model.result import Result
 from ...model.values import Chain, Values, allowed, completed, defaults, dependent, holds
 
 NOT_ASSEMBLED = "cannot be assembled"
 EXCLUDED = "excluded by a condition of use"
-
-
-def ends_of(drive: Drive, parameter: Parameter) -> tuple[float, float] | None:
-    """Return the ends of a stroke, the range's where none is given; None without either."""
-    low, high = (
-        (drive.low, drive.high) if drive.low and drive.high else parameter.range or (None, None)
-    )
-    if low is None or high is None:
-        return None
-    first, second = evaluate(low, {}), evaluate(high, {})
-    return min(first, second), max(first, second)
 
 
 class Along:

@@ -8,20 +8,22 @@ from typing import NamedTuple
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as words
+from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding
 from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, Mechanism, Parameter
 from ...model.result import Definition
+from ...model.values import range_of
 from ...study.analysis import Analysis
 from ...units import ANGLE, LENGTH, Dimension
-from .along import EXCLUDED, NOT_ASSEMBLED, Along, ends_of
+from .along import EXCLUDED, NOT_ASSEMBLED, Along
 from .branches import branch_points
 from .ends import end_of_branch
 from .extrema import extrema, turns_between
 from .friction import courses, in_code, is_told, some, stuck
-from .places import SAMPLES, looked_at, spaced
+from .places import SAMPLES, looked_at
 from .reached import with_reached
 from .singular import BESIDE, Order, order_at, places_of, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
@@ -50,7 +52,7 @@ def run(solution: Solution, results: Sequence[Analysis], points: int, report: Re
     if drive is None:
         raise report.fail(words.no_drive(pose.mechanism.span, pose.free))
     parameter = next(p for p in pose.mechanism.parameters if p.name == drive.parameter)
-    ends = ends_of(drive, parameter)
+    ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
     runner = _Runner(solution, results, parameter, *ends)

@@ -5,9 +5,10 @@ from itertools import pairwise
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as words
+from ...formula.roots import spaced
 from ...kinematics.plan import Plan
-from .along import NOT_ASSEMBLED, Along, ends_of
-from .places import spaced
+from ...model.values import range_of
+from .along import NOT_ASSEMBLED, Along
 
 CELLS = 120
 """Cells of a stroke whose ends are looked at."""
@@ -25,10 +26,10 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
     """Return the parts of the stroke on which a loop does not close, with W594 for all of them."""
     mechanism = plan.graph.pose.mechanism
     drive = mechanism.drive
-    parameter = next((p for p in mechanism.parameters if drive and p.name == drive.parameter), None)
-    ends = ends_of(drive, parameter) if drive and parameter else None
-    if not drive or not parameter or not ends or not plan.graph.pose.loops:
+    ends = range_of(drive.parameter, mechanism) if drive else None
+    if not drive or not ends or not plan.graph.pose.loops:
         return ()
+    parameter = next(p for p in mechanism.parameters if p.name == drive.parameter)
     wide = FLAT * (ends[1] - ends[0])
     parts = _parts(Along(plan, {}), spaced(*ends, CELLS))
     found = tuple((low, high) for low, high in parts if high - low > wide)

@@ -6,6 +6,7 @@ places are spaced evenly by that root. Where a loop that lies flat can go on, no
 
 from collections.abc import Iterator, Sequence
 
+from ...formula.roots import spaced
 from .stroke import Stretch
 
 SAMPLES = 720
@@ -16,12 +17,6 @@ ENOUGH = 180
 
 GRADED = 16
 """Cells that one next to the end of a loop is divided into."""
-
-
-def spaced(low: float, high: float, parts: int) -> list[float]:
-    """Return the ends of equal cells."""
-    parts = max(parts, 1)
-    return [low + (high - low) * i / parts for i in range(parts)] + [high]
 
 
 def looked_at(stretch: Stretch, places: Sequence[float]) -> list[float]:
