@@ -64,6 +64,7 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     places = sorted({*places, *(x for x in jumps if all(abs(x - c) > nearest for c in still))})
     edges = [x for a, b in pairwise(places) for x in _edge(moving, a, b)]
     places = sorted({*places, *edges})
+    places = sorted({*places, *_bulging(moving, places)})
     return sorted({*places, *_extremes(moving, places)})
 
 
@@ -107,8 +108,12 @@ def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:
 
 
 def dead_centre(moving: Moving, a: float, b: float) -> float:
-    """Return the dead centre between two places, 0 where it is nearly that."""
-    place = before_dead_centre(moving, a, b)
+    """Return the dead centre between two places, 0 where it is nearly that.
+
+    It may be the end of a loop, beyond which there is nothing: it is come to from where there is.
+    """
+    ends = (a, b) if moving.driven(a) is not None else (b, a)
+    place = before_dead_centre(moving, *ends)
     return 0.0 if abs(place) < NEAR * abs(b - a) else place
 
 
@@ -145,6 +150,18 @@ def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
     if None not in (state, beyond) and state != beyond and moving.driven(b) == driven:
         yield last(lambda x: moving.at(x).state == state, a, b, NEARLY)
         yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY)
+
+
+def _bulging(moving: Moving, places: Sequence[float]) -> Iterator[float]:
+    """Yield the middles of cells in which an efficiency turns: they are above or below both ends.
+
+    Beside a jump the cell itself may hold its lowest or highest.
+    """
+    for a, b in pairwise(places):
+        middle = (a + b) / 2
+        first, here, final = (moving.efficiency(x) for x in (a, middle, b))
+        if here > max(first, final) or here < min(first, final):
+            yield middle
 
 
 def _extremes(moving: Moving, places: Sequence[float]) -> Iterator[float]:

@@ -1,0 +1,101 @@
+"""What is said of friction along a parameter, held against dense sampling of emitted code.
+
+Each function yields what sampling refutes, in words; nothing where all holds. Where code has no
+value nothing is refuted.
+"""
+
+import math
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+
+from mechc.driver import Compilation
+from mechc.model.locking import USUAL, Course, Reach
+from mechc.model.result import Result
+from mechc.model.targets import SIGNS, Efficiency, WithFriction
+from mechc.routine.evaluate import evaluate
+
+DENSE = 2001
+"""Places along a range."""
+
+BESIDE = (1e-3, 1e-4, 3e-5)
+"""How far from what is said to be an end is looked, too, as parts of the range."""
+
+NEAR = 1e-5
+"""What is nearer to an end is not looked at: four figures of it are told."""
+
+ENOUGH = 1e-3
+"""What an efficiency may be off: three figures are told."""
+
+Array = np.ndarray
+
+
+class Ratios:
+    """A ratio without friction and the same with it, as code gives them along a parameter."""
+
+    def __init__(self, compilation: Compilation, result: Result) -> None:
+        functions = {f.name: f for f in compilation.routine.functions}
+        named = {r.target: r.name for r in compilation.balance.results}
+        target = result.target
+        assert isinstance(target, WithFriction | Efficiency)
+        self.sense = SIGNS[target.sense]
+        real = named[WithFriction(target.of, target.sense)]
+        self.parts = functions[named[target.of]], functions[real]
+        inputs = [i for f in self.parts for i in f.inputs]
+        self.defaults = {i.name: 1.0 if i.default is None else i.default for i in inputs}
+
+    def along(self, name: str, places: Array) -> tuple[Array, Array]:
+        """Return k, and the ratio with friction as a part of it; NaN at a dead centre."""
+        values: Mapping[str, float | Array] = {**self.defaults, name: places}
+        k, real = (np.broadcast_to(evaluate(f, values), places.shape) for f in self.parts)
+        with np.errstate(all="ignore"):
+            return k, np.where(k != 0, real / k, np.nan)
+
+
+def refuted(compilation: Compilation) -> Iterator[str]:
+    """Yield every statement on friction that sampling refutes."""
+    for result in compilation.results:
+        for reach in result.locking.reaches if result.locking else ():
+            if reach.range:
+                yield from stuck(Ratios(compilation, result), result, reach)
+        for course in result.courses:
+            yield from run(Ratios(compilation, result), result, course)
+
+
+def stuck(ratios: Ratios, result: Result, reach: Reach) -> Iterator[str]:
+    """Yield where something moves that is said to be stuck, or the other way round."""
+    assert reach.range is not None
+    low, high = reach.range
+    parts = [(s.within, s.state) for s in reach.stretches if s.within]
+    ends = [end for within, _ in parts for end in within]
+    near = [e + way * d * (high - low) for e in ends for d in BESIDE for way in (1, -1)]
+    places = np.unique([*np.linspace(low, high, DENSE + 2)[1:-1], *near])
+    places = places[(places > low) & (places < high)]
+    for x, k, share in zip(places, *ratios.along(reach.parameter, places), strict=True):
+        if math.isnan(share) or any(abs(x - e) < NEAR * (high - low) for e in ends):
+            continue
+        held = "locked" if ratios.sense * k < 0 else "jammed"
+        truth = [] if share > 0 else [held]
+        if (said := [state for (a, b), state in parts if a <= x <= b]) != truth:
+            yield f"{result.name} at {reach.parameter} = {x!r}: said {said}, is {truth}"
+            return
+
+
+def run(ratios: Ratios, result: Result, course: Course) -> Iterator[str]:
+    """Yield what an efficiency comes to beyond what it is said to run through."""
+    places = np.linspace(*course.range, DENSE)[1:-1]
+    k, share = ratios.along(course.parameter, places)
+    driven = ratios.sense * k < 0
+    with np.errstate(all="ignore"):
+        found = np.where(share > 0, np.where(driven, share, 1 / share), 0.0)
+    known = ~np.isnan(share)
+    where = f"{result.name} over {course.parameter}"
+    for x, eta in zip(places[known], found[known], strict=True):
+        if not course.least - ENOUGH <= eta <= course.greatest + ENOUGH:
+            yield f"{where} is {eta} at {x!r}, not {course.least} to {course.greatest}"
+            return
+        is_said = any(a <= x <= b for a, b in course.usual)
+        slack = ENOUGH if is_said else -ENOUGH
+        if is_said != (USUAL[0] - slack <= eta <= USUAL[1] + slack):
+            yield f"{where} is {eta} at {x!r}: usual from … to {course.usual}"
+            return
