@@ -11,12 +11,16 @@ import pytest
 from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
+from mechc.report.text.stroke import to_table
 from mechc.routine.evaluate import evaluate, pose
 from mechc.source import Source
 from mechc.study.stroke.from_balance import run
 
 WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
 PLACES = 2001
+
+NIL = 1e-14
+"""What is smaller, in metres, is rounding: a load that works against nothing."""
 
 
 class Looked:
@@ -32,6 +36,7 @@ class Looked:
         self.places = np.linspace(self.stroke.low, self.stroke.high, PLACES)
         self.cell = self.places[1] - self.places[0]
         self.k = self.at(self.places)
+        self.k = np.where(np.abs(self.k) < NIL, 0.0, self.k)
         finite = np.abs(self.k[np.isfinite(self.k)])
         self.size = float(np.median(finite)) if finite.size else 0.0
 
@@ -61,6 +66,10 @@ class Looked:
     @property
     def poles(self):
         return [s.drive for s in self.stroke.singular if s.value != "0"]
+
+    @property
+    def jumps(self):
+        return [s for s in self.stroke.singular if s.sides]
 
 
 def check_where_there_is_a_pose(seen: Looked) -> None:
@@ -118,7 +127,50 @@ def check_extrema(seen: Looked) -> None:
             assert not before > here > after, place
 
 
+def check_values_of_extrema(seen: Looked) -> None:
+    for extremum in seen.stroke.extrema:
+        k = float(seen.at([extremum.drive])[0])
+        assert abs(k - extremum.value) <= 1e-6 * max(seen.size, abs(k)), extremum
+
+
+def check_sides_of_jumps(seen: Looked) -> None:
+    for jump in seen.jumps:
+        beside = seen.at(np.array([-1e-7, 1e-7]) * seen.range + jump.drive)
+        assert beside == pytest.approx(jump.sides, rel=1e-3), jump
+        assert abs(beside[0] - beside[1]) > 1e-3 * np.abs(beside).max(), jump
+
+
+def check_jumps(seen: Looked) -> None:
+    """Wherever k differs much more between two places than beside them, and keeps doing so."""
+    told = [*(s.drive for s in seen.stroke.singular), *seen.branches]
+    told += [end for s in seen.stroke.stretches for end in (s.low, s.high)]
+    for i in range(1, PLACES - 2):
+        before, step, after = np.abs(np.diff(seen.k[i - 1 : i + 3]))
+        if step > 5 * max(before, after) and step > 1e-6 * seen.size:
+            place = between(seen, i)
+            sides = seen.at(np.array([-1e-8, 1e-8]) * seen.range + place)
+            jumps = abs(sides[0] - sides[1]) > 0.1 * step
+            assert not jumps or seen.is_near(place, told, 1.0), f"k jumps at {place}"
+
+
+def between(seen: Looked, i: int) -> float:
+    """Return the place in a cell about which k differs most."""
+    low, high = seen.places[i : i + 2]
+    before, after = seen.k[i : i + 2]
+    for _ in range(30):
+        middle = (low + high) / 2
+        here = seen.at([middle])[0]
+        if abs(here - before) < abs(here - after):
+            low, before = middle, here
+        else:
+            high, after = middle, here
+    return float(low)
+
+
 CHECKS = (
+    check_values_of_extrema,
+    check_sides_of_jumps,
+    check_jumps,
     check_where_there_is_a_pose,
     check_changes_of_sign,
     check_singular_poses,
@@ -164,10 +216,20 @@ def test_a_pole_at_the_end_of_a_loop_next_to_a_zero():
     assert (zero.value, pole.value) == ("0", "infinite")
 
 
-def test_what_vanishes_where_a_length_is_infinite_makes_no_pole():
+def test_where_a_length_is_infinite_k_jumps_and_has_neither_pole_nor_extremum():
     """At -0.9699 rad a guide is parallel to the slot of its pin; k is 0.024 before, 0.007 after."""
-    assert sweep([1356]) == 1
-    assert [s.value for s in Looked(1356).stroke.singular] == ["0", "0"]
+    assert sweep([1356, 70264, 70380]) == 3
+    seen = Looked(1356)
+    assert [s.value for s in seen.stroke.singular if not s.sides] == ["0", "0"]
+    assert [s.kind for s in seen.jumps] == ["far", "far"]
+    assert seen.jumps[0].sides == pytest.approx((0.0241564, 0.00737336), rel=1e-5)
+    assert "k jumps from 0.0241564 to 0.00737336 at phi = -0.96993" in to_table(seen.stroke)
+
+
+def test_a_load_that_works_against_nothing_has_no_singular_poses():
+    """An actuator between two points of one plate: what k comes to is rounding."""
+    assert sweep([70006]) == 1
+    assert not Looked(70006).stroke.extrema
 
 
 @pytest.mark.slow

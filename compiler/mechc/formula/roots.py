@@ -29,6 +29,18 @@ ROUNDED = 1e-14
 JUMP = 1e-3
 """What is left of a value where the sign changes, if it is a zero: a pole or a jump leaves more."""
 
+STEEP = 4.0
+"""How much more than beside it a function that does not change its sign varies where it jumps."""
+
+STEADY = 0.1
+"""What it varies by near a jump, at most, as a part of that."""
+
+NARROW, BESIDE = 1e-11, 1e-8
+"""To what part of the range a jump is narrowed down, and from how far its sides are seen.
+
+What is infinite at the place itself is rounded worse, the nearer that is.
+"""
+
 GOLDEN = (math.sqrt(5) - 1) / 2
 
 
@@ -69,23 +81,56 @@ def roots(function: Function, places: Sequence[float]) -> list[Root]:
     return _distinct(found, places)
 
 
-def jumps(function: Function, places: Sequence[float]) -> list[float]:
-    """Return where a function changes its sign at once, and is finite on either side.
+class Jump(NamedTuple):
+    """A place at which a function is finite on either side, but not the same, and its sides."""
 
-    >>> jumps(lambda x: 1.0 if x < 0.3 else -1.0, [0.0, 0.25, 0.5])
+    place: float
+    bracket: float
+    before: float
+    after: float
+
+
+def jumps(function: Function, places: Sequence[float]) -> list[Jump]:
+    """Return where a function jumps from one finite value to another.
+
+    >>> [round(j.place, 9) for j in jumps(lambda x: 1.0 if x < 0.3 else 2.0, [0.0, 0.25, 0.5])]
     [0.3]
     """
-    found: list[float] = []
     values = [function(x) for x in places]
+    steps = [abs(v - u) for u, v in pairwise(values)]
     sizes = sorted(abs(y) for y in values if math.isfinite(y))
-    usual = sizes[len(sizes) // 2] if sizes else 0.0
-    for (a, b), (u, v) in zip(pairwise(places), pairwise(values), strict=True):
-        if u * v < 0 and min(abs(u), abs(v)) > NIL * usual:
-            place = halved(function, a, b).place
-            left = abs(function(place)) / max(abs(u), abs(v))
-            if JUMP < left < 1 / JUMP:
-                found.append(place)
+    least = NIL * sizes[len(sizes) // 2] if sizes else 0.0
+    range_ = abs(places[-1] - places[0])
+    found: list[Jump] = []
+    for i, step in enumerate(steps):
+        beside = [*steps[max(i - 1, 0) : i], *steps[i + 1 : i + 2]]
+        turns = values[i] * values[i + 1] < 0
+        if step > least and (turns or step > STEEP * max(beside, default=0.0)):
+            jump = _narrowed(function, places[i], places[i + 1], range_)
+            left = abs(jump.after - jump.before)
+            if left > JUMP * step and _is_steady(function, jump, range_, STEADY * left):
+                found.append(jump)
     return found
+
+
+def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
+    """Return a jump between two places: what is between is on the side that it is more like."""
+    before, after = function(a), function(b)
+    while b - a > NARROW * range_ and (middle := (a + b) / 2) not in (a, b):
+        value = function(middle)
+        if abs(value - before) < abs(value - after):
+            a, before = middle, value
+        else:
+            b, after = middle, value
+    beside = BESIDE * range_
+    return Jump((a + b) / 2, b - a, function(a - beside), function(b + beside))
+
+
+def _is_steady(function: Function, jump: Jump, range_: float, most: float) -> bool:
+    """Tell a jump from a pole: ten times as far from it the values are nearly the same."""
+    away = 10 * BESIDE * range_
+    before, after = (function(jump.place + side * away) for side in (-1, 1))
+    return abs(before - jump.before) <= most and abs(after - jump.after) <= most
 
 
 def _alone(values: Sequence[float], i: int, size: float) -> bool:

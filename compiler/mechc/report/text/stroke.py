@@ -166,12 +166,16 @@ def _singular(found: Singular, stroke: Stroke) -> str:
         "drive locked": "dead centre, the drive stands still while the output can move",
         "branch point": "zero and infinite at once",
         "perpendicular load": "a load perpendicular to the velocity of its point, no dead centre",
-        "jump": "it changes its sign at once, as a direction turns round where two points meet",
+        "jump": "" if found.sides else "finite on either side, but not the same",
+        "far": "a point that the loops close at is infinitely far away there",
         "other": "",
     }
     exact = f", exactly {text(found.exact)}" if found.exact is not None else ""
     why = f": {kinds[found.kind]}" if kinds[found.kind] else ""
-    return f"{found.result} = {found.value} at {_at(found.drive, stroke)}{exact}{why}"
+    does = f"= {found.value}"
+    if found.sides is not None:
+        does = "jumps from {:.6g} to {:.6g}".format(*found.sides)
+    return f"{found.result} {does} at {_at(found.drive, stroke)}{exact}{why}"
 
 
 def _extremum(found: Extremum, stroke: Stroke) -> str:

@@ -1,7 +1,7 @@
 """Values along the drive: parameters, what follows from them, results."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from ...algebra.product import Product
 from ...formula.rounding import EPS, Rounded, Rounding
@@ -32,6 +32,11 @@ class Along:
         self._near = 2 * EPS * max(map(abs, ends), default=0.0)
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}
+
+    @property
+    def closing(self) -> Iterable[str]:
+        """The names of what is found by closing loops."""
+        return self._definitions
 
     def given(self, place: float) -> Values:
         """Return what is given at a place of the drive."""

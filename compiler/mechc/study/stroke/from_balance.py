@@ -25,6 +25,7 @@ from .extrema import extrema, turns_between
 from .friction import courses, in_code, is_told, some, stuck
 from .places import SAMPLES, looked_at
 from .reached import with_reached
+from .rounded import is_nil, rounded
 from .singular import BESIDE, Order, order_at, places_of, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
@@ -243,6 +244,7 @@ class _Runner:
             pose
             for stretch in stretches
             for result in self._ratios
+            if not is_nil(result, self._along, stretch)
             for pose in singular_poses(result, name, self._along, stretch, self._within(stretch))
         ]
         range_ = self._high - self._low
@@ -278,13 +280,6 @@ class _Runner:
         values = self._values(result.formula, result)
         return self._order(values, self._high - self._low, found.drive) == "infinite"
 
-    def _rounded(self, found: Extremum, result: Analysis) -> Iterator[Extremum]:
-        """Yield an extremum, 0 where that is nothing but rounding; none where there is no value."""
-        rounding = self._along.rounding(found.drive)
-        number, _ = beyond_rounding(found.value, result.formula, result.where, rounding)
-        if number is not None and math.isfinite(number):
-            yield found._replace(value=number)
-
     def _extrema(
         self, stretches: Sequence[Stretch], singular: Sequence[Singular]
     ) -> tuple[Extremum, ...]:
@@ -295,15 +290,18 @@ class _Runner:
         name, beside = self._parameter.name, 2 * (self._high - self._low) / SAMPLES
         found: list[Extremum] = []
         for stretch, result in product(stretches, self._results):
+            if is_nil(result, self._along, stretch):
+                continue
             poles = [*self._poles(result, singular), *self._own_poles(result, stretch)]
             turning = extrema(result, name, self._along, some(self._within(stretch), result))
             told = (e for e in turning if is_told(e, result) and not self._is_pole(e, result))
             for one in told:
                 near_by = [p for p in poles if abs(one.drive - p) <= beside]
                 if not near_by or turns_between(one, near_by, result, self._along):
-                    found += self._rounded(one, result)
+                    found += rounded(one, result, self._along, self._places)
         near = BESIDE * (self._high - self._low)
-        apart = [e for e in found if all(abs(e.drive - b.drive) > near for b in self._crossings)]
+        others = [b.drive for b in self._crossings] + [s.drive for s in singular if s.sides]
+        apart = [e for e in found if all(abs(e.drive - other) > near for other in others)]
         return tuple(sorted(apart, key=lambda e: e.drive))
 
 

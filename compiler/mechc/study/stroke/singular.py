@@ -5,7 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from itertools import pairwise
 from typing import Literal
 
-from ...formula.roots import Function, Root, jumps, roots
+from ...formula.roots import Function, Jump, Root, jumps, roots
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
 from ...study.analysis import Analysis, Vanishing
@@ -38,6 +38,9 @@ ALIKE, VARIES = 0.1, 0.3
 STEADY = 1e-3
 """What a function that is finite changes by from one side of a place to the other, at most."""
 
+GROWS = 5.0
+"""How much larger what is infinite at a place is ten times nearer to it, at least."""
+
 STEP = 1e-6
 """The part of a stretch from its end at which is seen what a factor does there."""
 
@@ -52,8 +55,17 @@ def singular_poses(
         for root in places_of(result, vanishing, along, stretch, places):
             exact = _exact(vanishing, drive, along, root)
             yield Singular(result.name, value, vanishing.kind, *root, exact)
-    for place in jumps(lambda x: along.of(result.formula, result, x), places):
-        yield Singular(result.name, "undetermined", "jump", place, math.ulp(place), None)
+    for jump in jumps(lambda x: along.of(result.formula, result, x), places):
+        yield _jumping(result.name, jump, along, places[-1] - places[0])
+
+
+def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
+    """Return a jump as a singular pose: what grows without end towards it is far."""
+    near, away = (along.values(jump.place + part * range_) for part in (1e-9, 1e-8))
+    is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
+    sides = (jump.before, jump.after)
+    kind: Kind = "far" if is_far else "jump"
+    return Singular(name, "undetermined", kind, jump.place, jump.bracket, None, sides)
 
 
 def places_of(
@@ -141,7 +153,7 @@ def told_apart(
         branch = next((b for b in branches if abs(one.drive - b.drive) <= beside), None)
         if branch is None:
             kept.append(one)
-        elif one.kind != "jump":
+        elif one.sides is None:
             on_a_branch.setdefault((one.result, branch), []).append(one)
     for (_, branch), ones in on_a_branch.items():
         if len({one.value for one in ones}) == 1:
@@ -165,9 +177,12 @@ def _merged(
         else:
             groups.append([one])
     for ones in groups:
-        first = ones[0]
+        first = next((one for one in ones if one.sides), ones[0])
+        if first.sides:
+            yield first
+            continue
         value = orders[first.result](first.drive)
-        kind: Kind = "branch point"
+        kind: Kind = "jump" if value == "jump" else "branch point"
         undetermined = first._replace(value="undetermined", kind=kind)
         if len({one.value for one in ones}) > 1:
             yield next((one for one in ones if one.value == value), undetermined)

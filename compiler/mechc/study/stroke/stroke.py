@@ -9,7 +9,7 @@ from ...model.locking import Course, State
 from ...units import Dimension
 
 Kind = Literal[
-    "output still", "drive locked", "branch point", "perpendicular load", "jump", "other"
+    "output still", "drive locked", "branch point", "perpendicular load", "jump", "far", "other"
 ]
 Content = Literal["result", "slope", "velocity", "angle"]
 
@@ -51,10 +51,11 @@ class Stretch(NamedTuple):
 
 
 class Singular(NamedTuple):
-    """A place at which a result is zero or infinite, and which kind of pose that is.
+    """A place at which a result is zero or infinite, or jumps, and which kind of pose that is.
 
     ``exact`` is the drive as a formula, where a factor that vanishes can be solved for it.
-    The place lies within ``bracket``.
+    The place lies within ``bracket``. A result that jumps, where something is infinitely ``far``
+    or for another reason, comes to both ``sides`` and is undetermined between them.
     """
 
     result: str
@@ -63,6 +64,7 @@ class Singular(NamedTuple):
     drive: float
     bracket: float
     exact: Formula | None
+    sides: tuple[float, float] | None = None
 
 
 class Branch(NamedTuple):

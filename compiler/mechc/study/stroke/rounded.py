@@ -1,0 +1,50 @@
+"""What is nothing but rounding along the stroke: an extremum, or a result all over a stretch."""
+
+import math
+from collections.abc import Iterator, Sequence
+
+from ...formula.rounding import beyond_rounding
+from ...model.result import Result
+from .along import Along
+from .places import spaced
+from .stroke import Extremum, Stretch
+
+LOST = 1e-6
+"""What rounding may leave of a zero, as a part of what is usual."""
+
+FEW = 8
+"""Parts of a stretch between which a result that is zero everywhere shows it."""
+
+
+def rounded(
+    found: Extremum, result: Result, along: Along, places: Sequence[float]
+) -> Iterator[Extremum]:
+    """Yield an extremum, 0 where that is nothing but rounding; none where there is no value.
+
+    Nor is there one where rounding is as large as values elsewhere: something is infinite.
+    """
+    number = _beyond(found.value, found.drive, result, along)
+    if number is None or not math.isfinite(number):
+        return
+    if number or abs(found.value) <= LOST * _usual(result, along, places):
+        yield found._replace(value=number)
+
+
+def is_nil(result: Result, along: Along, stretch: Stretch) -> bool:
+    """Tell a result that is zero but for rounding all over a stretch: it does nothing there."""
+    places = spaced(stretch.low, stretch.high, FEW)[1:-1]
+    values = (along.of(result.formula, result, x) for x in places)
+    return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, places, strict=True))
+
+
+def _beyond(number: float, place: float, result: Result, along: Along) -> float | None:
+    """Return a result's value at a place without what is nothing but rounding."""
+    rounding = along.rounding(place)
+    return beyond_rounding(number, result.formula, result.where, rounding).number
+
+
+def _usual(result: Result, along: Along, places: Sequence[float]) -> float:
+    """Return a size that half of a result's values do not exceed."""
+    values = (along.of(result.formula, result, x) for x in places)
+    sizes = sorted(abs(value) for value in values if math.isfinite(value))
+    return sizes[len(sizes) // 2] if sizes else 0.0
