@@ -14,6 +14,7 @@ from mechc.formula.tree import Formula, Implicit
 from mechc.formula.walk import FUNCTIONS, symbols, walk
 from mechc.formula.walk import evaluate as slowly
 from mechc.model.mechanism import Mechanism
+from mechc.model.result import Break
 from mechc.model.values import bounds, defaults, dependent, independent
 from mechc.study.analysis import Analysis, Vanishing
 
@@ -204,7 +205,7 @@ def _roots_refuted(
 
         for x in roots(factor, low, high):
             own = order(lambda at: abs(factor(at)), x, NEAR * (high - low))
-            if own is None or own < 0.5:
+            if own is None or own < 0.5 or _is_open(result, curve, x, high - low):
                 continue
             found = _order_at(result, curve, x, high - low)
             if found is not None and found * _side(result, limit) < 0.5:
@@ -226,7 +227,11 @@ def missing(mechanism: Mechanism, result: Analysis, seed: int = 0) -> Iterator[s
 
         for x in roots(lambda at: evaluate(result.formula, curve(at)), low, high):
             found = _order_at(result, curve, x, high - low)
-            if found is not None and abs(found) > 0.5:
+            if (
+                found is not None
+                and abs(found) > 0.5
+                and not _is_open(result, curve, x, high - low)
+            ):
                 stated = result.zeros if found > 0 else result.poles
                 if not any(_is_near_zero(v, curve, x, high - low) for v in stated):
                     yield f"{result.name} has order {found:.2f} at {name} = {x}: not stated"
@@ -241,8 +246,13 @@ def _sweeps(
             yield pose, p.name, *bounds(p)
 
 
+def _is_open(result: Analysis, curve: Callable[[float], Values], x: float, wide: float) -> bool:
+    """Tell a place of which nothing is said, as something that loops find is infinite there."""
+    return any(_is_near_zero(b, curve, x, wide) for b in result.breaks)
+
+
 def _is_near_zero(
-    limit: Vanishing, curve: Callable[[float], Values], x: float, wide: float
+    limit: Vanishing | Break, curve: Callable[[float], Values], x: float, wide: float
 ) -> bool:
     here, there = (abs(evaluate(limit.factor, curve(x + h * wide))) for h in (0, 1e-3))
     return here < 1e-4 * there or here < 1e-9

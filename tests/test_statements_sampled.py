@@ -8,6 +8,7 @@ from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
 from mechc.frozen import replace
+from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.work import LIMIT
 from open_chains import Chain
@@ -96,6 +97,17 @@ def closed_hold(seeds):
 
 def test_what_is_said_of_closed_mechanisms_holds_along_the_drive():
     closed_hold(range(20))
+
+
+def test_nothing_is_said_of_k_where_a_length_that_loops_find_is_infinite():
+    """Where a slot is parallel to the guide of its pin k jumps, and a sine of its angle is 0."""
+    closed_hold([70380])
+    compilation = Compilation(Source("closed.mech", swept(Grown(70380))))
+    (k,) = compilation.results
+    assert [b.name for b in k.breaks] == ["len_G9T8"]
+    assert k.breaks[0].factor not in {v.factor for v in (*k.zeros, *k.poles)}
+    said = render(compilation.derivation, compilation.mechanism, unicode=False)
+    assert "is infinite, and k may jump." in " ".join(said.split())
 
 
 @pytest.mark.slow

@@ -22,6 +22,17 @@ class Vanishing(NamedTuple):
     kind: Literal["output still", "drive locked", "perpendicular load", "other"]
 
 
+class Break(NamedTuple):
+    """A condition ``factor = 0`` under which ``name``, found by closing loops, is infinite.
+
+    A point that a result rests on is infinitely far away there: the result may jump, and nothing
+    is said of it.
+    """
+
+    name: str
+    factor: Formula
+
+
 Trend = Literal[
     "rises", "falls", "rises between poles", "falls between poles", "constant", "turns", "unknown"
 ]
@@ -43,6 +54,7 @@ class Analysis(Result):
 
     zeros: tuple[Vanishing, ...] = ()
     poles: tuple[Vanishing, ...] = ()
+    breaks: tuple[Break, ...] = ()
     proportional: Mapping[str, int] | None = None
     independent: tuple[str, ...] = ()
     swaps: tuple[tuple[str, str], ...] = ()

@@ -21,6 +21,7 @@ from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
 from ..power.numbers import default_values
 from .analysis import Analysis, Trend, as_printed
+from .breaks import breaks
 from .trends import trend
 from .zeros import poles, zeros
 
@@ -60,6 +61,7 @@ def _concluded(
         as_printed(item.result),
         zeros=zeros(item, balance, values),
         poles=poles(item, balance, values),
+        breaks=breaks(item.result.where, values),
         proportional=_proportional(item.value, item.result),
         independent=_independent(item.result, mechanism),
     )

@@ -9,16 +9,16 @@ from ..algebra.angle import RADIAN, Angle
 from ..algebra.factors import Factor, Trig
 from ..algebra.halving import without
 from ..algebra.orders import Root, angles, order, roots
-from ..algebra.product import Bound, Product, Sum
+from ..algebra.product import Product, Sum
 from ..algebra.sums import canonical
-from ..formula.tree import Call, Formula
-from ..formula.tree import Sum as Terms
-from ..formula.walk import evaluate, symbols, walk
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
 from ..power.balance import Balance, Solved, Term
 from .analysis import Vanishing
+from .breaks import divisors, may_vanish
 
 STEPS = (1e-4, 1e-7)
 """How far from a root the values are compared that refute it, in radians.
@@ -53,10 +53,14 @@ def poles(item: Solved, balance: Balance, near: Mapping[str, float]) -> tuple[Va
 def _conditions(
     item: Solved, balance: Balance, near: Mapping[str, float], side: int
 ) -> Iterator[Vanishing]:
-    """Yield the conditions, each proved by the order that the whole value has there."""
+    """Yield the conditions, each proved by the order that the whole value has there.
+
+    None is known where something that loops find is infinite.
+    """
     assert item.value is not None
+    far = {factor for d in item.result.where for factor in divisors(d.formula)}
     for factor, exponent in item.value.factors.items():
-        if exponent * side > 0 and _may_vanish(factor, near):
+        if exponent * side > 0 and factor not in far and may_vanish(factor, near):
             match factor:
                 case Trig():
                     yield from _at_roots(factor, item, balance, near, side)
@@ -64,7 +68,7 @@ def _conditions(
                     kind = _kind(factor, (), item, balance, side)
                     left = _without_shared(factor, item.value, near)
                     yield from (
-                        Vanishing(f.formula(), None, kind) for f in left if _may_vanish(f, near)
+                        Vanishing(f.formula(), None, kind) for f in left if may_vanish(f, near)
                     )
 
 
@@ -160,28 +164,6 @@ def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
     place = root.value.evaluate(near)
     here, there = (abs(factor.evaluate({**near, root.name: place + h})) for h in (0, 1))
     return here < NIL * there
-
-
-def _may_vanish(factor: Factor, near: Mapping[str, float]) -> bool:
-    """Tell a sum, or a sine or cosine of something that varies, from lengths and constants.
-
-    A sum of lengths that are all positive, ``a + b``, does not vanish.
-    """
-    match factor:
-        case Trig(angle=angle):
-            return any(name != RADIAN for name, _ in angle.terms)
-        case Sum():
-            return not _all_positive(factor.formula(), near)
-        case _:
-            return isinstance(factor, Bound)
-
-
-def _all_positive(formula: Formula, near: Mapping[str, float]) -> bool:
-    """Tell whether a sum has no functions and no term that is negative by default."""
-    if not isinstance(formula, Terms) or any(isinstance(f, Call) for f in walk(formula)):
-        return False
-    known = symbols(formula) <= near.keys()
-    return known and all(evaluate(t, near) > 0 for t in formula.terms)
 
 
 def _kind(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Kind:

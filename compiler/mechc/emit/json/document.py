@@ -36,7 +36,7 @@ from ...report.derivation.steps import (
 )
 from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
-from ...study.analysis import Analysis, Trend, Vanishing
+from ...study.analysis import Analysis, Break, Trend, Vanishing
 from ..describe import condition_lines, dimension_name, si_unit
 from ..target import Compiled
 from .figure import FIGURE
@@ -118,6 +118,13 @@ VANISHING: Kind[Vanishing] = record(
     member("kind", "What happens there.", one_of(*VANISHINGS), lambda v: v.kind),
 )
 
+BREAK: Kind[Break] = record(
+    "break",
+    "A condition under which something that loops find is infinite.",
+    member("factor", "It is where this is 0.", FORMULA, lambda b: b.factor),
+    member("name", "What is infinite.", TEXT, lambda b: b.name),
+)
+
 STATES = ("free", "locked", "jammed")
 _NUMBERS = list_of(FLOAT)
 
@@ -189,6 +196,7 @@ RESULT: Kind[Analysis] = record(
     ),
     member("zeros", "Where it is 0.", list_of(VANISHING), lambda r: r.zeros),
     member("poles", "Where it is infinite.", list_of(VANISHING), lambda r: r.poles),
+    member("breaks", "Where it may jump: no zero, no pole.", list_of(BREAK), lambda r: r.breaks),
     member(
         "proportional",
         "Parameters and the powers in which the result is proportional to them.",

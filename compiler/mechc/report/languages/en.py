@@ -197,6 +197,8 @@ WORDS = Words(
     },
     zero="{result} vanishes when {condition}",
     pole="{result} becomes infinite when {condition}",
+    infinite="Of {result} nothing is said where {condition}: there {name} is infinite, and "
+    "{result} may jump.",
     when="that is, at {condition}",
     centres={
         "output still": "dead centre: the output stands still while the drive moves",

@@ -75,6 +75,7 @@ class Words(NamedTuple):
     trends: Mapping[str, str]
     zero: str
     pole: str
+    infinite: str
     when: str
     centres: Mapping[str, str]
     states: Mapping[str, str]

@@ -201,6 +201,8 @@ WORDS = Words(
     },
     zero="{result} обращается в нуль, когда {condition}",
     pole="{result} стремится к бесконечности, когда {condition}",
+    infinite="О {result} ничего не утверждается там, где {condition}: там {name} бесконечно, и "
+    "{result} может измениться скачком.",
     when="то есть при {condition}",
     centres={
         "output still": "мёртвое положение: выходное звено неподвижно, а привод движется",

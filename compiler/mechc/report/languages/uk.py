@@ -196,6 +196,8 @@ WORDS = Words(
     },
     zero="{result} дорівнює нулю, коли {condition}",
     pole="{result} прямує до нескінченності, коли {condition}",
+    infinite="Про {result} нічого не стверджується там, де {condition}: там {name} нескінченне, і "
+    "{result} може змінитися стрибком.",
     when="тобто при {condition}",
     centres={
         "output still": "мертве положення: вихідна ланка нерухома, а привод рухається",

@@ -18,7 +18,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
-from ...study.analysis import Analysis, Trend, Vanishing
+from ...study.analysis import Analysis, Break, Trend, Vanishing
 from ..derivation.steps import Passage
 from ..languages.locale import Words
 from .locking import friction_remarks
@@ -127,6 +127,7 @@ def remarks(result: Analysis, words: Words, spell: Speller) -> tuple[str, ...]:
     said = _holds(result, words, spell)
     said += [_limit(words.zero, symbol, v, words, spell) for v in result.zeros]
     said += [_limit(words.pole, symbol, v, words, spell) for v in result.poles]
+    said += [_infinite(symbol, b, words, spell) for b in result.breaks]
     said += _proportions(result, words, spell)
     if result.independent:
         names = _symbols(result.independent, words, spell)
@@ -156,6 +157,12 @@ def _limit(template: str, symbol: str, limit: Vanishing, words: Words, spell: Sp
         said += ", " + words.when.format(condition=place)
     kind = words.centres[limit.kind]
     return f"{said} ({kind})." if kind else f"{said}."
+
+
+def _infinite(symbol: str, found: Break, words: Words, spell: Speller) -> str:
+    condition = spell.relation((found.factor, ZERO), ("=",), False)
+    name = _spelled(Symbol(found.name), spell)
+    return words.infinite.format(result=symbol, condition=condition, name=name)
 
 
 def _ordered(angle: Formula) -> Formula:

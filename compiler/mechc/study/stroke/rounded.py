@@ -3,10 +3,10 @@
 import math
 from collections.abc import Iterator, Sequence
 
+from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding
 from ...model.result import Result
 from .along import Along
-from .places import spaced
 from .stroke import Extremum, Stretch
 
 LOST = 1e-6

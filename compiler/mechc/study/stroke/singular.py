@@ -8,7 +8,7 @@ from typing import Literal
 from ...formula.roots import Function, Jump, Root, jumps, roots
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
-from ...study.analysis import Analysis, Vanishing
+from ...study.analysis import Analysis, Break, Vanishing
 from .along import Along
 from .stroke import Branch, Kind, Singular, Stretch
 
@@ -55,6 +55,9 @@ def singular_poses(
         for root in places_of(result, vanishing, along, stretch, places):
             exact = _exact(vanishing, drive, along, root)
             yield Singular(result.name, value, vanishing.kind, *root, exact)
+    for broken in result.breaks:
+        for root in places_of(result, broken, along, stretch, places):
+            yield Singular(result.name, "undetermined", "far", *root, None)
     for jump in jumps(lambda x: along.of(result.formula, result, x), places):
         yield _jumping(result.name, jump, along, places[-1] - places[0])
 
@@ -69,7 +72,11 @@ def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
 
 
 def places_of(
-    result: Analysis, vanishing: Vanishing, along: Along, stretch: Stretch, places: Sequence[float]
+    result: Analysis,
+    vanishing: Vanishing | Break,
+    along: Along,
+    stretch: Stretch,
+    places: Sequence[float],
 ) -> Iterator[Root]:
     """Yield where on a stretch a result's factor vanishes."""
 
@@ -182,6 +189,9 @@ def _merged(
             yield first
             continue
         value = orders[first.result](first.drive)
+        if any(one.kind == "far" for one in ones):
+            yield from _at_what_is_far(first, value)
+            continue
         kind: Kind = "jump" if value == "jump" else "branch point"
         undetermined = first._replace(value="undetermined", kind=kind)
         if len({one.value for one in ones}) > 1:
@@ -190,3 +200,11 @@ def _merged(
             yield undetermined
         elif value != "finite" or first.value == "undetermined":
             yield first
+
+
+def _at_what_is_far(one: Singular, value: Order | None) -> Iterator[Singular]:
+    """Yield what a result is where something is infinite, nothing where it runs on as before."""
+    if value == "0" or value == "infinite":
+        yield one._replace(value=value, kind="other", exact=None)
+    elif value != "finite":
+        yield one._replace(value="undetermined", kind="far", exact=None)
