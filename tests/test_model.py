@@ -6,6 +6,7 @@ import pytest
 
 from mechc.cli.dump import dump
 from mechc.diagnostics import MechcError, Report
+from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.formula.tree import PI, ZERO, Number, Symbol
 from mechc.formula.walk import evaluate
@@ -99,7 +100,8 @@ def test_links_go_by_any_two_of_their_points(points: str) -> None:
 
 
 def test_a_rod_named_exactly_comes_before_a_body_through_its_points() -> None:
-    loads = model("link BKC", "force R at C along x", "torque M on KB").loads
+    more = "link BKC\nforce R at C along x\ntorque M on KB\n"
+    loads = Compilation(Source("clamp.mech", CLAMP + more)).mechanism.loads
     assert isinstance(loads[-1], Torque)
     assert loads[-1].link == "BK"
 
@@ -176,13 +178,13 @@ def test_ties() -> None:
 
 
 def test_finds() -> None:
-    mechanism = model("find F", "find V_A / V_K", "find omega_OA / V_K", "find P/F")
+    mechanism = model("find F", "find V_A / V_K", "find omega_OA / V_K", "find F/P")
     assert {f.name: f.target for f in mechanism.finds} == {
         "k": LoadRatio("P", "F"),
         "F": LoadForm("F"),
         "V_A_over_V_K": SpeedRatio(Speed("point", "A"), Speed("point", "K")),
         "omega_OA_over_V_K": SpeedRatio(Speed("link", "OBA"), Speed("point", "K")),
-        "P_over_F": LoadRatio("P", "F"),
+        "F_over_P": LoadRatio("F", "P"),
     }
 
 

@@ -154,5 +154,7 @@ def near_miss(name: str, known: Iterable[str]) -> str:
     >>> near_miss("q", ["alpha", "beta"])
     ''
     """
-    close = get_close_matches(name, list(known), n=1, cutoff=0.7)
+    known = list(known)
+    twin = [k for k in known if k.lower() == name.lower()]
+    close = twin or get_close_matches(name, known, n=1, cutoff=0.7)
     return f"did you mean {close[0]!r}?" if close else ""

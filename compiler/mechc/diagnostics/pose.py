@@ -282,6 +282,24 @@ def assembly_refuted(at: Span, points: str, mode: str) -> Words:
     )
 
 
+@coded("E319")
+def assemblies_contradict(at: Span, points: str, other: str, first: Span) -> Words:
+    """Two ``assembly`` lines ask for opposite closures.
+
+    Which way round three points turn is said once; the order in which a line begins with
+    them does not matter, the sense does::
+
+        assembly ABC ccw
+        assembly CBA ccw     # wrong: then A, B, C turn clockwise
+    """
+    return Words(
+        at,
+        f"the assembly of {points} contradicts that of {other}",
+        "leave one of the two out",
+        (Related(first, "the other one"),),
+    )
+
+
 @coded("W302")
 def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Words:
     """Two gears stand where their pitch circles do not touch.

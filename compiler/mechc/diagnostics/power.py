@@ -48,11 +48,12 @@ def ratio_not_determined(
 
 
 @coded("E503")
-def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int) -> Words:
+def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int, loose: str) -> Words:
     """The number of loads asked for differs from the number of independent motions.
 
     A mechanism of mobility m has m power equations, so exactly m loads follow from the
-    others: write one `find` for each of them.
+    others: write one `find` for each of them. Where less mobility was meant, a link or a
+    joint is missing; the hint names a part that hangs loose, if there is one.
     """
     named = ", ".join(unknown)
     number = "1 load is" if len(unknown) == 1 else f"{len(unknown)} loads are"
@@ -60,7 +61,8 @@ def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int) -
         at,
         f"{motions} independent motions give {motions} power equations, "
         f"but {number} asked for: {named}",
-        f"write `find` for exactly {motions} loads, or add the constraint that ties the motions",
+        f"write `find` for exactly {motions} loads, or "
+        + (loose or "add the constraint that ties the motions"),
     )
 
 

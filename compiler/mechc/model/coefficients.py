@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 
+from ..diagnostics.model import doubts
 from ..diagnostics.model import friction as words
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -14,8 +15,12 @@ from .scope import DESCRIPTION, Scope
 
 def coefficient(expression: ast.Expr, scope: Scope) -> Formula | None:
     """Return a coefficient of friction; None where an error was reported."""
-    formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, "a coefficient of friction")
-    return checked(formula, expression.span, "a coefficient of friction", lambda v: v >= 0, scope)
+    what = "a coefficient of friction"
+    formula = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
+    value = value_of(formula, scope) if formula else None
+    if value is not None and value > 1:
+        scope.report.add(doubts.coefficient_above_one(expression.span, what, value))
+    return checked(formula, expression.span, what, lambda v: v >= 0, scope)
 
 
 def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:

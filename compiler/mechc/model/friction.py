@@ -32,7 +32,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     pins = Pins(named, built, scope)
     rubbing: dict[object, Rubbing] = {}
     for statement in file.statements:
-        for rub in _read(statement, pins, built, scope):
+        for rub in _read(statement, file, pins, built, scope):
             key = (type(rub), getattr(rub, "kind", "")), rub.point
             if key in rubbing:
                 first = rubbing[key].span
@@ -92,7 +92,7 @@ def _times(load: Load) -> Fraction:
 
 
 def _read(
-    statement: ast.Statement, pins: Pins, built: Mechanism, scope: Scope
+    statement: ast.Statement, file: ast.File, pins: Pins, built: Mechanism, scope: Scope
 ) -> Iterator[Rubbing]:
     match statement:
         case ast.PinFriction():
@@ -104,7 +104,7 @@ def _read(
         case ast.ContactFriction():
             yield from _face(statement, scope)
         case ast.GearFriction() | ast.BeltFriction() | ast.RackFriction() | ast.ScrewFriction():
-            yield from _transmission(statement, built, scope)
+            yield from _transmission(statement, file, built, scope)
         case _:
             return
 
@@ -179,6 +179,7 @@ def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[Rubbing]:
 
 def _transmission(
     statement: ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction,
+    file: ast.File,
     built: Mechanism,
     scope: Scope,
 ) -> Iterator[Rubbing]:
@@ -197,6 +198,8 @@ def _transmission(
             kind, there = "rack", [r.point for r in built.racks]
         case _:
             kind, there = "screw", [s.point for s in built.screws]
+    if point.text not in there and point.text in _begun(kind, file):
+        return  # what is wrong with that line was reported
     if point.text not in there:
         scope.report.add(words.no_transmission(point.span, kind, point.text, sorted(there)))
     elif there.count(point.text) > 1:
@@ -207,6 +210,19 @@ def _transmission(
             yield RubbingThread(point.text, f, thread, span)
     elif kind != "screw":
         yield RubbingMesh(kind, point.text, f, span)
+
+
+def _begun(kind: str, file: ast.File) -> set[str]:
+    """Return the points at which lines of a kind begin, sound or not."""
+    match kind:
+        case "gear":
+            return {s.first.text for s in every(file, ast.Gear)}
+        case "belt":
+            return {s.first.text for s in every(file, ast.Belt)}
+        case "rack":
+            return {s.point.text for s in every(file, ast.Rack)}
+        case _:
+            return {s.point.text for s in every(file, ast.Screw)}
 
 
 def _is_guided(point: ast.Name, scope: Scope) -> bool:

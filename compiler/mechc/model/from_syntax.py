@@ -13,6 +13,8 @@ from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
 from .definitions import Definitions, read_definitions, settled, spread_feeding
+from .doubts import doubts
+from .driven import judged
 from .finds import read_finds
 from .friction import read_friction
 from .geometry import read_geometry
@@ -55,7 +57,9 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     warn_unused(found.parameters, scope)
     warn_idle(mechanism.pivots, mechanism.sliders, points)
     _warn_lonely(points)
-    return mechanism
+    for doubt in doubts(mechanism):
+        report.add(doubt)
+    return judged(mechanism, report)
 
 
 def _headed(file: ast.File, report: Report) -> Mechanism:

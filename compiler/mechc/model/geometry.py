@@ -103,8 +103,11 @@ def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | 
 
 
 def _count_uses(found: list[Geometry], scope: Scope) -> None:
-    """Count a point as used where two entries meet in it: it places something else."""
-    seen: set[str] = set()
+    """Count a point as used where two entries meet in it, or one with the ground.
+
+    It places something else: a pivot may be but the origin of vectors.
+    """
+    seen = set(scope.points.fixed)
     for entry in found:
         match entry:
             case Arrow(tail, head) | Offset(tail, head):

@@ -63,10 +63,10 @@ def _check_joints(file: ast.File, points: Points) -> None:
     for statement in joints:
         what = "pivot" if isinstance(statement, ast.Pivot) else "slider"
         point, span = statement.point.text, statement.point.span
-        before = first.setdefault(point, (what, span))
-        if before[1] == span:
-            continue
-        if before[0] == what:
+        before = first.get(point)
+        if before is None:
+            first[point] = what, span
+        elif before[0] == what:
             points.report.add(words.joint_again(span, what, point, before[1]))
         else:
             points.report.add(words.pivot_and_slider(span, point, before[1]))

@@ -5,7 +5,6 @@ from collections.abc import Iterable
 
 from ..diagnostics import Report, stroke
 from ..diagnostics.model import joints as words
-from ..diagnostics.model import names
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
 from ..syntax import ast
@@ -32,7 +31,7 @@ def read_drive(file: ast.File, scope: Scope) -> Drive | None:
     entry = scope.entries.get(name.text)
     if entry is None or entry.kind != "parameter":
         known = scope.names({"parameter"})
-        scope.report.add(names.unknown_name(name.span, name.text, known))
+        scope.unknown(name.span, name.text, known)
         return None
     scope.used.add(name.text)
     ends = [_end(end, name, scope) for end in (statement.low, statement.high)]

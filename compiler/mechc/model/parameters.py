@@ -136,9 +136,16 @@ def _consistent(
         # A range with a unit says what the value means, not the other way round.
         dimension = next((e.dimension for e in ends if e.sort.nature is not Nature.ZERO), NUMBER)
     sound = value is None or reader.fits(value, dimension, f"'{name}'")
-    for end in ends or ():
+    for end in _different(ends or ()):
         sound = reader.fits(end, dimension, f"the range of '{name}'") and sound
     return sound and (value is not None or statement.value is None)
+
+
+def _different(ends: tuple[Quantity, ...]) -> tuple[Quantity, ...]:
+    """Return the ends of a range, one of them where both are the same sort of quantity."""
+    first, *others = ends or (None,)
+    alike = first is not None and all(first.sort == other.sort for other in others)
+    return ends[:1] if alike else ends
 
 
 def _unit(statement: ast.Param, dimension: Dimension, known: Mapping[str, Parameter]) -> str:

@@ -174,12 +174,16 @@ class Screw:
 
 @frozen
 class Drive:
-    """The driving coordinate, a parameter, and its stroke (None where no ends are given)."""
+    """The driving coordinate, a parameter, and its stroke (None where no ends are given).
+
+    It ``reshapes`` where it is a size of a rigid body: its stroke is a study, no motion.
+    """
 
     parameter: str
     low: Formula | None
     high: Formula | None
     span: Span
+    reshapes: bool = False
 
 
 @frozen

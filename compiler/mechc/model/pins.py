@@ -3,15 +3,18 @@
 from collections.abc import Iterator
 from fractions import Fraction
 
+from ..diagnostics.model import doubts
 from ..diagnostics.model import friction as words
 from ..formula.tree import Call, Formula, number, product
 from ..source import Span
 from ..syntax import ast
+from ..units import LENGTH
 from .carriers import Carriers, is_held
-from .coefficients import coefficient, positive_length
-from .mechanism import Link, Mechanism, Telescope, Thrust
+from .coefficients import coefficient, positive_length, value_of
+from .expressions import Reader
+from .mechanism import Arrow, Link, Mechanism, Telescope, Thrust
 from .rubbing import RubbingPin
-from .scope import Scope
+from .scope import DESCRIPTION, Scope
 
 HALF = number(Fraction(1, 2))
 
@@ -29,6 +32,7 @@ class Pins:
         if radius is None:
             return
         if statement.point is None:
+            self._remark_on_overlap(statement)
             for point in dict.fromkeys(p for body in self._bodies() for p in body.points):
                 if point not in self._named and self._is_pin(point):
                     yield self._pin(point, radius, statement.span)
@@ -48,6 +52,21 @@ class Pins:
             self._scope.report.add(found)
         elif link:
             yield RubbingPin(point, link.name, radius, statement.span)
+
+    def _remark_on_overlap(self, statement: ast.PinFriction) -> None:
+        """Say which pins would be thicker than they are apart on one body."""
+        wanted = Reader(self._scope, DESCRIPTION).wanted(statement.diameter, LENGTH, "")
+        diameter = value_of(wanted, self._scope) if wanted else None
+        for arrow in self._built.geometry:
+            if diameter is None or not isinstance(arrow, Arrow) or arrow.length is None:
+                continue
+            ends, apart = (arrow.tail, arrow.head), value_of(arrow.length, self._scope)
+            together = any(set(ends) <= set(body.points) for body in self._bodies())
+            free = self._named.isdisjoint(ends) and all(map(self._is_pin, ends))
+            if apart is not None and together and free and apart < diameter:
+                place = statement.diameter.span
+                self._scope.report.add(doubts.pins_overlap(place, diameter, ends, apart))
+                return
 
     def _is_pin(self, point: str) -> bool:
         """Tell whether bodies turn on one another at a point."""

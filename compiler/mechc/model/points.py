@@ -33,6 +33,7 @@ class Points:
         self.guided: set[str] = set()
         self.touching: Counter[str] = Counter()
         self.used: Counter[str] = Counter()
+        self._strange: set[str] = set()
 
     def split(self, name: ast.Name) -> tuple[str, ...] | None:
         """Take a name apart into different points; report a repeated one."""
@@ -51,12 +52,14 @@ class Points:
         return points
 
     def known(self, name: ast.Name) -> tuple[str, ...] | None:
-        """Return the points of a name if all of them are declared; report those that are not."""
+        """Return the points of a name if all are declared; report others where first met."""
         points = self.split(name)
         strange = [p for p in points or () if p not in self.places]
         places = places_in(name) if strange else {}
         for point in strange:
-            self.report.add(words.unknown_point(places[point], point, self.places))
+            if point not in self._strange:
+                self._strange.add(point)
+                self.report.add(words.unknown_point(places[point], point, self.places))
         return None if strange else points
 
     def acting(self, name: ast.Name) -> tuple[str, ...] | None:

@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from ..diagnostics.model import names, quantities
+from ..diagnostics.model import quantities
 from ..diagnostics.model import results as words
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, substitute, symbols
@@ -76,13 +76,20 @@ def read_expects(
 ) -> list[Expect]:
     """Return what is expected of results, and how exactly."""
     subjects = _subjects(finds, found, scope)
+    failed = _failed(file, subjects)
     lets = written_out(found, scope)
     expects: list[Expect] = []
     for statement in every(file, ast.Expect):
+        if isinstance(statement.subject, ast.Symbol) and statement.subject.name in failed:
+            continue
         subject = _subject(statement.subject, finds, subjects, scope)
         value = Reader(scope, EXPECTED).read(statement.value)
         at = _settings(statement, scope)
-        if subject is None or value is None or not _suits(value, subjects[subject], scope):
+        if (
+            subject is None
+            or value is None
+            or not _suits(value, subjects[subject], "the result", scope)
+        ):
             continue
         formula = _of_parameters(value, lets, scope)
         tolerance = _tolerance(statement, value, formula, scope)
@@ -112,6 +119,19 @@ def _subjects(
     return {name: scope.entries[name].dimension for name in known}
 
 
+def _failed(file: ast.File, known: Mapping[str, object]) -> set[str]:
+    """Return the names of results that were reported already: of finds that ask for nothing.
+
+    Without any result, that is what is reported, and no ``expect``.
+    """
+    names = {s.name.text for s in every(file, ast.Find) if s.name}
+    if not known:
+        names |= {
+            e.subject.name for e in every(file, ast.Expect) if isinstance(e.subject, ast.Symbol)
+        }
+    return names - known.keys()
+
+
 def _subject(
     subject: ast.Expr, finds: Sequence[Find], known: Mapping[str, object], scope: Scope
 ) -> str | None:
@@ -131,9 +151,8 @@ def _subject(
     return None
 
 
-def _suits(value: Quantity, dimension: Dimension | None, scope: Scope) -> bool:
-    reader = Reader(scope, EXPECTED)
-    return dimension is None or reader.fits(value, dimension, "the result")
+def _suits(value: Quantity, dimension: Dimension | None, what: str, scope: Scope) -> bool:
+    return dimension is None or Reader(scope, EXPECTED).fits(value, dimension, what)
 
 
 def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
@@ -144,10 +163,10 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
         value = constant(expression, scope, f"the value of '{name.text}'")
         if entry is None:
             known = scope.names({"parameter", "load"})
-            scope.report.add(names.unknown_name(name.span, name.text, known))
+            scope.unknown(name.span, name.text, known)
         elif entry.kind not in ("parameter", "load"):
             scope.report.add(words.not_a_setting(name.span, name.text, f"a {entry.kind}"))
-        elif value and _suits(value, entry.dimension, scope):
+        elif value and _suits(value, entry.dimension, f"the value of '{name.text}'", scope):
             at[name.text] = value.formula
     return at
 

@@ -87,6 +87,7 @@ class Scope:
         self.values: dict[str, float] = {}
         self.sizes: dict[str, float] = {}
         self._misfits: set[tuple[str, Dimension]] = set()
+        self._unknowns: set[tuple[str, str]] = set()
 
     def declare(self, name: ast.Name, kind: Kind, dimension: Dimension | None = None) -> bool:
         """Enter a name; False where it is taken or reserved, which is reported."""
@@ -144,7 +145,13 @@ class Scope:
     def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
         vector = len(points_of(symbol.name)) > 1
         hint = words.vector_as_quantity(symbol.name, usage.posed) if vector else ""
-        self.report.add(words.unknown_name(symbol.span, symbol.name, self._offered(usage), hint))
+        self.unknown(symbol.span, symbol.name, self._offered(usage), hint)
+
+    def unknown(self, span: Span, name: str, offered: list[str], hint: str = "") -> None:
+        """Report a name that nothing declares, where it is first met."""
+        if (name, hint) not in self._unknowns:
+            self._unknowns.add((name, hint))
+            self.report.add(words.unknown_name(span, name, offered, hint))
 
     def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
         """Return what a name in a formula stands for; None where that is an error."""

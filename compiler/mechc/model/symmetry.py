@@ -1,6 +1,6 @@
 """Mirror and copies: what of the mechanism is described, and what follows from it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 
 from ..diagnostics.model import joints as words
 from ..diagnostics.model import loads as load_words
@@ -43,19 +43,30 @@ def read_mirror(
     _check_twins(shared, statement.span, scope)
     if across is None:
         return None
+    if off := next(_off_the_line(guided, loads, across, shared, scope), None):
+        scope.report.add(load_words.off_the_mirror(off[0], off[1], statement.span))
+    if not statement.sharing and not any(isinstance(load, Thrust) for load in loads):
+        scope.report.add(apart_words.halves_apart(statement.span))
+    return Mirror(across, shared, statement.span)
+
+
+def _off_the_line(
+    guided: Sequence[Slider | Slide],
+    loads: Sequence[Load],
+    across: Direction,
+    shared: Sequence[str],
+    scope: Scope,
+) -> Iterator[tuple[Span, str]]:
+    """Yield what does not lie along the mirror line, as both halves' part must, and where."""
     for load in loads:
         if isinstance(load, Force) and not _symmetric(load, across, shared, scope):
             what = "gravity" if load.weight else f"force {load.name} on the shared {load.point}"
-            scope.report.add(load_words.off_the_mirror(load.along.span, what, statement.span))
+            yield load.along.span, what
     for body in guided:
         points = body.points if isinstance(body, Slide) else (body.point,)
         common = next((p for p in points if p in shared), None)
         if common and not parallel(body.along, across, scope):
-            what = f"the guide of the shared {common}"
-            scope.report.add(load_words.off_the_mirror(body.along.span, what, statement.span))
-    if not statement.sharing and not any(isinstance(load, Thrust) for load in loads):
-        scope.report.add(apart_words.halves_apart(statement.span))
-    return Mirror(across, shared, statement.span)
+            yield body.along.span, f"the guide of the shared {common}"
 
 
 def check_shared_vectors(mirror: Mirror | None, geometry: Sequence[Geometry], scope: Scope) -> None:

@@ -14,7 +14,7 @@ from .asked import with_directions
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .compass import Compass
-from .idle import remarks
+from .idle import contradictions, remarks
 from .loops.closing import Closed, close
 from .loops.groups import Open
 from .loops.rails import with_lines
@@ -36,6 +36,9 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     and E304 where a loop does not close for independent symbols. W302 remarks on gears
     that do not reach one another.
     """
+    for fault in contradictions(mechanism.assemblies):
+        report.add(fault)
+    report.stop_on_errors()
     mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
     terms = Terms(mechanism)
     compass = Compass(mechanism, terms, report)

@@ -1,6 +1,7 @@
-"""Lines ``assembly`` that decide nothing: true ones, and ones that the pose refutes."""
+"""Lines ``assembly`` that decide nothing, that the pose refutes, or another line contradicts."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
+from itertools import combinations
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import pose as words
@@ -37,3 +38,21 @@ def _area(assembly: Assembly, vectors: Vectors, values: Mapping[str, float]) -> 
     area = bx * cy - by * cx
     longest = max(bx * bx + by * by, cx * cx + cy * cy)
     return area if abs(area) > FLAT * longest else None
+
+
+def contradictions(assemblies: Sequence[Assembly]) -> Iterator[Diagnostic]:
+    """Yield the assemblies that ask for the opposite of an earlier one."""
+    first: dict[tuple[str, ...], Assembly] = {}
+    for assembly in assemblies:
+        points, mode = _in_order(assembly)
+        other = first.setdefault(points, assembly)
+        if _in_order(other)[1] != mode:
+            named = "".join(assembly.points), "".join(other.points)
+            yield words.assemblies_contradict(assembly.span, *named, other.span)
+
+
+def _in_order(assembly: Assembly) -> tuple[tuple[str, ...], bool]:
+    """Return the points in alphabetical order, and whether they then turn ccw, or are ahead."""
+    points = assembly.points
+    swaps = sum(a > b for a, b in combinations(points, 2))
+    return tuple(sorted(points)), (assembly.mode in ("ccw", "forward")) == (swaps % 2 == 0)

@@ -34,6 +34,7 @@ from .definitions import intermediates, open_lengths, resting_on
 from .equations import equations_of
 from .loads import given_size, terms
 from .numbers import checked
+from .loose import looseness
 from .speeds import magnitude, speed
 
 if TYPE_CHECKING:
@@ -128,7 +129,8 @@ class _Asked:
             return None
         if len(unknown) < self._equations.number:
             number = self._equations.number
-            self._report.add(words.unknown_loads_do_not_match(find.span, unknown, number))
+            loose = looseness(self._mechanism)
+            self._report.add(words.unknown_loads_do_not_match(find.span, unknown, number, loose))
             return None
         if len(unknown) > self._equations.number or not self._equations.determines(unknown):
             others = others or [lower]
@@ -151,7 +153,8 @@ class _Asked:
         unknown = asked if len(asked) == self._equations.number else [load]
         if len(unknown) != self._equations.number:
             number = self._equations.number
-            self._report.add(words.unknown_loads_do_not_match(find.span, asked, number))
+            loose = looseness(self._mechanism)
+            self._report.add(words.unknown_loads_do_not_match(find.span, asked, number, loose))
             return None
         if not self._equations.determines(unknown):
             self._report.add(words.load_not_balanced(find.span, "the other loads", load))

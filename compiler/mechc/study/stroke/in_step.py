@@ -28,7 +28,7 @@ Rates = Mapping[str, float]
 def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
     """Return the links that do not follow the drive at its default, with W591 for each."""
     drive = plan.graph.pose.mechanism.drive
-    if drive is None:
+    if drive is None or drive.reshapes:
         return ()
     along = Along(plan, {})
     place = along.defaults.get(drive.parameter)

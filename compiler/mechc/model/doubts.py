@@ -1,0 +1,263 @@
+"""What can be meant, and hardly ever is: remarks on values, bodies and the drive."""
+
+import math
+from collections.abc import Iterable, Iterator, Sequence
+
+from ..diagnostics import Diagnostic
+from ..diagnostics.model import doubts as words
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..source import Span
+from ..units import ANGLE, LENGTH
+from .mechanism import (
+    Absolute,
+    Arrow,
+    Direction,
+    Find,
+    Force,
+    Let,
+    Link,
+    Mechanism,
+    Offset,
+    Parameter,
+    Slide,
+)
+from .values import Chain, Values, defaults, dependent
+
+TURN = 2 * math.pi * (1 + 1e-9)
+
+FAR = 200.0
+"""How many times a length in another unit is the largest, or the smallest, of the others."""
+
+SOME = 0.731
+"""A value for what is open, at which no formula vanishes by chance."""
+
+FARTHEST = 1e6
+"""Lengths in metres beyond which a vector is as good as infinite."""
+
+
+def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield a remark on each thing that is hardly meant."""
+    chain = Chain(dependent(mechanism))
+    values = chain.complete(defaults(mechanism))
+    if not (mechanism.meshes or mechanism.racks or mechanism.screws):
+        yield from _turns(mechanism)
+    yield from _vanishing(mechanism, chain, values)
+    yield from _far_off(mechanism, values)
+    yield from _asked_twice(mechanism.finds)
+    yield from _coinciding(mechanism, values)
+    yield from _within(mechanism.links)
+    yield from _held(mechanism)
+    yield from _without_value(mechanism.lets, values)
+    yield from _of_no_size(mechanism, values)
+
+
+# -------------------------------------------------------------------------- angles
+
+
+def _turns(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the angles beyond a turn: values, ends of ranges and strokes, directions."""
+    ranged = {p.name for p in mechanism.parameters if p.range}
+    for parameter in mechanism.parameters:
+        if parameter.dimension == ANGLE and not parameter.dependent:
+            yield from _turn_of(parameter)
+    drive = mechanism.drive
+    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    if drive and drive.parameter in angles - ranged:
+        what = f"an end of the stroke of {drive.parameter}"
+        yield from _beyond(drive.span, what, (drive.low, drive.high))
+    for direction in directions(mechanism):
+        if isinstance(direction, Absolute):
+            rest = evaluate(direction.angle, dict.fromkeys(symbols(direction.angle), 0.0))
+            if 2 * TURN < abs(rest) < math.inf:
+                yield words.beyond_a_turn(direction.span, "the direction", rest / (2 * math.pi))
+
+
+def _turn_of(parameter: Parameter) -> Iterator[Diagnostic]:
+    value = list(_beyond(parameter.span, f"the value of '{parameter.name}'", (parameter.value,)))
+    ends = (parameter.range.low, parameter.range.high) if parameter.range else ()
+    yield from value or _beyond(parameter.span, f"an end of the range of '{parameter.name}'", ends)
+
+
+def _beyond(span: Span, what: str, angles: Iterable[Formula | None]) -> Iterator[Diagnostic]:
+    """Yield the remark on the largest of constant angles, if it is beyond a turn."""
+    sizes = [evaluate(angle, {}) for angle in angles if angle is not None]
+    largest = max(sizes, key=abs, default=0.0)
+    if abs(largest) > TURN:
+        yield words.beyond_a_turn(span, what, largest / (2 * math.pi))
+
+
+def directions(mechanism: Mechanism) -> Iterator[Direction]:
+    """Yield every direction that is written down, of vectors, guides, faces and forces."""
+    yield from (g.direction for g in mechanism.geometry if isinstance(g, Arrow) and g.direction)
+    yield from (s.along for s in mechanism.sliders)
+    yield from (s.along for s in mechanism.slides)
+    yield from (c.normal for c in mechanism.contacts)
+    yield from (k.along for k in mechanism.loads if isinstance(k, Force) and not k.weight)
+
+
+# ------------------------------------------------------------------------- lengths
+
+
+def _vanishing(mechanism: Mechanism, chain: Chain, values: Values) -> Iterator[Diagnostic]:
+    """Yield the lengths that a range, a tolerance or the stroke takes to zero or to infinity.
+
+    A coordinate along a given direction may pass zero.
+    """
+    given, doubted = defaults(mechanism), set[str]()
+    reaches = {p.name: list(_reach(p, mechanism, values)) for p in mechanism.parameters}
+    for arrow in mechanism.geometry:
+        if not isinstance(arrow, Arrow) or arrow.length is None:
+            continue
+        body = body_through((arrow.tail, arrow.head), mechanism)
+        lowest = 0.0 if body or arrow.direction is None else -math.inf
+        for name in sorted(chain.needed_by(symbols(arrow.length)) - doubted):
+            for end, where in reaches.get(name, ()):
+                size = _size(arrow.length, chain, {**given, name: end})
+                strange = size is not None and not (lowest < size and abs(size) < FARTHEST)
+                if size is not None and strange and not (body and where == "the stroke"):
+                    doubted.add(name)
+                    yield _vanishes(arrow, size, name, where, mechanism)
+                    break
+
+
+def _vanishes(arrow: Arrow, size: float, name: str, where: str, mechanism: Mechanism) -> Diagnostic:
+    infinite = not abs(size) < FARTHEST
+    shown = "infinity" if infinite else f"{size * 1000:.6g} mm"
+    span = next(p.span for p in mechanism.parameters if p.name == name)
+    return words.length_vanishes(span, f"{arrow.tail}{arrow.head}", shown, name, where)
+
+
+def _reach(
+    parameter: Parameter, mechanism: Mechanism, values: Values
+) -> Iterator[tuple[float, str]]:
+    """Yield how far a parameter may go, and what takes it there."""
+    value, drive = values.get(parameter.name), mechanism.drive
+    if parameter.range:
+        yield evaluate(parameter.range.low, {}), "the range"
+        yield evaluate(parameter.range.high, {}), "the range"
+    elif drive and drive.parameter == parameter.name:
+        yield from ((evaluate(e, {}), "the stroke") for e in (drive.low, drive.high) if e)
+    if parameter.tolerance is not None and value is not None:
+        size = evaluate(parameter.tolerance, {})
+        yield from ((value + sign * size, "the tolerance") for sign in (-1, 1))
+
+
+def _size(length: Formula, chain: Chain, given: Values) -> float | None:
+    """Return a length at given values; None where one that it needs is open."""
+    known = chain.complete(given)
+    return evaluate(length, known) if symbols(length) <= known.keys() else None
+
+
+def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
+    """Yield the largest length that is in another unit than the rest, and far from it."""
+    used = {name for g in mechanism.geometry for f in _lengths(g) for name in symbols(f)}
+    known = [
+        (abs(values[p.name]), p)
+        for p in mechanism.parameters
+        if p.dimension == LENGTH and p.name in used and values.get(p.name) and not p.dependent
+    ]
+    for size, parameter in sorted(known, key=lambda pair: -pair[0]):
+        others = [(s, p.unit) for s, p in known if p is not parameter]
+        units = {unit for _, unit in others}
+        if not others or len(units) > 1 or parameter.unit in units:
+            continue
+        sizes = [s for s, _ in others]
+        if size > FAR * max(sizes) or size * FAR < min(sizes):
+            yield words.length_far_off(parameter.span, parameter.name, parameter.unit, units.pop())
+            return
+
+
+def _lengths(entry: object) -> tuple[Formula, ...]:
+    match entry:
+        case Arrow(length=length) if length is not None:
+            return (length,)
+        case Offset(x=x, y=y):
+            return (x, y)
+        case _:
+            return ()
+
+
+# ------------------------------------------------------------------ bodies, pivots
+
+
+def _coinciding(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
+    """Yield the pivots at the place of an earlier one, but for those of wheels."""
+    wheels = {p for m in mechanism.meshes for p in (m.first, m.second)}
+    wheels |= {r.pivot for r in mechanism.racks}
+    spans = {p.point: p.span for p in mechanism.pivots}
+    first: dict[tuple[float, float], str] = {}
+    for entry in mechanism.geometry:
+        if not isinstance(entry, Offset) or entry.tail or entry.head not in spans:
+            continue
+        if not symbols(entry.x) | symbols(entry.y) <= values.keys():
+            continue
+        x, y = (round(evaluate(part, values), 9) + 0.0 for part in (entry.x, entry.y))
+        other = first.setdefault((x, y), entry.head)
+        is_guide = "_" in other + entry.head
+        if other != entry.head and not is_guide and wheels.isdisjoint((other, entry.head)):
+            yield words.pivots_coincide(spans[entry.head], entry.head, other, spans[other])
+
+
+def _within(links: Sequence[Link]) -> Iterator[Diagnostic]:
+    """Yield the links whose points are all on one other link."""
+    through: dict[str, list[Link]] = {}
+    for link in links:
+        for point in link.points:
+            through.setdefault(point, []).append(link)
+    for link in links:
+        for other in through[link.points[0]]:
+            if other is not link and set(link.points) < set(other.points):
+                yield words.link_within_link(link.span, link.name, other.name, other.span)
+                break
+
+
+def _held(mechanism: Mechanism) -> Iterator[Diagnostic]:
+    """Yield the telescopes between two points of one link, or of the ground."""
+    for telescope in mechanism.telescopes:
+        if body := body_through(telescope.points, mechanism):
+            yield words.telescope_between_fixed(telescope.span, telescope.name, body)
+
+
+def body_through(points: Iterable[str], mechanism: Mechanism) -> str:
+    """Return the rigid body that two points are fast in: a link, a slide, the ground, or ''."""
+    pair = set(points)
+    if pair <= {"", *(p.point for p in mechanism.pivots)}:
+        return "the ground"
+    bodies: list[Link | Slide] = [*mechanism.links, *mechanism.slides]
+    found = next((body for body in bodies if pair <= set(body.points)), None)
+    return f"{'link' if isinstance(found, Link) else 'slide'} {found.name}" if found else ""
+
+
+# ------------------------------------------------------------------ what is asked for
+
+
+def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
+    first: dict[object, Find] = {}
+    for find in finds:
+        other = first.setdefault(find.target, find)
+        if other.name != find.name:
+            yield words.asked_twice(find.span, find.name, other.name, other.span)
+
+
+def _without_value(lets: Iterable[Let], values: Values) -> Iterator[Diagnostic]:
+    """Yield the formulas of parameters alone that have no finite value."""
+    for let in lets:
+        if symbols(let.value) <= values.keys() and not math.isfinite(evaluate(let.value, values)):
+            yield words.let_without_value(let.span, let.name)
+
+
+def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
+    """Yield the loads that are given as zero."""
+    names = {load.name for load in mechanism.loads}
+    for let in mechanism.lets:
+        if let.name in names and _is_zero(let.value, values):
+            yield words.of_no_size(let.span, f"load '{let.name}'")
+    for load in mechanism.loads:
+        if load.tie is not None and _is_zero(load.tie, values):
+            yield words.of_no_size(load.span, f"load '{load.name}'")
+
+
+def _is_zero(formula: Formula, values: Values) -> bool:
+    """Tell whether a formula is zero whatever the loads and lengths that it rests on."""
+    return evaluate(formula, dict.fromkeys(symbols(formula), SOME) | dict(values)) == 0

@@ -1,0 +1,68 @@
+"""Whether the driving coordinate moves a mechanism, or is a size of its bodies."""
+
+from collections.abc import Iterator
+
+from ..diagnostics import Report
+from ..diagnostics.model import doubts as words
+from ..formula.tree import Formula
+from ..formula.walk import symbols
+from ..frozen import replace
+from ..units import LENGTH
+from .doubts import body_through, directions
+from .mechanism import Absolute, Arrow, Mechanism, Offset, Turn
+from .values import Chain, dependent
+
+
+def judged(mechanism: Mechanism, report: Report) -> Mechanism:
+    """Return the mechanism with what its drive is; remark on one that is no motion."""
+    drive = mechanism.drive
+    if drive is None:
+        return mechanism
+    moved = set(_moved(mechanism))
+    if not _rests(moved, mechanism):
+        report.add(words.drive_moves_nothing(drive.span, drive.parameter))
+    for entry in mechanism.geometry:
+        sizes = [f for f in _sizes(entry, mechanism) if _rests({f}, mechanism)]
+        if sizes and isinstance(entry, Arrow | Offset):
+            body = body_through((entry.tail, entry.head), mechanism)
+            if body:
+                found = words.drive_reshapes(
+                    drive.span, drive.parameter, entry.tail, entry.head, body
+                )
+                report.add(found)
+                return replace(mechanism, drive=replace(drive, reshapes=True))
+    return mechanism
+
+
+def _rests(formulas: set[Formula], mechanism: Mechanism) -> bool:
+    """Tell whether formulas depend on the drive, through other parameters too."""
+    assert mechanism.drive
+    used = {name for formula in formulas for name in symbols(formula)}
+    return mechanism.drive.parameter in Chain(dependent(mechanism)).needed_by(used)
+
+
+def _moved(mechanism: Mechanism) -> Iterator[Formula]:
+    """Yield the formulas of all that makes the pose."""
+    for entry in mechanism.geometry:
+        match entry:
+            case Arrow(length=length) if length is not None:
+                yield length
+            case Offset(x=x, y=y):
+                yield from (x, y)
+            case Turn(angle=angle):
+                yield angle
+    yield from (d.angle for d in directions(mechanism) if isinstance(d, Absolute))
+
+
+def _sizes(entry: object, mechanism: Mechanism) -> Iterator[Formula]:
+    """Yield the formulas of a vector that are lengths and no place on the way of the drive."""
+    is_length = any(
+        p.dimension == LENGTH
+        for p in mechanism.parameters
+        if mechanism.drive and p.name == mechanism.drive.parameter
+    )
+    match entry:
+        case Arrow(length=length) if length is not None:
+            yield length
+        case Offset(x=x, y=y) if is_length:
+            yield from (x, y)
