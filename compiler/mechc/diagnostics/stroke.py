@@ -9,7 +9,7 @@ from .diagnostic import Related, Words, coded
 
 
 @coded("E591")
-def no_drive(span: Span, free: Iterable[str]) -> Words:
+def no_drive(span: Span, free: Iterable[str], example: str, unit: str) -> Words:
     """A stroke was asked for, and the description names no driving coordinate.
 
     ::
@@ -21,7 +21,7 @@ def no_drive(span: Span, free: Iterable[str]) -> Words:
     return Words(
         span,
         f"no driving coordinate is named, expected one of {names}" if names else "nothing drives",
-        "add a line such as `drive phi from 10 deg to 80 deg`",
+        f"add a line such as `drive {example} from 10 {unit} to 80 {unit}`",
     )
 
 

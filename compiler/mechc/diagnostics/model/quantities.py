@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from ...source import Span
-from ...units import ANGLE, LENGTH, NUMBER, USUAL_UNITS, Dimension, described
+from ...units import ANGLE, FORCE, LENGTH, MASS, NUMBER, USUAL_UNITS, Dimension, described
 from ..diagnostic import Related, Words, coded, near_miss
 
 
@@ -43,6 +43,8 @@ def wrong_dimension(
     unit = USUAL_UNITS.get(wanted, "")
     bare = name and unit and found == NUMBER
     hint = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else ""
+    if (found, wanted) == (MASS, FORCE):
+        hint = "a mass acts as a load by `weight W mass … at G`; a force is in N"
     related = (Related(declared, f"'{name}' is declared here"),) if declared else ()
     return Words(span, said, hint, related)
 

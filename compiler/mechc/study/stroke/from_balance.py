@@ -14,9 +14,10 @@ from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, Mechanism, Parameter
-from ...model.result import Definition
-from ...model.values import range_of
 from ...study.analysis import Analysis
+from ...model.result import Definition
+from ...pose.pose import Pose
+from ...model.values import range_of
 from ...units import ANGLE, LENGTH, Dimension
 from .along import EXCLUDED, NOT_ASSEMBLED, Along
 from .branches import branch_points
@@ -51,13 +52,23 @@ def run(solution: Solution, results: Sequence[Analysis], points: int, report: Re
     pose = solution.plan.graph.pose
     drive = pose.mechanism.drive
     if drive is None:
-        raise report.fail(words.no_drive(pose.mechanism.span, pose.free))
+        example = _drivable(pose)
+        raise report.fail(words.no_drive(pose.mechanism.span, pose.free, *example))
     parameter = next(p for p in pose.mechanism.parameters if p.name == drive.parameter)
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
         raise report.fail(words.no_stroke(drive.span, drive.parameter))
     runner = _Runner(solution, results, parameter, *ends)
     return runner.stroke(points)
+
+
+def _drivable(pose: Pose) -> tuple[str, str]:
+    """Return a parameter that could drive, an angle if there is one, and the unit of its ends."""
+    free = [p for p in pose.mechanism.parameters if p.name in pose.free]
+    for dimension, unit in ((ANGLE, "deg"), (LENGTH, "mm")):
+        if found := next((p for p in free if p.dimension == dimension), None):
+            return found.name, unit
+    return "phi", "deg"
 
 
 class _Filled(NamedTuple):

@@ -56,7 +56,8 @@ def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
         if demanded[link.name] != doubled[link.name]:
             # Its length is open: only whether it turns is known.
             here, there = float(abs(here) > SLACK), float(abs(there) > SLACK)
-        if abs(here - there) > SLACK * max(abs(there), *map(abs, drawn.values())):
+        fastest = max(abs(there), *map(abs, drawn.values()))
+        if abs(here - there) > SLACK * fastest or _is_bent(pose, link, along, place, fastest):
             yield link
 
 
@@ -80,6 +81,20 @@ def _turning(pose: Pose, link: Link, along: Along, place: float) -> float:
     first, *others = link.points
     turns = [_turn(pose.vector(link.name, first, point), before, after) for point in others]
     return max(turns, key=abs) / (2 * STEP)
+
+
+def _is_bent(pose: Pose, link: Link, along: Along, place: float, fastest: float) -> bool:
+    """Tell whether pins of a link turn at different rates, so that it would have to bend.
+
+    A point that has a load alone may stand for what the link touches just now.
+    """
+    before, after = along.values(place - STEP), along.values(place + STEP)
+    pivots = {p.point for p in pose.mechanism.pivots}
+    others = {p for k in pose.mechanism.links if k is not link for p in k.points}
+    pins = [p for p in link.points if p in pivots | others]
+    arms = [pose.vector(link.name, pins[0], pin) for pin in pins[1:]]
+    turns = [_turn(arm, before, after) / (2 * STEP) for arm in arms if arm]
+    return len(turns) > 1 and max(turns) - min(turns) > SLACK * fastest
 
 
 def _turn(arm: Vector, before: Mapping[str, float], after: Mapping[str, float]) -> float:
