@@ -6,10 +6,12 @@ from random import Random
 
 import pytest
 
-from mechc.diagnostics import MechcError
-from mechc.driver import Compilation
+from mechc.diagnostics import MechcError, Report
+from mechc.driver import Compilation, complete
 from mechc.files import library
 from mechc.source import Source
+from mechc.syntax.notation import read
+from mechc.syntax.to_yaml import to_yaml
 
 MISTAKEN = {"mm": "kg", "deg": "mm", "kg": "mm", "m": "deg", "N": "deg", "kN": "mm"}
 QUANTITY = re.compile(r"(?<![\w.])(?!0 )(\d[\d.]*)\s+(mm|deg|kN|kg|N|m)(?![\w^/*])")
@@ -56,6 +58,103 @@ def drawn(seed: int, number: int) -> list[tuple[str, str, str]]:
 
 def silent(cases: list[tuple[str, str, str]]) -> list[tuple[str, str]]:
     return [(name, wrong) for name, text, wrong in cases if not is_seen(text)]
+
+
+TOGGLE = """\
+param l = 200 mm
+param alpha = 10 deg in 2 deg .. 40 deg
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+force P at B along 0 deg
+force F at K along -90 deg
+find k = P/F
+expect k = 2*tan(alpha)
+expect k = 0.353 at alpha = 10 deg
+"""
+
+KINDS = (
+    # an angle
+    ("crank_rocker", "phi = 60 deg", "phi = 60 rad", "W245"),
+    ("crank_rocker", "in 0 deg .. 360 deg", "in 0 deg .. 3600 deg", "W245"),
+    ("crank_rocker", "to 360 deg", "to 4000 deg", "W593"),
+    ("toggle", "along 0 deg", "along 90 rad", "W245"),
+    # a length
+    ("oscillating_cylinder", "400 mm .. 900 mm", "-400 mm .. 900 mm", "W246"),
+    ("oscillating_cylinder", "r = 400 mm", "r = 400 mm +- 500 mm", "W246"),
+    ("oscillating_cylinder", "r = 400 mm", "r = 400 m", "W247"),
+    ("crank_rocker", "b   = 120 mm", "b   = -120 mm", "E245"),
+    # what drives
+    ("oscillating_cylinder", "CB = s", "CB = 500 mm", "W249"),
+    ("oscillating_cylinder", "drive s", "drive r", "W250"),
+    ("crank_rocker", "drive phi from 0 deg to 360 deg", "drive d", "W250"),
+    # what rubs
+    ("karpenko_fig9_with_friction", "f     = 0.1 ", "f     = 10 ", "W251"),
+    ("karpenko_fig9_with_friction", "d     = 20 mm", "d     = 200 mm", "W257"),
+    # bodies and joints
+    ("crank_rocker", "at (d, 0 mm)", "at (0 mm, 0 mm)", "W252"),
+    ("toggle", "link OB", "link OBA\nlink OB", "W253"),
+    ("oscillating_cylinder", "telescope CB", "telescope CB\ntelescope OB", "W254"),
+    ("oscillating_cylinder", "telescope CB", "telescope CB\ntelescope OC", "W254"),
+    ("crank_rocker", "cw", "cw\nassembly ABO2 ccw", "E319"),
+    # what is asked for, and of what size
+    ("toggle", "find k = P/F", "find k = P/F\nfind j = P/F", "W248"),
+    ("wheelbarrow", "m     = 60 kg", "m     = 0 kg", "W255"),
+    ("crank_rocker", "find k", "let F = 0 N\nfind k", "W255"),
+    ("crank_rocker", "find k", "let z = 1/(a - 40 mm)\nfind k", "W256"),
+)
+"""A library mechanism, what a person meant and wrote, and the code of what is said of it."""
+
+
+@pytest.mark.parametrize(("name", "meant", "written", "code"), KINDS, ids=str)
+@pytest.mark.parametrize("notation", ["mech", "yaml"])
+def test_kinds_of_mistakes_are_named(name, meant, written, code, notation):
+    text = TOGGLE if name == "toggle" else library()[name].read_text("utf-8")
+    assert meant in text
+    source = Source("a.mech", text.replace(meant, written, 1))
+    if notation == "yaml":
+        source = Source("a.yaml", to_yaml(read(source, Report(source))))
+    assert code in codes(source)
+
+
+def codes(source: Source) -> list[str]:
+    compilation = Compilation(source)
+    try:
+        found = complete(compilation).report.diagnostics
+    except MechcError as error:
+        found = list(error.diagnostics)
+    return [d.code for d in found]
+
+
+LOOSE = (
+    ("slider K along 90 deg\n", "hold link BK, which hangs on pin B alone"),
+    ("pivot O\n", "hold link OB, which hangs on pin B alone"),
+    ("link BK\n", "join link OB to slider K: nothing does"),
+)
+
+
+@pytest.mark.parametrize(("line", "hint"), LOOSE)
+def test_what_hangs_loose_is_named(line, hint):
+    with pytest.raises(MechcError) as error:
+        complete(Compilation(Source("a.mech", TOGGLE.replace(line, ""))))
+    assert error.value.diagnostics[-1].hint == f"write `find` for exactly 2 loads, or {hint}"
+
+
+@pytest.mark.parametrize(
+    ("meant", "written"),
+    [
+        ("find k = P/F", "find j = P/F"),
+        ("find k = P/F", "find k = P/G"),
+        ("param alpha", "param alfa"),
+        ("P at B", "P at Q"),
+    ],
+)
+def test_one_mistake_is_told_once(meant, written):
+    (found,) = codes(Source("a.mech", TOGGLE.replace(meant, written, 1)))
+    assert found.startswith("E2")
 
 
 HARMLESS = re.compile(r'(?s)param \w+ = [\d.]+ \w+ as "cylinder bore"|drive .*|param d .*')

@@ -76,13 +76,15 @@ def read_expects(
 ) -> list[Expect]:
     """Return what is expected of results, and how exactly."""
     subjects = _subjects(finds, found, scope)
-    failed = _failed(file, subjects)
+    failed = _failed(file, subjects)  # and, as they are met, other names of no result
     lets = written_out(found, scope)
     expects: list[Expect] = []
     for statement in every(file, ast.Expect):
         if isinstance(statement.subject, ast.Symbol) and statement.subject.name in failed:
             continue
         subject = _subject(statement.subject, finds, subjects, scope)
+        if subject is None and isinstance(statement.subject, ast.Symbol):
+            failed.add(statement.subject.name)
         value = Reader(scope, EXPECTED).read(statement.value)
         at = _settings(statement, scope)
         if (
