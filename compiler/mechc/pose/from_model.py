@@ -19,6 +19,7 @@ from .loops.closing import Closed, close
 from .loops.groups import Open
 from .loops.rails import with_lines
 from .loops.web import mentioned
+from .missing import Missing
 from .nearby import poses_nearby
 from .pose import Pose, Vector
 from .pruning import pruned
@@ -110,6 +111,7 @@ class _Survey:
     ) -> None:
         self._mechanism, self._terms = mechanism, terms
         self._compass, self._vectors, self._report = compass, vectors, report
+        self._missing = Missing(vectors)
 
     def frames(self) -> Mapping[str, Mapping[str, Vector]]:
         """Return the frames of links and slides."""
@@ -148,9 +150,9 @@ class _Survey:
 
     def _report_missing(self, link: Link, base: str, point: str, found: Vector | None) -> None:
         name = f"link {link.name}"
-        if found is None:
+        if found is None and self._missing.is_first(base, point):
             self._report.add(words.missing_direction(link.span, f"{base}{point}", name))
-        else:
+        elif found is not None:
             self._report.add(words.points_coincide(link.span, f"{base}{point}"))
 
     def guides(self) -> Mapping[str, Angle]:
@@ -206,7 +208,8 @@ class _Survey:
         )
         vector = self._vectors.path(tail, head)
         if vector is None:
-            self._report.add(words.missing_direction(span, f"{tail}{head}", for_what))
+            if self._missing.is_first(tail, head):
+                self._report.add(words.missing_direction(span, f"{tail}{head}", for_what))
         elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):
             self._report.add(words.no_direction_of_its_own(span, f"{tail}{head}"))
         elif len(vector) > 1:
@@ -223,7 +226,8 @@ class _Survey:
         for link in self._mechanism.links:
             used = {n for vector in pose.frames[link.name].values() for n in mentioned(vector)}
             needed |= dict.fromkeys(sorted(used & sought.keys() - needed.keys()), link)
-        for fault in explained(self._mechanism, self._vectors, sought, needed, left):
+        causes = explained(self._mechanism, self._vectors, sought, needed, left)
+        for fault in () if self._missing.are_any else causes:
             self._report.add(fault)
         return frozenset(needed)
 

@@ -34,12 +34,14 @@ def explained(
         _without_value(mechanism.parameters, left.unknown),
         _without_place(mechanism, vectors),
         _without_input(needed, sought, left),
+        _without_rail(mechanism, [sought[name][:2] for name in needed]),
     )
     for cause in causes:
         if found := list(cause):
             yield from found
             return
-    for name, link in needed.items():
+    # With a drive one missing pivot or vector opens every loop that it is in.
+    for name, link in [*needed.items()][: 1 if mechanism.drive else None]:
         tail, head, _ = sought[name]
         yield plain.missing_direction(link.span, f"{tail}{head}", f"link {link.name}")
 
@@ -96,6 +98,15 @@ def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
     near = _beside([p.point for p in mechanism.pivots]) or "(0 mm, 0 mm)"
     for slider in mechanism.sliders:
         if not slider.through:
+            yield words.guide_without_line(slider.span, slider.point, near)
+
+
+def _without_rail(mechanism: Mechanism, vectors: Sequence[tuple[str, str]]) -> Iterator[Diagnostic]:
+    """Yield the guides without a line at which rods end whose directions a drive is to give."""
+    ends = {point for pair in vectors for point in pair}
+    near = _beside([p.point for p in mechanism.pivots]) or "(0 mm, 0 mm)"
+    for slider in mechanism.sliders if mechanism.drive else ():
+        if slider.point in ends and not slider.through:
             yield words.guide_without_line(slider.span, slider.point, near)
 
 

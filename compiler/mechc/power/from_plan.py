@@ -33,8 +33,8 @@ from .balance import Balance, Solved
 from .definitions import intermediates, open_lengths, resting_on
 from .equations import equations_of
 from .loads import given_size, terms
-from .numbers import checked
 from .loose import looseness
+from .numbers import checked
 from .speeds import magnitude, speed
 
 if TYPE_CHECKING:

@@ -14,10 +14,10 @@ from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, Mechanism, Parameter
-from ...study.analysis import Analysis
 from ...model.result import Definition
-from ...pose.pose import Pose
 from ...model.values import range_of
+from ...pose.pose import Pose
+from ...study.analysis import Analysis
 from ...units import ANGLE, LENGTH, Dimension
 from .along import EXCLUDED, NOT_ASSEMBLED, Along
 from .branches import branch_points
