@@ -47,6 +47,7 @@ LATE = {
     ("study/from_solution.py", "study.efficiency_range"),
     ("study/from_solution.py", "study.locking"),
     ("study/from_solution.py", "study.ratios"),
+    ("routine/from_results.py", "routine.together"),
 }
 """Other imports inside a function: what few descriptions ask for, and sympy."""
 

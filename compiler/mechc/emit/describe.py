@@ -109,7 +109,9 @@ def formula_lines(function: Function) -> list[str]:
     """Return the result as a reader writes it: ``k = …`` and the intermediates it mentions."""
     pairs = ((step.name, step.formula) for step in function.where)
     where = (line for group in grouped(pairs) for line in _group_lines(group))
-    return [f"{function.name} = {text(function.formula)}", *where, *_case_lines(function)]
+    others = [f"where {', '.join(function.others)} are results, too"] if function.others else []
+    first = f"{function.name} = {text(function.formula)}"
+    return [first, *where, *others, *_case_lines(function)]
 
 
 def _case_lines(function: Function) -> Iterator[str]:
@@ -132,7 +134,8 @@ def _group_lines(group: Definition | Solved) -> list[str]:
 
 def condition_lines(function: Function) -> list[str]:
     """Return the conditions outside which the function gives NaN."""
-    known = {i.name for i in function.inputs} | {step.name for step in function.where}
+    known = {*(i.name for i in function.inputs), *(step.name for step in function.where)}
+    known.update(function.others)
     closing = [f"the loop {guard.loop} closes" for guard in function.guards if guard.loop]
     others = [guard for guard in function.guards if not guard.loop]
     told = [g for g in others if symbols(g.left) | symbols(g.right) <= known]

@@ -1,49 +1,21 @@
 """From results to straight-line programs, one function per ``find`` and ``let``."""
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple, assert_never
+from collections.abc import Iterator, Mapping, Sequence
 
-from ..formula.operations import count_operations
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
-from ..model.mechanism import (
-    Axial,
-    Efficiency,
-    Load,
-    LoadForm,
-    LoadRatio,
-    Mechanism,
-    Normal,
-    Parameter,
-    Reaction,
-    Require,
-    Speed,
-    SpeedRatio,
-    Target,
-    Torque,
-    WithFriction,
-)
-from ..model.result import FrictionResult, Result
+from ..model.mechanism import Load, Mechanism, Parameter, Torque
+from ..model.result import Result
 from ..pose.pose import ClosedLoop
-from ..study.analysis import as_printed
 from ..units import FORCE, TORQUE
+from .functions import Asked, asked, function
 from .lengths import with_roots
-from .loops import closing_guard, unseen_loops
-from .scope import Definitions, Scope, rename
+from .scope import Scope
 from .sharing import share
-from .steps import (
-    Function,
-    Guard,
-    Input,
-    Pose,
-    Routine,
-    Solve,
-    Statement,
-    Step,
-    formulas_of,
-    names_of,
-)
-from .turning import in_unit_vectors
+from .steps import Function, Input, Pose, Routine, formulas_of, names_of
+
+LONG = 24
+"""Definitions beyond which functions may compute together what they have in common."""
 
 
 def program(
@@ -62,72 +34,23 @@ def program(
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
     scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
-    functions = tuple(_function(result, scope, inputs, loops) for result in results)
+    names = (*inputs, *scope.results)
+    listed = [asked(r, scope, inputs, loops) for r in results]
+    functions = tuple(_functions(listed, scope, names))
     pose = _pose(scope, inputs, loops)
     return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose)
 
 
-def _function(
-    result: Result, scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
-) -> Function:
-    unseen = unseen_loops(result, scope, loops)
-    needed = [result.formula, *(side for g in result.guards for side in (g.left, g.right))]
-    needed += [loop.margin for loop in unseen]
-    used = _known(result, scope.free(result.name, needed), inputs)
-    requires = [r for r in scope.mechanism.requires if _decided(r, result.name, scope, used)]
-    requires += result.guards
-    sides = [side for r in requires for side in (r.left, r.right)]
-    definitions = scope.definitions(result.name, [result.formula, *sides, *needed])
-    formula = rename(result.formula, definitions.names)
-    guards = (
-        *(_guard(r, definitions) for r in requires),
-        *(closing_guard(loop, definitions) for loop in unseen),
-    )
-    asked = {name for g in guards for side in (g.left, g.right) for name in symbols(side)}
-    taken = {*inputs, *scope.results, *(name for name, _ in definitions.formulas)}
-    carried, formulas = in_unit_vectors(definitions.formulas, [formula], asked, taken)
-    steps, (output,) = share(carried, formulas, [*inputs, *scope.results])
-    shown = scope.definitions(result.name, [result.formula, *sides]).formulas
-    read = _read(result, formula, shown)
-    return Function(
-        name=result.name,
-        title=title(result.target),
-        inputs=used,
-        guards=guards,
-        steps=steps,
-        output=output,
-        formula=read.formula,
-        where=read.where,
-        dimension=result.dimension,
-        operations=sum(map(count_operations, _computed(steps))) + count_operations(output),
-        holds=read.holds,
-        iterated=read.iterated,
-    )
+def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> Iterator[Function]:
+    """Yield the function of each result; many long ones share their steps."""
+    found: dict[str, Function] = {}
+    long = [one for one in listed if len(one.result.where) > LONG]
+    if long:
+        from .together import together
 
-
-class _Read(NamedTuple):
-    """A result for readers."""
-
-    formula: Formula
-    where: tuple[Step, ...]
-    holds: tuple[Guard, ...] = ()
-    iterated: tuple[str, ...] = ()
-
-
-def _read(result: Result, formula: Formula, known: Iterable[tuple[str, Formula]]) -> _Read:
-    """Return a result as people read it: a case where there is one, no system's coefficients."""
-    if not isinstance(result, FrictionResult) or (result.case is None and not result.inside):
-        return _Read(formula, tuple(Step(name, f) for name, f in known))
-    printed = as_printed(result)
-    used, where = set(symbols(printed.formula)), []
-    named = {d.name for d in printed.where}
-    for name, found in reversed([*(k for k in known if k[0] not in named), *printed.where]):
-        if name in used - result.inside:
-            where.append(Step(name, found))
-            used |= symbols(found)
-    holds = tuple(Guard(h.left, h.operator, h.right) for h in printed.holds)
-    iterated = tuple(d.name for d in printed.where if d.name in used & result.inside)
-    return _Read(printed.formula, tuple(where[::-1]), holds, iterated)
+        found = together(long, scope, names)
+    for one in listed:
+        yield found.get(one.result.name) or function(one, scope, names)
 
 
 def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]) -> Pose | None:
@@ -145,58 +68,6 @@ def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
     defined = {name for step in steps for name in names_of(step)}
     known = tuple(item for name, item in inputs.items() if name in used - defined)
     return Pose(known, steps, tuple(found.names))
-
-
-def _computed(statements: Iterable[Statement]) -> Iterator[Formula]:
-    """Yield every formula that is computed, those of a solver once."""
-    for statement in statements:
-        yield from formulas_of(statement)
-        if isinstance(statement, Solve):
-            solver = statement.solver
-            yield from (step.formula for step in solver.steps)
-            yield from solver.residuals
-            yield from (entry for row in solver.jacobian for entry in row)
-
-
-def title(target: Target | None) -> str:
-    """Return what a result is, in words.
-
-    >>> title(LoadRatio("P", "F"))
-    'force ratio P/F'
-    """
-    match target:
-        case None:
-            return "formula of the description"
-        case LoadRatio(above, below):
-            return f"force ratio {above}/{below}"
-        case LoadForm(load):
-            return f"load {load} that balances the others"
-        case SpeedRatio(above, below):
-            return f"speed ratio {_speed(above)}/{_speed(below)}"
-        case Reaction(point, link, part):
-            on = f"link {link} by its neighbours" if link else "the mechanism by the ground"
-            return f"{PARTS[part]} force at {point} on {on}"
-        case Axial(_, tail, head):
-            return f"force along {tail}{head}, tension positive"
-        case Normal(point):
-            return f"normal force on {point}"
-        case WithFriction(of, sense, order):
-            about = " to first order" if order == "first" else ""
-            return f"{title(of)} with friction{about}, {sense}"
-        case Efficiency(of, sense):
-            return f"efficiency of {title(of)}, {sense}"
-        case _:
-            assert_never(target)
-
-
-PARTS = {"x": "x component of the", "y": "y component of the", "size": "size of the"} | {
-    "direction": "direction of the"
-}
-"""The parts of a reaction in words."""
-
-
-def _speed(speed: Speed) -> str:
-    return f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}"
 
 
 # -------------------------------------------------------------------------- inputs
@@ -231,23 +102,3 @@ def _load(load: Load) -> Input:
 
 def _constant(formula: Formula | None) -> float | None:
     return None if formula is None else evaluate(formula, {})
-
-
-def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) -> tuple[Input, ...]:
-    strangers = sorted(used - inputs.keys())
-    if strangers:
-        raise LookupError(f"nothing explains {', '.join(strangers)} in result {result.name}")
-    return tuple(item for name, item in inputs.items() if name in used)
-
-
-# -------------------------------------------------------------------------- guards
-
-
-def _decided(require: Require, owner: str, scope: Scope, used: tuple[Input, ...]) -> bool:
-    """Return whether a function's inputs decide a condition."""
-    return scope.free(owner, [require.left, require.right]) <= {i.name for i in used}
-
-
-def _guard(require: Require, definitions: Definitions) -> Guard:
-    left, right = (rename(side, definitions.names) for side in (require.left, require.right))
-    return Guard(left, require.operator, right)

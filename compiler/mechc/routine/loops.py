@@ -1,11 +1,11 @@
 """Loops that a result does not rest on: without them there is no pose, and no value."""
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 
 from ..formula.tree import ZERO, Formula
 from ..model.result import Result
 from ..pose.pose import ClosedLoop
-from .scope import Definitions, Scope, rename
+from .scope import Scope, rename
 from .steps import Guard
 
 
@@ -15,6 +15,8 @@ def unseen_loops(result: Result, scope: Scope, loops: Sequence[ClosedLoop]) -> l
     A loop that rests on another one shows the other's failure as well. One of fixed lengths
     alone closes once and for all.
     """
+    if not loops:
+        return []
     found: list[ClosedLoop] = []
     formulas = [result.formula, *(side for g in result.guards for side in (g.left, g.right))]
     known = _defined(result, formulas, scope)
@@ -37,6 +39,6 @@ def _rests_on_a_pose(known: set[str], scope: Scope, loops: Sequence[ClosedLoop])
     return not known.isdisjoint(finds.union(*(loop.names for loop in loops)))
 
 
-def closing_guard(loop: ClosedLoop, definitions: Definitions) -> Guard:
-    """Return the condition that a loop closes."""
-    return Guard(rename(loop.margin, definitions.names), ">=", ZERO, loop.loop)
+def closing_guard(loop: ClosedLoop, names: Mapping[str, str]) -> Guard:
+    """Return the condition that a loop closes, with the names that definitions have."""
+    return Guard(rename(loop.margin, names), ">=", ZERO, loop.loop)

@@ -31,6 +31,13 @@ class Definitions(NamedTuple):
     names: Mapping[str, str]
 
 
+class Together(NamedTuple):
+    """Definitions of several results, and by the owner under which name each finds its own."""
+
+    formulas: tuple[tuple[str, Formula], ...]
+    names: Mapping[str, Mapping[str, str]]
+
+
 class Scope:
     """The names of one mechanism and its results."""
 
@@ -77,9 +84,18 @@ class Scope:
 
     def definitions(self, owner: str, formulas: Iterable[Formula]) -> Definitions:
         """Return all that formulas of a result need, in order."""
-        wanted = dict(pair for f in formulas for pair in self._keys(owner, f))
-        found, chosen = self._named(wanted.values())
-        return Definitions(tuple(found.items()), {n: chosen[k] for n, k in wanted.items()})
+        found = self.together({owner: formulas})
+        return Definitions(found.formulas, found.names[owner])
+
+    def together(self, asked: Mapping[str, Iterable[Formula]]) -> Together:
+        """Return all that formulas of several results need, in order, by their owners."""
+        wanted = {
+            owner: dict(pair for f in formulas for pair in self._keys(owner, f))
+            for owner, formulas in asked.items()
+        }
+        found, chosen = self._named(key for keys in wanted.values() for key in keys.values())
+        names = {owner: {n: chosen[k] for n, k in keys.items()} for owner, keys in wanted.items()}
+        return Together(tuple(found.items()), names)
 
     def free(self, owner: str, formulas: Sequence[Formula]) -> frozenset[str]:
         """Return the names that formulas and the definitions they need leave open."""

@@ -105,6 +105,20 @@ class Guard:
 
 
 @frozen
+class Common:
+    """What many functions of the same inputs compute, once for all of them.
+
+    ``outputs`` are the names that their outputs and guards mention. A ``number`` tells such
+    programs apart.
+    """
+
+    number: int
+    inputs: tuple[Input, ...]
+    steps: tuple[Statement, ...]
+    outputs: tuple[str, ...]
+
+
+@frozen
 class Function:
     """One result: inputs in declared order, only those it depends on.
 
@@ -113,6 +127,8 @@ class Function:
     and ``iterated`` are names that a system defines. ``steps`` compute the same, shared parts once,
     and ``output`` is the formula of the last line (usually one symbol or a short
     product). ``operations`` counts ``steps`` and ``output``, one correction of each solver.
+    The steps may be those of a ``common`` program, handed out by one function for many; then
+    ``others`` are the results that ``formula`` and ``where`` mention.
     """
 
     name: str
@@ -127,6 +143,8 @@ class Function:
     operations: int
     holds: tuple[Guard, ...] = ()
     iterated: tuple[str, ...] = ()
+    common: Common | None = None
+    others: tuple[str, ...] = ()
 
 
 @frozen
@@ -150,3 +168,10 @@ class Routine:
     source: str
     functions: tuple[Function, ...]
     pose: Pose | None = None
+
+
+def programs(routine: Routine) -> list[Common | Function | Pose]:
+    """Return all that has steps of its own: what functions have in common first, and once."""
+    common = {f.common.number: f.common for f in routine.functions if f.common}
+    others = (f for f in routine.functions if not f.common)
+    return [*common.values(), *others, *([routine.pose] if routine.pose else [])]

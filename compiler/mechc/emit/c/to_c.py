@@ -11,20 +11,21 @@ from ...formula import newton
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
 from ...routine.steps import (
+    Common,
     Function,
-    Routine,
     Solve,
     Solver,
-    Statement,
     formulas_of,
     mentioned,
     names_of,
+    programs,
 )
 from .. import describe
 from ..names import Names, file_stem, mangle, transliterate
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from .common import CommonContext, common_context
 from .helpers import BITS, helpers
 from .layout import harmless, wrapped
 from .pose import PoseContext, pose_context
@@ -84,6 +85,7 @@ class CodeContext(NamedTuple):
     functions: list[FunctionContext]
     pose: PoseContext | None
     solvers: list[SolverContext]
+    commons: list[CommonContext]
     newton: ModuleType
 
 
@@ -114,6 +116,7 @@ class Parts(NamedTuple):
     functions: list[FunctionContext]
     pose: PoseContext | None
     solvers: list[SolverContext]
+    commons: list[CommonContext]
 
     @property
     def public(self) -> list[FunctionContext | PoseContext]:
@@ -170,11 +173,6 @@ def _source(parts: Parts, preface: list[str], header: str) -> str:
     return render("c/source.jinja", context)
 
 
-def _statements(routine: Routine) -> list[Statement]:
-    posed = routine.pose.steps if routine.pose else ()
-    return [*(step for f in routine.functions for step in f.steps), *posed]
-
-
 def _formulas(function: Function) -> list[Formula]:
     return [*(f for s in function.steps for f in formulas_of(s)), *_ends(function)]
 
@@ -197,17 +195,19 @@ def _preface(compiled: Compiled) -> list[str]:
 
 def _parts(compiled: Compiled) -> Parts:
     routine, space = compiled.routine, Names(LINKED)
-    posed = routine.pose.inputs if routine.pose else ()
-    inputs = [*(i.name for f in routine.functions for i in f.inputs), *(i.name for i in posed)]
-    arguments = mangle(inputs, Names(RESERVED))
+    written = programs(routine)
+    arguments = mangle((i.name for p in written for i in p.inputs), Names(RESERVED))
     linked = _symbols(routine.name, [f.name for f in routine.functions], space)
     pose, batch = (space.claim(f"{routine.name}_pose{end}") for end in ("", "_n"))
-    found = solvers_of(_statements(routine))
+    found = solvers_of(step for p in written for step in p.steps)
     solvers = {s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)}
+    commons = [p for p in written if isinstance(p, Common)]
+    handing = {c.number: space.claim(f"{routine.name}_values_{c.number}") for c in commons}
     return Parts(
-        [_function(f, linked[f.name], arguments, solvers) for f in routine.functions],
+        [_function(f, linked[f.name], arguments, solvers, handing) for f in routine.functions],
         pose_context(routine.pose, pose, batch, arguments, solvers) if routine.pose else None,
         [solver_context(solver, name) for solver, name in solvers.items()],
+        [common_context(c, handing[c.number], arguments, solvers) for c in commons],
     )
 
 
@@ -224,21 +224,25 @@ def _function(
     linked: Symbols,
     arguments: Mapping[str, str],
     solvers: Mapping[Solver, str],
+    handing: Mapping[int, str],
 ) -> FunctionContext:
     own = {i.name: arguments[i.name] for i in function.inputs}
-    inner = Names(RESERVED, {*own.values(), *solvers.values()})
-    names = own | mangle((n for s in function.steps for n in names_of(s)), inner)
+    inner = Names(RESERVED, {*own.values(), *solvers.values(), *handing.values()})
     outer = Names(RESERVED, {*own.values(), *linked})
     number, loop = outer.claim("n"), outer.claim("i")
     result = outer.claim(function.name)
     elements = ", ".join(f"{a}[{loop}]" for a in own.values())
+    if function.common:
+        plain, quick = _taken(function, function.common, own, handing, inner), None
+    else:
+        plain, quick = _computed(function, own, solvers, inner)
     return FunctionContext(
         remarks=[harmless(line) for line in _remarks(function, own, number, result)],
         single=_single(linked.single, list(own.values())),
         batch=_batch(linked.batch, list(own.values()), number, result),
         kernel=_single(linked.kernel, list(own.values())),
-        plain=_plain(function, CPrinter(names), solvers, inner),
-        quick=_quick(function, QuickPrinter(names)) if _is_circular(function) else None,
+        plain=plain,
+        quick=quick,
         element=f"{result}[{loop}]",
         call=f"{linked.single}({elements})",
         quick_call=f"{linked.kernel}({elements})",
@@ -246,6 +250,34 @@ def _function(
         loop=loop,
         start=outer.claim("start"),
         stop=outer.claim("stop"),
+    )
+
+
+def _computed(
+    function: Function, own: Mapping[str, str], solvers: Mapping[Solver, str], inner: Names
+) -> tuple[Body, Body | None]:
+    """Return what a function computes itself, and the same without branches where it pays."""
+    names = {**own, **mangle((n for s in function.steps for n in names_of(s)), inner)}
+    plain = _plain(function, CPrinter(names), solvers, inner)
+    return plain, _quick(function, QuickPrinter(names)) if _is_circular(function) else None
+
+
+def _taken(
+    function: Function,
+    common: Common,
+    own: Mapping[str, str],
+    handing: Mapping[int, str],
+    inner: Names,
+) -> Body:
+    """Return a body that takes what many functions have in common."""
+    values = inner.claim("values")
+    names = {name: f"{values}[{i}]" for i, name in enumerate(common.outputs)}
+    printer = CPrinter({**own, **names})
+    given = ", ".join([*own.values(), values])
+    return Body(
+        [f"double {values}[{len(names)}];", f"{handing[common.number]}({given});"],
+        [printer.condition(guard) for guard in function.guards],
+        printer.print(function.output),
     )
 
 

@@ -9,12 +9,22 @@ from ...diagnostics.emission import file_hides_another
 from ...formula import newton
 from ...formula.tree import Call, Formula, Number, Power
 from ...formula.walk import symbols, walk
-from ...routine.steps import Function, Pose, Solve, Solver, formulas_of, mentioned, names_of
+from ...routine.steps import (
+    Common,
+    Function,
+    Solve,
+    Solver,
+    formulas_of,
+    mentioned,
+    names_of,
+    programs,
+)
 from .. import describe
 from ..names import Names, file_stem, mangle
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from .common import CommonContext, common_context, common_name
 from .pose import PoseContext, pose_context
 from .printer import KEYWORDS, MODULES, RESERVED, PythonPrinter
 from .solvers import SolverContext, line, solver_context, solver_names
@@ -45,6 +55,7 @@ class ModuleContext(NamedTuple):
     preface: list[str]
     solvers: list[SolverContext]
     newton: ModuleType
+    commons: list[CommonContext]
     functions: list[FunctionContext]
     pose: PoseContext | None
     main: list[str]
@@ -78,8 +89,7 @@ def _module(compiled: Compiled) -> ModuleContext:
     routine = compiled.routine
     space = Names(RESERVED)
     names = mangle((f.name for f in routine.functions), space)
-    parts: list[Function | Pose] = [*routine.functions]
-    parts += [routine.pose] if routine.pose else []
+    parts = programs(routine)
     arguments = mangle((i.name for part in parts for i in part.inputs), Names(RESERVED))
     solvers = solver_names(step for part in parts for step in part.steps)
     functions = [_function(f, names[f.name], arguments, solvers) for f in routine.functions]
@@ -88,6 +98,7 @@ def _module(compiled: Compiled) -> ModuleContext:
         preface=[_quoted(line) for line in _preface(compiled)],
         solvers=[solver_context(solver, name) for solver, name in solvers.items()],
         newton=newton,
+        commons=[common_context(p, arguments, solvers) for p in parts if isinstance(p, Common)],
         functions=functions,
         pose=pose_context(routine.pose, space.claim("pose"), arguments, solvers)
         if routine.pose
@@ -114,10 +125,11 @@ def _function(
     own = {i.name: arguments[i.name] for i in function.inputs}
     space = Names(RESERVED, set(own.values()))
     result = space.claim(function.name if function.name not in own else "result")
-    steps = (name for step in function.steps for name in names_of(step))
-    printer = PythonPrinter(own | mangle(steps, space))
-    used = mentioned(function.steps, _ends(function))
-    lines = [line(step, used, solvers, printer) for step in function.steps]
+    lines, printer = (
+        _taken(function.common, own, space)
+        if function.common
+        else _computed(function, own, space, solvers)
+    )
     unit = describe.si_unit(function.dimension)
     return FunctionContext(
         name=name,
@@ -132,9 +144,27 @@ def _function(
         ],
         body=[*lines, *_returned(function, result, printer)],
         result=result,
-        quiet=_may_fail(function),
+        quiet=function.common is not None or _may_fail(function),
         operations=function.operations,
     )
+
+
+def _computed(
+    function: Function, own: Mapping[str, str], space: Names, solvers: Mapping[Solver, str]
+) -> tuple[list[Line], Printer]:
+    """Return the steps of a function as lines, and a printer in their terms."""
+    steps = (name for step in function.steps for name in names_of(step))
+    printer = PythonPrinter({**own, **mangle(steps, space)})
+    used = mentioned(function.steps, _ends(function))
+    return [line(step, used, solvers, printer) for step in function.steps], printer
+
+
+def _taken(common: Common, own: Mapping[str, str], space: Names) -> tuple[list[Line], Printer]:
+    """Return the line that takes what many functions have in common, and a printer in its terms."""
+    values = space.claim("values")
+    names = {name: f'{values}["{name}"]' for name in common.outputs}
+    called = f"{common_name(common)}({', '.join(own.values())})"
+    return [Line(values, called)], PythonPrinter({**own, **names})
 
 
 def _ends(function: Function) -> list[Formula]:

@@ -1,0 +1,216 @@
+"""The function of a result: what it takes, its steps, and what a reader sees of it."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from typing import NamedTuple, assert_never
+
+from ..formula.operations import count_operations
+from ..formula.tree import Formula
+from ..formula.walk import symbols
+from ..model.mechanism import (
+    Axial,
+    Efficiency,
+    LoadForm,
+    LoadRatio,
+    Normal,
+    Reaction,
+    Require,
+    Speed,
+    SpeedRatio,
+    Target,
+    WithFriction,
+)
+from ..model.result import FrictionResult, Result
+from ..pose.pose import ClosedLoop
+from ..study.analysis import as_printed
+from .loops import closing_guard, unseen_loops
+from .scope import Scope, rename
+from .sharing import Shared, share
+from .steps import Function, Guard, Input, Solve, Statement, Step, formulas_of
+from .turning import in_unit_vectors
+
+
+class Asked(NamedTuple):
+    """A result with the inputs that it depends on, and the conditions that they decide."""
+
+    result: Result
+    inputs: tuple[Input, ...]
+    requires: tuple[Require, ...]
+    unseen: tuple[ClosedLoop, ...]
+
+    @property
+    def read(self) -> list[Formula]:
+        """Return the formulas that a reader sees."""
+        sides = [side for r in self.requires for side in (r.left, r.right)]
+        return [self.result.formula, *sides]
+
+    @property
+    def needed(self) -> list[Formula]:
+        """Return all formulas that are computed."""
+        return [*self.read, *(loop.margin for loop in self.unseen)]
+
+    def guards(self, names: Mapping[str, str]) -> tuple[Guard, ...]:
+        """Return the conditions with the names that definitions have."""
+        requires = (_guard(r, names) for r in self.requires)
+        return (*requires, *(closing_guard(loop, names) for loop in self.unseen))
+
+
+def asked(
+    result: Result, scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
+) -> Asked:
+    """Return what a function of a result takes and has to compute.
+
+    Raises ``LookupError`` for a name that nothing explains.
+    """
+    unseen = tuple(unseen_loops(result, scope, loops))
+    alone = Asked(result, (), result.guards, unseen)
+    used = _known(result, scope.free(result.name, alone.needed), inputs)
+    decided = [r for r in scope.mechanism.requires if _decided(r, result.name, scope, used)]
+    return Asked(result, used, (*decided, *result.guards), unseen)
+
+
+def _known(result: Result, used: frozenset[str], inputs: Mapping[str, Input]) -> tuple[Input, ...]:
+    strangers = sorted(used - inputs.keys())
+    if strangers:
+        raise LookupError(f"nothing explains {', '.join(strangers)} in result {result.name}")
+    return tuple(item for name, item in inputs.items() if name in used)
+
+
+def _decided(require: Require, owner: str, scope: Scope, used: tuple[Input, ...]) -> bool:
+    """Return whether a function's inputs decide a condition."""
+    return scope.free(owner, [require.left, require.right]) <= {i.name for i in used}
+
+
+def _guard(require: Require, names: Mapping[str, str]) -> Guard:
+    left, right = (rename(side, names) for side in (require.left, require.right))
+    return Guard(left, require.operator, right)
+
+
+def function(asked: Asked, scope: Scope, names: Iterable[str]) -> Function:
+    """Return the function of a result that computes all that it needs itself."""
+    result = asked.result
+    definitions = scope.definitions(result.name, asked.needed)
+    formula, guards = rename(result.formula, definitions.names), asked.guards(definitions.names)
+    steps, (output,) = steps_to(definitions.formulas, [formula], guards, names)
+    shown = scope.definitions(result.name, asked.read).formulas
+    read = _readable(result, formula, shown)
+    return written(asked, steps, output, guards, read, operations(steps))
+
+
+def steps_to(
+    definitions: Sequence[tuple[str, Formula]],
+    formulas: Sequence[Formula],
+    guards: Iterable[Guard],
+    names: Iterable[str],
+) -> Shared:
+    """Return the steps to formulas, and those in their terms; names of guards are kept."""
+    asked = {name for g in guards for side in (g.left, g.right) for name in symbols(side)}
+    taken = {*names, *(name for name, _ in definitions)}
+    return share(*in_unit_vectors(definitions, formulas, asked, taken), names)
+
+
+def written(
+    asked: Asked,
+    steps: tuple[Statement, ...],
+    output: Formula,
+    guards: tuple[Guard, ...],
+    read: "Read",
+    work: int,
+) -> Function:
+    """Return the function of a result from its parts; its steps are so many operations."""
+    result = asked.result
+    return Function(
+        name=result.name,
+        title=title(result.target),
+        inputs=asked.inputs,
+        guards=guards,
+        steps=steps,
+        output=output,
+        formula=read.formula,
+        where=read.where,
+        dimension=result.dimension,
+        operations=work + count_operations(output),
+        holds=read.holds,
+        iterated=read.iterated,
+    )
+
+
+def operations(statements: Iterable[Statement]) -> int:
+    """Return how many operations statements are, one correction of each solver."""
+    return sum(map(count_operations, _computed(statements)))
+
+
+def _computed(statements: Iterable[Statement]) -> Iterator[Formula]:
+    """Yield every formula that is computed, those of a solver once."""
+    for statement in statements:
+        yield from formulas_of(statement)
+        if isinstance(statement, Solve):
+            solver = statement.solver
+            yield from (step.formula for step in solver.steps)
+            yield from solver.residuals
+            yield from (entry for row in solver.jacobian for entry in row)
+
+
+class Read(NamedTuple):
+    """A result for readers."""
+
+    formula: Formula
+    where: tuple[Step, ...]
+    holds: tuple[Guard, ...] = ()
+    iterated: tuple[str, ...] = ()
+
+
+def _readable(result: Result, formula: Formula, known: Iterable[tuple[str, Formula]]) -> Read:
+    """Return a result as people read it: a case where there is one, no system's coefficients."""
+    if not isinstance(result, FrictionResult) or (result.case is None and not result.inside):
+        return Read(formula, tuple(Step(name, f) for name, f in known))
+    printed = as_printed(result)
+    used, where = set(symbols(printed.formula)), []
+    named = {d.name for d in printed.where}
+    for name, found in reversed([*(k for k in known if k[0] not in named), *printed.where]):
+        if name in used - result.inside:
+            where.append(Step(name, found))
+            used |= symbols(found)
+    holds = tuple(Guard(h.left, h.operator, h.right) for h in printed.holds)
+    iterated = tuple(d.name for d in printed.where if d.name in used & result.inside)
+    return Read(printed.formula, tuple(where[::-1]), holds, iterated)
+
+
+def title(target: Target | None) -> str:
+    """Return what a result is, in words.
+
+    >>> title(LoadRatio("P", "F"))
+    'force ratio P/F'
+    """
+    match target:
+        case None:
+            return "formula of the description"
+        case LoadRatio(above, below):
+            return f"force ratio {above}/{below}"
+        case LoadForm(load):
+            return f"load {load} that balances the others"
+        case SpeedRatio(above, below):
+            return f"speed ratio {_speed(above)}/{_speed(below)}"
+        case Reaction(point, link, part):
+            on = f"link {link} by its neighbours" if link else "the mechanism by the ground"
+            return f"{PARTS[part]} force at {point} on {on}"
+        case Axial(_, tail, head):
+            return f"force along {tail}{head}, tension positive"
+        case Normal(point):
+            return f"normal force on {point}"
+        case WithFriction(of, sense, order):
+            about = " to first order" if order == "first" else ""
+            return f"{title(of)} with friction{about}, {sense}"
+        case Efficiency(of, sense):
+            return f"efficiency of {title(of)}, {sense}"
+        case _:
+            assert_never(target)
+
+
+PARTS = {"x": "x component of the", "y": "y component of the", "size": "size of the"} | {
+    "direction": "direction of the"
+}
+"""The parts of a reaction in words."""
+
+
+def _speed(speed: Speed) -> str:
+    return f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}"
