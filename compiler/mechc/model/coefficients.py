@@ -26,16 +26,25 @@ def coefficient(expression: ast.Expr, scope: Scope) -> Formula | None:
 def positive_length(expression: ast.Expr, what: str, scope: Scope) -> Formula | None:
     """Return a length above zero; None where an error was reported."""
     formula = Reader(scope, DESCRIPTION).wanted(expression, LENGTH, what)
-    return checked(formula, expression.span, what, lambda v: v > 0, scope)
+    return checked(formula, expression.span, what, lambda v: v > 0, scope, _in_mm)
+
+
+def _in_mm(length: float) -> str:
+    return f"{length * 1000:g} mm"
 
 
 def checked(
-    formula: Formula | None, span: Span, what: str, fits: Callable[[float], bool], scope: Scope
+    formula: Formula | None,
+    span: Span,
+    what: str,
+    fits: Callable[[float], bool],
+    scope: Scope,
+    show: Callable[[float], str] = "{:g}".format,
 ) -> Formula | None:
     """Return a quantity whose default value makes sense; report one that makes none."""
     value = None if formula is None else value_of(formula, scope)
     if value is not None and not fits(value):
-        scope.report.add(words.senseless(span, what, value))
+        scope.report.add(words.senseless(span, what, show(value)))
         return None
     return formula
 

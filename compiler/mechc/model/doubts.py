@@ -1,6 +1,7 @@
 """What can be meant, and hardly ever is: remarks on values, bodies and the drive."""
 
 import math
+from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Diagnostic
@@ -157,14 +158,13 @@ def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         for p in mechanism.parameters
         if p.dimension == LENGTH and p.name in used and values.get(p.name) and not p.dependent
     ]
-    for size, parameter in sorted(known, key=lambda pair: -pair[0]):
-        others = [(s, p.unit) for s, p in known if p is not parameter]
-        units = {unit for _, unit in others}
-        if not others or len(units) > 1 or parameter.unit in units:
-            continue
-        sizes = [s for s, _ in others]
+    units = Counter(p.unit for _, p in known)
+    alone = [pair for pair in known if len(units) == 2 and units[pair[1].unit] == 1]
+    for size, parameter in sorted(alone, key=lambda pair: -pair[0]):
+        sizes = [s for s, p in known if p is not parameter]
         if size > FAR * max(sizes) or size * FAR < min(sizes):
-            yield words.length_far_off(parameter.span, parameter.name, parameter.unit, units.pop())
+            (other,) = units.keys() - {parameter.unit}
+            yield words.length_far_off(parameter.span, parameter.name, parameter.unit, other)
             return
 
 

@@ -18,12 +18,13 @@ def judged(mechanism: Mechanism, report: Report) -> Mechanism:
     drive = mechanism.drive
     if drive is None:
         return mechanism
-    moved = set(_moved(mechanism))
-    if not _rests(moved, mechanism):
+    chain = Chain(dependent(mechanism))
+    moved = {name for formula in _moved(mechanism) for name in symbols(formula)}
+    if drive.parameter not in chain.needed_by(moved):
         report.add(words.drive_moves_nothing(drive.span, drive.parameter))
     for entry in mechanism.geometry:
-        sizes = [f for f in _sizes(entry, mechanism) if _rests({f}, mechanism)]
-        if sizes and isinstance(entry, Arrow | Offset):
+        sizes = {name for formula in _sizes(entry, mechanism) for name in symbols(formula)}
+        if drive.parameter in chain.needed_by(sizes) and isinstance(entry, Arrow | Offset):
             body = body_through((entry.tail, entry.head), mechanism)
             if body:
                 found = words.drive_reshapes(
@@ -32,13 +33,6 @@ def judged(mechanism: Mechanism, report: Report) -> Mechanism:
                 report.add(found)
                 return replace(mechanism, drive=replace(drive, reshapes=True))
     return mechanism
-
-
-def _rests(formulas: set[Formula], mechanism: Mechanism) -> bool:
-    """Tell whether formulas depend on the drive, through other parameters too."""
-    assert mechanism.drive
-    used = {name for formula in formulas for name in symbols(formula)}
-    return mechanism.drive.parameter in Chain(dependent(mechanism)).needed_by(used)
 
 
 def _moved(mechanism: Mechanism) -> Iterator[Formula]:

@@ -34,8 +34,10 @@ def read_drive(file: ast.File, scope: Scope) -> Drive | None:
         scope.unknown(name.span, name.text, known)
         return None
     scope.used.add(name.text)
-    ends = [_end(end, name, scope) for end in (statement.low, statement.high)]
-    return Drive(name.text, ends[0], ends[1], statement.span)
+    low = _end(statement.low, name, scope)
+    is_reported = statement.low is not None and low is None
+    high = None if is_reported else _end(statement.high, name, scope)
+    return Drive(name.text, low, high, statement.span)
 
 
 def check_drive(drive: Drive | None, parameters: Iterable[Parameter], report: Report) -> None:

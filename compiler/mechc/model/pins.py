@@ -61,9 +61,11 @@ class Pins:
             if diameter is None or not isinstance(arrow, Arrow) or arrow.length is None:
                 continue
             ends, apart = (arrow.tail, arrow.head), value_of(arrow.length, self._scope)
+            if apart is None or apart >= diameter:
+                continue
             together = any(set(ends) <= set(body.points) for body in self._bodies())
             free = self._named.isdisjoint(ends) and all(map(self._is_pin, ends))
-            if apart is not None and together and free and apart < diameter:
+            if together and free:
                 place = statement.diameter.span
                 self._scope.report.add(doubts.pins_overlap(place, diameter, ends, apart))
                 return

@@ -55,14 +55,14 @@ def nothing_touches(span: Span, point: str) -> Words:
 
 
 @coded("E274")
-def senseless(span: Span, what: str, value: float) -> Words:
+def senseless(span: Span, what: str, value: str) -> Words:
     """A coefficient of friction is negative, a diameter is not positive, or the like.
 
     An efficiency is above 0 and at most 1.
 
         friction pins -0.1 diameter 10 mm     # wrong
     """
-    return Words(span, f"{what} of {value:g} makes no sense")
+    return Words(span, f"{what} of {value} makes no sense")
 
 
 @coded("E275")
