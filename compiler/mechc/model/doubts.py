@@ -101,32 +101,47 @@ def directions(mechanism: Mechanism) -> Iterator[Direction]:
 
 
 def _vanishing(mechanism: Mechanism, chain: Chain, values: Values) -> Iterator[Diagnostic]:
-    """Yield the lengths that a range, a tolerance or the stroke takes to zero or to infinity.
+    """Yield the parameters that may take a length to zero or to infinity, each once.
 
     A coordinate along a given direction may pass zero.
     """
-    given, doubted = defaults(mechanism), set[str]()
-    reaches = {p.name: list(_reach(p, mechanism, values)) for p in mechanism.parameters}
+    given, resting = defaults(mechanism), dict[str, list[Arrow]]()
     for arrow in mechanism.geometry:
-        if not isinstance(arrow, Arrow) or arrow.length is None:
-            continue
-        body = body_through((arrow.tail, arrow.head), mechanism)
-        lowest = 0.0 if body or arrow.direction is None else -math.inf
-        for name in sorted(chain.needed_by(symbols(arrow.length)) - doubted):
-            for end, where in reaches.get(name, ()):
-                size = _size(arrow.length, chain, {**given, name: end})
-                strange = size is not None and not (lowest < size and abs(size) < FARTHEST)
-                if size is not None and strange and not (body and where == "the stroke"):
-                    doubted.add(name)
-                    yield _vanishes(arrow, size, name, where, mechanism)
-                    break
+        if isinstance(arrow, Arrow) and arrow.length is not None:
+            for name in sorted(symbols(arrow.length)):
+                resting.setdefault(name, []).append(arrow)
+    for parameter in mechanism.parameters:
+        for end, where in _reach(parameter, mechanism, values):
+            known = chain.complete({**given, parameter.name: end})
+            moved = [n for n in known if known[n] != values.get(n)]
+            arrows = [a for n in moved for a in resting.get(n, ()) if _fails(a, known)]
+            found = next((a for a in arrows if _is_strange(a, known, where, mechanism)), None)
+            if found:
+                yield _vanishes(found, known, parameter, where)
+                break
 
 
-def _vanishes(arrow: Arrow, size: float, name: str, where: str, mechanism: Mechanism) -> Diagnostic:
-    infinite = not abs(size) < FARTHEST
-    shown = "infinity" if infinite else f"{size * 1000:.6g} mm"
-    span = next(p.span for p in mechanism.parameters if p.name == name)
-    return words.length_vanishes(span, f"{arrow.tail}{arrow.head}", shown, name, where)
+def _fails(arrow: Arrow, known: Values) -> bool:
+    """Tell whether a length that has a value is no positive one, or as good as infinite."""
+    assert arrow.length is not None
+    is_known = symbols(arrow.length) <= known.keys()
+    return is_known and not 0 < evaluate(arrow.length, known) < FARTHEST
+
+
+def _is_strange(arrow: Arrow, known: Values, where: str, mechanism: Mechanism) -> bool:
+    """Tell whether a length that fails is no coordinate, and no study of sizes."""
+    assert arrow.length is not None
+    if body_through((arrow.tail, arrow.head), mechanism):
+        return where != "the stroke"
+    return arrow.direction is None or not abs(evaluate(arrow.length, known)) < FARTHEST
+
+
+def _vanishes(arrow: Arrow, known: Values, parameter: Parameter, where: str) -> Diagnostic:
+    assert arrow.length is not None
+    size = evaluate(arrow.length, known)
+    shown = f"{size * 1000:.6g} mm" if abs(size) < FARTHEST else "infinity"
+    points = f"{arrow.tail}{arrow.head}"
+    return words.length_vanishes(parameter.span, points, shown, parameter.name, where)
 
 
 def _reach(
@@ -142,12 +157,6 @@ def _reach(
     if parameter.tolerance is not None and value is not None:
         size = evaluate(parameter.tolerance, {})
         yield from ((value + sign * size, "the tolerance") for sign in (-1, 1))
-
-
-def _size(length: Formula, chain: Chain, given: Values) -> float | None:
-    """Return a length at given values; None where one that it needs is open."""
-    known = chain.complete(given)
-    return evaluate(length, known) if symbols(length) <= known.keys() else None
 
 
 def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:

@@ -18,13 +18,17 @@ def judged(mechanism: Mechanism, report: Report) -> Mechanism:
     drive = mechanism.drive
     if drive is None:
         return mechanism
-    chain = Chain(dependent(mechanism))
-    moved = {name for formula in _moved(mechanism) for name in symbols(formula)}
-    if drive.parameter not in chain.needed_by(moved):
+    driven = {drive.parameter}
+    for name, formula in Chain(dependent(mechanism)).definitions:
+        if not driven.isdisjoint(symbols(formula)):
+            driven.add(name)
+    if all(driven.isdisjoint(symbols(formula)) for formula in _moved(mechanism)):
         report.add(words.drive_moves_nothing(drive.span, drive.parameter))
+    parameters = [p for p in mechanism.parameters if p.name == drive.parameter]
+    is_length = any(p.dimension == LENGTH for p in parameters)
     for entry in mechanism.geometry:
-        sizes = {name for formula in _sizes(entry, mechanism) for name in symbols(formula)}
-        if drive.parameter in chain.needed_by(sizes) and isinstance(entry, Arrow | Offset):
+        sizes = [f for f in _sizes(entry, is_length) if not driven.isdisjoint(symbols(f))]
+        if sizes and isinstance(entry, Arrow | Offset):
             body = body_through((entry.tail, entry.head), mechanism)
             if body:
                 found = words.drive_reshapes(
@@ -48,15 +52,10 @@ def _moved(mechanism: Mechanism) -> Iterator[Formula]:
     yield from (d.angle for d in directions(mechanism) if isinstance(d, Absolute))
 
 
-def _sizes(entry: object, mechanism: Mechanism) -> Iterator[Formula]:
-    """Yield the formulas of a vector that are lengths and no place on the way of the drive."""
-    is_length = any(
-        p.dimension == LENGTH
-        for p in mechanism.parameters
-        if mechanism.drive and p.name == mechanism.drive.parameter
-    )
+def _sizes(entry: object, with_components: bool) -> Iterator[Formula]:
+    """Yield the formulas of a vector's size; its components change with an angle, too."""
     match entry:
         case Arrow(length=length) if length is not None:
             yield length
-        case Offset(x=x, y=y) if is_length:
+        case Offset(x=x, y=y) if with_components:
             yield from (x, y)
