@@ -482,6 +482,37 @@ def test_a_geared_link_follows_the_drive_or_is_remarked(wheels, psi, stays):
     assert remarked(GEARED.format(wheels=wheels, psi=psi, load=force)) == stays
 
 
+BENT = """
+param phi = 60 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (100 mm, 0 mm)
+link OA
+link ABE
+link QB
+link EG
+slider G along y through (150 mm, 0 mm)
+OA = 40 mm @ phi
+AB = 120 mm
+{arm}
+QB = 80 mm
+EG = 400 mm
+assembly ABQ cw
+assembly G forward
+drive phi from 20 deg to 100 deg
+torque M on OA
+force F at G along -y
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("arm", "stays"),
+    [("AE = 60 mm\nangle BAE = 20 deg", []), ("AE = 60 mm @ 20 deg", ["ABE", "EG"])],
+)
+def test_a_link_whose_pin_stays_behind_is_remarked(arm, stays):
+    assert remarked(BENT.format(arm=arm)) == stays
+
+
 def test_where_a_wheel_under_a_couple_stands_does_not_matter():
     torque = "torque F on QB"
     assert remarked(GEARED.format(wheels="gear O r, Q R", psi="20 deg", load=torque)) == []
