@@ -166,3 +166,42 @@ def test_zero_over_zero_is_called_undetermined():
     assert "    undetermined (0/0) at the default pose" in list(report(compilation, False))
     (tex,) = emit(compilation, registry.load("latex"), Options(stem="m", language="uk"))
     assert "$P$ не визначено ($0/0$)" in tex.text
+
+
+LEVER_OF_TWO = """
+mechanism lever
+param a = 1 m
+param b = 2 m
+param alpha = {angle}
+pivot O
+link AOB
+OA = a @ 180 deg
+OB = b @ alpha
+force P at A along -y
+force F at B along -y
+{asked}
+"""
+
+
+@pytest.mark.parametrize("asked", ["find k = P/F", "find P\nlet F = 2 kN"])
+def test_no_diagram_has_a_load_of_rounding(asked):
+    source = Source("m.mech", LEVER_OF_TWO.format(angle="90 deg", asked=asked))
+    (diagram,) = compile_source(source).free_bodies
+    assert diagram.loads["P"] == 0
+    assert diagram.loads["F"] > 0
+
+
+def test_no_diagram_has_a_torque_of_rounding():
+    source = LEVER.format(angle="90 deg").replace("let F2 = M/l", "")
+    (diagram,) = compile_source(Source("m.mech", source)).free_bodies
+    assert diagram.loads["M"] == 0
+    (link,) = diagram.bodies
+    assert not any(acting.moment for acting in link.forces)
+
+
+def test_a_ratio_of_two_true_zeros_is_not_called_infinite():
+    text = LEVER_OF_TWO.format(angle="0 deg", asked="find k = P/F")
+    text = text.replace("@ 180 deg", "@ beta").replace("pivot", "param beta = 0 deg\npivot")
+    (result,) = compile_source(Source("m.mech", text.replace("along -y", "along x"))).results
+    assert result.undetermined
+    assert result.default is None

@@ -131,15 +131,28 @@ def beyond_rounding(
         return Size(number)
     if formula is None:
         return Size(number + 0.0)
-    inner = Rounding({})
-    inner.values.update(rounding.values)
-    inner.define(where)
-    size = inner.of(formula)
+    size = _with_error(formula, where, rounding)
     if size.is_undetermined:
         return Size(None, undetermined=True)
     if size.is_infinite:
         return Size(math.inf)
     return Size(0.0 if size.is_zero or number == 0 else number)
+
+
+def is_undetermined(
+    formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
+) -> bool:
+    """Return whether a formula is 0/0, but for rounding."""
+    return _with_error(formula, where, rounding).is_undetermined
+
+
+def _with_error(
+    formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
+) -> Rounded:
+    inner = Rounding({})
+    inner.values.update(rounding.values)
+    inner.define(where)
+    return inner.of(formula)
 
 
 def _sum(terms: Iterable[Rounded]) -> Rounded:

@@ -8,7 +8,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as words
-from ..formula.rounding import Rounding, Size, beyond_rounding
+from ..formula.rounding import Rounding, Size, beyond_rounding, is_undetermined
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -32,8 +32,14 @@ class DefaultNumbers:
         self._rounding = default_rounding(plan.graph.pose)
 
     def of(self, result: Result) -> Size:
-        """Return what a result comes to there; no number where something it needs has none."""
+        """Return what a result comes to there; no number where something it needs has none.
+
+        NaN that no condition makes is 0/0 or a pole.
+        """
         number = value_of(result, self.values)
+        nowhere = number is not None and math.isnan(number) and not result.guards
+        if nowhere and is_undetermined(result.formula, result.where, self._rounding):
+            return Size(None, undetermined=True)
         return beyond_rounding(number, result.formula, result.where, self._rounding)
 
 

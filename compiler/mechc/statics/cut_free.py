@@ -64,6 +64,22 @@ def cut_free(solution: Solution, places: Places) -> tuple[FreeBody, ...]:
     return tuple(_rounded([_held(body, places) for body in bodies]))
 
 
+def sizes_beyond_rounding(
+    solution: Solution, bodies: Sequence[FreeBody], torques: Set[str], places: Places
+) -> dict[str, float]:
+    """Return the sizes of loads, those as 0 of which nothing but rounding is left.
+
+    A force is measured by the largest one that acts, a torque by what that has for a moment.
+    """
+    acting = [a for body in bodies for a in body.forces]
+    largest = max((math.hypot(*a.force) for a in acting if a.force), default=0.0)
+    used = [places[a.point] for a in acting if a.point in places]
+    span = max((math.dist(one, other) for one in used for other in used), default=0.0)
+    couple = max((abs(a.moment) for a in acting), default=0.0)
+    least = {True: ROUNDED * max(largest * span, couple), False: ROUNDED * largest}
+    return {n: s if abs(s) > least[n in torques] else 0.0 for n, s in solution.sizes.items()}
+
+
 def _shared(body: FreeBody, common: Set[str]) -> FreeBody:
     """Return a body on which the other branches do what a guide does in the plane of one."""
     forces = (

@@ -8,12 +8,13 @@ import math
 from collections.abc import Callable, Iterator, Sequence, Set
 
 from ..frozen import frozen, replace
+from ..model.mechanism import Torque
 from ..model.result import Result
 from ..pose.places import NOWHERE
 from ..pose.pose import Pose
 from . import solved
 from .cases import Case, Sizes, cases, sizes_of
-from .cut_free import Places, Solution, cut_free
+from .cut_free import Places, Solution, cut_free, sizes_beyond_rounding
 from .diagram import Acting, Diagram, FreeBody, Motion
 from .poses import with_lets
 from .unfold import Unfolding
@@ -77,12 +78,21 @@ class _Maker:
         if isinstance(solution, str):
             return self._empty(motion, solution)
         factor, per = self._scale(solution)
-        bodies = self._cut(solution.times(factor))
+        scaled = solution.times(factor)
+        bodies = self._cut(scaled)
         other = solve(self._at_other_lengths(), self.case)
         if not isinstance(other, str):
             bodies = tuple(_marked(bodies, self._cut(other.times(factor)), self._loose()))
-        loads = {n: s * factor for n, s in solution.sizes.items() if n not in solution.rubbing}
+        sizes = sizes_beyond_rounding(scaled, bodies, self._torques, self.places)
+        sizes |= {n: s for n, s in scaled.sizes.items() if n in self.case.sizes}
+        loads = {n: s for n, s in sizes.items() if n not in solution.rubbing}
+        bodies = tuple(_without({n for n, s in loads.items() if not s}, body) for body in bodies)
         return Diagram(self.case.result, motion, loads, per, self.case.left_out, bodies)
+
+    @property
+    def _torques(self) -> frozenset[str]:
+        loads = self.unfolding.pose.mechanism.loads
+        return frozenset(load.name for load in loads if isinstance(load, Torque))
 
     def _cut(self, solution: Solution) -> tuple[FreeBody, ...]:
         return cut_free(solution, self.places)
@@ -112,6 +122,14 @@ class _Maker:
         bare = {s.name for s in pose.mechanism.slides if not any(pose.frames[s.name].values())}
         found = (touched & pose.slides.keys()) | bare
         return frozenset((*found, *(f"{name}'" for name in found)))
+
+
+def _without(idle: Set[str], body: FreeBody) -> FreeBody:
+    """Return a body on which loads of no size have no couple."""
+    forces = (
+        a._replace(moment=0.0) if a.kind == "load" and a.by in idle else a for a in body.forces
+    )
+    return body._replace(forces=tuple(forces))
 
 
 def _marked(
