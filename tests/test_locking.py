@@ -780,3 +780,12 @@ def test_a_pose_at_which_a_joint_turns_back_is_no_fault(tmp_path, capsys):
     path.write_text(f"{text_}\nfriction: {{pins: {{f: 0.1, diameter: 1 mm}}}}\n", encoding="utf-8")
     assert main(["check", str(path)]) == 0
     assert "equilibrium of the free bodies agrees" in capsys.readouterr().out
+
+
+def test_a_stretch_ends_at_the_place_of_which_nothing_is_known():
+    tongs = mechc.load("karpenko_fig4_with_friction")
+    reaches = {r.parameter: r for r in tongs.results["k_hold"].locking.reaches}
+    before, beyond = reaches["theta"].stretches
+    assert before.high.place == beyond.low.place == 0
+    assert before.high.left_out
+    assert beyond.low.left_out

@@ -20,12 +20,19 @@ USUAL: Range = (0.9, 0.95)
 class Bound(NamedTuple):
     """An end of a stretch, and the same as a formula where one is known.
 
-    At a dead centre the stretch ends because the ratio changes its sign there.
+    At a dead centre the stretch ends because the ratio changes its sign there. A bound is
+    ``left_out`` where nothing is known of the place itself.
     """
 
     place: float
     exact: Formula | None = None
     is_dead_centre: bool = False
+    left_out: bool = False
+
+    @property
+    def is_strict(self) -> bool:
+        """Return whether the stretch reaches up to the place, but not to it."""
+        return self.is_dead_centre or self.left_out
 
 
 class Stretch(NamedTuple):

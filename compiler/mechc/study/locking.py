@@ -16,7 +16,7 @@ from ..model.result import Result
 from ..model.values import range_of
 from .ranges import EXACT, NEARLY, last, turns, unit_of, varying
 from .ratios import Study
-from .sampling import PLACES, before_dead_centre, dead_centre, looked_at
+from .sampling import PLACES, before_dead_centre, dead_centre, looked_at, nearest
 from .states import Moving
 
 BEYOND = math.pi / 2
@@ -129,6 +129,8 @@ class _Stretches:
             return self._bound(
                 dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
             )
+        if there.state is None and abs(b - a) <= 2 * nearest(places[-1] - places[0]):
+            return Bound(b, left_out=True)
         state = here.state
         width = NEARLY if self.moving.is_slow else EXACT
         place = last(lambda x: self.moving.at(x).state == state, a, b, width)

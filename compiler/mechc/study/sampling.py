@@ -60,12 +60,17 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     chosen = even[::SELDOM] if moving.is_slow else even
     places = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
     jumps = (x for a, b in pairwise(places) for x in _jumps(moving, a, b))
-    nearest = NEAREST * (even[1] - low) / 2
-    places = sorted({*places, *(x for x in jumps if all(abs(x - c) > nearest for c in still))})
+    far = nearest(high - low) / 2
+    places = sorted({*places, *(x for x in jumps if all(abs(x - c) > far for c in still))})
     edges = [x for a, b in pairwise(places) for x in _edge(moving, a, b)]
     places = sorted({*places, *edges})
     places = sorted({*places, *_bulging(moving, places)})
     return sorted({*places, *_extremes(moving, places)})
+
+
+def nearest(width: float) -> float:
+    """Return how near to a dead centre is looked at, where so much is looked at altogether."""
+    return NEAREST * width / PLACES
 
 
 def _near(moving: Moving, step: float) -> Iterator[float]:

@@ -59,13 +59,13 @@ def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> 
     signs: list[str] = []
     if low and not high:
         sides.append(_side(low, reach, spell))
-        signs.append(">" if low.is_dead_centre else ">=")
+        signs.append(">" if low.is_strict else ">=")
     elif low:
         sides.insert(0, _side(low, reach, spell))
-        signs.append("<" if low.is_dead_centre else "<=")
+        signs.append("<" if low.is_strict else "<=")
     if high:
         sides.append(_side(high, reach, spell))
-        signs.append("<" if high.is_dead_centre else "<=")
+        signs.append("<" if high.is_strict else "<=")
     said = spell.relation(tuple(sides), tuple(signs), reach.parameter in spell.angles)
     bounds = [b for b in (low, high) if b]
     known = [b.place for b in bounds if b.exact and not _is_figure(b.exact)]
