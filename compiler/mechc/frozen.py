@@ -104,18 +104,36 @@ def _with_slots(cls: type[T], own: Iterable[Field], every: Iterable[Field]) -> t
 
 
 def _init(cls: type, every: list[Field]) -> Callable[..., None]:
-    """Return ``__init__``, which goes past the refusal by way of the slots themselves."""
-    puts = [getattr(cls, f.name).__set__ for f in every]
-    positional = sum(not f.kw_only for f in every)
-    number = len(every)
+    """Return ``__init__``, which goes past the refusal by way of the slots themselves.
 
-    def __init__(self: object, /, *given: Any, **named: Any) -> None:
-        if named or len(given) != number or number > positional:
-            given = _bound(cls.__name__, every[:positional], every, given, named)
+    Formulas and angles have one field or two, and there are hundreds of thousands of them: of
+    such few none is looped over.
+    """
+    puts = [getattr(cls, f.name).__set__ for f in every]
+    positional = [f for f in every if not f.kw_only]
+    exact = len(every) if len(positional) == len(every) else -1
+    first: Any = puts[0] if puts else None
+    final: Any = puts[-1] if puts else None
+
+    def bound(given: tuple[Any, ...], named: Mapping[str, Any]) -> tuple[Any, ...]:
+        return _bound(cls.__name__, positional, every, given, named)
+
+    def of_one(self: object, /, *given: Any, **named: Any) -> None:
+        (value,) = bound(given, named) if named or len(given) != 1 else given
+        first(self, value)
+
+    def of_two(self: object, /, *given: Any, **named: Any) -> None:
+        one, other = bound(given, named) if named or len(given) != 2 else given
+        first(self, one)
+        final(self, other)
+
+    def of_any(self: object, /, *given: Any, **named: Any) -> None:
+        if named or len(given) != exact:
+            given = bound(given, named)
         for put, value in zip(puts, given, strict=True):
             put(self, value)
 
-    return __init__
+    return {1: of_one, 2: of_two}.get(exact, of_any)
 
 
 def _bound(

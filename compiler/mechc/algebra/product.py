@@ -89,6 +89,15 @@ class Product:
     def evaluate(self, values: Mapping[str, float]) -> float:
         """Return the value on floats (may raise ZeroDivisionError at a pole)."""
         result = float(self.coefficient)
+        for factor, exponent in self.factors.items():
+            if not -_HIGH <= exponent <= _HIGH:
+                return self._evaluated_in_ratios(values)
+            result *= factor.evaluate(values) ** exponent
+        return result
+
+    def _evaluated_in_ratios(self, values: Mapping[str, float]) -> float:
+        """Return the value where a high power may be too large, or too small, by itself."""
+        result = float(self.coefficient)
         ratio, power, rest = _high_power(self.factors)
         for factor, exponent in rest.items():
             result *= factor.evaluate(values) ** exponent

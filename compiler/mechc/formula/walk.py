@@ -74,7 +74,14 @@ def walk(formula: Formula) -> Iterator[Formula]:
 
 def symbols(formula: Formula) -> frozenset[str]:
     """Return the names that a formula depends on."""
-    return frozenset(f.name for f in walk(formula) if isinstance(f, Symbol))
+    names, stack = set[str](), [formula]
+    while stack:
+        node = stack.pop()
+        if isinstance(node, Symbol):
+            names.add(node.name)
+        else:
+            stack.extend(children(node))
+    return frozenset(names)
 
 
 def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:

@@ -1,10 +1,10 @@
-"""The function that gives all intermediates of a pose and says whether it closes."""
+"""Functions that give many values: a pose's with its status, and what others have in common."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
 
 from ...formula.tree import Symbol
-from ...routine.steps import Pose, Solver, mentioned, names_of
+from ...routine.steps import Common, Pose, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from .layout import harmless, wrapped
@@ -84,3 +84,27 @@ def _remarks(
         "",
         f"The second form computes the elements 0 .. {number} - 1; its arrays must not overlap.",
     ]
+
+
+class CommonContext(NamedTuple):
+    """Fields are what ``c/common.jinja`` mentions."""
+
+    head: str
+    body: list[str]
+
+
+def common_context(
+    common: Common, name: str, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+) -> CommonContext:
+    """Return the function of what others have in common, which fills an array."""
+    own = [arguments[i.name] for i in common.inputs]
+    space = Names(RESERVED, {name, *own, *solvers.values()})
+    values = space.claim("values")
+    steps = mangle((n for step in common.steps for n in names_of(step)), space)
+    printer = CPrinter({**arguments, **steps})
+    used = mentioned(common.steps, map(Symbol, common.outputs))
+    body, statuses = lines(common.steps, used, solvers, printer, space)
+    body += [f"(void){status};" for status in statuses]
+    body += [f"{values}[{i}] = {printer.names[n]};" for i, n in enumerate(common.outputs)]
+    heads = [*(f"double {a}" for a in own), f"double *{values}"]
+    return CommonContext(wrapped(f"static void {name}(", heads), body)

@@ -25,10 +25,9 @@ from ..names import Names, file_stem, mangle, transliterate
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
-from .common import CommonContext, common_context
 from .helpers import BITS, helpers
 from .layout import harmless, wrapped
-from .pose import PoseContext, pose_context
+from .pose import CommonContext, PoseContext, common_context, pose_context
 from .printer import CIRCULAR, CPrinter, QuickPrinter, guarded
 from .reserved import HEADERS, LINKED, RESERVED
 from .solvers import (

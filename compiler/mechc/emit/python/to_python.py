@@ -24,8 +24,13 @@ from ..names import Names, file_stem, mangle
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
-from .common import CommonContext, common_context, common_name
-from .pose import PoseContext, pose_context
+from .pose import (
+    CommonContext,
+    PoseContext,
+    common_context,
+    common_name,
+    pose_context,
+)
 from .printer import KEYWORDS, MODULES, RESERVED, PythonPrinter
 from .solvers import SolverContext, line, solver_context, solver_names
 
