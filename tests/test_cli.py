@@ -334,6 +334,18 @@ def test_fmt_goes_through_all_files(run: Mechc, tmp_path: Path) -> None:
     assert "wrong.mech:1:7" in err
 
 
+def test_fmt_of_a_folder_names_what_changes_and_leaves_out_what_is_hidden(
+    run: Mechc, tmp_path: Path
+) -> None:
+    untidy = (tmp_path / "clamp.mech").read_text().replace("pivot O", "pivot   O")
+    for folder in ("all/.git", "all/sub"):
+        (tmp_path / folder).mkdir(parents=True)
+        (tmp_path / folder / "untidy.mech").write_text(untidy)
+    assert run("fmt", "all") == (0, "", f"changed {Path('all/sub/untidy.mech')}\n")
+    assert (tmp_path / "all/.git/untidy.mech").read_text() == untidy
+    assert run("fmt", "all") == (0, "", "")
+
+
 def test_list(run: Mechc) -> None:
     heading, *rows = run("list").out.splitlines()
     assert heading.split() == ["NAME", "TITLE"]

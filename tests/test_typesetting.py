@@ -37,6 +37,8 @@ BOTH = {
     "cos(-alpha)": ("cos(−α)", r"\cos(-\alpha)"),
     "cos(pi/8)": ("cos(22.5°)", r"\cos22.5^\circ"),
     "cos(pi/7)": ("cos(180/7°)", r"\cos\left(\frac{180^\circ}{7}\right)"),
+    "0.3535*cos(alpha)*a/b": ("0.3535 · a/b · cos α", r"0.3535\,\frac{a}{b}\cos\alpha"),
+    "0.3535/cos(alpha)": ("0.3535 · 1 / cos α", r"0.3535\,\frac{1}{\cos\alpha}"),
     "sin(alpha - pi/2)/a": ("sin(α − 90°) / a", r"\frac{\sin(\alpha-90^\circ)}{a}"),
     "2*b/a*cot(alpha)": ("2b/a · cot α", r"\frac{2b}{a}\cot\alpha"),
     "0.35*a*b": ("0.35 · ab", r"0.35\,ab"),

@@ -47,7 +47,8 @@ def command(
     """Lay out descriptions in place; turn one notation into the other.
 
     Comments are kept. With --to the result goes to standard output, and so does
-    standard input (-). A folder stands for the descriptions in it.
+    standard input (-). A folder stands for all descriptions below it, hidden folders
+    left out; each that changes is named.
 
     \b
     mechc fmt clamp.mech
@@ -70,15 +71,26 @@ def command(
         worst = max([worst, *(_told(f, diff) for f in done)])
     else:
         _put(done, to)
+        if not to and any(Path(name).is_dir() for name in files):
+            for file in (f for f in done if f.changed and f.path):
+                warn(f"changed {file.source.name}")
     click.get_current_context().exit(worst)
 
 
 def _expanded(names: tuple[str, ...]) -> Iterator[str]:
     for name in names:
         if Path(name).is_dir():
-            yield from sorted(str(p) for p in Path(name).rglob("*") if p.suffix in SUFFIXES)
+            yield from sorted(map(str, _descriptions(Path(name))))
         else:
             yield name
+
+
+def _descriptions(folder: Path) -> Iterator[Path]:
+    """Yield the descriptions below a folder, but for what is hidden: ``.git``, ``.venv``."""
+    for path in folder.rglob("*"):
+        hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
+        if path.suffix in SUFFIXES and not hidden and path.is_file():
+            yield path
 
 
 def _formatted(name: str, stdin_name: str, to: Notation | None) -> Formatted:

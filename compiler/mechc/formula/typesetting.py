@@ -219,7 +219,7 @@ class Typesetter(ABC, Generic[Piece]):
     def _product(self, formula: Product, around: Around, angle: bool) -> Piece:
         match formula.factors:
             case (Number(value), *rest) if (figures := short_decimal(value)) is not None:
-                piece = self.scaled(self.numeral(figures), self.led(tuple(rest), angle))
+                piece = self.scaled(self.numeral(figures), self._led(tuple(rest), angle))
                 negative = value < 0
             case _:
                 piece, negative = self._fractions(formula, angle)
@@ -241,7 +241,7 @@ class Typesetter(ABC, Generic[Piece]):
         top, bottom = self.row_of(above, alone, angle), self.row_of(below, alone, angle)
         return self.over(top, bottom, len(below) > 1)
 
-    def led(self, factors: Row, angle: bool) -> Piece:
+    def _led(self, factors: Row, angle: bool) -> Piece:
         """Return the factors that a decimal leads."""
         return self._product(Product(factors), Around.FACTOR, angle)
 

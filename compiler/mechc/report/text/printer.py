@@ -141,10 +141,6 @@ class _Terminal(Typesetter[str]):
     def scaled(self, lead: str, rest: str) -> str:
         return lead + self.signs.times + rest
 
-    def led(self, factors: Row, angle: bool) -> str:
-        """Return the factors that a decimal leads, in the order given."""
-        return self.row_of(factors, Around.FACTOR, angle)
-
     def power(self, base: str, exponent: str) -> str:
         if self.signs.fancy and exponent.isdigit():
             return base + exponent.translate(_RAISED)
