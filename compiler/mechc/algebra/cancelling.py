@@ -18,7 +18,7 @@ from .constants import is_constant, without_relations
 from .factoring import factor, factored
 from .factors import Trig
 from .fine import is_fine, named, valued
-from .halving import split_by
+from .halving import names_in, split_by, turned_by
 from .laurent import Ring, size
 from .multiples import joined, without_parts
 from .product import Product, Sum
@@ -124,7 +124,8 @@ def _divided(product: Product) -> Iterator[Product]:
     for whole, e in product.factors.items():
         if isinstance(whole, Sum) and sum(map(size, whole.terms)) <= DIVIDED:
             opposite = [f for f, d in product.factors.items() if isinstance(f, Trig) and e * d < 0]
-            for trig in opposite:
+            mentioned = names_in(whole) if opposite else set()
+            for trig in (f for f in opposite if turned_by(f) in mentioned):
                 if (split := split_by(whole, trig)) is not None:
                     above = 1 if e > 0 else -1
                     yield without_parts(product * (split * Product(1, {whole: -1})) ** above)

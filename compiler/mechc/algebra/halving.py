@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Iterator
 from zlib import crc32
 
+from ..formula.walk import symbols
 from .angle import Angle
 from .factoring import factor
 from .factors import Trig
@@ -36,6 +37,28 @@ def split_by(sum_: Sum, trig: Trig) -> Product | None:
         if (rest := _divided(sum_, part)) is not None:
             return Product.of(part) * rest
     return None
+
+
+def names_in(sum_: Sum) -> set[str]:
+    """Return the names that a sum depends on, those of bound sums among them."""
+    found: set[str] = set()
+    for part in {part for term in sum_.terms for part in term.factors}:
+        match part:
+            case Trig(_, angle):
+                found.update(angle.names)
+            case Sum():
+                found |= names_in(part)
+            case _:
+                found |= symbols(part.formula())
+    return found
+
+
+def turned_by(trig: Trig) -> str:
+    """Return the name by which a sine or cosine is brought to zero; '' for a constant one.
+
+    It divides no sum in which this name does not occur.
+    """
+    return trig.angle.terms[0][0] if trig.angle.terms else ""
 
 
 def without(sum_: Sum, trigs: Iterable[Trig]) -> Product:

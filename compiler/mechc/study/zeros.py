@@ -12,10 +12,11 @@ from ..algebra.orders import Root, angles, order, roots
 from ..algebra.product import Product, Sum
 from ..algebra.sums import canonical
 from ..formula.tree import Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Force
+from ..model.values import Chain
 from ..power.balance import Balance, Solved, Term
 from .analysis import Vanishing
 from .breaks import divisors, may_vanish
@@ -59,11 +60,12 @@ def _conditions(
     """
     assert item.value is not None
     far = {factor for d in item.result.where for factor in divisors(d.formula)}
+    chain = _chain(item)
     for factor, exponent in item.value.factors.items():
         if exponent * side > 0 and factor not in far and may_vanish(factor, near):
             match factor:
                 case Trig():
-                    yield from _at_roots(factor, item, balance, near, side)
+                    yield from _at_roots(factor, item, balance, near, side, chain)
                 case _:
                     kind = _kind(factor, (), item, balance, side)
                     left = _without_shared(factor, item.value, near)
@@ -73,7 +75,12 @@ def _conditions(
 
 
 def _at_roots(
-    trig: Trig, item: Solved, balance: Balance, near: Mapping[str, float], side: int
+    trig: Trig,
+    item: Solved,
+    balance: Balance,
+    near: Mapping[str, float],
+    side: int,
+    chain: Chain,
 ) -> Iterator[Vanishing]:
     """Yield a sine or cosine where the value has its order at every root; else single roots.
 
@@ -81,7 +88,7 @@ def _at_roots(
     """
     assert item.value is not None
     found = roots(trig, item.value)
-    proved = [r for r in found if _has_order(item, r, near, side)]
+    proved = [r for r in found if _has_order(item, r, near, side, chain)]
     kinds = [_kind(r.factor, (r,), item, balance, side) for r in proved]
     if len(proved) == len(found) and len({*kinds}) == 1:
         yield Vanishing(trig.formula(), solution(trig, near), kinds[0])
@@ -90,14 +97,19 @@ def _at_roots(
             yield Vanishing(root.factor.formula(), solution(root.factor, near), kind)
 
 
-def _has_order(item: Solved, root: Root, near: Mapping[str, float], side: int) -> bool:
+def _has_order(
+    item: Solved, root: Root, near: Mapping[str, float], side: int, chain: Chain
+) -> bool:
     """Prove that a value is zero (infinite) at a root, with the values given, too."""
     assert item.value is not None
     found = order(item.value, root.name, root.value)
-    return found is not None and found * side > 0 and not _is_refuted(item, root, near, side)
+    there = found is not None and found * side > 0
+    return there and not _is_refuted(item, root, near, side, chain)
 
 
-def _is_refuted(item: Solved, root: Root, near: Mapping[str, float], side: int) -> bool:
+def _is_refuted(
+    item: Solved, root: Root, near: Mapping[str, float], side: int, chain: Chain
+) -> bool:
     """Tell whether a value does something else where lengths are just as they are given.
 
     With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
@@ -108,9 +120,12 @@ def _is_refuted(item: Solved, root: Root, near: Mapping[str, float], side: int) 
     if not names <= near.keys() or any(d.name in names for d in item.result.where):
         return False
     place = root.value.evaluate(near)
+    defined = {d.name for d in item.result.where}
+    given = {name: value for name, value in near.items() if name not in defined}
 
     def is_otherwise(step: float) -> bool:
-        sizes = [_size_near(item, {**near, root.name: place + h}) for h in (step, step / 2)]
+        here = ({**given, root.name: place + h} for h in (step, step / 2))
+        sizes = [abs(chain.complete(values).get(_SIZE, math.nan)) for values in here]
         if not all(math.isfinite(size) and size for size in sizes):
             return False
         return math.log2(sizes[0] / sizes[1]) * side < 0.5
@@ -118,14 +133,13 @@ def _is_refuted(item: Solved, root: Root, near: Mapping[str, float], side: int) 
     return all(map(is_otherwise, STEPS))
 
 
-def _size_near(item: Solved, values: Mapping[str, float]) -> float:
-    """Return the size of a result, with all that follows from the values; NaN for none."""
-    found = dict(values)
-    for name, formula in (*item.result.where, ("", item.result.formula)):
-        if not symbols(formula) <= found.keys():
-            return math.nan
-        found[name] = evaluate(formula, found)
-    return abs(found[""])
+_SIZE = ""
+"""What a result is called among its definitions."""
+
+
+def _chain(item: Solved) -> Chain:
+    """Return a result with what it rests on, to be found at many places."""
+    return Chain({**dict(item.result.where), _SIZE: item.result.formula})
 
 
 def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -> Iterable[Factor]:

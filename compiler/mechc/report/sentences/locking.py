@@ -79,13 +79,17 @@ def _is_figure(formula: Formula) -> bool:
 
 
 def _told(stretch: Stretch, reach: Reach) -> tuple[Bound | None, Bound | None]:
-    """Return the ends of a stretch but for those that lie beyond the range."""
+    """Return the ends of a stretch but for those that the range has, or that lie beyond it.
+
+    What the range has and the stretch leaves out is told.
+    """
     low, high = stretch.low, stretch.high
     if reach.range is None or stretch.within is None:
         return low, high
+    first, last = reach.range
     return (
-        low if low and low.place > reach.range[0] else None,
-        high if high and high.place < reach.range[1] else None,
+        low if low and (low.place > first or (low.left_out and low.place == first)) else None,
+        high if high and (high.place < last or (high.left_out and high.place == last)) else None,
     )
 
 
