@@ -74,6 +74,30 @@ def test_a_pin_between_two_links_has_one_friction_whichever_it_is_fast_in(link):
     assert with_friction(both) == pytest.approx(with_friction(solved()), rel=1e-9)
 
 
+STAR = """
+pivot O
+pivot Q
+link OB
+link QB
+OB = 100 mm @ {0}
+QB = 100 mm @ {1}
+force P at B along 20 deg
+force F at B along 80 deg
+friction pin B 0.1 diameter 10 mm
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize("links", [("NP", "EP"), ("EP", "NP")])
+def test_names_do_not_decide_where_directions_are_given(links):
+    """Two cranks alike but for their directions: the pin goes with the one drawn first."""
+    first, second = links
+    text = STAR.replace("OB", first).replace("QB", second).replace("pivot O", f"pivot {first[0]}")
+    text = text.replace("pivot Q", f"pivot {second[0]}").replace(" at B", " at P")
+    text = text.replace("pin B", "pin P").format("30 deg", "110 deg")
+    assert carrier(text, "P") == first
+
+
 def test_the_remark_goes_where_it_is_said():
     assert remarks(solved()) == ["W540"]
     assert not remarks(solved("force F at P on EP along -y"))

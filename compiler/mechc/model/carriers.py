@@ -7,11 +7,13 @@ halves or branches share does not turn by symmetry. Any other pin is taken to be
    three points, a link with a couple or a load of its own, with a wheel or a slot;
 2. the link that fewest links separate from a pivot, then from a slider;
 3. the first one by how the mechanism hangs together, seen from each link in turn;
-4. the longer one, as far as lengths are given.
+4. the longer one, as far as lengths are given;
+5. the one that is first by its direction, as far as that is given.
 
 So a load at the end of a crank acts on the crank, and the coupler stays a rod.
 """
 
+import math
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
 from typing import Any
@@ -19,6 +21,7 @@ from typing import Any
 from ..formula.tree import Call
 from ..formula.walk import evaluate, symbols
 from .mechanism import (
+    Absolute,
     Arrow,
     Contact,
     Force,
@@ -83,10 +86,12 @@ class Carriers:
             bent = {*_bent(m)}
             nodes = self._labels()
             structure = refined(nodes, list(self._edges()))
-            lengths = refined(nodes, [*self._edges(), *self._lengths()])
+            sized = [*self._edges(), *self._lengths()]
+            lengths = refined(nodes, sized)
+            drawn = refined(nodes, [*sized, *self._directions()])
             for body in self._bodies:
                 near = (pivots.get(body.name, FAR), guides.get(body.name, FAR))
-                place = structure["body", body.name], lengths["body", body.name]
+                place = [ranks["body", body.name] for ranks in (structure, lengths, drawn)]
                 rigid = isinstance(body, Telescope), body.name not in bent
                 self._ranks[body.name] = (*rigid, *near, *place, body.name)
         return self._ranks
@@ -154,6 +159,20 @@ class Carriers:
         places = {value: i for i, value in enumerate(sorted({*found.values()}, reverse=True))}
         for (tail, head), value in found.items():
             yield ("point", tail), ("point", head), ("length", f"{places[value]:06d}")
+
+    def _directions(self) -> Iterator[Edge]:
+        """Yield the directions that are given, of either end of a vector alike, in degrees."""
+        for entry in self._mechanism.geometry:
+            match entry:
+                case Arrow(tail, head, _, Absolute(angle)):
+                    pass
+                case Offset(tail, head, x, y) if tail:
+                    angle = Call("atan2", (y, x))
+                case _:
+                    continue
+            if symbols(angle) <= self._values.keys():
+                turned = round(math.degrees(evaluate(angle, self._values)), 6) % 180
+                yield ("point", tail), ("point", head), ("direction", f"{turned:010.6f}")
 
     def _distances_given(self) -> Iterator[tuple[tuple[str, str], float]]:
         """Yield the values of the lengths that are given, in any notation."""
