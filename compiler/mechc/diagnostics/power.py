@@ -146,6 +146,34 @@ def reaction_undetermined(at: Span, result: str) -> Words:
     return Words(at, message, "leave the redundant bar or guide out, or ask for another force")
 
 
+@coded("E595")
+def which_load_follows(at: Span, result: str, loads: Sequence[str], number: int) -> Words:
+    """A force at a joint is asked for, and nothing says which load follows from the others.
+
+    The loads on a mechanism that moves are in a ratio to one another: one of them is as large
+    as the others make it. A force at a joint is told by those that are given, and with friction
+    the load that follows is the one that drives.
+
+    ::
+
+        force P at B along x
+        force F at K along -y
+        find R_O               # wrong: by P, or by F?
+
+        find P                 # right: P follows from F
+        find R_O
+
+    A load whose size is given, as by `let F = 2 kN`, follows from nothing.
+    """
+    named = ", ".join(loads)
+    follow = "one of the loads follows" if number == 1 else f"{number} of the loads follow"
+    return Words(
+        at,
+        f"{follow} from the others, nothing says which of {named}: {result} is not determined",
+        "write `find` for the load that follows, or give the others a size with `let`",
+    )
+
+
 @coded("E512")
 def transmission_presses(at: Span, point: str, rubs: bool) -> Words:
     """The force on the pivot of a gear, a pulley or a screw is asked for, or its friction.

@@ -61,6 +61,7 @@ class _Asked:
         self._loads = {load.name: load for load in self._mechanism.loads}
         self._solved_so_far: list[Solved] = []
         self._without_lengths: set[Span] = set()
+        self._undecided_at: set[Span] = set()
 
     def balance(self) -> Balance:
         """Return the whole."""
@@ -192,6 +193,12 @@ class _Asked:
         if not isinstance(target, Normal) and point in unclear(self._mechanism):
             self._report.add(words.transmission_presses(find.span, point, rubs=False))
             return None
+        if self._undecided:
+            if find.span not in self._undecided_at:
+                shown = called(target), self._undecided, self._equations.number
+                self._report.add(words.which_load_follows(find.span, *shown))
+            self._undecided_at.add(find.span)
+            return None
         found = find_force(target, self._plan.graph.pose, self._reactions)
         if found is None:
             self._report.add(words.reaction_undetermined(find.span, called(target)))
@@ -222,17 +229,31 @@ class _Asked:
         return Reactions(self._plan.graph.pose, self._driving(), known=(self._plan,))
 
     def _driving(self) -> tuple[str, ...]:
-        """Return the loads that follow from the others: those asked for, else the first ones."""
+        """Return the loads that follow from the others: those asked for, else those left."""
+        return (*self._asked_for, *self._left)[: self._equations.number]
+
+    @cached_property
+    def _asked_for(self) -> tuple[str, ...]:
+        """Return the loads that are asked for, and do work."""
         targets = [f.target for f in self._mechanism.finds]
         asked = [t.above for t in targets if isinstance(t, LoadRatio)]
         asked += [t.load for t in targets if isinstance(t, LoadForm)]
-        owners = [self._equations.owner(n)[0] for n in asked]
-        others = [n for n in self._equations.columns if not self._given(n)]
-        chosen: list[str] = []
-        for name in dict.fromkeys((*owners, *others)):
-            if len(chosen) < self._equations.number and name in self._equations.columns:
-                chosen.append(name)
-        return tuple(chosen)
+        owners = dict.fromkeys(self._equations.owner(n)[0] for n in asked)
+        return tuple(name for name in owners if name in self._equations.columns)
+
+    @cached_property
+    def _left(self) -> tuple[str, ...]:
+        """Return the loads that work, have no size, and are not asked for."""
+        columns = self._equations.columns
+        return tuple(n for n in columns if not self._given(n) and n not in self._asked_for)
+
+    @cached_property
+    def _undecided(self) -> tuple[str, ...]:
+        """Return the loads of which nothing says which ones follow from the others."""
+        open_ = self._equations.number - len(self._asked_for)
+        if open_ < 0:
+            return self._asked_for
+        return self._left if 0 < open_ < len(self._left) else ()
 
     # ------------------------------------------------------------------------- speeds
 

@@ -192,31 +192,39 @@ def _rubbing(result: Result, target: WithFriction, mechanism: Mechanism) -> Ques
     from .friction import with_friction
 
     known = {d.name: d.formula for d in result.where}
-    driving = _driving(target, mechanism)
-    free = (load.name for load in mechanism.loads if load.tie is None or load.name in known)
-    others = tuple(n for n in free if n != driving)
+    asked = _asked(target, mechanism)
+    free = [load.name for load in mechanism.loads if load.tie is None or load.name in known]
     if isinstance(target.of, LoadRatio):
-        others = (target.of.below,)
-    where = (*(Definition(n, ONE) for n in others if n not in known), *result.where)
+        free = [target.of.below]
+    sizes = (Definition(n, ONE) for n in free if n != asked and n not in known)
+    where = (*sizes, *result.where)
 
     def ask(at: Balanced) -> Answer:
+        driving = asked or _left(mechanism, at)
+        others = [n for n in free if n != driving]
         given = {n: evaluate(known.get(n, ONE), at.values) for n in others}
         return with_friction(at, target, driving, given)
 
     return Question(result.name, result.formula, where, ask, result.guards)
 
 
-def _driving(target: WithFriction, mechanism: Mechanism) -> str:
-    """Return the load that follows from the others: the one asked for, else the first free one."""
+def _asked(target: WithFriction, mechanism: Mechanism) -> str:
+    """Return the load asked for, which follows from the others; '' for none."""
     asked = [target.of, *(find.target for find in mechanism.finds)]
     for one in asked:
         if isinstance(one, LoadRatio):
             return one.above
         if isinstance(one, LoadForm):
             return one.load
+    return ""
+
+
+def _left(mechanism: Mechanism, at: Balanced) -> str:
+    """Return the load that has no size and that the joints alone do not balance."""
     valued = {let.name for let in mechanism.lets}
     free = (k.name for k in mechanism.loads if k.tie is None and k.name not in valued)
-    return next(free, "")
+    last = len(at.system.unknowns)
+    return next((n for n in free if at.eliminated((n,), None)[0].determined(last)), "")
 
 
 def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
