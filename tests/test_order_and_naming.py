@@ -1,12 +1,12 @@
 """Laws: no order of lines, no names and no notation of a vector change a result.
 
 Mechanisms with friction, their poses given or closed by a drive; every value that comes out
-of one text must come out of the other, and the same remarks with it.
+of one text must come out of the other, and the same remarks and statements with it.
 """
 
 import math
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from random import Random
 
 import pytest
@@ -15,10 +15,15 @@ from force_samples import Compiled, compiled, samples
 from friction_lines import friction_of, points
 from grown import Grown
 from mechc.diagnostics import MechcError
+from mechc.model.locking import Stretch
+from mechc.model.result import Result
 
 ENOUGH = 1e-7
 """What two results may differ by, as a part of the larger: they are rounded in other orders."""
 
+
+NEAR = 1e-6
+"""What the ends of stretches may differ by: they are narrowed down from other places."""
 
 LONG = 20
 """Lines of a description."""
@@ -27,7 +32,7 @@ LONG = 20
 def given(seeds: range, groups: int) -> Iterator[tuple[int, str]]:
     """Yield random descriptions of given poses with friction in all joints."""
     for seed, sample in samples(seeds, bool(seeds.start % 2), groups):
-        asked = [f"find {a}" for a in sample.asked[:1]]
+        asked = [f"find {a}" for a in sample.asked[:3]]
         yield seed, sample.rubbing(Random(seed), *asked, said=False)
 
 
@@ -74,11 +79,67 @@ def agree(one: Compiled | list[str], text: str, new: dict[str, str], label: str)
         return False
     assert remarks(one) == remarks(two), f"{label}\n{text}"
     loads = {k.name: 1.3 for k in one.compilation.mechanism.loads if k.tie is None}
-    found, again = one.results(one.values() | loads), two.results(two.values() | loads)
+    others = {new.get(name, name): value for name, value in loads.items()}
+    found, again = one.results(one.values() | loads), two.results(two.values() | others)
+    if not label.startswith("components"):
+        assert_same_statements(one, two, new, f"{label}\n{text}")
     for name, value in found.items():
         if "_direction" not in name:
             assert same(value, again[renamed(name, new)]), f"{label}, {name}\n{text}"
     return bool(found)
+
+
+# -------------------------------------------------------------------------- statements
+
+
+def assert_same_statements(one: Compiled, two: Compiled, new: dict[str, str], label: str) -> None:
+    """Compare all that is said of each result."""
+    again = {result.name: result for result in two.compilation.results}
+    for result in one.compilation.results:
+        other = again[renamed(result.name, new)]
+        where = f"{result.name}, {label}"
+        assert kinds(result) == kinds(other), where
+        assert called(result.trends or {}, new) == dict(other.trends or {}), where
+        assert called(result.proportional or {}, new) == dict(other.proportional or {}), where
+        assert {new.get(n, n) for n in result.independent} == {*other.independent}, where
+        swaps = {frozenset(new.get(n, n) for n in pair) for pair in result.swaps}
+        assert swaps == {frozenset(pair) for pair in other.swaps}, where
+        assert_same_friction(result, other, new, where)
+
+
+def kinds(result: Result) -> list[tuple[str, str]]:
+    """Return what happens at zeros and poles, and at how many of them."""
+    of = (("zero", result.zeros), ("pole", result.poles))
+    return sorted((side, limit.kind) for side, limits in of for limit in limits)
+
+
+def called(items: Mapping[str, object], new: dict[str, str]) -> dict[str, object]:
+    """Return what is said of each parameter, by its other name."""
+    return {new.get(name, name): said for name, said in items.items()}
+
+
+def assert_same_friction(one: Result, two: Result, new: dict[str, str], where: str) -> None:
+    """Compare where a result is locked or jammed, and what an efficiency runs through."""
+    assert (one.locking is None) == (two.locking is None), where
+    if one.locking and two.locking:
+        assert one.locking.state == two.locking.state, where
+        reaches = {r.parameter: r.stretches for r in two.locking.reaches}
+        assert {new.get(r.parameter, r.parameter) for r in one.locking.reaches} == {*reaches}
+        for reach in one.locking.reaches:
+            others = reaches[new.get(reach.parameter, reach.parameter)]
+            assert [s.state for s in reach.stretches] == [s.state for s in others], where
+            for first, second in zip(reach.stretches, others, strict=True):
+                assert ends_of(first) == pytest.approx(ends_of(second), abs=NEAR), where
+    courses = {c.parameter: c for c in two.courses}
+    for course in one.courses:
+        other = courses[new.get(course.parameter, course.parameter)]
+        figures = (course.least, course.greatest)
+        assert figures == pytest.approx((other.least, other.greatest), abs=1e-3), where
+
+
+def ends_of(stretch: Stretch) -> list[float]:
+    """Return the ends of a stretch, where it has them."""
+    return [end.place for end in (stretch.low, stretch.high) if end]
 
 
 # ----------------------------------------------------------------------------- changes
@@ -130,6 +191,18 @@ def renamed(text: str, new: dict[str, str]) -> str:
     return re.sub(r"(?<![A-Za-z0-9])[A-Z][A-Z0-9]*(?![A-Za-z0-9])", called, text)
 
 
+def renaming(text: str, dice: Random) -> dict[str, str]:
+    """Return another name for each parameter."""
+    found = re.findall(r"^param (\w+)", text, re.M)
+    other = dice.sample(found, len(found))
+    return dict(zip(found, other, strict=True))
+
+
+def with_parameters(text: str, new: dict[str, str]) -> str:
+    """Return a text with its parameters called otherwise; lines of friction have words as well."""
+    return re.sub(r"(?<![\w.])[a-z]\w*", lambda m: new.get(m[0], m[0]), text)
+
+
 def by_components(text: str, dice: Random) -> str:
     """Return a text in which vectors of a given length and direction are given by components."""
     vector = re.compile(r"^([A-Z]\w*) = (.+?) @ (.+)$", re.M)
@@ -152,6 +225,8 @@ def hold(found: Iterator[tuple[int, str]]) -> int:
         compared += agree(one, shuffled(text, dice), {}, f"order of lines, seed {seed}")
         compared += agree(one, turned_round(text, dice), {}, f"letters of links, seed {seed}")
         compared += agree(one, renamed(text, new), new, f"names of points, seed {seed}")
+        new = renaming(text, dice)
+        compared += agree(one, with_parameters(text, new), new, f"parameters, seed {seed}")
         compared += agree(one, by_components(text, dice), {}, f"components, seed {seed}")
     return compared
 

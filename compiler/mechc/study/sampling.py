@@ -45,7 +45,7 @@ FLAT = 1e-9
 JUMP = 1e-6
 """The width of a jump, where a sign changes, against the distance of places."""
 
-SECTIONS, FEWER = 16, 9
+SECTIONS, FEWER = 16, 13
 """Sections to a lowest or highest efficiency, after which three figures are right."""
 
 
