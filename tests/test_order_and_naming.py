@@ -247,3 +247,41 @@ def test_a_change_of_words_changes_nothing_of_many():
 @pytest.mark.slow
 def test_a_change_of_words_changes_nothing_of_many_closed_loops():
     assert hold(closed(range(8, 30))) >= 24
+
+
+KNEE = """
+param al = 20 deg
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = 200 mm @ 90 deg + al
+BK = 200 mm @ 90 deg - al
+friction pins 0.1 diameter 20 mm
+friction slider K 0.1
+"""
+
+
+def test_no_order_of_loads_says_which_one_follows():
+    lines = ["force P at B along x", "force F at K along -y"]
+    for text in ("\n".join([KNEE, *order, "find R_O"]) for order in (lines, lines[::-1])):
+        assert outcome(text) == ["E595"]
+        assert isinstance(outcome(f"{text}\nfind P"), Compiled)
+
+
+def test_two_loads_of_which_each_follows_from_the_other_are_too_many_for_a_force():
+    loads = "force P at B along x\nforce F at K along -y"
+    for finds in ("find k = P/F\nfind j = F/P", "find j = F/P\nfind k = P/F"):
+        assert outcome(f"{KNEE}{loads}\n{finds}\nfind R_O") == ["E595"]
+        assert isinstance(outcome(f"{KNEE}{loads}\n{finds}"), Compiled)
+
+
+def test_a_load_without_work_follows_from_nothing():
+    """W presses the guide; P follows from F, wherever the lines stand."""
+    lines = ["force W at K along x", "force P at B along x", "force F at K along -y", "let F = 5 N"]
+    first, second = (outcome("\n".join([KNEE, *o, "find R_O"])) for o in (lines, lines[::-1]))
+    assert isinstance(first, Compiled)
+    assert isinstance(second, Compiled)
+    sizes = {"W": 3.0, "F": 5.0}
+    found, again = (made.results(made.values() | sizes) for made in (first, second))
+    assert found["R_O_x_f"] == pytest.approx(again["R_O_x_f"], rel=1e-9)
