@@ -179,6 +179,7 @@ OC = b @ 90 deg
 contact A on WX normal 90 deg + beta
 force P at W along -x
 force F at C along -x
+find P
 find N_W
 """
 
