@@ -117,6 +117,7 @@ CD = 90 mm @ 90 deg - alpha
 SA = 50 mm @ 10 deg
 force P at S along x
 force F at D along -x
+find P
 find N_SA
 friction pin C 0.1 diameter 10 mm
 """

@@ -114,11 +114,13 @@ def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | Non
 def _proportional(value: Product, result: Result) -> Mapping[str, int]:
     """Return the powers of parameters that occur nowhere but as a factor.
 
-    One that an intermediate angle depends on, too, is in no simple proportion.
+    One that an intermediate angle depends on, too, is in no simple proportion, nor is what loops
+    find: nothing else stays as it is where that changes.
     """
     factors = {f.name: e for f, e in value.factors.items() if isinstance(f, Length)}
     rest = Product(1, {f: e for f, e in value.factors.items() if not isinstance(f, Length)})
     inside = symbols(rest.formula()).union(*(symbols(d.formula) for d in result.where))
+    inside |= {d.name for d in result.where}
     return {name: e for name, e in factors.items() if name not in inside}
 
 
