@@ -26,7 +26,8 @@ def test_a_docstring_shows_the_printed_case(result):
     assert "sign(" not in shown
     assert f"{result} = 2*" in shown
     assert "    while\n" in shown
-    assert "every force keeps the sense" in shown
+    assert f"it is that of {result}_coupled." in shown
+    assert f"{result}_status tells." in shown
 
 
 PINS = "param f_p = 0.1\nparam d_p = 12 mm\nfriction pins f_p diameter d_p\nfind R_A on AB"

@@ -50,11 +50,18 @@ def by_python(found: Compiled) -> Outputs:
     space: dict[str, Callable[..., np.ndarray]] = {"__name__": "module"}
     exec(compile(module.text, "module.py", "exec"), space)
     made = (v for v in space.values() if getattr(v, "__module__", "") == "module")
-    callables = [v for v in made if not v.__name__.startswith(("_", "pose"))]
+    beside = companions(found)
+    callables = [v for v in made if not v.__name__.startswith(("_", "pose", *beside))]
     return {
         f.name: np.broadcast_to(call(*poses(f).values()), POSES)
         for f, call in zip(found.routine.functions, callables, strict=True)
     }
+
+
+def companions(found: Compiled) -> tuple[str, ...]:
+    """Return the names of functions that stand beside results with friction."""
+    listed = [f for r in found.routine.functions for f in (r.otherwise, r.status) if f]
+    return tuple(f.name for f in listed)
 
 
 def built(found: Compiled, folder: Path) -> SimpleNamespace:
@@ -67,7 +74,9 @@ def built(found: Compiled, folder: Path) -> SimpleNamespace:
     command = [COMPILER, *strict, "-O1", "-fPIC", "-shared", "code.c", "-o", made, "-lm"]
     subprocess.run(command, cwd=folder, check=True)
     heads = [line for line in header.text.splitlines() if line.startswith(("double ", "void "))]
+    beside = tuple(f"{found.routine.name}_{name}" for name in companions(found))
     names = [line.split("(")[0].split()[1] for line in heads if "_pose_n(" not in line]
+    names = [name for name in names if not name.startswith(beside or ("/",))]
     return SimpleNamespace(code=ctypes.CDLL(str(made)), singles=names[::2], batches=names[1::2])
 
 

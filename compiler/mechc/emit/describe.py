@@ -4,7 +4,7 @@ Text of the user's goes through :func:`one_line` first: it may hold anything.
 """
 
 import math
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from unicodedata import category
 
 from ..formula.to_text import text
@@ -137,12 +137,28 @@ def condition_lines(function: Function) -> list[str]:
     known = {*(i.name for i in function.inputs), *(step.name for step in function.where)}
     known.update(function.others)
     closing = [f"the loop {guard.loop} closes" for guard in function.guards if guard.loop]
-    others = [guard for guard in function.guards if not guard.loop]
+    others = [guard for guard in function.guards if not guard.loop and not guard.balance]
     told = [g for g in others if symbols(g.left) | symbols(g.right) <= known]
     lines = [*closing, *(_condition(guard) for guard in told)]
-    if len(told) < len(others):
-        lines.append("every force keeps the sense that it has without friction")
+    if any(guard.balance for guard in function.guards):
+        lines.append("some force of the drive balances the loads and all friction")
     return lines
+
+
+def remarks(function: Function, names: Mapping[str, str]) -> list[str]:
+    """Return what code says of a function's companions, which it calls by these names."""
+    lines = []
+    if function.otherwise:
+        lines.append("Where friction turns the force at a joint round, so that this form has no")
+        lines.append(f"value, it is that of {names[function.otherwise.name]}.")
+    if function.status:
+        lines.append(f"What a number or NaN means, {names[function.status.name]} tells.")
+    return lines
+
+
+def numbered(sentences: Iterable[str]) -> Iterator[str]:
+    """Yield sentences as they are counted from 0."""
+    yield from (f"{i}: {sentence}" for i, sentence in enumerate(sentences))
 
 
 def _condition(guard: Guard) -> str:

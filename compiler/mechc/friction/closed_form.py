@@ -18,19 +18,24 @@ Operator = Literal["<", ">", "="]
 
 @frozen
 class Printed:
-    """A formula for the signs of one pose, and the conditions under which they stay."""
+    """A formula for the signs of one pose, and the conditions under which they stay.
+
+    What is ``positive`` must stay so as well, or nothing balances as the formula says.
+    """
 
     formula: Formula
     where: tuple[Definition, ...]
     holds: tuple[tuple[Formula, Operator], ...]
     steps: tuple[Step, ...] = ()
+    positive: tuple[Formula, ...] = ()
 
 
 @frozen
 class Named:
     """A formula and what it rests on, each definition after those it needs.
 
-    What is ``positive`` must stay so, or the formula has no meaning. ``case`` is the same
+    What is ``positive`` must stay so, or the formula has no meaning, and that for ``elsewhere``
+    takes its place. ``case`` is the same
     as it is printed; ``steps`` tell how it was found where there is none. Names ``inside``
     are the coefficients of a system, of which people read the structure only.
     """
@@ -41,6 +46,7 @@ class Named:
     case: Printed | None = None
     steps: tuple[Step, ...] = ()
     inside: frozenset[str] = frozenset()
+    elsewhere: "Named | None" = None
 
 
 class Condition(NamedTuple):
@@ -70,16 +76,21 @@ def closed_form(way: Callable[[Signs], Way], factor: Product, taken: Set[str]) -
     signs = AtAnyPose(taken)
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
-    kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
-    positive = (force.formula() for force in kept if bare(force).factors)
-    return Named(formula, tuple(signs.definitions), tuple(positive))
+    return Named(formula, tuple(signs.definitions), _positive(solver))
 
 
 def printed_form(way: Callable[[Signs], Way], factor: Product, signs: AtOnePose) -> Printed:
     """Return the driving load times a factor, for the signs of one pose."""
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
-    return Printed(formula, tuple(signs.definitions), conditions(signs), tuple(solver.steps))
+    where, steps = tuple(signs.definitions), tuple(solver.steps)
+    return Printed(formula, where, conditions(signs), steps, _positive(solver))
+
+
+def _positive(solver: Way) -> tuple[Formula, ...]:
+    """Return what must be positive for the forces to keep their senses."""
+    kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
+    return tuple(force.formula() for force in kept if bare(force).factors)
 
 
 def conditions(signs: AtOnePose) -> tuple[tuple[Formula, Operator], ...]:

@@ -31,7 +31,8 @@ class Drives:
         mechanism = plan.graph.pose.mechanism
         self._always = _sign(ideal, _sizes(mechanism))
         self._in_range = _sign(ideal, allowed_box(mechanism))
-        value = value_of(ideal, default_values(plan))
+        self._values = default_values(plan)
+        value = value_of(ideal, self._values)
         self._here = -1 if value is not None and value < 0 else 1
 
     def with_constant(self, name: str, efficiency: Formula) -> Named:
@@ -50,24 +51,44 @@ class Drives:
         k_f = Definition(f"{self._ideal.name}_f", real.formula)
         without = to_product(self._ideal.formula)
         here = ((without / Product.symbol(k_f.name)) ** self._exponent).formula()
-        formula, where = here, (*real.where, k_f)
+        formula = _not_negative(here) if self._exponent < 0 else here
+        where = (*real.where, k_f)
         if self._always is None:
             formula, where = self._anywhere(k_f.name), (*where, self._definition())
-        case = self._case(here, real.case, k_f.name, span) if real.case else None
-        return replace(real, formula=formula, where=where, dimension=NUMBER, case=case)
+        other = real.elsewhere
+        return replace(
+            real,
+            formula=formula,
+            where=where,
+            dimension=NUMBER,
+            case=self._case(here, real, k_f.name, span),
+            elsewhere=self.efficiency(other, span) if isinstance(other, FrictionResult) else None,
+        )
 
-    def _case(self, here: Formula, real: Case, name: str, span: Span) -> Case:
+    def _case(self, here: Formula, real: FrictionResult, name: str, span: Span) -> Case | None:
         """Return the efficiency as it is printed; it has the conditions of the ratio, too."""
-        where, holds = (*real.where, Definition(name, real.formula)), real.holds
+        case = real.case
+        if case is None:
+            return None
+        where, holds = (*case.where, Definition(name, case.formula)), case.holds
+        if self._exponent < 0:
+            value = value_of(real, self._values)
+            if value is not None and value * self._here < 0:
+                here = _not_negative(here)
+            else:
+                holds += (Require(here, ">", ZERO, span),)
         if self._in_range is None:
             where = (*where, self._definition())
             holds += tuple(Require(f, o, ZERO, span) for f, o in self._condition(self._k))
-        return Case(here, where, holds)
+        return Case(here, where, holds, case.guards)
 
     def _anywhere(self, name: str) -> Formula:
-        """Return |σ|·(k/k_f)^σ, σ the sign that tells who drives: 0 at a dead centre."""
+        """Return |σ|·(k/k_f)^σ, σ the sign that tells who drives: 0 at a dead centre.
+
+        It is 0 as well where the load drives and friction holds it, so that k_f has not its sign.
+        """
         sigma = self._turning(1)
-        share = Power(quotient(self._k, Symbol(name)), sigma)
+        share = _not_negative(Power(quotient(self._k, Symbol(name)), sigma))
         return product([(Call("abs", (Call("sign", (self._k,)),)), 1), (share, 1)])
 
     def _turning(self, exponent: int) -> Formula:
@@ -85,6 +106,11 @@ class Drives:
 
     def _definition(self) -> Definition:
         return Definition(self._ideal.name, self._ideal.formula)
+
+
+def _not_negative(share: Formula) -> Formula:
+    """Return a share of the power, 0 where all of it is friction's."""
+    return Call("max", (ZERO, share))
 
 
 def _sign(result: Result, box: Box) -> int | None:

@@ -155,7 +155,8 @@ def exact_case(
         parts.append((p.rub, named_factor(p.rub, labels, signs).formula(), slip))
     where = (*signs.definitions, *sizes.definitions)
     steps = (Step("iterated"),)
-    return Printed(_sum(ideal, parts, sizes), where, conditions(signs), steps)
+    formula = _sum(ideal, parts, sizes)
+    return Printed(formula, where, conditions(signs), steps, sizes.positive)
 
 
 def _sum(ideal: Formula, parts: Iterable[tuple[Rub, Formula, Formula]], sizes: Sizes) -> Formula:

@@ -56,7 +56,8 @@ class ForceWithFriction:
             lambda slip: signs.of("", slip).formula(),
         )
         where = (*signs.definitions, *self._sizes.definitions)
-        return Printed(formula, where, conditions(signs), (Step("iterated"),))
+        steps = (Step("iterated"),)
+        return Printed(formula, where, conditions(signs), steps, self._sizes.positive)
 
     def _formula(
         self, factor: Callable[[Rub], Product], sign: Callable[[Product], Formula]

@@ -105,20 +105,6 @@ class FrictionResults:
             case _:
                 return None
 
-    def coupled(self, find: Find, ideal: Result) -> FrictionResult | None:
-        """Return the same from the coupled equations, which hold where a closed form may not."""
-        match find.target:
-            case WithFriction(LoadRatio() | LoadForm() as of, sense):
-                case = self._case(of, ideal)
-                pressed = self._press(find, case)
-                if pressed is None:
-                    return None
-                sizes = true_sizes(pressed, SIGNS[sense], self._taken())
-                named = self._iterated(ideal, scaled(pressed, case.factor), sizes)
-                return self._result(find, ideal, named)
-            case _:
-                return None
-
     def _case(self, of: LoadRatio | LoadForm, ideal: Result) -> Case:
         match of:
             case LoadRatio(above, below):
@@ -158,12 +144,12 @@ class FrictionResults:
         pose, driving = self._plan.graph.pose, case.driving
         for remark in assumptions(pose, driving, case.given, exact=closed is not None):
             self._report.add(remark)
-        if closed and self._stands(find, case.ideal, closed):
-            return closed
         sizes = true_sizes(pressed, sign, self._taken())
+        if closed and self._stands(find, case.ideal, closed):
+            return replace(closed, elsewhere=self._anywhere(case.ideal, added, sizes))
         iterated = self._iterated(case.ideal, added, sizes)
         if closed and not self._stands(find, case.ideal, iterated):
-            return closed
+            return replace(closed, elsewhere=self._anywhere(case.ideal, added, sizes))
         return iterated
 
     def _stands(self, find: Find, ideal: Result, found: Named) -> bool:
@@ -221,10 +207,14 @@ class FrictionResults:
                 values[name] = evaluate(formula, values)
         return values
 
+    def _anywhere(self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
+        """Return the load by Newton's method, whichever way the joints are pressed."""
+        positive = partial(magnitude, mechanism=self._mechanism)
+        return exact(ideal.formula, pressed, sizes, positive)
+
     def _iterated(self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
         """Return the load by Newton's method, as it is printed for the default pose."""
-        positive = partial(magnitude, mechanism=self._mechanism)
-        found = exact(ideal.formula, pressed, sizes, positive)
+        found = self._anywhere(ideal, pressed, sizes)
         case = self._at_default(partial(exact_case, ideal.formula, pressed, sizes))
         return replace(found, case=case)
 
@@ -294,6 +284,7 @@ class FrictionResults:
     def _result(self, find: Find, ideal: Result, named: Named) -> FrictionResult:
         pressed = self._pressed.get(ideal.name) or ()
         sums = list(self._sums(pressed))
+        elsewhere = self._elsewhere(find, ideal, named)
         return FrictionResult(
             find.name,
             find.target,
@@ -302,14 +293,25 @@ class FrictionResults:
             self._where(ideal, named.formula, (*sums, *named.where)),
             ideal.coefficients,
             guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
+            elsewhere=elsewhere,
             case=self._case_of(find, ideal, named.case) if named.case else None,
             inside=named.inside,
         )
 
+    def _elsewhere(self, find: Find, ideal: Result, named: Named) -> Result | None:
+        """Return the result for elsewhere, if all the lengths in it are given."""
+        found = self._result(find, ideal, named.elsewhere) if named.elsewhere else None
+        if found is None:
+            return None
+        formulas = [found.formula, *(d.formula for d in found.where)]
+        used = frozenset[str]().union(*map(symbols, formulas))
+        return found if used.isdisjoint(self._plan.graph.pose.placeholders) else None
+
     def _case_of(self, find: Find, ideal: Result, printed: Printed) -> PrintedCase:
         where = self._where(ideal, printed.formula, printed.where)
         holds = (Require(f, o, ZERO, find.span) for f, o in printed.holds)
-        return PrintedCase(printed.formula, where, tuple(holds))
+        guards = tuple(Require(c, ">", ZERO, find.span) for c in printed.positive)
+        return PrintedCase(printed.formula, where, tuple(holds), guards)
 
     def _where(
         self, ideal: Result, formula: Formula, own: Sequence[Definition]

@@ -31,7 +31,8 @@ class Result:
     ``coefficients`` gives the factor of every other load and ``formula`` their sum.
     ``target`` is None for a let. At the default pose it has the value ``default``, if any; it
     is ``undetermined`` where it is 0/0 there. ``guards`` are conditions without which the
-    formula has no meaning.
+    formula has no meaning; ``elsewhere`` is the result that takes its place where one of them
+    fails, if there is one.
     """
 
     name: str
@@ -43,6 +44,7 @@ class Result:
     default: float | None = None
     undetermined: bool = False
     guards: tuple[Require, ...] = ()
+    elsewhere: "Result | None" = None
 
 
 @frozen
@@ -55,6 +57,7 @@ class Case:
     formula: Formula
     where: tuple[Definition, ...]
     holds: tuple[Require, ...]
+    guards: tuple[Require, ...] = ()
 
 
 @frozen

@@ -12,6 +12,7 @@ from ..formula.walk import Evaluation, evaluate, straight_line, symbols
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter, Require
 from .order import ordered
+from .result import Result
 
 Values = Mapping[str, float]
 
@@ -157,6 +158,19 @@ def holds(condition: Require, values: Values) -> bool:
         return True
     left, right = evaluate(condition.left, values), evaluate(condition.right, values)
     return compare(left, condition.operator, right)
+
+
+def standing(result: Result, values: Values) -> Result | None:
+    """Return the form of a result that has a value: itself, or the one for elsewhere.
+
+    None where a condition of either is broken. What cannot be judged stands.
+    """
+    known = completed(values, result.where)
+    if all(holds(guard, known) for guard in result.guards):
+        known_all = symbols(result.formula) <= known.keys()
+        if not known_all or not math.isnan(evaluate(result.formula, known)):
+            return result
+    return standing(result.elsewhere, values) if result.elsewhere else None
 
 
 def compare(left: float, relation: str, right: float) -> bool:

@@ -7,7 +7,9 @@ from ..diagnostics import Report
 from ..diagnostics.power import too_many_lets
 from ..formula.tree import Formula
 from ..formula.walk import symbols
+from ..frozen import replace
 from ..kinematics.plan import Plan
+from ..model.mechanism import Let
 from ..model.result import Definition, Result
 from ..model.values import Chain
 
@@ -72,16 +74,28 @@ def let_results(plan: Plan, results: Sequence[Result], report: Report) -> Iterat
     E831 where so many of them rest on one another that nothing can be done with them.
     """
     mechanism = plan.graph.pose.mechanism
-    needs = _needs(results, {let.name: let.value for let in mechanism.lets})
+    lets = {let.name: let.value for let in mechanism.lets}
+    needs = _needs(results, lets)
     if sum(map(len, needs.values())) > MOST_STEPS:
         longest = max(mechanism.lets, key=lambda let: len(needs[let.name]))
         raise report.fail(too_many_lets(longest.span, longest.name, len(needs[longest.name])))
+    other = _needs([r.elsewhere or r for r in results], lets)
     for let in mechanism.lets:
-        where = needs[let.name]
-        of_the_pose = intermediates(plan, [let.value, *where.values()])
-        known = [d for d in of_the_pose if d.name not in where]
-        definitions = (*known, *(Definition(n, f) for n, f in where.items()))
-        yield Result(let.name, None, let.dimension, let.value, definitions)
+        used = [r for r in results if r.name in needs[let.name]]
+        found = _let(let, plan, needs[let.name], used)
+        if any(r.elsewhere for r in used):
+            changed = _let(let, plan, other[let.name], [r.elsewhere or r for r in used])
+            found = replace(found, elsewhere=changed)
+        yield found
+
+
+def _let(let: Let, plan: Plan, where: Needed, used: Sequence[Result]) -> Result:
+    """Return a formula of the user's own; it stands where the results stand that it uses."""
+    of_the_pose = intermediates(plan, [let.value, *where.values()])
+    known = [d for d in of_the_pose if d.name not in where]
+    definitions = (*known, *(Definition(n, f) for n, f in where.items()))
+    guards = tuple(dict.fromkeys(g for r in used for g in r.guards))
+    return Result(let.name, None, let.dimension, let.value, definitions, guards=guards)
 
 
 def _needs(results: Sequence[Result], lets: Mapping[str, Formula]) -> dict[str, Needed]:

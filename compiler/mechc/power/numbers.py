@@ -16,7 +16,7 @@ from ..frozen import replace
 from ..kinematics.plan import Block, Plan
 from ..model.mechanism import Find, Force, LoadRatio, Thrust, Torque
 from ..model.result import Result
-from ..model.values import Chain, completed, defaults, dependent, holds
+from ..model.values import Chain, completed, defaults, dependent, standing
 from ..pose.pose import Pose
 from .balance import Balance, Solved
 
@@ -87,14 +87,13 @@ def default_rounding(pose: Pose) -> Rounding:
 def value_of(result: Result, values: Mapping[str, float]) -> float | None:
     """Return a result at given values; None where something it needs has none.
 
-    NaN where a condition of the result is broken.
+    NaN where a condition of the result is broken, and it has no form for elsewhere.
     """
     known = completed(values, result.where)
     if not symbols(result.formula) <= known.keys():
         return None
-    if not all(holds(guard, known) for guard in result.guards):
-        return math.nan
-    return evaluate(result.formula, known)
+    found = standing(result, values)
+    return evaluate(found.formula, completed(values, found.where)) if found else math.nan
 
 
 def _check_branch(plan: Plan, values: Mapping[str, float], report: Report) -> None:

@@ -55,8 +55,16 @@ def evaluate(function: Function, values: Mapping[str, Value]) -> Value:
 
     Values are SI and radians; names beyond the inputs are ignored. The output is a
     float when all inputs are scalars. It is NaN where a guard fails or a step is not
-    defined, and infinite at a pole; no warning is raised for either.
+    defined, and the result has no form for elsewhere; it is infinite at a pole. No warning is
+    raised for either.
     """
+    result = _value(function, values)
+    if function.otherwise and np.any(np.isnan(result)):
+        result = np.where(np.isnan(result), _value(function.otherwise, values), result)
+    return scalar_or_array(result)
+
+
+def _value(function: Function, values: Mapping[str, Value]) -> Array:
     scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in function.inputs}
     with np.errstate(all="ignore"):
         for step in function.steps:
@@ -64,7 +72,32 @@ def evaluate(function: Function, values: Mapping[str, Value]) -> Value:
         result = compute(function.output, scope)
         for guard in function.guards:
             result = np.where(_holds(guard, scope), result, np.nan)
-    return scalar_or_array(result)
+    return result
+
+
+def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> Array:
+    """Return the status of a result with friction; ``ideal`` is the same without it.
+
+    What the numbers mean is in :data:`~.steps.STATUSES`.
+    """
+    asked = function.status
+    assert asked is not None, "only loads and ratios with friction have a status"
+    value, without = (np.asarray(evaluate(f, values)) for f in (function, ideal))
+    scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in asked.inputs}
+    with np.errstate(all="ignore"):
+        done = [_run(step, scope) for step in asked.steps]
+        solved = [d for d, step in zip(done, asked.steps, strict=True) if isinstance(step, Solve)]
+        is_pose = reduce(
+            np.logical_and, (_holds(g, scope) for g in asked.guards), ~np.isnan(without)
+        )
+    ahead, none = without >= 0, np.isnan(value)
+    found = np.where(ahead == (asked.sense > 0), 4, 3)
+    *loops, friction = solved or [np.asarray(2.0)]
+    found = np.where(none & (friction == 2), 2, found)
+    found = np.where(none & ~is_pose, 1, found)
+    found = np.where(none & reduce(np.logical_or, (d == 2 for d in loops), False), 2, found)
+    moves = np.isfinite(value) & np.where(ahead, value > 0, value < 0)
+    return np.where(moves, 0, found)
 
 
 def scalar_or_array(value: Value) -> Value:

@@ -26,10 +26,12 @@ def freed(
 
 def _freed(result: Result, names: Set[str]) -> Result:
     where = _without(result.where, names)
-    if not isinstance(result, FrictionResult) or result.case is None:
-        return replace(result, where=where)
-    case = replace(result.case, where=_without(result.case.where, names))
-    return replace(result, where=where, case=case)
+    elsewhere = _freed(result.elsewhere, names) if result.elsewhere else None
+    changed = replace(result, where=where, elsewhere=elsewhere)
+    if not isinstance(changed, FrictionResult) or changed.case is None:
+        return changed
+    case = replace(changed.case, where=_without(changed.case.where, names))
+    return replace(changed, case=case)
 
 
 def _without(where: Iterable[Definition], names: Set[str]) -> tuple[Definition, ...]:

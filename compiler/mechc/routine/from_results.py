@@ -1,6 +1,7 @@
 """From results to straight-line programs, one function per ``find`` and ``let``."""
 
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import starmap
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -8,6 +9,7 @@ from ..model.mechanism import Load, Mechanism, Parameter, Torque
 from ..model.result import Result
 from ..pose.pose import ClosedLoop
 from ..units import FORCE, TORQUE
+from .companions import Companions
 from .functions import Asked, asked, function
 from .lengths import with_roots
 from .scope import Scope
@@ -36,7 +38,15 @@ def program(
     scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
     names = (*inputs, *scope.results)
     listed = [asked(r, scope, inputs, loops) for r in results]
-    functions = tuple(_functions(listed, scope, names))
+    made = _functions(listed, scope, names)
+    changed = tuple(r.elsewhere or r for r in results)
+    other = Scope(mechanism, changed, definitions or {}) if changed != results else scope
+    beside = [
+        function(asked(r.elsewhere, other, inputs, loops), other, names) if r.elsewhere else None
+        for r in results
+    ]
+    companions = Companions(mechanism, results, inputs)
+    functions = tuple(starmap(companions.joined, zip(made, beside, results, strict=True)))
     pose = _pose(scope, inputs, loops)
     return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose)
 

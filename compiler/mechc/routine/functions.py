@@ -50,7 +50,8 @@ class Asked(NamedTuple):
 
     def guards(self, names: Mapping[str, str]) -> tuple[Guard, ...]:
         """Return the conditions with the names that definitions have."""
-        requires = (_guard(r, names) for r in self.requires)
+        own = self.result.guards
+        requires = (_guard(r, names, self.result.name if r in own else "") for r in self.requires)
         return (*requires, *(closing_guard(loop, names) for loop in self.unseen))
 
 
@@ -80,9 +81,9 @@ def _decided(require: Require, owner: str, scope: Scope, used: tuple[Input, ...]
     return scope.free(owner, [require.left, require.right]) <= {i.name for i in used}
 
 
-def _guard(require: Require, names: Mapping[str, str]) -> Guard:
+def _guard(require: Require, names: Mapping[str, str], balance: str) -> Guard:
     left, right = (rename(side, names) for side in (require.left, require.right))
-    return Guard(left, require.operator, right)
+    return Guard(left, require.operator, right, balance=balance)
 
 
 def function(asked: Asked, scope: Scope, names: Iterable[str]) -> Function:

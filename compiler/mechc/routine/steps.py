@@ -6,7 +6,7 @@ only. Parts that occur twice are steps of their own. The number of steps grows
 linearly with the mechanism.
 """
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator
 from typing import Literal
 
 from ..formula.tree import Formula
@@ -95,13 +95,42 @@ def mentioned(statements: Iterable[Statement], others: Iterable[Formula]) -> fro
 class Guard:
     """A ``require``: where ``left OP right`` is false, the output is NaN.
 
-    ``loop`` names the loop that does not close there, if it is that.
+    ``loop`` names the loop that does not close there, if it is that, and ``balance`` the result
+    whose loads do not balance there as its formula takes for granted.
     """
 
     left: Formula
     operator: Literal["<", "<=", ">", ">=", "=", "!="]
     right: Formula
     loop: str = ""
+    balance: str = ""
+
+
+@frozen
+class Status:
+    """Whether a result with friction moves what it drives: how code tells its poses apart.
+
+    ``ideal`` is the function of the same without friction, ``sense`` 1 where the motion is
+    that along the drive's arrow, else -1. ``steps`` solve for the pressing forces, and where
+    ``guards`` fail there is no pose. The numbers are those of :data:`STATUSES`.
+    """
+
+    name: str
+    ideal: str
+    sense: int
+    inputs: tuple[Input, ...]
+    steps: tuple[Statement, ...]
+    guards: tuple[Guard, ...]
+
+
+STATUSES = (
+    "it moves: the result is a number",
+    "there is no pose",
+    "iteration has found no balance, and has not shown that there is none",
+    "it is locked: the load alone does not move it",
+    "it is jammed: no force of the drive moves it",
+)
+"""What each status means; the first three are those of a pose as well."""
 
 
 @frozen
@@ -128,7 +157,8 @@ class Function:
     and ``output`` is the formula of the last line (usually one symbol or a short
     product). ``operations`` counts ``steps`` and ``output``, one correction of each solver.
     The steps may be those of a ``common`` program, handed out by one function for many; then
-    ``others`` are the results that ``formula`` and ``where`` mention.
+    ``others`` are the results that ``formula`` and ``where`` mention. Where the value is NaN,
+    the result is that of ``otherwise``, which takes some of the same inputs.
     """
 
     name: str
@@ -145,6 +175,8 @@ class Function:
     iterated: tuple[str, ...] = ()
     common: Common | None = None
     others: tuple[str, ...] = ()
+    otherwise: "Function | None" = None
+    status: Status | None = None
 
 
 @frozen
@@ -157,6 +189,14 @@ class Pose:
     inputs: tuple[Input, ...]
     steps: tuple[Statement, ...]
     outputs: tuple[str, ...]
+
+
+def every(functions: Iterable[Function]) -> Iterator[Function]:
+    """Yield functions, each behind the one that it calls where it gives no number itself."""
+    for function in functions:
+        if function.otherwise:
+            yield function.otherwise
+        yield function
 
 
 @frozen
@@ -172,6 +212,7 @@ class Routine:
 
 def programs(routine: Routine) -> list[Common | Function | Pose]:
     """Return all that has steps of its own: what functions have in common first, and once."""
-    common = {f.common.number: f.common for f in routine.functions if f.common}
-    others = (f for f in routine.functions if not f.common)
+    listed = list(every(routine.functions))
+    common = {f.common.number: f.common for f in listed if f.common}
+    others = (f for f in listed if not f.common)
     return [*common.values(), *others, *([routine.pose] if routine.pose else [])]

@@ -73,5 +73,6 @@ def as_printed(result: Result) -> Analysis:
         return analysis
     if result.case is None:
         return replace(analysis, inside=result.inside)
-    formula, where, holds = result.case.formula, result.case.where, result.case.holds
-    return replace(analysis, formula=formula, where=where, holds=holds, inside=result.inside)
+    case = result.case
+    shown = {"formula": case.formula, "where": case.where, "holds": case.holds}
+    return replace(analysis, **shown, guards=case.guards, inside=result.inside)

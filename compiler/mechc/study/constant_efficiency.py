@@ -5,8 +5,7 @@ With the angle δ by which friction turns a rod's line of force, a ratio k chang
 """
 
 import math
-from collections.abc import Callable, Iterator
-from functools import cache, partial
+from collections.abc import Iterator
 
 from ..diagnostics import Report
 from ..diagnostics import friction as words
@@ -45,8 +44,7 @@ def remark_on_constant(solution: Solution, report: Report) -> None:
             ideal = next(r for r in solution.results if r.target == find.target.of)
             real = friction.by_rubbing(find, ideal) if _rubs(solution) else None
             if real is not None:
-                coupled = partial(friction.coupled, find, ideal)
-                _Beside(solution, find, ideal, real, coupled).remark(report)
+                _Beside(solution, find, ideal, real).remark(report)
             elif where := list(_steep(solution, ideal)):
                 report.add(words.efficiency_near_dead_centre(find.span, ideal.name, where))
 
@@ -61,18 +59,10 @@ def _rubs(solution: Solution) -> bool:
 class _Beside:
     """A constant efficiency beside the one that friction makes."""
 
-    def __init__(
-        self,
-        solution: Solution,
-        find: Find,
-        ideal: Result,
-        real: FrictionResult,
-        coupled: Callable[[], FrictionResult | None],
-    ) -> None:
+    def __init__(self, solution: Solution, find: Find, ideal: Result, real: FrictionResult) -> None:
         assert isinstance(find.target, WithFriction)
         self._solution, self._find = solution, find
         self._ideal, self._real, self._sense = ideal, real, find.target.sense
-        self._coupled = cache(coupled)
         self._mechanism = solution.plan.graph.pose.mechanism
         self._loads = sizes(self._mechanism, real)
 
@@ -92,7 +82,7 @@ class _Beside:
 
     def _moving(self, name: str) -> Moving:
         places = Places(self._solution.plan, name, self._loads or {})
-        return Moving(places, self._ideal, self._real, self._sense, self._coupled)
+        return Moving(places, self._ideal, self._real, self._sense)
 
     def _given(self, moving: Moving, place: float) -> float:
         efficiency, values = self._mechanism.friction.efficiency, moving.places.values(place)

@@ -1,14 +1,9 @@
 """Ratios with friction along one parameter each, evaluated once for all that is asked of them."""
 
-from functools import cache, partial
-
-from ..diagnostics import Report
 from ..formula.walk import symbols
-from ..friction.results import FrictionResults
 from ..friction.solution import Solution
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ..model.result import FrictionResult, Result
-from ..source import Source
 from .states import Moving
 from .sweep import Places
 
@@ -20,7 +15,6 @@ class Study:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
-        self.coupled = cache(self._coupled)
 
     def ideal(self, of: LoadRatio | LoadForm) -> Result:
         """Return the ratio without friction."""
@@ -40,21 +34,8 @@ class Study:
             return None
         if key not in self._moving:
             places = Places(self.solution.plan, parameter, loads)
-            coupled = partial(self.coupled, real.name)
-            self._moving[key] = Moving(places, ideal, real, sense, coupled)
+            self._moving[key] = Moving(places, ideal, real, sense)
         return self._moving[key]
-
-    def _coupled(self, name: str) -> FrictionResult | None:
-        """Return a ratio with friction from the coupled equations."""
-        find = next(f for f in self.mechanism.finds if f.name == name)
-        assert isinstance(find.target, WithFriction)
-        ideal = next(r for r in self.solution.results if r.target == find.target.of)
-        return self._friction.coupled(find, ideal)
-
-    @property
-    def _friction(self) -> FrictionResults:
-        """What finds results with friction; whatever can be reported has been before."""
-        return FrictionResults(self.solution.balance, Report(Source("", "")))
 
 
 def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:

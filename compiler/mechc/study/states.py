@@ -11,7 +11,7 @@ found at all, nothing is said.
 """
 
 import math
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -40,22 +40,11 @@ NOWHERE = Found(None, math.nan, None)
 
 
 class Moving:
-    """A ratio with friction next to the one without, along one parameter.
+    """A ratio with friction next to the one without, along one parameter."""
 
-    ``coupled`` returns the ratio from equations that hold where a closed form does not: where
-    friction turns a force at a joint round.
-    """
-
-    def __init__(
-        self,
-        places: Places,
-        ideal: Result,
-        real: FrictionResult,
-        sense: Sense,
-        coupled: Callable[[], FrictionResult | None],
-    ) -> None:
+    def __init__(self, places: Places, ideal: Result, real: FrictionResult, sense: Sense) -> None:
         self.places, self.ideal, self.real = places, ideal, real
-        self._sign, self._coupled = SIGNS[sense], coupled
+        self._sign = SIGNS[sense]
         self._known: dict[float, Found] = {}
         self._ideal_ratios: dict[float, float] = {}
 
@@ -124,10 +113,9 @@ class Moving:
     def _real(self, place: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
         found = self._value(self.real, place)
-        if found is not None or self.is_iterated:
-            return found
-        coupled = self._coupled()
-        return self._value(coupled, place) if coupled else None
+        if found is None and self.real.elsewhere:
+            return self._value(self.real.elsewhere, place)
+        return found
 
     def _value(self, result: Result, place: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""

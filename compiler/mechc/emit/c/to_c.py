@@ -1,7 +1,7 @@
 """C99: a header and a source that C++ reads too, each result for one pose and for many."""
 
 import re
-from collections.abc import Mapping, Set
+from collections.abc import Mapping, Sequence, Set
 from types import ModuleType
 from typing import NamedTuple
 
@@ -15,6 +15,7 @@ from ...routine.steps import (
     Function,
     Solve,
     Solver,
+    every,
     formulas_of,
     mentioned,
     names_of,
@@ -36,6 +37,7 @@ from .solvers import (
     solver_context,
     solvers_of,
 )
+from .status import StatusContext, call, status_context
 
 _CHOICES = {"min": "<", "max": ">"}
 
@@ -68,6 +70,9 @@ class FunctionContext(NamedTuple):
     loop: str
     start: str
     stop: str
+    result: str
+    otherwise: str
+    status: StatusContext | None
 
 
 class HeaderContext(NamedTuple):
@@ -75,7 +80,7 @@ class HeaderContext(NamedTuple):
 
     preface: list[str]
     guard: str
-    functions: list[FunctionContext | PoseContext]
+    functions: list[FunctionContext | StatusContext | PoseContext]
 
 
 class CodeContext(NamedTuple):
@@ -93,7 +98,7 @@ class SourceContext(NamedTuple):
 
     preface: list[str]
     header: str
-    public: list[FunctionContext | PoseContext]
+    public: list[FunctionContext | StatusContext | PoseContext]
     helpers: Set[str]
     choices: list[Line]
     bits: bool
@@ -118,9 +123,10 @@ class Parts(NamedTuple):
     commons: list[CommonContext]
 
     @property
-    def public(self) -> list[FunctionContext | PoseContext]:
+    def public(self) -> list[FunctionContext | StatusContext | PoseContext]:
         """Return what the header declares."""
-        return [*self.functions, *([self.pose] if self.pose else [])]
+        with_statuses = (each for f in self.functions for each in (f, f.status) if each)
+        return [*with_statuses, *([self.pose] if self.pose else [])]
 
 
 class CTarget:
@@ -194,16 +200,18 @@ def _preface(compiled: Compiled) -> list[str]:
 
 def _parts(compiled: Compiled) -> Parts:
     routine, space = compiled.routine, Names(LINKED)
-    written = programs(routine)
-    arguments = mangle((i.name for p in written for i in p.inputs), Names(RESERVED))
-    linked = _symbols(routine.name, [f.name for f in routine.functions], space)
+    written, listed = programs(routine), list(every(routine.functions))
+    statuses = [f.status.name for f in listed if f.status]
+    linked = _symbols(routine.name, [*(f.name for f in listed), *statuses], space)
+    called = [linked[f.otherwise.name].single for f in listed if f.otherwise]
+    arguments = mangle((i.name for p in written for i in p.inputs), Names(RESERVED.besides(called)))
     pose, batch = (space.claim(f"{routine.name}_pose{end}") for end in ("", "_n"))
     found = solvers_of(step for p in written for step in p.steps)
     solvers = {s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)}
     commons = [p for p in written if isinstance(p, Common)]
     handing = {c.number: space.claim(f"{routine.name}_values_{c.number}") for c in commons}
     return Parts(
-        [_function(f, linked[f.name], arguments, solvers, handing) for f in routine.functions],
+        [_function(f, linked, arguments, solvers, handing, listed) for f in listed],
         pose_context(routine.pose, pose, batch, arguments, solvers) if routine.pose else None,
         [solver_context(solver, name) for solver, name in solvers.items()],
         [common_context(c, handing[c.number], arguments, solvers) for c in commons],
@@ -220,13 +228,17 @@ def _symbols(mechanism: str, functions: list[str], space: Names) -> dict[str, Sy
 
 def _function(
     function: Function,
-    linked: Symbols,
+    symbols: Mapping[str, Symbols],
     arguments: Mapping[str, str],
     solvers: Mapping[Solver, str],
     handing: Mapping[int, str],
+    listed: Sequence[Function],
 ) -> FunctionContext:
+    linked, singles = symbols[function.name], {n: s.single for n, s in symbols.items()}
     own = {i.name: arguments[i.name] for i in function.inputs}
-    inner = Names(RESERVED, {*own.values(), *solvers.values(), *handing.values()})
+    other, asked = function.otherwise, function.status
+    called = [singles[other.name]] if other else []
+    inner = Names(RESERVED, {*own.values(), *solvers.values(), *handing.values(), *called})
     outer = Names(RESERVED, {*own.values(), *linked})
     number, loop = outer.claim("n"), outer.claim("i")
     result = outer.claim(function.name)
@@ -236,7 +248,7 @@ def _function(
     else:
         plain, quick = _computed(function, own, solvers, inner)
     return FunctionContext(
-        remarks=[harmless(line) for line in _remarks(function, own, number, result)],
+        remarks=[harmless(line) for line in _remarks(function, own, number, result, singles)],
         single=_single(linked.single, list(own.values())),
         batch=_batch(linked.batch, list(own.values()), number, result),
         kernel=_single(linked.kernel, list(own.values())),
@@ -249,6 +261,13 @@ def _function(
         loop=loop,
         start=outer.claim("start"),
         stop=outer.claim("stop"),
+        result=inner.claim(function.name),
+        otherwise=call(other, singles, own) if other else "",
+        status=status_context(
+            function, {f.name: f for f in listed}, singles, symbols[asked.name].batch, solvers
+        )
+        if asked
+        else None,
     )
 
 
@@ -316,7 +335,13 @@ def _batch(name: str, arguments: list[str], number: str, result: str) -> str:
     return wrapped(f"void {name}(", listed)
 
 
-def _remarks(function: Function, own: Mapping[str, str], number: str, result: str) -> list[str]:
+def _remarks(
+    function: Function,
+    own: Mapping[str, str],
+    number: str,
+    result: str,
+    names: Mapping[str, str],
+) -> list[str]:
     unit = describe.si_unit(function.dimension)
     inputs = [f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in function.inputs]
     conditions = [f"  {line}" for line in describe.condition_lines(function)]
@@ -327,6 +352,7 @@ def _remarks(function: Function, own: Mapping[str, str], number: str, result: st
         "",
         *inputs,
         *(["NaN unless", *conditions] if conditions else []),
+        *describe.remarks(function, names),
         f"{function.operations} operations. The second form computes {result}[0 .. {number} - 1];",
         "its arrays must not overlap.",
     ]

@@ -23,7 +23,7 @@ from ...model.mechanism import (
     Target,
     WithFriction,
 )
-from ...model.result import Definition
+from ...model.result import Definition, Result
 from ...report.derivation.steps import (
     Account,
     Derivation,
@@ -34,14 +34,14 @@ from ...report.derivation.steps import (
     Saying,
     Step,
 )
-from ...routine.steps import Function
 from ...statics.verdict import Trial, Verdict
 from ...study.analysis import Analysis, Break, Trend, Vanishing
-from ..describe import condition_lines, dimension_name, si_unit
+from ..describe import dimension_name, si_unit
 from ..target import Compiled
 from .figure import FIGURE
 from .formula import FORMULA
 from .free_bodies import DIAGRAM
+from .functions import FUNCTION
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
 
 VERSION = 1
@@ -179,6 +179,16 @@ COURSE: Kind[Course] = record(
 _POWERS = map_of(Kind({"type": "integer"}, int))
 _PAIRS = list_of(list_of(TEXT))
 
+ELSEWHERE: Kind[Result] = record(
+    "elsewhere",
+    "A result with friction from coupled equations, whichever way its joints are pressed.",
+    member("formula", "The whole result.", FORMULA, lambda r: r.formula),
+    member("where", "In order of definition.", list_of(DEFINITION), lambda r: r.where),
+    member(
+        "guards", "What must hold, or nothing balances.", list_of(CONDITION), lambda r: r.guards
+    ),
+)
+
 RESULT: Kind[Analysis] = record(
     "result",
     "A find or a let, solved.",
@@ -223,10 +233,12 @@ RESULT: Kind[Analysis] = record(
     ),
     member(
         "guards",
-        "What must hold for a solution to mean anything; code gives NaN elsewhere.",
+        "What must hold for a solution to mean anything. Where one fails, or one of holds, the "
+        "result is the one for elsewhere, and where there is none code gives NaN.",
         list_of(CONDITION),
         lambda r: r.guards,
     ),
+    member("elsewhere", "What holds there.", optional(ELSEWHERE), lambda r: r.elsewhere),
 )
 
 STEP: Kind[Step] = record(
@@ -312,25 +324,6 @@ VERDICT: Kind[Verdict] = record(
     member("worst", "Largest relative difference.", FLOAT, lambda v: v.worst),
     member("trials", "The default pose first.", list_of(TRIAL), lambda v: v.trials),
     member("remarks", "What could not be tried.", list_of(TEXT), lambda v: v.remarks),
-)
-
-FUNCTION: Kind[Function] = record(
-    "function",
-    "A function of the emitted code.",
-    member("name", "The result's.", TEXT, lambda f: f.name),
-    member("inputs", "In order.", list_of(TEXT), lambda f: tuple(i.name for i in f.inputs)),
-    member(
-        "conditions",
-        "Where one is broken, the function gives NaN.",
-        list_of(TEXT),
-        lambda f: tuple(condition_lines(f)),
-    ),
-    member(
-        "operations",
-        "With shared parts computed once.",
-        Kind({"type": "integer"}, int),
-        lambda f: f.operations,
-    ),
 )
 
 DOCUMENT: Kind[Compiled] = record(

@@ -1,6 +1,6 @@
 """Python: one module that needs only NumPy, for floats and arrays alike."""
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from types import ModuleType
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ from ...routine.steps import (
     Function,
     Solve,
     Solver,
+    every,
     formulas_of,
     mentioned,
     names_of,
@@ -33,6 +34,7 @@ from .pose import (
 )
 from .printer import KEYWORDS, MODULES, RESERVED, PythonPrinter
 from .solvers import SolverContext, line, solver_context, solver_names
+from .status import StatusContext, status_context
 
 _MAY_FAIL = ("asin", "acos", "sqrt", "log", "exp", "tan", "cot", "sec", "csc")
 
@@ -51,6 +53,9 @@ class FunctionContext(NamedTuple):
     result: str
     quiet: bool
     operations: int
+    remarks: list[str]
+    otherwise: str
+    status: StatusContext | None
 
 
 class ModuleContext(NamedTuple):
@@ -93,11 +98,15 @@ def _stem(options: Options) -> str:
 def _module(compiled: Compiled) -> ModuleContext:
     routine = compiled.routine
     space = Names(RESERVED)
-    names = mangle((f.name for f in routine.functions), space)
+    listed = list(every(routine.functions))
+    statuses = [f.status.name for f in listed if f.status]
+    names = mangle((*(f.name for f in listed), *statuses), space)
     parts = programs(routine)
-    arguments = mangle((i.name for part in parts for i in part.inputs), Names(RESERVED))
+    called = [names[f.otherwise.name] for f in listed if f.otherwise]
+    free = Names(RESERVED.besides(called))
+    arguments = mangle((i.name for part in parts for i in part.inputs), free)
     solvers = solver_names(step for part in parts for step in part.steps)
-    functions = [_function(f, names[f.name], arguments, solvers) for f in routine.functions]
+    functions = [_function(f, names, arguments, solvers, listed) for f in listed]
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
@@ -125,10 +134,15 @@ def _preface(compiled: Compiled) -> list[str]:
 
 
 def _function(
-    function: Function, name: str, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+    function: Function,
+    names: Mapping[str, str],
+    arguments: Mapping[str, str],
+    solvers: Mapping[Solver, str],
+    listed: Sequence[Function],
 ) -> FunctionContext:
     own = {i.name: arguments[i.name] for i in function.inputs}
-    space = Names(RESERVED, set(own.values()))
+    other = function.otherwise
+    space = Names(RESERVED, {*own.values(), *([names[other.name]] if other else [])})
     result = space.claim(function.name if function.name not in own else "result")
     lines, printer = (
         _taken(function.common, own, space)
@@ -137,7 +151,7 @@ def _function(
     )
     unit = describe.si_unit(function.dimension)
     return FunctionContext(
-        name=name,
+        name=names[function.name],
         arguments=list(own.values()),
         title=_quoted(describe.one_line(function.title)),
         unit=f", in {unit}" if unit else "",
@@ -151,6 +165,11 @@ def _function(
         result=result,
         quiet=function.common is not None or _may_fail(function),
         operations=function.operations,
+        remarks=[_quoted(words) for words in describe.remarks(function, names)],
+        otherwise=f"{names[other.name]}({', '.join(own[i.name] for i in other.inputs)})"
+        if other
+        else "",
+        status=status_context(function, {f.name: f for f in listed}, names, solvers),
     )
 
 

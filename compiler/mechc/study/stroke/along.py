@@ -9,7 +9,7 @@ from ...formula.tree import Formula
 from ...formula.walk import evaluate, symbols
 from ...kinematics.plan import Plan
 from ...model.result import Result
-from ...model.values import Chain, Values, allowed, completed, defaults, dependent, holds
+from ...model.values import Chain, Values, allowed, completed, defaults, dependent, standing
 
 NOT_ASSEMBLED = "cannot be assembled"
 EXCLUDED = "excluded by a condition of use"
@@ -62,13 +62,16 @@ class Along:
     def of(self, formula: Formula, where: Result | None, place: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none.
 
-        It has none either where a condition of the result is broken.
+        It has none either where a condition of the result is broken; where the result has a
+        form for elsewhere, its value is that of the form that stands.
         """
         values = self.values(place)
         if where:
-            values = completed(values, (d for d in where.where if d.name not in values))
-            if not all(holds(guard, values) for guard in where.guards):
+            found = standing(where, values)
+            if found is None:
                 return math.nan
+            formula = found.formula if formula is where.formula else formula
+            values = completed(values, (d for d in found.where if d.name not in values))
         return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan
 
     def inside(self, value: Product, place: float) -> float:

@@ -27,7 +27,7 @@ def some(places: Sequence[float], result: Analysis) -> Sequence[float]:
 def in_code(result: Analysis, solution: Solution) -> Analysis:
     """Return a result as code takes it, with signs that follow from the pose."""
     whole = next(r for r in solution.results if r.name == result.name)
-    return replace(result, formula=whole.formula, where=whole.where)
+    return replace(result, formula=whole.formula, where=whole.where, guards=whole.guards)
 
 
 def stuck(results: Iterable[Analysis], drive: str) -> Iterator[Stuck]:

@@ -1,0 +1,89 @@
+"""The function that says whether a result with friction moves, for one pose and for many."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from ...routine.steps import STATUSES, Function, Solver, mentioned, names_of
+from .. import describe
+from ..names import Names, mangle
+from .layout import harmless, wrapped
+from .printer import CPrinter
+from .reserved import RESERVED
+from .solvers import lines
+
+
+class StatusContext(NamedTuple):
+    """Fields are what ``c/status.jinja`` and ``c/declarations.jinja`` mention."""
+
+    remarks: list[str]
+    single: str
+    batch: str
+    value: str
+    ideal: str
+    body: list[str]
+    conditions: list[str]
+    loops: list[str]
+    friction: str
+    stuck: tuple[int, int]
+    call: str
+    number: str
+    loop: str
+
+
+OWN = ("value", "ideal", "is_ahead", "status", "n", "i")
+"""What the template calls its own."""
+
+
+def status_context(
+    function: Function,
+    functions: Mapping[str, Function],
+    names: Mapping[str, str],
+    batch: str,
+    solvers: Mapping[Solver, str],
+) -> StatusContext | None:
+    """Return the status of a function, None where it has none; ``names`` are at file scope."""
+    asked = function.status
+    if asked is None:
+        return None
+    reserved = RESERVED.besides([*OWN, *names.values(), batch, *solvers.values()])
+    own = mangle((i.name for i in asked.inputs), Names(reserved))
+    space = Names(reserved, set(own.values()))
+    printer = CPrinter(own | mangle((n for s in asked.steps for n in names_of(s)), space))
+    sides = [side for g in asked.guards for side in (g.left, g.right)]
+    body, statuses = lines(asked.steps, mentioned(asked.steps, sides), solvers, printer, space)
+    single, inputs = names[asked.name], list(own.values())
+    arrays = [f"const double *MECHC_RESTRICT {name}" for name in inputs]
+    listed = ["size_t n", *arrays, "int *MECHC_RESTRICT status"]
+    return StatusContext(
+        [harmless(line) for line in _remarks(function, own)],
+        wrapped(f"int {single}(", [f"double {a}" for a in inputs] or ["void"]),
+        wrapped(f"void {batch}(", listed),
+        call(function, names, own),
+        call(functions[asked.ideal], names, own),
+        body,
+        [printer.condition(g) for g in asked.guards],
+        statuses[:-1],
+        statuses[-1] if statuses else "2",
+        (4, 3) if asked.sense > 0 else (3, 4),
+        f"{single}({', '.join(f'{a}[i]' for a in inputs)})",
+        "n",
+        "i",
+    )
+
+
+def call(function: Function, names: Mapping[str, str], own: Mapping[str, str]) -> str:
+    """Return a call of a function with arguments of these names."""
+    return f"{names[function.name]}({', '.join(own[i.name] for i in function.inputs)})"
+
+
+def _remarks(function: Function, own: Mapping[str, str]) -> list[str]:
+    inputs = function.status.inputs if function.status else ()
+    return [
+        f"The status of {function.name}, which tells its numbers and NaN apart:",
+        "",
+        *(f"  {line}" for line in describe.numbered(STATUSES)),
+        "",
+        *(f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in inputs),
+        "",
+        "The second form computes the elements 0 .. n - 1; its arrays must not overlap.",
+    ]

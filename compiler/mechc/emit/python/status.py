@@ -1,0 +1,72 @@
+"""The function that says whether a result with friction moves."""
+
+from collections.abc import Mapping
+from typing import NamedTuple
+
+from ...routine.steps import STATUSES, Function, Solve, Solver, mentioned, names_of
+from .. import describe
+from ..names import Names, mangle
+from ..render import Line
+from .printer import RESERVED, PythonPrinter
+from .solvers import line
+
+
+class StatusContext(NamedTuple):
+    """Fields are what ``python/status.jinja`` mentions."""
+
+    name: str
+    of: str
+    arguments: list[str]
+    inputs: list[Line]
+    meanings: list[str]
+    value: str
+    ideal: str
+    body: list[Line]
+    conditions: list[str]
+    loops: list[str]
+    friction: str
+    stuck: tuple[int, int]
+
+
+OWN = ("value", "ideal", "ahead", "found")
+"""What the template calls its own."""
+
+
+def status_context(
+    function: Function,
+    functions: Mapping[str, Function],
+    names: Mapping[str, str],
+    solvers: Mapping[Solver, str],
+) -> StatusContext | None:
+    """Return the status of a function, None where it has none."""
+    asked = function.status
+    if asked is None:
+        return None
+    reserved = RESERVED.besides([*OWN, *names.values()])
+    own = mangle((i.name for i in asked.inputs), Names(reserved))
+    space = Names(reserved, set(own.values()))
+    printer = PythonPrinter(own | mangle((n for s in asked.steps for n in names_of(s)), space))
+    sides = [side for g in asked.guards for side in (g.left, g.right)]
+    used, statuses, body = mentioned(asked.steps, sides), list[str](), list[Line]()
+    for step in asked.steps:
+        status = space.claim("status_1") if isinstance(step, Solve) else ""
+        body.append(line(step, used, solvers, printer, status))
+        statuses += [status] if status else []
+    return StatusContext(
+        names[asked.name],
+        function.name,
+        list(own.values()),
+        [Line(own[i.name], describe.input_words(i, own[i.name])) for i in asked.inputs],
+        list(describe.numbered(STATUSES)),
+        _call(function, names, own),
+        _call(functions[asked.ideal], names, own),
+        body,
+        [printer.condition(g) for g in asked.guards],
+        statuses[:-1],
+        statuses[-1] if statuses else "2",
+        (4, 3) if asked.sense > 0 else (3, 4),
+    )
+
+
+def _call(function: Function, names: Mapping[str, str], own: Mapping[str, str]) -> str:
+    return f"{names[function.name]}({', '.join(own[i.name] for i in function.inputs)})"
