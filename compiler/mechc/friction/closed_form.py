@@ -1,6 +1,6 @@
 """A closed form: as code takes it, and as it is printed."""
 
-from collections.abc import Callable, Iterator, Mapping, Sequence, Set
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple, Protocol
 
 from ..algebra.factors import Factor, Trig
@@ -71,9 +71,8 @@ class Way(Protocol):
         ...
 
 
-def closed_form(way: Callable[[Signs], Way], factor: Product, taken: Set[str]) -> Named:
+def closed_form(way: Callable[[Signs], Way], factor: Product, signs: AtAnyPose) -> Named:
     """Return the driving load times a factor, with signs that follow from the pose."""
-    signs = AtAnyPose(taken)
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
     return Named(formula, tuple(signs.definitions), _positive(solver))

@@ -110,7 +110,7 @@ class Drives:
 
 def _not_negative(share: Formula) -> Formula:
     """Return a share of the power, 0 where all of it is friction's."""
-    return Call("max", (ZERO, share))
+    return Call("max", (share, ZERO))
 
 
 def _sign(result: Result, box: Box) -> int | None:

@@ -6,6 +6,7 @@ from typing import assert_never
 from ..algebra.product import Product
 from ..algebra.sums import canonical
 from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
+from ..formula.walk import substitute
 from ..model.mechanism import Link
 from .free_bodies import Bodies, Kind, Pull
 from .lever import moment
@@ -58,8 +59,10 @@ class Notes:
                 equations = _across(pulls, found)
             case _:
                 assert_never(kind)
-        told = {d.name for d in self._signs.definitions}
-        equations += [(Symbol(n), s.formula()) for n, s in found.items() if n not in told]
+        told = {Symbol(d.name) for d in self._signs.definitions}
+        named = {n: s.formula() for n, s in found.items() if s.formula() in told}
+        equations = [(substitute(a, named), substitute(b, named)) for a, b in equations]
+        equations += [(Symbol(n), s.formula()) for n, s in found.items() if n not in named]
         self._note(kind, body, pivot, sense, equations)
 
     def _note(

@@ -11,10 +11,9 @@ from ..diagnostics import Report
 from ..diagnostics import friction as words
 from ..diagnostics.power import transmission_presses
 from ..formula.tree import ZERO, Formula
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.release import unclear
-from ..model.boxes import allowed_box
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -33,20 +32,22 @@ from ..model.targets import SIGNS
 from ..power.balance import Balance
 from ..power.definitions import bound_sums, intermediates
 from ..power.loads import given_size
-from ..power.numbers import default_values, value_of
+from ..power.numbers import value_of
 from ..power.speeds import magnitude
 from .assumptions import assumptions
 from .closed_form import Named, Printed, Way, closed_form, printed_form
 from .coupled import Sizes, true_sizes
+from .default import DefaultPose
 from .efficiency import Drives
 from .free_bodies import Entangled, Task
 from .iterated import exact, exact_case, first_order, first_order_case
 from .joint_forces import ForceWithFriction
 from .linear import Straight
+from .naming import Endings, Meanings, with_one_meaning
 from .normal_forces import Idle, Pressed, PressedByAnother, Undetermined, press, scaled
 from .pairs import Rub, rubs
 from .sequential import Chain
-from .signs import AtOnePose, Signs
+from .signs import AtAnyPose, Signs
 from .solution import SolvedWithFriction
 from .steps import Step
 
@@ -71,6 +72,9 @@ class FrictionResults:
         self._rubs: tuple[Rub, ...] = rubs(balance.plan.graph.pose)
         self._pressed: dict[str, tuple[Pressed, ...] | None] = {}
         self._known: dict[object, tuple[Pressed, ...] | None] = {}
+        self._true: dict[tuple[int, int], Sizes] = {}
+        self._in_code, self._endings = Meanings(), Endings()
+        self._default = DefaultPose(balance.plan, self._valued, self._taken())
 
     def _weights(self) -> Iterator[tuple[str, Formula]]:
         """Yield the loads of known size, such as weights."""
@@ -133,21 +137,22 @@ class FrictionResults:
         if pressed is None:
             return None
         added = scaled(pressed, case.factor)
+        endings = self._endings.of(case.ideal.name, sense)
         if order == "first":
             return replace(
                 first_order(case.ideal.formula, added, sign, self._mechanism),
-                case=self._at_default(
-                    partial(first_order_case, find.name, case.ideal, added, sign)
+                case=self._default.printed(
+                    partial(first_order_case, find.name, case.ideal, added, sign), endings
                 ),
             )
-        closed = self._closed(case, pressed, sign)
+        closed = self._closed(case, pressed, sign, endings)
         pose, driving = self._plan.graph.pose, case.driving
         for remark in assumptions(pose, driving, case.given, exact=closed is not None):
             self._report.add(remark)
-        sizes = true_sizes(pressed, sign, self._taken())
+        sizes = self._sizes_of(pressed, sign, endings)
         if closed and self._stands(find, case.ideal, closed):
             return replace(closed, elsewhere=self._anywhere(case.ideal, added, sizes))
-        iterated = self._iterated(case.ideal, added, sizes)
+        iterated = self._iterated(case.ideal, added, sizes, endings)
         if closed and not self._stands(find, case.ideal, iterated):
             return replace(closed, elsewhere=self._anywhere(case.ideal, added, sizes))
         return iterated
@@ -158,18 +163,32 @@ class FrictionResults:
         A closed form has none where friction turns a pressing force round: there it takes
         iteration. Neither has one where the drive jams.
         """
-        value = value_of(self._result(find, ideal, found), self._values())
+        value = value_of(self._result(find, ideal, found), self._default.values())
         return value is None or math.isfinite(value)
 
-    def _closed(self, case: Case, pressed: Sequence[Pressed], sense: int) -> Named | None:
+    def _sizes_of(self, pressed: tuple[Pressed, ...], sense: int, endings: Sequence[str]) -> Sizes:
+        """Return the true sizes of pressing forces, once for all results that rest on them."""
+        key = id(pressed), sense
+        if key not in self._true:
+            found = true_sizes(pressed, sense, self._taken())
+            self._true[key] = with_one_meaning(
+                found, (self._in_code, self._default.meanings), endings
+            )
+        return self._true[key]
+
+    def _closed(
+        self, case: Case, pressed: Sequence[Pressed], sense: int, endings: Sequence[str]
+    ) -> Named | None:
         """Return the first closed form that there is; None where all equations hang together."""
         for way in self._ways(case, pressed, sense):
             try:
-                found = closed_form(way, case.factor, self._taken())
+                signs = AtAnyPose(self._taken(), self._in_code, endings)
+                found = closed_form(way, case.factor, signs)
             except Entangled:
                 continue
+            self._in_code.note(found.where)
             printed = partial(printed_form, way, case.factor)
-            return replace(found, case=self._at_default(printed))
+            return replace(found, case=self._default.printed(printed, endings))
         return None
 
     def _ways(
@@ -185,37 +204,17 @@ class FrictionResults:
         ideal = canonical(-(add(works) / columns[case.driving][0]))
         yield lambda signs: Straight(case.driving, ideal, pressed, signs, sense)
 
-    def _at_default(self, printed: Callable[[AtOnePose], Printed]) -> Printed | None:
-        """Return what is printed for the default pose; None where a value or a sign is missing."""
-        values = self._values()
-        taken = values.keys() | self._taken()
-        try:
-            return printed(AtOnePose(taken, values, allowed_box(self._mechanism)))
-        except (KeyError, Entangled):
-            return None
-
-    def _values(self) -> dict[str, float]:
-        """Return the default pose's values, with loads of unknown size near 1, none like another.
-
-        Equal ones may cancel in a joint; the order of lines may not change them.
-        """
-        loads = sorted(self._mechanism.loads, key=lambda load: load.name)
-        values = {load.name: 1 + i / 7 for i, load in enumerate(loads)}
-        values |= default_values(self._plan)
-        for name, formula in self._valued.items():
-            if symbols(formula) <= values.keys():
-                values[name] = evaluate(formula, values)
-        return values
-
     def _anywhere(self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
         """Return the load by Newton's method, whichever way the joints are pressed."""
         positive = partial(magnitude, mechanism=self._mechanism)
         return exact(ideal.formula, pressed, sizes, positive)
 
-    def _iterated(self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
+    def _iterated(
+        self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes, endings: Sequence[str]
+    ) -> Named:
         """Return the load by Newton's method, as it is printed for the default pose."""
         found = self._anywhere(ideal, pressed, sizes)
-        case = self._at_default(partial(exact_case, ideal.formula, pressed, sizes))
+        case = self._default.printed(partial(exact_case, ideal.formula, pressed, sizes), endings)
         return replace(found, case=case)
 
     def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
@@ -265,11 +264,12 @@ class FrictionResults:
         pressed = self._press(find, case)
         if pressed is None:
             return None
-        sizes = true_sizes(pressed, SIGNS[sense], self._taken())
+        endings = self._endings.of(ideal.name, sense)
+        sizes = self._sizes_of(pressed, SIGNS[sense], endings)
         found = ForceWithFriction(force, self._plan, self._driving, pressed, sizes)
         if found.transmitted is None:
             return None
-        named = replace(found.at_any_pose(), case=self._at_default(found.at_one_pose))
+        named = replace(found.at_any_pose(), case=self._default.printed(found.at_one_pose, endings))
         result = self._result(find, replace(ideal, where=()), named)
         sums = [
             d

@@ -6,7 +6,7 @@ states one case, that of the default pose.
 """
 
 import math
-from collections.abc import Mapping, Set
+from collections.abc import Mapping, Sequence, Set
 from typing import Literal, Protocol
 
 from ..algebra.angle import Angle, Rational
@@ -17,6 +17,7 @@ from ..algebra.trigonometry import cosine, sine
 from ..formula.tree import Call, Formula
 from ..formula.walk import evaluate
 from ..model.result import Definition
+from .naming import Meanings
 
 Inverse = Literal["asin", "atan"]
 """The function that gives a turn."""
@@ -71,9 +72,9 @@ class Signs(Protocol):
 class _Names:
     """The names in order of definition; what is the same has one name."""
 
-    def __init__(self, taken: Set[str]) -> None:
+    def __init__(self, taken: Set[str], meanings: Meanings, endings: Sequence[str]) -> None:
         self.definitions: list[Definition] = []
-        self._taken = set(taken)
+        self._taken, self._meanings, self._endings = set(taken), meanings, endings
         self._known: dict[Formula, str] = {}
 
     def named(self, name: str, value: Product) -> Product:
@@ -85,10 +86,19 @@ class _Names:
     def define(self, name: str, formula: Formula) -> str:
         """Return what a formula is called from now on."""
         if formula not in self._known:
-            name = self.fresh(name)
+            name = self._with_one_meaning(name, formula)
             self._known[formula] = name
             self.definitions.append(Definition(name, formula))
         return self._known[formula]
+
+    def _with_one_meaning(self, name: str, formula: Formula) -> str:
+        """Return a name that is free here and means nothing else in other results."""
+        ways = (name, *(f"{name}_{ending}" for ending in self._endings))
+        allowed = (n for n in ways if n not in self._taken and self._meanings.allow(n, formula))
+        name = self.fresh(next(allowed, ways[-1]))
+        while not self._meanings.allow(name, formula):
+            name = self.fresh(name)
+        return name
 
     def fresh(self, name: str) -> str:
         """Return a name that nothing else has: ``name``, if that is free."""
@@ -110,8 +120,8 @@ class AtAnyPose(_Names):
 
     is_read = False
 
-    def __init__(self, taken: Set[str]) -> None:
-        super().__init__(taken)
+    def __init__(self, taken: Set[str], meanings: Meanings, endings: Sequence[str]) -> None:
+        super().__init__(taken, meanings, endings)
         self._own: set[Factor] = set()
 
     def radius(self, name: str, factor: Product) -> Product:
@@ -151,8 +161,15 @@ class AtOnePose(_Names):
 
     is_read = True
 
-    def __init__(self, taken: Set[str], values: Mapping[str, float], box: Box) -> None:
-        super().__init__(taken)
+    def __init__(
+        self,
+        taken: Set[str],
+        meanings: Meanings,
+        endings: Sequence[str],
+        values: Mapping[str, float],
+        box: Box,
+    ) -> None:
+        super().__init__(taken, meanings, endings)
         self._values, self._box = dict(values), dict(box)
         self.conditions: dict[Formula, int] = {}
 

@@ -1,0 +1,48 @@
+"""What is printed of a result with friction: its case at the default pose."""
+
+from collections.abc import Callable, Mapping, Sequence, Set
+
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..kinematics.plan import Plan
+from ..model.boxes import allowed_box
+from ..power.numbers import default_values
+from .closed_form import Printed
+from .free_bodies import Entangled
+from .naming import Meanings
+from .signs import AtOnePose
+
+
+class DefaultPose:
+    """The default pose's values; ``valued`` are loads of known size, by formula."""
+
+    def __init__(self, plan: Plan, valued: Mapping[str, Formula], taken: Set[str]) -> None:
+        self._mechanism = plan.graph.pose.mechanism
+        self._plan, self._valued, self._taken = plan, valued, taken
+        self.meanings = Meanings()
+
+    def printed(
+        self, way: Callable[[AtOnePose], Printed], endings: Sequence[str]
+    ) -> Printed | None:
+        """Return what is printed for the pose; None where a value or a sign is missing."""
+        values, box = self.values(), allowed_box(self._mechanism)
+        taken = values.keys() | self._taken
+        try:
+            found = way(AtOnePose(taken, self.meanings, endings, values, box))
+        except (KeyError, Entangled):
+            return None
+        self.meanings.note(found.where)
+        return found
+
+    def values(self) -> dict[str, float]:
+        """Return the values, with loads of unknown size near 1, none like another.
+
+        Equal ones may cancel in a joint; the order of lines may not change them.
+        """
+        loads = sorted(self._mechanism.loads, key=lambda load: load.name)
+        values = {load.name: 1 + i / 7 for i, load in enumerate(loads)}
+        values |= default_values(self._plan)
+        for name, formula in self._valued.items():
+            if symbols(formula) <= values.keys():
+                values[name] = evaluate(formula, values)
+        return values

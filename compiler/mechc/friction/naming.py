@@ -1,0 +1,76 @@
+"""Names that mean one thing in all results of a mechanism.
+
+The force in a rod is another one while the drive tightens than while it just holds. Where a
+name stands for something else already, it gets an ending: ``S_AB_hold``, or ``S_AB_m_f`` in the
+results of a ratio m.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+from ..formula.tree import Formula, Symbol
+from ..formula.walk import substitute
+from ..model.mechanism import Sense
+from ..model.result import Definition
+from .coupled import Sizes
+
+
+class Meanings:
+    """What names stand for in the results so far."""
+
+    def __init__(self) -> None:
+        self._formulas: dict[str, Formula] = {}
+
+    def allow(self, name: str, formula: Formula) -> bool:
+        """Tell whether a name is free, or stands for this formula already."""
+        return self._formulas.get(name, formula) == formula
+
+    def note(self, definitions: Iterable[Definition]) -> None:
+        """Keep what names stand for from now on."""
+        self._formulas.update(definitions)
+
+
+class Endings:
+    """The endings of names, by the ratio and the motion that they belong to."""
+
+    def __init__(self) -> None:
+        self._first: Sense | None = None
+
+    def of(self, ideal: str, sense: Sense) -> tuple[str, ...]:
+        """Return what names may end in, what is shortest first.
+
+        >>> endings = Endings()
+        >>> endings.of("k", "tightening"), endings.of("k", "releasing")
+        (('k_f',), ('hold', 'k_hold'))
+        """
+        self._first = self._first or sense
+        return (f"{ideal}_f",) if sense == self._first else ("hold", f"{ideal}_hold")
+
+
+def with_one_meaning(sizes: Sizes, meanings: Sequence[Meanings], endings: Sequence[str]) -> Sizes:
+    """Return sizes with all their names ended alike, so that each is new, and keep them."""
+    for ending in _tried(endings):
+        found = _ended(sizes, ending) if ending else sizes
+        if all(m.allow(*definition) for m in meanings for definition in found.definitions):
+            break
+    for each in meanings:
+        each.note(found.definitions)
+    return found
+
+
+def _tried(endings: Sequence[str]) -> Iterator[str]:
+    yield from ("", *(f"_{ending}" for ending in endings))
+    longer = f"_{endings[-1]}"
+    while True:
+        yield (longer := f"{longer}_")
+
+
+def _ended(sizes: Sizes, ending: str) -> Sizes:
+    """Return sizes under other names; the system keeps its own, which nobody else sees."""
+    names = {d.name: Symbol(f"{d.name}{ending}") for d in sizes.definitions}
+    definitions = (Definition(names[n].name, substitute(f, names)) for n, f in sizes.definitions)
+    return Sizes(
+        {rub: names[name].name for rub, name in sizes.names.items()},
+        tuple(definitions),
+        sizes.sense,
+        tuple(substitute(f, names) for f in sizes.positive),
+    )
