@@ -74,15 +74,16 @@ def _with_default(
 def _jams(find: Find, number: float | None, ideal: float | None) -> bool:
     """Return whether the drive has to move the mechanism and no force of it does.
 
-    A result may be infinite where the one without friction is, too.
+    A result may be infinite where the one without friction is, too, and a force at a joint.
     """
     match find.target:
-        case WithFriction(of, sense, order) if order != "first":
-            driven = ideal if ideal is not None and isinstance(of, LoadRatio | LoadForm) else 0.0
-            follows = SIGNS[sense] * driven < 0
-            if number is None or number == math.inf or follows:
+        case WithFriction(of, sense, order) if order != "first" and number is not None:
+            is_load = isinstance(of, LoadRatio | LoadForm)
+            if math.isinf(number) and not (is_load and ideal is not None):
                 return False
-            return not (math.isfinite(number) and number * driven >= 0)
+            driven = ideal if ideal is not None and is_load else 0.0
+            follows = SIGNS[sense] * driven < 0
+            return not follows and not (math.isfinite(number) and number * driven >= 0)
         case _:
             return False
 

@@ -22,7 +22,7 @@ from ..algebra.sums import add
 from ..formula.tree import Call, negative, number, power, product, quotient, total
 from ..pose.pose import Vector
 from ..power.speeds import root
-from .free_bodies import Pull
+from .free_bodies import Entangled, Pull
 from .signs import Signs
 
 TWO = number(2)
@@ -93,6 +93,8 @@ def _parallel(
     pressed = signs.of(f"s_{label}_pivot", add((arm * along, rest)))
     lever = turn * pressed * radius
     left = add((arm, -lever))
+    if not left:
+        raise Entangled
     return Balanced(add((lever * along, rest)) / left, arm * left)
 
 
