@@ -86,3 +86,37 @@ def test_beside_a_dead_centre_a_status_tells_what_is_stuck(alpha, name, value, s
     assert status(function, TONGS["k"], values) == state
     eta = evaluate(TONGS["eta_k"], values)
     assert math.isnan(eta) or 0 <= eta < 1
+
+
+KNEE = """\
+mechanism knee
+param al = 20 deg in 10 deg .. 40 deg
+pivot O
+slider K along x
+link OB
+link BK
+OB = 100 mm @ al
+BK = 100 mm @ -al
+force P at B along -60 deg
+force F at K along -x
+friction pins 0.1 diameter 10 mm
+find R_O
+"""
+
+LEVER = """\
+mechanism lever
+pivot O
+link AOB
+OA = 100 mm @ 180 deg
+OB = 100 mm @ 0 deg
+force P at A along -y
+force F at B along -y
+friction pin O 10 diameter 20 mm
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(("text", "code"), [(KNEE, "W540"), (LEVER, "W513")])
+def test_what_is_taken_and_what_is_infinite_is_told(text, code):
+    """A load on a pin where forces alone are asked for; an arm as long as the friction circle."""
+    assert code in [d.code for d in mechc.loads(text).warnings]

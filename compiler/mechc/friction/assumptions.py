@@ -7,7 +7,16 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import friction as words
 from ..formula.tree import ZERO
 from ..kinematics.release import Bond
-from ..model.mechanism import Force, Load, RubbingPin, Thrust
+from ..model.mechanism import (
+    Force,
+    Load,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    RubbingPin,
+    Thrust,
+    WithFriction,
+)
 from ..pose.pose import Pose
 from ..power.reactions import Reactions
 from .normal_forces import Given
@@ -31,6 +40,14 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
         elif acting and not (exact and len(bodies) == 2 and _alike(pin, pose, driving, given)):
             for load in acting:
                 yield words.load_on_a_pin(load.span, load.name, pin.point, pin.carrier, bodies)
+
+
+def asks_for_loads(mechanism: Mechanism) -> bool:
+    """Tell whether a load or a ratio with friction is asked for, which remarks on pins itself."""
+    targets = (find.target for find in mechanism.finds)
+    return any(
+        isinstance(t, WithFriction) and isinstance(t.of, LoadRatio | LoadForm) for t in targets
+    )
 
 
 def acts_on_pin(load: Load, point: str) -> bool:

@@ -3,7 +3,6 @@
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
-from typing import NamedTuple
 
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
@@ -34,7 +33,8 @@ from ..power.definitions import bound_sums, intermediates
 from ..power.loads import given_size
 from ..power.numbers import value_of
 from ..power.speeds import magnitude
-from .assumptions import assumptions
+from .assumptions import asks_for_loads, assumptions
+from .case import Case
 from .closed_form import Named, Printed, Way, closed_form, printed_form
 from .coupled import Sizes, true_sizes
 from .default import DefaultPose
@@ -50,15 +50,6 @@ from .sequential import Chain
 from .signs import AtAnyPose, Signs
 from .solution import SolvedWithFriction
 from .steps import Step
-
-
-class Case(NamedTuple):
-    """A result without friction: which load drives, by how much what is asked exceeds it."""
-
-    ideal: Result
-    driving: str
-    factor: Product
-    given: Mapping[str, Product]
 
 
 class FrictionResults:
@@ -146,9 +137,7 @@ class FrictionResults:
                 ),
             )
         closed = self._closed(case, pressed, sign, endings)
-        pose, driving = self._plan.graph.pose, case.driving
-        for remark in assumptions(pose, driving, case.given, exact=closed is not None):
-            self._report.add(remark)
+        self._remark_on_pins(case, exact=closed is not None)
         sizes = self._sizes_of(pressed, sign, endings)
         if closed and self._stands(find, case.ideal, closed):
             return replace(closed, elsewhere=self._anywhere(case.ideal, added, sizes))
@@ -165,6 +154,10 @@ class FrictionResults:
         """
         value = value_of(self._result(find, ideal, found), self._default.values())
         return value is None or math.isfinite(value)
+
+    def _remark_on_pins(self, case: Case, *, exact: bool) -> None:
+        for remark in assumptions(self._plan.graph.pose, case.driving, case.given, exact=exact):
+            self._report.add(remark)
 
     def _sizes_of(self, pressed: tuple[Pressed, ...], sense: int, endings: Sequence[str]) -> Sizes:
         """Return the true sizes of pressing forces, once for all results that rest on them."""
@@ -265,6 +258,9 @@ class FrictionResults:
         if pressed is None:
             return None
         endings = self._endings.of(ideal.name, sense)
+        if not asks_for_loads(self._mechanism):
+            exact = self._closed(case, pressed, SIGNS[sense], endings) is not None
+            self._remark_on_pins(case, exact=exact)
         sizes = self._sizes_of(pressed, SIGNS[sense], endings)
         found = ForceWithFriction(force, self._plan, self._driving, pressed, sizes)
         if found.transmitted is None:
