@@ -35,7 +35,7 @@ class Ratios:
 
     def __init__(self, compilation: Compilation, result: Result) -> None:
         functions = {f.name: f for f in compilation.routine.functions}
-        named = {r.target: r.name for r in compilation.balance.results}
+        named = {r.target: r.name for r in compilation.solution.results}
         target = result.target
         assert isinstance(target, WithFriction | Efficiency)
         self.sense = SIGNS[target.sense]

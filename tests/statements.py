@@ -14,9 +14,8 @@ from mechc.formula.tree import Formula, Implicit
 from mechc.formula.walk import FUNCTIONS, symbols, walk
 from mechc.formula.walk import evaluate as slowly
 from mechc.model.mechanism import Mechanism
-from mechc.model.result import Break
 from mechc.model.values import bounds, defaults, dependent, independent
-from mechc.study.analysis import Analysis, Vanishing
+from mechc.study.analysis import Analysis, Break, Vanishing
 
 Values = Mapping[str, float]
 Curve = Callable[[float], float]

@@ -13,6 +13,7 @@ from mechc.formula.tree import Formula
 from mechc.model.result import Result
 from mechc.routine.evaluate import evaluate, status
 from mechc.source import Source
+from mechc.study.analysis import as_printed
 from test_friction_random import rubbing
 
 LIBRARY = Path(__file__).parent.parent / "library"
@@ -36,8 +37,8 @@ def assert_one_meaning(results: Iterable[Result]) -> None:
 
 def assert_names_mean_one_thing(compilation: Compilation) -> None:
     """In code, and on paper."""
-    assert_one_meaning(compilation.balance.results)
-    assert_one_meaning(r.printed() for r in compilation.balance.results)
+    assert_one_meaning(compilation.solution.results)
+    assert_one_meaning(as_printed(r) for r in compilation.solution.results)
 
 
 @pytest.mark.parametrize("name", SHELF)
@@ -100,6 +101,7 @@ BK = 100 mm @ -al
 force P at B along -60 deg
 force F at K along -x
 friction pins 0.1 diameter 10 mm
+let F = 400 N
 find R_O
 """
 

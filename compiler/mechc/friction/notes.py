@@ -23,6 +23,7 @@ class Notes:
     def __init__(self, bodies: Bodies, signs: Signs) -> None:
         self._bodies, self._signs = bodies, signs
         self.steps: list[Step] = []
+        self._named: dict[str, Formula] = {}
         self._told = 0
 
     def rod(self, rod: Link, sense: Product, resistances: Sequence[Product], turn: Product) -> None:
@@ -60,7 +61,8 @@ class Notes:
             case _:
                 assert_never(kind)
         told = {Symbol(d.name) for d in self._signs.definitions}
-        named = {n: s.formula() for n, s in found.items() if s.formula() in told}
+        self._named |= {n: s.formula() for n, s in found.items() if s.formula() in told}
+        named = self._named
         equations = [(substitute(a, named), substitute(b, named)) for a, b in equations]
         equations += [(Symbol(n), s.formula()) for n, s in found.items() if n not in named]
         self._note(kind, body, pivot, sense, equations)
