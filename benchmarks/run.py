@@ -26,7 +26,7 @@ from mechc.emit.target import Options
 from mechc.files import library, read
 from mechc.formula.to_sympy import to_sympy
 from mechc.frozen import replace
-from mechc.kinematics.from_pose import arrange
+from mechc.kinematics.from_pose import plan_velocities
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Mechanism
 from mechc.pose.from_model import settle
@@ -122,7 +122,7 @@ def _against(name: str, peer: Callable[[], sympy.Expr], rounds: int) -> tuple[ob
 def solve(mechanism: Mechanism, source: Source) -> Balance:
     """Return the solved power equation of a mechanism."""
     report = Report(source)
-    return balance(arrange(settle(mechanism, report), report), report)
+    return balance(plan_velocities(settle(mechanism, report), report), report)
 
 
 def _agree(own: sympy.Expr, other: sympy.Expr) -> None:

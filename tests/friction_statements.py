@@ -10,7 +10,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 
 from mechc.driver import Compilation
-from mechc.model.locking import USUAL, Course, Reach
+from mechc.model.locking import USUAL, EfficiencyRange, LockingIntervals
 from mechc.model.result import Result
 from mechc.model.targets import SIGNS, Efficiency, WithFriction
 from mechc.routine.evaluate import evaluate
@@ -62,7 +62,7 @@ def refuted(compilation: Compilation) -> Iterator[str]:
             yield from run(Ratios(compilation, result), result, course)
 
 
-def stuck(ratios: Ratios, result: Result, reach: Reach) -> Iterator[str]:
+def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[str]:
     """Yield where something moves that is said to be stuck, or the other way round."""
     assert reach.range is not None
     low, high = reach.range
@@ -81,7 +81,7 @@ def stuck(ratios: Ratios, result: Result, reach: Reach) -> Iterator[str]:
             return
 
 
-def run(ratios: Ratios, result: Result, course: Course) -> Iterator[str]:
+def run(ratios: Ratios, result: Result, course: EfficiencyRange) -> Iterator[str]:
     """Yield what an efficiency comes to beyond what it is said to run through."""
     places = np.linspace(*course.range, DENSE)[1:-1]
     k, share = ratios.along(course.parameter, places)

@@ -9,7 +9,7 @@ solutions meet. Nothing is shared with the compiler but the syntax tree.
 import numpy as np
 
 from reference_forces import Forces
-from reference_friction import Rub
+from reference_friction import FrictionPair
 from reference_kinematics import Array
 
 STEP = 1 / 64
@@ -42,7 +42,7 @@ def ratio(forces: Forces, drive: str, load: str, sense: int) -> float | None:
     return float(found[-2] / found[-1]) if found[-1] > 1e-9 else None
 
 
-def _balanced(matrix: Array, rubs: list[Rub], part: float, near: Array) -> Array | None:
+def _balanced(matrix: Array, rubs: list[FrictionPair], part: float, near: Array) -> Array | None:
     """Return forces in balance near others, None where there are none."""
     found = near
     for _ in range(30):

@@ -13,7 +13,7 @@ from mechc.formula.walk import evaluate as number
 from mechc.pose.places import placed
 from mechc.statics import closure
 from mechc.syntax import ast
-from mechc.syntax.words import points_of
+from mechc.syntax.vocabulary import points_of
 from reference_geometry import evaluate, every
 
 STEP = 1e-5

@@ -13,7 +13,7 @@ from collections.abc import Iterator, Mapping, Sequence
 import numpy as np
 
 from mechc.syntax import ast
-from reference_friction import Rub, Rubs
+from reference_friction import FrictionPair, Rubs
 from reference_geometry import (
     Action,
     Arms,
@@ -228,7 +228,7 @@ class Forces:
         choices += [("guide", point), *(("slide", b) for b in bodies)]
         return {next(c for c in choices if c in self.columns): 1.0}
 
-    def rubs(self, drive: str) -> list[Rub]:
+    def rubs(self, drive: str) -> list[FrictionPair]:
         """Return all surfaces that rub, in both halves, where a load drives along its arrow."""
         return [rub for rub in Rubs(self, drive).all() if rub.factor]
 
@@ -267,7 +267,7 @@ class Forces:
         return found, float(sizes[0] / min(s for s in sizes if s > 1e-10 * sizes[0]))
 
     def _check(
-        self, found: Array, matrix: Array, right: Array, rubs: Sequence[Rub], sense: int
+        self, found: Array, matrix: Array, right: Array, rubs: Sequence[FrictionPair], sense: int
     ) -> None:
         """Put the solution into the equilibrium of every body once more."""
         gap = matrix @ found - right

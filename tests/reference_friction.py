@@ -19,7 +19,7 @@ if TYPE_CHECKING:
 RimFriction = ast.GearFriction | ast.BeltFriction | ast.RackFriction
 
 
-class Rub(NamedTuple):
+class FrictionPair(NamedTuple):
     """Two surfaces: what presses them, and the loads of a friction of 1 with the motion."""
 
     factor: float
@@ -51,7 +51,7 @@ class Rubs:
                 rows[at : at + 2] = self._motion.velocity(point, body) @ self._move
         return rows
 
-    def all(self) -> Iterator[Rub]:
+    def all(self) -> Iterator[FrictionPair]:
         named = {s.point.text for s in every(self._tree, ast.PinFriction) if s.point}
         for s in self._tree.statements:
             match s:
@@ -81,7 +81,7 @@ class Rubs:
         fixed = {s.point.text for s in every(self._tree, ast.Pivot)}
         return fixed | {s.point.text for s in every(self._tree, ast.Slider)} | slides
 
-    def _pin(self, point: str, on: str, s: ast.PinFriction) -> Iterator[Rub]:
+    def _pin(self, point: str, on: str, s: ast.PinFriction) -> Iterator[FrictionPair]:
         f, d = (evaluate(x, self._values) for x in (s.coefficient, s.diameter))
         radius = d / 2 * (math.sin(math.atan(f)) if s.law == "coulomb" else f)
         links = [k.points.text for k in every(self._tree, ast.Link)]
@@ -103,7 +103,7 @@ class Rubs:
                     at = point if not twin or point in self._forces.shared else point + "'"
                     held = at if ("pin", body, at, "x") in self._forces.columns else first[link]
                     pressing = (self._forces.columns["pin", body, held, axis] for axis in "xy")
-                    yield Rub(radius, tuple(pressing), effect)
+                    yield FrictionPair(radius, tuple(pressing), effect)
 
     def _resistance(self, s: ast.GuideFriction | ast.RollerFriction) -> float:
         f = evaluate(s.coefficient, self._values)
@@ -120,7 +120,7 @@ class Rubs:
             case _:
                 return f * 3 * out / long
 
-    def _guide(self, point: str, factor: float) -> Iterator[Rub]:
+    def _guide(self, point: str, factor: float) -> Iterator[FrictionPair]:
         shared = self._forces.shared | {
             n.text for c in every(self._tree, ast.Copies) for n in c.sharing
         }
@@ -134,17 +134,17 @@ class Rubs:
             if body and other in self._forces.rows:
                 line = self._forces.assembly.slides[other]
                 effect = self._forces.on_body(other, sense * line, 0)
-                yield Rub(factor, (self._forces.columns["slide", other],), effect)
+                yield FrictionPair(factor, (self._forces.columns["slide", other],), effect)
             elif not body and name in self._forces.points:
                 line = self._forces.assembly.guides[name]
                 effect = self._forces.on_point(name, sense * line)
-                yield Rub(factor, (self._forces.columns["guide", name],), effect)
+                yield FrictionPair(factor, (self._forces.columns["guide", name],), effect)
 
     def _sliding(self, point: str) -> str:
         """Return the body that slides with a point; a point may slide by itself."""
         return next((n for n in self._half.slides if point in self._half.links[n]), "")
 
-    def _face(self, point: str, factor: float) -> Iterator[Rub]:
+    def _face(self, point: str, factor: float) -> Iterator[FrictionPair]:
         touch = next(t for t in self._half.touches if t.pin == point)
         slip = self._motion.velocity(point) - self._motion._velocity_at(touch.body, touch.place)
         face = 1j * touch.normal
@@ -153,7 +153,7 @@ class Rubs:
             if pin in (point, point + "'"):
                 line = 1j * normal * sense * (1 if (pin, body) == touch[:2] else -1)
                 effect = self._forces.on_point(pin, line) - self._forces.on_body(body, line, place)
-                yield Rub(factor, (self._forces.columns["touch", pin, body],), effect)
+                yield FrictionPair(factor, (self._forces.columns["touch", pin, body],), effect)
 
     def _rolling(self, kind: type, point: str) -> tuple[int, ast.Statement]:
         """Return where rims roll on one another, among all of them, and the statement."""
@@ -162,7 +162,7 @@ class Rubs:
         names = [s.first.text if isinstance(s, kinds[:2]) else s.point.text for s in pairs]
         return next((i, s) for i, s in enumerate(pairs) if (type(s), names[i]) == (kind, point))
 
-    def _rim(self, s: RimFriction) -> Rub:
+    def _rim(self, s: RimFriction) -> FrictionPair:
         """Teeth hold back the wheel that is named first, at its rim, or the rack."""
         kinds = {ast.GearFriction: ast.Gear, ast.BeltFriction: ast.Belt, ast.RackFriction: ast.Rack}
         place, pair = self._rolling(kinds[type(s)], s.point.text)
@@ -173,9 +173,9 @@ class Rubs:
             effect = self._forces.on_body(wheel, 0, 0, evaluate(pair.first_radius, self._values))
         effect = effect * sign(effect @ self._rates)
         pressing = (self._forces.columns["roll", str(place)],)
-        return Rub(evaluate(s.coefficient, self._values), pressing, effect)
+        return FrictionPair(evaluate(s.coefficient, self._values), pressing, effect)
 
-    def _thread(self, s: ast.ScrewFriction) -> Rub:
+    def _thread(self, s: ast.ScrewFriction) -> FrictionPair:
         """The axial force F presses with F/cos ψ, and friction acts along the thread, at ψ."""
         place, screw = self._rolling(ast.Screw, s.point.text)
         diameter = evaluate(s.thread, self._values)
@@ -184,7 +184,7 @@ class Rubs:
         effect = (couple + math.sin(slope) * self._ahead(s.point.text)) / math.cos(slope)
         effect = effect * sign(effect @ self._rates)
         pressing = (self._forces.columns["roll", str(place)],)
-        return Rub(evaluate(s.coefficient, self._values), pressing, effect)
+        return FrictionPair(evaluate(s.coefficient, self._values), pressing, effect)
 
     def _ahead(self, point: str) -> Array:
         """Return a force of 1 along the guide of a point."""

@@ -210,7 +210,7 @@ class Action(NamedTuple):
     times: float
 
 
-class Touch(NamedTuple):
+class PointContact(NamedTuple):
     """A pin in a slot of a body, or in contact with it: the normal, and the pin's place on it."""
 
     pin: str
@@ -227,7 +227,7 @@ class Assembly:
     pivots: set[str]
     guides: dict[str, complex]
     slides: dict[str, complex]
-    touches: list[Touch]
+    touches: list[PointContact]
     rollings: list[Rolling]
     actions: list[Action]
     lengths: dict[tuple[str, str], float]
@@ -284,7 +284,7 @@ def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None =
     for name, first, second in cylinders(file):
         links[name] = {first: 0j}
         reach = arms.between(first, second)
-        touches.append(Touch(second, name, 1j * reach / abs(reach), reach))
+        touches.append(PointContact(second, name, 1j * reach / abs(reach), reach))
     return Assembly(
         links,
         {s.point.text for s in every(file, ast.Pivot)},
@@ -316,7 +316,7 @@ def _touches(
     arms: Arms,
     links: dict[str, dict[str, complex]],
     slides: Collection[str],
-) -> Iterator[Touch]:
+) -> Iterator[PointContact]:
     for s in (*every(file, ast.Slot), *every(file, ast.Contact)):
         tail, head, *_ = points_of(s.line.text)
         if isinstance(s, ast.Contact):
@@ -326,7 +326,7 @@ def _touches(
         body = next(name for name, points in links.items() if {tail, head} <= points.keys())
         pin, first = s.point.text, next(iter(links[body]))
         place = 0j if body in slides else arms.between(first, pin)
-        yield Touch(pin, body, cmath.rect(1, normal), place)
+        yield PointContact(pin, body, cmath.rect(1, normal), place)
 
 
 def _actions(file: ast.File, values: Values, arms: Arms) -> list[Action]:
@@ -366,7 +366,7 @@ def _unfold(half: Assembly, axis: complex, shared: set[str]) -> None:
         body = touch.body if set(half.links[touch.body]) <= shared else touch.body + "'"
         if (twin(touch.pin), body) != (touch.pin, touch.body):
             normal, place = reflect(touch.normal), reflect(touch.place)
-            half.touches.append(Touch(twin(touch.pin), body, normal, place))
+            half.touches.append(PointContact(twin(touch.pin), body, normal, place))
     for first, at, second, there, along in list(half.rollings):
         pair = [b if set(half.links[b]) <= shared else b + "'" for b in (first, second)]
         twins = Rolling(pair[0], reflect(at), pair[1], reflect(there), reflect(along))

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 from mechc.syntax import ast
 
-Places = Mapping[str, Mapping[str, complex]]
+Sweep = Mapping[str, Mapping[str, complex]]
 """The points of every body."""
 
 Evaluate = Callable[[ast.Expr], float]
@@ -31,7 +31,7 @@ class Rolling(NamedTuple):
 
 
 def rollings(
-    file: ast.File, bodies: Places, guides: Mapping[str, complex], value: Evaluate
+    file: ast.File, bodies: Sweep, guides: Mapping[str, complex], value: Evaluate
 ) -> Iterator[Rolling]:
     """Yield what every pair of wheels, every rack and every screw of a description demands."""
     guess = random.Random(1)
@@ -61,7 +61,7 @@ def rollings(
                 yield _led(point.text, wheel, bodies[wheel][center], reach, bodies, guides)
 
 
-def _on(point: str, bodies: Places) -> str:
+def _on(point: str, bodies: Sweep) -> str:
     return next(name for name, places in bodies.items() if point in places)
 
 
@@ -74,7 +74,7 @@ def _led(
     wheel: str,
     center: complex,
     radius: float,
-    bodies: Places,
+    bodies: Sweep,
     guides: Mapping[str, complex],
 ) -> Rolling:
     body = _on(point, bodies)

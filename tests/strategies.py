@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from mechc.frozen import fields
 from mechc.source import Span
 from mechc.syntax import ast
-from mechc.syntax.words import FUNCTIONS, points_of
+from mechc.syntax.vocabulary import FUNCTIONS, points_of
 from mechc.units import UNITS
 
 NOWHERE = Span(0, 0)

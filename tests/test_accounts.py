@@ -7,7 +7,7 @@ from mechc.files import find, library, read
 from mechc.formula.tree import Power, Product, Symbol
 from mechc.formula.walk import evaluate, symbols
 from mechc.power.numbers import default_values
-from mechc.report.derivation.steps import Saying
+from mechc.report.derivation.steps import SentenceKind
 from mechc.report.text.derivation import render
 from mechc.source import Source
 
@@ -102,13 +102,13 @@ def test_a_rod_without_loads_is_let_go_along_its_line_once():
     compilation = compiled("knee")
     accounts = {a.results[0]: a for a in compilation.derivation.accounts}
     on_rod = accounts["R_B_on_BC_x"]
-    assert [p.saying for p in on_rod.passages] == [Saying.ROD]
+    assert [p.saying for p in on_rod.passages] == [SentenceKind.ROD]
 
 
 def test_a_guide_presses_across_itself():
     accounts = compiled("knee").derivation.accounts
     sideways = next(a for a in accounts if a.results[0] == "R_C_x")
-    assert sideways.passages[0].saying is Saying.SMOOTH
+    assert sideways.passages[0].saying is SentenceKind.SMOOTH
 
 
 def test_results_mention_nothing_that_is_not_told():

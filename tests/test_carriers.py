@@ -6,7 +6,7 @@ import mechc
 from force_samples import compiled
 from mechc.driver import Compilation
 from mechc.figure import figure as drawn
-from mechc.model.mechanism import RubbingPin
+from mechc.model.mechanism import PinFriction
 from mechc.source import Source
 
 TOGGLE = """
@@ -43,7 +43,7 @@ def remarks(made):
 def carrier(text: str, point: str) -> str:
     """Return the link that a pin is fast in."""
     mechanism = Compilation(Source("carrier.mech", text)).mechanism
-    pins = [r for r in mechanism.friction.rubbing if isinstance(r, RubbingPin)]
+    pins = [r for r in mechanism.friction.rubbing if isinstance(r, PinFriction)]
     return next(pin.carrier for pin in pins if pin.point == point)
 
 

@@ -20,7 +20,7 @@ from mechc.formula.walk import evaluate
 from mechc.model import parts as kinds
 from mechc.source import Source
 from mechc.syntax import ast
-from mechc.syntax.words import points_of
+from mechc.syntax.vocabulary import points_of
 from reference_closed import Assembled
 from reference_geometry import evaluate as evaluate_tree
 from reference_geometry import every

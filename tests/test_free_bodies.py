@@ -14,8 +14,8 @@ from mechc.driver import Compilation
 from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options
 from mechc.formula.walk import evaluate
+from mechc.model.joint_friction import FaceFriction, GuideFriction, PinFriction
 from mechc.model.mechanism import LoadForm, LoadRatio, WithFriction
-from mechc.model.rubbing import RubbingFace, RubbingGuide, RubbingPin
 from mechc.report.text.free_bodies import describe
 from mechc.source import Source
 
@@ -216,16 +216,16 @@ def assert_friction_is_of_its_size(diagram, made):
         on_guide = [math.hypot(*a.force) for a in slips if a.by == "ground"]
         on_face = [math.hypot(*a.force) for a in slips if a.by not in ("ground", "")]
         match rub:
-            case RubbingPin(radius=radius):
+            case PinFriction(radius=radius):
                 size = evaluate(radius, values)
                 off = [abs(a.offset) for a in at if a.kind in ("pin", "ground") and a.moment]
                 links = [k for k in made.mechanism.links if rub.point in k.points]
                 if len(links) == 2 and rub.carrier and len(at) == 2:
                     assert off == pytest.approx([size] * len(off))
-            case RubbingFace(factor=factor):
+            case FaceFriction(factor=factor):
                 normal = max(math.hypot(*a.force) for a in at if a.kind in ("slot", "contact"))
                 assert on_face == pytest.approx([evaluate(factor, values) * normal] * len(on_face))
-            case RubbingGuide(factor=factor):
+            case GuideFriction(factor=factor):
                 normals = [math.hypot(*a.force) for a in at if a.kind == "guide"]
                 expected = [evaluate(factor, values) * normal for normal in normals]
                 if normals:  # that of a slide is at its first point

@@ -12,7 +12,7 @@ from mechc.api import SolvedMechanism
 from mechc.cli.main import main
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
-from mechc.model.locking import Course, Locking, Reach, Stretch
+from mechc.model.locking import EfficiencyRange, Locking, LockingIntervals, Stretch
 from mechc.report.languages.en import WORDS
 from mechc.source import Source
 from mechc.study.analysis import Analysis
@@ -115,7 +115,7 @@ def stretches(description: str, name: str) -> list[Stretch]:
     return list(reach.stretches)
 
 
-def course(description: str, name: str) -> Course:
+def course(description: str, name: str) -> EfficiencyRange:
     (found,) = results(description)[name].courses
     return found
 
@@ -715,7 +715,7 @@ def is_within(place: float, parts: Iterable[tuple[float, float] | None]) -> bool
     return any(part is not None and part[0] <= place <= part[1] for part in parts)
 
 
-def assert_stuck(mechanism: SolvedMechanism, result: Analysis, reach: Reach) -> None:
+def assert_stuck(mechanism: SolvedMechanism, result: Analysis, reach: LockingIntervals) -> None:
     """Inside a stretch k with friction has not the sign of k, or no value; outside it has."""
     assert reach.range is not None
     places = along(reach.range)
@@ -727,7 +727,7 @@ def assert_stuck(mechanism: SolvedMechanism, result: Analysis, reach: Reach) -> 
         assert told == (not value > 0), (result.name, reach.parameter, place)
 
 
-def assert_run(mechanism: SolvedMechanism, result: Analysis, course: Course) -> None:
+def assert_run(mechanism: SolvedMechanism, result: Analysis, course: EfficiencyRange) -> None:
     """An efficiency stays within what is told, and is usual just where that is told."""
     places = along(course.range)
     found = mechanism.evaluate(**{course.parameter: places})[result.name]

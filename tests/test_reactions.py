@@ -17,7 +17,7 @@ from force_samples import (
     sizes_of,
 )
 from mechc.formula.walk import evaluate
-from mechc.model.mechanism import Thrust
+from mechc.model.mechanism import ForcePair
 from reference_forces import Forces
 
 ENOUGH = 1e-9
@@ -134,7 +134,7 @@ def loads_on(made, values):
         if line is not None:
             size = values[load.name] if load.tie is None else evaluate(load.tie, values)
             push = float(load.times) * size * np.exp(1j * line.evaluate(values))
-            pair = isinstance(load, Thrust)
+            pair = isinstance(load, ForcePair)
             ends = [(load.second, 1), (load.first, -1)] if pair else [(load.point, 1)]
             for point, sign in ends:
                 found[point] = found.get(point, 0) + sign * push

@@ -25,7 +25,7 @@ from mechc.statics.assembly import Plane, direction
 from mechc.statics.balanced import Balanced
 from mechc.statics.free_bodies import equilibrium
 from mechc.statics.poses import candidates, settle
-from mechc.statics.referee import RefereeDisagrees, judge
+from mechc.statics.referee import RefereeDisagrees, cross_check
 from mechc.statics.solve import factor
 from mechc.statics.speeds import speed_ratio
 from mechc.statics.unfold import Unfolding
@@ -220,7 +220,7 @@ def test_the_symmetric_geometries_of_the_seeds_with_both_halves(geometry):
 
 def test_the_referee_agrees_with_a_right_formula():
     pose, k = toggle()
-    verdict = judge(pose, (result("k", LoadRatio("P", "F"), k),), report())
+    verdict = cross_check(pose, (result("k", LoadRatio("P", "F"), k),), report())
     assert verdict.agrees
     assert len(verdict.trials) == 4
     assert verdict.worst < 1e-13
@@ -231,7 +231,7 @@ def test_the_referee_agrees_with_a_right_formula():
 def test_the_referee_stops_a_wrong_formula(wrong):
     pose, k = toggle()
     with pytest.raises(RefereeDisagrees) as caught:
-        judge(pose, (result("k", LoadRatio("P", "F"), k * wrong),), report())
+        cross_check(pose, (result("k", LoadRatio("P", "F"), k * wrong),), report())
     assert [d.code for d in caught.value.diagnostics] == ["E601"]
     assert "disagrees" in to_text(caught.value.verdict)
 
@@ -242,13 +242,13 @@ def test_the_referee_checks_every_coefficient_of_a_linear_form():
     pose = build(points, ["AOBC"], "O", {}, loads, {"P": -90, "F": -90, "Q": 0})
     right = {"F": formula.number(Fraction(3, 2)), "Q": formula.number(Fraction(-1, 2))}
     whole = Result("P", LoadForm("P"), NUMBER, formula.ZERO, coefficients=right)
-    verdict = judge(pose, (whole,), report())
+    verdict = cross_check(pose, (whole,), report())
     assert {t.result for t in verdict.trials} == {"P/F", "P/Q"}
     wrong = Result(
         "P", LoadForm("P"), NUMBER, formula.ZERO, coefficients={**right, "Q": formula.ONE}
     )
     with pytest.raises(RefereeDisagrees, match="P/Q"):
-        judge(pose, (wrong,), report())
+        cross_check(pose, (wrong,), report())
 
 
 def test_the_referee_balances_as_many_loads_as_there_are_freedoms():
@@ -278,14 +278,14 @@ def test_a_load_that_does_no_work_is_left_alone():
 def test_a_result_that_equilibrium_does_not_know_is_a_bug():
     pose = double_pendulum()
     with pytest.raises(RefereeDisagrees) as caught:
-        judge(pose, (result("k", LoadRatio("P", "F"), 1),), report())
+        cross_check(pose, (result("k", LoadRatio("P", "F"), 1),), report())
     assert [d.code for d in caught.value.diagnostics] == ["E602"]
 
 
 def test_a_result_without_a_finite_value_earns_a_warning():
     nowhere = Result("k", LoadRatio("P", "F"), NUMBER, formula.Call("log", (formula.ZERO,)))
     asked = report()
-    verdict = judge(lever(), (nowhere,), asked)
+    verdict = cross_check(lever(), (nowhere,), asked)
     assert not verdict.trials
     assert [d.code for d in asked.diagnostics] == ["W601"]
     assert "Nothing was tried." in to_text(verdict)

@@ -13,7 +13,7 @@ from mechc.model.mechanism import LoadRatio
 from mechc.pose.pose import Arm
 from mechc.source import Source
 from mechc.statics.closure import worst_gap
-from mechc.statics.referee import RefereeDisagrees, judge
+from mechc.statics.referee import RefereeDisagrees, cross_check
 
 POINTS = {"O": (0, 0), "A": (1, 2), "B": (4, 3), "C": (5, 0)}
 
@@ -91,7 +91,7 @@ def test_the_referee_stops_a_pose_that_does_not_fit():
     pose = four_bar(model.Offset("O", "C", exact(6), exact(0), HERE))
     report = Report(Source("four_bar.mech", "x"))
     with pytest.raises(RefereeDisagrees) as caught:
-        judge(pose, (result("k", LoadRatio("M", "F"), 1),), report)
+        cross_check(pose, (result("k", LoadRatio("M", "F"), 1),), report)
     assert "E603" in {d.code for d in caught.value.diagnostics}
     assert "the loop through A and B is off by 1 m" in str(caught.value)
 

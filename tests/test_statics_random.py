@@ -15,7 +15,7 @@ from mechc.model.mechanism import LoadRatio, Speed, SpeedRatio
 from mechc.source import Source
 from mechc.statics.answers import load_ratio
 from mechc.statics.balanced import Balanced
-from mechc.statics.referee import RefereeDisagrees, judge
+from mechc.statics.referee import RefereeDisagrees, cross_check
 from mechc.statics.speeds import has_sign, speed_ratio
 
 
@@ -123,8 +123,8 @@ def test_the_referee_sees_a_formula_that_is_off_in_the_ninth_digit():
         case = unfolding(linkage).pose
         target = LoadRatio("P", "F")
         asked = Report(Source("random.mech", "x"))
-        right = judge(case, (result("k", target, solved[0]),), asked)
+        right = cross_check(case, (result("k", target, solved[0]),), asked)
         if right.trials[0].condition > 1e3:
             continue
         with pytest.raises(RefereeDisagrees):
-            judge(case, (result("k", target, solved[0] * (1 + 1e-8)),), asked)
+            cross_check(case, (result("k", target, solved[0] * (1 + 1e-8)),), asked)

@@ -19,7 +19,7 @@ from mechc.source import Source
 from mechc.statics.counted import uncounted
 from mechc.statics.friction import pairs_of
 from mechc.statics.poses import candidates
-from mechc.statics.referee import judge
+from mechc.statics.referee import cross_check
 from mechc.statics.unfold import Unfolding
 
 BOOM = """
@@ -147,7 +147,7 @@ def test_the_referee_misses_a_pin_without_friction(point, missing):
     pose = without(compilation, point)
     assert missed(pose, values) == sorted(missing)
     with pytest.raises(MechcError) as caught:
-        judge(pose, compilation.solution.results, compilation.report)
+        cross_check(pose, compilation.solution.results, compilation.report)
     assert "E540" in {d.code for d in caught.value.diagnostics}
 
 

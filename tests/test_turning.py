@@ -10,7 +10,7 @@ from mechc.formula.tree import ONE, Call, Symbol, negative, number, power, produ
 from mechc.formula.walk import evaluate, symbols, walk
 from mechc.power.numbers import default_values, value_of
 from mechc.routine.evaluate import evaluate as run
-from mechc.routine.turning import in_unit_vectors
+from mechc.routine.unit_vectors import in_unit_vectors
 
 CLOSED = ("crank_rocker", "watt_closed", "stephenson_closed", "toggle_clamp", "whitworth")
 

@@ -13,12 +13,12 @@ from .diagnostics import Diagnostic, Report
 from .emit.target import Emitted, Options, Target
 from .friction.from_balance import solve
 from .friction.solution import Solution
-from .kinematics.from_pose import arrange
+from .kinematics.from_pose import plan_velocities
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
-from .pose.from_model import settle
+from .pose.from_model import solve_pose
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.from_plan import balance
@@ -26,7 +26,7 @@ from .routine.from_results import program
 from .routine.steps import Routine
 from .source import Source
 from .stage import Stage, within
-from .statics.referee import judge
+from .statics.referee import cross_check
 from .statics.verdict import Verdict
 from .study.expectations import Finding, compare
 from .study.stroke.gaps import remark as look_for_gaps
@@ -90,12 +90,12 @@ class Compilation:
     @Stage
     def pose(self) -> Pose:
         """Every direction, given or found by closing a loop."""
-        return self._sound(settle(self.mechanism, self.report))
+        return self._sound(solve_pose(self.mechanism, self.report))
 
     @Stage
     def plan(self) -> Plan:
         """The order in which velocities follow from one another."""
-        return self._sound(arrange(self.pose, self.report))
+        return self._sound(plan_velocities(self.pose, self.report))
 
     @Stage
     def balance(self) -> Balance:
@@ -110,14 +110,14 @@ class Compilation:
     @Stage
     def results(self) -> "tuple[Analysis, ...]":
         """What was asked for, in the order of the text, with what follows from each."""
-        from .study.from_solution import conclude
+        from .study.from_solution import analyse
 
-        return self._sound(conclude(self.solution))
+        return self._sound(analyse(self.solution))
 
     @Stage
     def verdict(self) -> Verdict:
         """The second opinion: the results by equilibrium of the free bodies."""
-        return self._sound(judge(self.pose, self.solution.results, self.report))
+        return self._sound(cross_check(self.pose, self.solution.results, self.report))
 
     @Stage
     def constant_efficiency(self) -> None:

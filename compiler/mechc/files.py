@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from .data import data
 from .diagnostics import MechcError, near_miss
-from .diagnostics import files as words
+from .diagnostics import files as messages
 from .diagnostics.syntax_limits import text_too_long
 from .source import Source, Span
 
@@ -40,7 +40,7 @@ def find(name: str) -> Path:
     if name in shelf:
         return shelf[name]
     hint = near_miss(name, [*shelf, *_neighbours(path)]) or _holding(name, shelf)
-    raise MechcError([words.file_not_found(name, hint)])
+    raise MechcError([messages.file_not_found(name, hint)])
 
 
 def library() -> dict[str, Path]:
@@ -68,17 +68,17 @@ def read(path: Path) -> Source:
         with path.open("rb") as file:
             return decode(file.read(LARGEST + 1), str(path))
     except OSError as error:
-        raise MechcError([words.file_unreadable(str(path), reason(error))]) from None
+        raise MechcError([messages.file_unreadable(str(path), reason(error))]) from None
 
 
 def read_stdin(name: str) -> Source:
     """Return the text on standard input under a name; :class:`MechcError` where there is none."""
     if sys.stdin is None:
-        raise MechcError([words.file_unreadable(name, "standard input is closed")])
+        raise MechcError([messages.file_unreadable(name, "standard input is closed")])
     try:
         return decode(sys.stdin.buffer.read(LARGEST + 1), name)
     except OSError as error:
-        raise MechcError([words.file_unreadable(name, reason(error))]) from None
+        raise MechcError([messages.file_unreadable(name, reason(error))]) from None
 
 
 def decode(content: bytes, name: str) -> Source:
@@ -89,7 +89,7 @@ def decode(content: bytes, name: str) -> Source:
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as error:
-        raise MechcError([words.file_not_text(name, error.start)]) from None
+        raise MechcError([messages.file_not_text(name, error.start)]) from None
     return Source(name, text.replace("\r\n", "\n"))
 
 
@@ -106,7 +106,7 @@ def make_folder(path: Path) -> None:
     try:
         path.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise MechcError([words.file_unwritable(str(path), reason(error))]) from None
+        raise MechcError([messages.file_unwritable(str(path), reason(error))]) from None
 
 
 class _Pending(NamedTuple):
@@ -127,7 +127,7 @@ def write_all(files: Mapping[Path, str]) -> None:
         for temporary, target in pending:
             temporary.replace(target)
     except OSError as error:
-        raise MechcError([words.file_unwritable(str(path), reason(error))]) from None
+        raise MechcError([messages.file_unwritable(str(path), reason(error))]) from None
     finally:
         for temporary, _ in pending:
             temporary.unlink(missing_ok=True)

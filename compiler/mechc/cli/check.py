@@ -14,7 +14,7 @@ from ..model.mechanism import GRAVITY
 from ..model.result import Definition
 from ..report.definitions import Solved, grouped, lettered, literal_sizes, usual_weights
 from ..report.languages.en import WORDS
-from ..report.sections import Told, in_short
+from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import own_conditions, reaction
 from ..report.text.derivation import speller
@@ -24,8 +24,8 @@ from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
 from ..study.expectations import Finding
 from ..syntax.settings import Settings
-from .begin import begin
 from .inputs import settings_option, stdin_option
+from .open import begin
 from .session import Command, session, session_options, status
 from .terminal import say
 
@@ -70,7 +70,7 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
     spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
     yield f"{compilation.source.name}: {compilation.mechanism.name}"
-    told, given = Told(), {r.name for r in compilation.results if _is_given(r)}
+    told, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
     usual, units = usual_weights(compilation.mechanism), literal_sizes(compilation.mechanism)
     before: Analysis | None = None
     for result in compilation.results:

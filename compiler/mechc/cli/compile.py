@@ -10,9 +10,9 @@ from ..emit import registry
 from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
 from ..syntax.settings import Settings
-from .begin import begin
 from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, path_of, settings_option, stdin_option
+from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
 from .session import Command, session, session_options
 from .terminal import give

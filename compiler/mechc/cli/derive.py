@@ -5,8 +5,8 @@ import click
 from ..driver import complete, warnings
 from ..report.text.derivation import render
 from ..syntax.settings import Settings
-from .begin import begin
 from .inputs import description_argument, settings_option, stdin_option
+from .open import begin
 from .session import Command, session, session_options
 from .terminal import say, speaks_unicode
 

@@ -7,9 +7,9 @@ from ..report.text import free_bodies as bodies_to_text
 from ..report.text import verdict as statics
 from ..report.text.derivation import render
 from ..syntax.settings import Settings
-from .begin import begin
 from .dump import dump
 from .inputs import description_argument, settings_option, stdin_option
+from .open import begin
 from .session import Command, session_options
 from .terminal import say
 

@@ -5,8 +5,8 @@ import click
 from ..driver import checked, warnings
 from ..report.text.stroke import to_csv, to_table
 from ..syntax.settings import Settings
-from .begin import begin
 from .inputs import description_argument, settings_option, stdin_option
+from .open import begin
 from .session import Command, session, session_options
 from .terminal import give, say
 

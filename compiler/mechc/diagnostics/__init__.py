@@ -4,10 +4,10 @@ from .diagnostic import (
     CATALOGUE,
     Diagnostic,
     MechcError,
+    Message,
     Related,
     Report,
     Severity,
-    Words,
     coded,
     near_miss,
 )
@@ -16,10 +16,10 @@ __all__ = [
     "CATALOGUE",
     "Diagnostic",
     "MechcError",
+    "Message",
     "Related",
     "Report",
     "Severity",
-    "Words",
     "coded",
     "near_miss",
 ]

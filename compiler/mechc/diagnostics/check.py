@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 
 from ..source import Span
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 
 
 def _pose(at: Mapping[str, str]) -> str:
@@ -13,7 +13,7 @@ def _pose(at: Mapping[str, str]) -> str:
 @coded("E581")
 def expectation_refuted(
     span: Span, subject: str, found: str, expected: str, at: Mapping[str, str]
-) -> Words:
+) -> Message:
     """An ``expect`` does not hold: a pose was found where the two numbers differ.
 
     ``expect`` states what a book or a colleague says of a result. It is proved equal by
@@ -28,7 +28,7 @@ def expectation_refuted(
         expect k = 7.1407 at alpha = 35 deg
     """
     message = f"{subject} is {found} where {expected} is expected, at {_pose(at)}"
-    return Words(span, message, "mend the expectation, or the geometry it was written for")
+    return Message(span, message, "mend the expectation, or the geometry it was written for")
 
 
 def _counted(poses: int) -> str:
@@ -36,7 +36,7 @@ def _counted(poses: int) -> str:
 
 
 @coded("W581")
-def expectation_unproved(span: Span, subject: str, poses: int) -> Words:
+def expectation_unproved(span: Span, subject: str, poses: int) -> Message:
     """An ``expect`` agrees at every pose tried, but algebra did not prove it.
 
     The two formulas may be equal only within the ranges of the parameters (a square root
@@ -44,11 +44,11 @@ def expectation_unproved(span: Span, subject: str, poses: int) -> Words:
     figures agree to twelve digits at each pose.
     """
     message = f"the formula for {subject} agrees at {_counted(poses)}, but is not proved equal"
-    return Words(span, message, "write it in the same angles as the result to have it proved")
+    return Message(span, message, "write it in the same angles as the result to have it proved")
 
 
 @coded("E582")
-def expectation_without_pose(span: Span, subject: str, missing: str) -> Words:
+def expectation_without_pose(span: Span, subject: str, missing: str) -> Message:
     """An ``expect`` of a number needs a value for every parameter.
 
     A number can be compared at one pose only, and a parameter of the result has neither
@@ -59,4 +59,4 @@ def expectation_without_pose(span: Span, subject: str, missing: str) -> Words:
         expect k = 7.1407 at alpha = 35 deg
     """
     message = f"{subject} cannot be compared with a number: {missing} has no value"
-    return Words(span, message, f"add `at {missing} = …`")
+    return Message(span, message, f"add `at {missing} = …`")

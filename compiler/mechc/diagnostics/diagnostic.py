@@ -31,7 +31,7 @@ class Related(NamedTuple):
     message: str
 
 
-class Words(NamedTuple):
+class Message(NamedTuple):
     """What a wording function returns: where, what was found and expected, one hint."""
 
     span: Span | None
@@ -76,10 +76,10 @@ CATALOGUE: dict[str, Entry] = {}
 P = ParamSpec("P")
 
 
-def coded(code: str) -> Callable[[Callable[P, Words]], Callable[P, Diagnostic]]:
+def coded(code: str) -> Callable[[Callable[P, Message]], Callable[P, Diagnostic]]:
     """Register a wording function under a code; its name and docstring come along."""
 
-    def decorate(words: Callable[P, Words]) -> Callable[P, Diagnostic]:
+    def decorate(words: Callable[P, Message]) -> Callable[P, Diagnostic]:
         name = words.__name__.replace("_", "-")
         assert code not in CATALOGUE, f"{code} is taken"
         assert words.__doc__, f"{code} has no explanation"

@@ -1,10 +1,10 @@
 """Words for what can go wrong when files are written (E7xx, W7xx)."""
 
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 
 
 @coded("E701")
-def unspeakable_file_name(stem: str) -> Words:
+def unspeakable_file_name(stem: str) -> Message:
     r"""A name that a C source cannot include.
 
     The source names its header in ``#include "NAME.h"``, where C has no way to write a
@@ -13,7 +13,7 @@ def unspeakable_file_name(stem: str) -> Words:
     Wrong: ``mechc compile clamp.mech -o 'my"clamp.c'``
     Right: ``mechc compile clamp.mech -o my_clamp.c``
     """
-    return Words(
+    return Message(
         None,
         f"the file name {stem!r} cannot stand in a C #include: expected no quotation mark,"
         " backslash or line break",
@@ -22,7 +22,7 @@ def unspeakable_file_name(stem: str) -> Words:
 
 
 @coded("E702")
-def broken_target(name: str, origin: str, reason: str) -> Words:
+def broken_target(name: str, origin: str, reason: str) -> Message:
     """A target of another package that was asked for and does not load.
 
     Packages add targets through the entry-point group ``mechc.targets``; each entry
@@ -31,7 +31,7 @@ def broken_target(name: str, origin: str, reason: str) -> Words:
     Wrong: ``[project.entry-points."mechc.targets"]  excel = "gone.module:TARGET"``
     Right: ``[project.entry-points."mechc.targets"]  excel = "mechc_excel:TARGET"``
     """
-    return Words(
+    return Message(
         None,
         f"the target {name!r} ({origin}) does not load: expected an emitter, found {reason}",
         "update or remove the package that provides it",
@@ -39,7 +39,7 @@ def broken_target(name: str, origin: str, reason: str) -> Words:
 
 
 @coded("E703")
-def file_hides_another(name: str, hidden: str, free: str) -> Words:
+def file_hides_another(name: str, hidden: str, free: str) -> Message:
     """A name of a file that the language's own library has, too.
 
     A compiler that looks for headers in the folder of ``math.h`` finds that one and not the
@@ -49,7 +49,7 @@ def file_hides_another(name: str, hidden: str, free: str) -> Words:
     Wrong: ``mechc compile clamp.mech -o math.c``
     Right: ``mechc compile clamp.mech -o clamp.c``
     """
-    return Words(
+    return Message(
         None,
         f"the file {name} would hide {hidden}: expected a name that is free",
         f"write -o {free}",
@@ -57,7 +57,7 @@ def file_hides_another(name: str, hidden: str, free: str) -> Words:
 
 
 @coded("W701")
-def left_out_target(name: str, origin: str, reason: str) -> Words:
+def left_out_target(name: str, origin: str, reason: str) -> Message:
     """A target of another package that does not load, though it was not asked for.
 
     It is left out and all others work; see E702 for what an entry must name.
@@ -65,7 +65,7 @@ def left_out_target(name: str, origin: str, reason: str) -> Words:
     Wrong: ``[project.entry-points."mechc.targets"]  excel = "gone.module:TARGET"``
     Right: ``[project.entry-points."mechc.targets"]  excel = "mechc_excel:TARGET"``
     """
-    return Words(
+    return Message(
         None,
         f"the target {name!r} ({origin}) is left out: expected an emitter, found {reason}",
         "update or remove the package that provides it",

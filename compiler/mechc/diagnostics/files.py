@@ -1,10 +1,10 @@
 """Words for what goes wrong with files (E9xx): exit status 3."""
 
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 
 
 @coded("E901")
-def file_not_found(name: str, hint: str) -> Words:
+def file_not_found(name: str, hint: str) -> Message:
     """No file and no mechanism of the library has this name.
 
     A command takes a path (``clamp.mech``, ``clamp.yaml``), ``-`` for standard input, or
@@ -16,21 +16,21 @@ def file_not_found(name: str, hint: str) -> Words:
     ``mechc list`` prints the names of the library.
     """
     message = f"no file and no mechanism of the library is called {name!r}"
-    return Words(None, message, hint or "`mechc list` prints the mechanisms of the library")
+    return Message(None, message, hint or "`mechc list` prints the mechanisms of the library")
 
 
 @coded("E902")
-def file_unreadable(name: str, reason: str) -> Words:
+def file_unreadable(name: str, reason: str) -> Message:
     """A file is there but cannot be read.
 
     It is a folder, or belongs to someone else, or the disk failed. The operating
     system's own reason is given in the message.
     """
-    return Words(None, f"cannot read {name!r}: {reason}", "is it a text file that you may read?")
+    return Message(None, f"cannot read {name!r}: {reason}", "is it a text file that you may read?")
 
 
 @coded("E903")
-def file_not_text(name: str, offset: int) -> Words:
+def file_not_text(name: str, offset: int) -> Message:
     """A description is UTF-8 text, and this file is not.
 
     Older editors save Cyrillic text in windows-1251 or koi8-u. Convert it once::
@@ -38,25 +38,25 @@ def file_not_text(name: str, offset: int) -> Words:
         iconv -f windows-1251 -t utf-8 old.mech > new.mech
     """
     message = f"{name!r} is not UTF-8 text: byte {offset} begins no character"
-    return Words(None, message, "save it as UTF-8, or convert it with iconv")
+    return Message(None, message, "save it as UTF-8, or convert it with iconv")
 
 
 @coded("E904")
-def file_unwritable(name: str, reason: str) -> Words:
+def file_unwritable(name: str, reason: str) -> Message:
     """An output file cannot be written.
 
     Its folder does not exist or may not be written to. Output files are written whole
     or not at all: when one of several cannot be written, none is, and files of an
     earlier run are left as they were.
     """
-    return Words(None, f"cannot write {name!r}: {reason}", "nothing was written")
+    return Message(None, f"cannot write {name!r}: {reason}", "nothing was written")
 
 
 @coded("E905")
-def file_exists(name: str) -> Words:
+def file_exists(name: str) -> Message:
     """``mechc new`` does not overwrite a file.
 
     A starter file is for a new mechanism; an existing description is worth more. Choose
     another name, or remove the old file first.
     """
-    return Words(None, f"{name!r} exists already", "choose another name")
+    return Message(None, f"{name!r} exists already", "choose another name")

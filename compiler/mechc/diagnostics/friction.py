@@ -3,33 +3,33 @@
 from collections.abc import Sequence
 
 from ..source import Span
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 
 
 @coded("E510")
-def several_freedoms(span: Span, number: int) -> Words:
+def several_freedoms(span: Span, number: int) -> Message:
     """Friction is asked for in a mechanism of several freedoms.
 
     Which way surfaces slip on one another follows from the motion, and a mechanism of two
     freedoms can move in many ways.
     """
     message = f"the mechanism has {number} freedoms, so nothing tells which way its joints slip"
-    return Words(span, message, "add a constraint, or leave friction out")
+    return Message(span, message, "add a constraint, or leave friction out")
 
 
 @coded("E511")
-def pressed_how_hard(span: Span, point: str) -> Words:
+def pressed_how_hard(span: Span, point: str) -> Message:
     """Equilibrium leaves open how hard a joint with friction is pressed.
 
     Where a mechanism is held more often than it needs (a redundant bar, two guides on one
     line) its joints may press against each other without any load.
     """
     message = f"equilibrium leaves open how hard the joint at {point} is pressed"
-    return Words(span, message, "leave the redundant bar or guide out, or give it no friction")
+    return Message(span, message, "leave the redundant bar or guide out, or give it no friction")
 
 
 @coded("E513")
-def another_load_presses(span: Span, load: str, result: str) -> Words:
+def another_load_presses(span: Span, load: str, result: str) -> Message:
     """A ratio of two loads depends on a third one that presses a joint with friction.
 
     A load that does no work has no influence on k, but it presses guides and pins, and their
@@ -41,22 +41,22 @@ def another_load_presses(span: Span, load: str, result: str) -> Words:
         find P                        # right: P as a form of F and W
     """
     message = f"{load} presses a joint with friction, so {result} is no ratio of two loads alone"
-    return Words(span, message, "ask for the driving load by itself, as in 'find P'")
+    return Message(span, message, "ask for the driving load by itself, as in 'find P'")
 
 
 @coded("E514")
-def slips_either_way(span: Span, point: str) -> Words:
+def slips_either_way(span: Span, point: str) -> Message:
     """A joint with friction can slip without any load moving.
 
     A part that can be turned or shifted idly, such as a roller or a link without a load,
     moves as friction leads it, and which way that is follows from no load.
     """
     message = f"the joint at {point} can slip while no load moves, so nothing tells which way"
-    return Words(span, message, "hold what moves idly, or give that joint no friction")
+    return Message(span, message, "hold what moves idly, or give that joint no friction")
 
 
 @coded("W511")
-def efficiency_beside_friction(span: Span, given: float, found: Sequence[str]) -> Words:
+def efficiency_beside_friction(span: Span, given: float, found: Sequence[str]) -> Message:
     """A constant efficiency stands beside friction that makes another one.
 
     An efficiency overrides friction. It is no property of the joints: near a dead centre
@@ -67,11 +67,11 @@ def efficiency_beside_friction(span: Span, given: float, found: Sequence[str]) -
         efficiency 0.9          # wrong near the dead centre: leave it out
     """
     message = f"the efficiency is given as {given:.3g}, but friction makes it {', '.join(found)}"
-    return Words(span, message, "leave the efficiency out, or narrow the ranges")
+    return Message(span, message, "leave the efficiency out, or narrow the ranges")
 
 
 @coded("W512")
-def efficiency_near_dead_centre(span: Span, name: str, where: Sequence[str]) -> Words:
+def efficiency_near_dead_centre(span: Span, name: str, where: Sequence[str]) -> Message:
     """A constant efficiency is used near a dead centre, where it is far from the truth.
 
     Friction in pins turns a rod's line of force by an angle δ, and the efficiency is about
@@ -84,11 +84,11 @@ def efficiency_near_dead_centre(span: Span, name: str, where: Sequence[str]) -> 
     """
     message = f"near a dead centre of {name} no constant efficiency is true, {', '.join(where)}"
     hint = "give the joints friction, as in 'friction pins 0.1 diameter 10 mm', or narrow the range"
-    return Words(span, message, hint)
+    return Message(span, message, hint)
 
 
 @coded("W513")
-def drive_jams(span: Span, name: str, drive: str) -> Words:
+def drive_jams(span: Span, name: str, drive: str) -> Message:
     """Friction is so large at the default pose that no force of the drive moves anything.
 
     The drive's line of force passes the friction circle of a pivot, or stands within the
@@ -96,11 +96,11 @@ def drive_jams(span: Span, name: str, drive: str) -> Words:
     the result has no value there, and the code gives NaN.
     """
     message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
-    return Words(span, message, "move the default values away from the dead centre")
+    return Message(span, message, "move the default values away from the dead centre")
 
 
 @coded("W540")
-def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[str]) -> Words:
+def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[str]) -> Message:
     """A load acts at a pin with friction, and nobody says on which link.
 
     A load at a shared pin is taken to act on the pin, which is fast in one of the links. The
@@ -112,11 +112,11 @@ def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[st
     """
     others = " or ".join(f"'on {other}'" for other in links if other != link)
     message = f"{load} acts on the pin at {point}, which is taken to be fast in {link}"
-    return Words(at, message, f"write 'at {point} on {link}' behind {load}, or {others}")
+    return Message(at, message, f"write 'at {point} on {link}' behind {load}, or {others}")
 
 
 @coded("W541")
-def pin_fast_in(at: Span, point: str, link: str, links: Sequence[str]) -> Words:
+def pin_fast_in(at: Span, point: str, link: str, links: Sequence[str]) -> Message:
     """Three bodies meet at a pin with friction, and nobody says in which of them it is fast.
 
     The others turn on the pin, each with friction of its own: which link carries the pin
@@ -128,4 +128,4 @@ def pin_fast_in(at: Span, point: str, link: str, links: Sequence[str]) -> Words:
     others = ", ".join(other for other in links if other != link)
     message = f"the pin at {point} is taken to be fast in {link}; {others} turn on it"
     hint = f"say so: 'friction pin {point} … on {link}', or on another one"
-    return Words(at, message, hint)
+    return Message(at, message, hint)

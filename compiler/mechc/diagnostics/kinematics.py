@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 from ..source import Span
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 from .syntax import listed
 
 
 @coded("E401")
-def nothing_can_move(parts: Sequence[str], at: Span) -> Words:
+def nothing_can_move(parts: Sequence[str], at: Span) -> Message:
     """The constraints leave no motion: mobility 0.
 
     Virtual power needs something that moves. Three rods in a triangle, a link with two
@@ -22,9 +22,9 @@ def nothing_can_move(parts: Sequence[str], at: Span) -> Words:
     points it really joins.
     """
     if not parts:
-        return Words(at, "nothing can move: no link or slider is described", "add a link")
+        return Message(at, "nothing can move: no link or slider is described", "add a link")
     held = f"{listed(parts, 'and')} hold one another" if len(parts) > 1 else f"{parts[0]} is held"
-    return Words(
+    return Message(
         at,
         f"nothing can move: {held}, expected a mobility of 1 or more",
         "look for a link with two pivots, a point with two guides, or a rod too many",
@@ -32,14 +32,14 @@ def nothing_can_move(parts: Sequence[str], at: Span) -> Words:
 
 
 @coded("E841")
-def too_many_motions(at: Span, motions: int, limit: int) -> Words:
+def too_many_motions(at: Span, motions: int, limit: int) -> Message:
     """So much moves independently that a joint or a guide must have been forgotten.
 
     Every speed is computed for every independent motion, which takes time and memory for
     thousands of them. A mechanism of mobility m has m loads to be found; no clamp, press
     or gripper has more than a handful.
     """
-    return Words(
+    return Message(
         at,
         f"the mechanism has {motions} independent motions, expected at most {limit}",
         "do rods lack a guide, or links a second pin?",
@@ -47,14 +47,14 @@ def too_many_motions(at: Span, motions: int, limit: int) -> Words:
 
 
 @coded("W401")
-def redundant_constraint(at: Span, what: str) -> Words:
+def redundant_constraint(at: Span, what: str) -> Message:
     """A constraint follows from the others, so it may be left out.
 
     A second parallel bar, or a guide for a point that moves so anyhow, is consistent but
     redundant. k is not changed by it; the reactions of the redundant parts can't be found
     by statics alone.
     """
-    return Words(
+    return Message(
         at,
         f"{what} is redundant: what it demands follows from the other constraints",
         "leave it as it is, if the mechanism has it: k is the same with it and without it",

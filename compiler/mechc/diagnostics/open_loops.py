@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 
 from ..source import Span
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 
 
 @coded("E312")
-def pivot_without_place(at: Span, pivot: str, other: str) -> Words:
+def pivot_without_place(at: Span, pivot: str, other: str) -> Message:
     """A pivot has no place, so no loop closes through it.
 
     With lengths and a ``drive`` the directions follow from loops, and a loop goes over the
@@ -20,7 +20,7 @@ def pivot_without_place(at: Span, pivot: str, other: str) -> Words:
         pivot C at (100 mm, 0 mm)
     """
     seen = f", seen from {other}" if other else ""
-    return Words(
+    return Message(
         at,
         f"{pivot} has no place{seen}, and no loop closes through it",
         f"write `pivot {pivot} at (0 mm, 0 mm)`",
@@ -28,7 +28,7 @@ def pivot_without_place(at: Span, pivot: str, other: str) -> Words:
 
 
 @coded("E313")
-def length_without_value(at: Span, name: str) -> Words:
+def length_without_value(at: Span, name: str) -> Message:
     """A length in a loop has no value, so the directions of the loop do not follow.
 
     ::
@@ -37,7 +37,7 @@ def length_without_value(at: Span, name: str) -> Words:
         param a in 30 mm .. 50 mm          # wrong: a range is no value
         param a = 40 mm in 30 mm .. 50 mm  # right
     """
-    return Words(
+    return Message(
         at,
         f"{name} has no value, and a loop needs it to close",
         f"give it one: `param {name} = 40 mm`",
@@ -45,7 +45,7 @@ def length_without_value(at: Span, name: str) -> Words:
 
 
 @coded("E314")
-def guide_without_line(at: Span, slider: str, through: str) -> Words:
+def guide_without_line(at: Span, slider: str, through: str) -> Message:
     """A guide has a direction and no line, so no loop closes through its slider.
 
     ::
@@ -53,7 +53,7 @@ def guide_without_line(at: Span, slider: str, through: str) -> Words:
         slider B along x             # wrong: on which line does B run?
         slider B along x through A   # right
     """
-    return Words(
+    return Message(
         at,
         f"the guide of {slider} has a direction and no place, and no loop closes through it",
         f"write `slider {slider} along … through {through}`",
@@ -61,7 +61,7 @@ def guide_without_line(at: Span, slider: str, through: str) -> Words:
 
 
 @coded("E315")
-def inputs_missing(at: Span, points: Sequence[str], missing: int) -> Words:
+def inputs_missing(at: Span, points: Sequence[str], missing: int) -> Message:
     """The loops leave more open than the drive gives: the linkage needs more inputs.
 
     A loop determines two directions or places. A five-bar linkage has one direction more
@@ -75,7 +75,7 @@ def inputs_missing(at: Span, points: Sequence[str], missing: int) -> Words:
     """
     several = "inputs are" if missing > 1 else "input is"
     names = ", ".join(points)
-    return Words(
+    return Message(
         at,
         f"the directions of {names} are open, and the loops leave {_counted(missing)} of them"
         f" undetermined: {_counted(missing)} more {several} needed",
@@ -89,7 +89,7 @@ def _counted(number: int) -> str:
 
 
 @coded("E316")
-def directions_in_a_cycle(at: Span, points: Sequence[str]) -> Words:
+def directions_in_a_cycle(at: Span, points: Sequence[str]) -> Message:
     """Directions are given by one another, all the way round.
 
     ::
@@ -103,11 +103,11 @@ def directions_in_a_cycle(at: Span, points: Sequence[str]) -> Words:
         if len(points) > 1
         else f"the direction of {points[0]} is given by itself"
     )
-    return Words(at, message, f"give one of them, as in `{points[0]} = … @ alpha`")
+    return Message(at, message, f"give one of them, as in `{points[0]} = … @ alpha`")
 
 
 @coded("E317")
-def angle_not_found(at: Span, name: str, drive: str) -> Words:
+def angle_not_found(at: Span, name: str, drive: str) -> Message:
     """An angle has no value, and no loop finds it, while a drive is to move the mechanism.
 
     A parameter without a value is found by the loop that it closes. Without such a loop it
@@ -119,7 +119,7 @@ def angle_not_found(at: Span, name: str, drive: str) -> Words:
         param psi = 40 deg           # right, if it is given
         CB = l                       # right: a length, so that the loop closes
     """
-    return Words(
+    return Message(
         at,
         f"{name} has no value, and no loop that {drive} drives finds it",
         f"give it a value, as in `param {name} = 40 deg`, or give the lengths of its loop",

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ..source import Span
 from ..units import ANGLE, Dimension
-from .diagnostic import Related, Words, coded
+from .diagnostic import Message, Related, coded
 
 
 class Stretch(NamedTuple):
@@ -20,7 +20,7 @@ class Stretch(NamedTuple):
 
 
 @coded("E301")
-def missing_direction(at: Span, points: str, for_what: str) -> Words:
+def missing_direction(at: Span, points: str, for_what: str) -> Message:
     """A direction is needed and nothing gives it.
 
     Velocities are related through the directions of links, so the direction of every
@@ -33,7 +33,7 @@ def missing_direction(at: Span, points: str, for_what: str) -> Words:
     A direction may also come from a turn (``angle ABC = gamma``) or from other vectors
     that lead from one point to the other.
     """
-    return Words(
+    return Message(
         at,
         f"{for_what} needs the direction of {points}, and nothing gives it",
         f"add a line such as `{points} = @ alpha`",
@@ -41,7 +41,7 @@ def missing_direction(at: Span, points: str, for_what: str) -> Words:
 
 
 @coded("E302")
-def directions_disagree(at: Span, points: str, other: Span) -> Words:
+def directions_disagree(at: Span, points: str, other: Span) -> Message:
     """The direction of one vector is given twice, and differently.
 
     A direction can be written down, or follow from a turn::
@@ -52,7 +52,7 @@ def directions_disagree(at: Span, points: str, other: Span) -> Words:
 
     Give as many directions as are free, and leave the others out.
     """
-    return Words(
+    return Message(
         at,
         f"the direction of {points} is given twice, and not alike",
         "leave one of the two out",
@@ -61,7 +61,7 @@ def directions_disagree(at: Span, points: str, other: Span) -> Words:
 
 
 @coded("E303")
-def loop_does_not_close(at: Span, loop: str, gap: str) -> Words:
+def loop_does_not_close(at: Span, loop: str, gap: str) -> Message:
     """The vectors around a loop, with the values given, do not add up to zero.
 
     Going around a closed chain of vectors one must come back to where one started::
@@ -72,7 +72,7 @@ def loop_does_not_close(at: Span, loop: str, gap: str) -> Words:
 
     Leave one length open (``OB = @ 45 deg``) or correct the values.
     """
-    return Words(
+    return Message(
         at,
         f"the loop {loop} does not close: the gap is {gap} at the values given",
         "leave a length of the loop open, or correct its values",
@@ -80,7 +80,7 @@ def loop_does_not_close(at: Span, loop: str, gap: str) -> Words:
 
 
 @coded("E304")
-def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) -> Words:
+def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) -> Message:
     """A loop closes for special values only, so it ties symbols that are given as free.
 
     With directions and lengths given as independent parameters, a closed loop is a
@@ -95,7 +95,7 @@ def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) 
     """
     tied = ", ".join(names)
     detail = f": {relation}" if relation else ""
-    return Words(
+    return Message(
         at,
         f"the loop {loop} ties {tied}, which are given as independent{detail}",
         "leave a length of the loop open (`AB = @ beta`), or define one parameter by the others",
@@ -103,7 +103,7 @@ def loop_ties_symbols(at: Span, loop: str, names: Iterable[str], relation: str) 
 
 
 @coded("E305")
-def no_direction_of_its_own(at: Span, points: str) -> Words:
+def no_direction_of_its_own(at: Span, points: str) -> Message:
     """A direction is asked of two points whose vector rests on a length that is not given.
 
     ``along AC`` takes the direction of the vector AC. Where that is a sum of other
@@ -114,7 +114,7 @@ def no_direction_of_its_own(at: Span, points: str) -> Words:
         BC = c @ beta
         force P at A along AC
     """
-    return Words(
+    return Message(
         at,
         f"{points} is a sum of other vectors, not all of known length, so its direction is open",
         f"give the lengths, or the direction: `{points} = @ gamma`",
@@ -122,9 +122,9 @@ def no_direction_of_its_own(at: Span, points: str) -> Words:
 
 
 @coded("E306")
-def points_coincide(at: Span, points: str) -> Words:
+def points_coincide(at: Span, points: str) -> Message:
     """Two points of one link are at the same place, so no direction leads from one to the other."""
-    return Words(
+    return Message(
         at,
         f"the two points of {points} are at the same place",
         "check the lengths and angles that lead from one to the other",
@@ -154,7 +154,7 @@ def no_line_tells(closures: Sequence[str], drive: str) -> str:
 
 
 @coded("E307")
-def closure_open(at: Span, loop: str, number: int, hint: str) -> Words:
+def closure_open(at: Span, loop: str, number: int, hint: str) -> Message:
     """A loop closes in two ways or more, and the description does not say which is meant.
 
     With its lengths and the drive given, a triangle can lie on either side of its base,
@@ -169,11 +169,11 @@ def closure_open(at: Span, loop: str, number: int, hint: str) -> Words:
     """
     ways = "two" if number == 2 else str(number)
     message = f"the loop {loop} closes in {ways} ways, and nothing says which is meant"
-    return Words(at, message, hint)
+    return Message(at, message, hint)
 
 
 @coded("E308")
-def assembly_undecided(at: Span, points: str, hint: str) -> Words:
+def assembly_undecided(at: Span, points: str, hint: str) -> Message:
     """An ``assembly`` line does not tell the closures of its loop apart at the default pose.
 
     Either both closures have the turn that it asks for, or none has, or the default pose
@@ -185,11 +185,11 @@ def assembly_undecided(at: Span, points: str, hint: str) -> Words:
     A default pose away from the dead centre helps where the line is right.
     """
     message = f"the assembly of {points} does not tell the closures apart at the default pose"
-    return Words(at, message, hint)
+    return Message(at, message, hint)
 
 
 @coded("E309")
-def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch]) -> Words:
+def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch]) -> Message:
     """With the lengths given, a loop cannot be closed at the default pose.
 
     A triangle needs each side to be shorter than the other two together, a rod to reach
@@ -207,7 +207,7 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch
     where = f"; it closes for {drive} from " + " and from ".join(map(_stretch, known))
     never = f", nor anywhere along {drive}" if drive else ""
     move = f"move the default of {drive} there{_limits(drive, known)}"
-    return Words(
+    return Message(
         at,
         f"the loop {loop} cannot be assembled at the default pose{where if known else never}",
         move if known else "change the lengths so that they reach",
@@ -215,7 +215,7 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch
 
 
 @coded("E310")
-def length_open(at: Span, points: str) -> Words:
+def length_open(at: Span, points: str) -> Message:
     """A formula asks for the length of a vector, and nothing gives it.
 
     ``len_AB`` is what the description says of AB, or what a loop makes it::
@@ -224,7 +224,7 @@ def length_open(at: Span, points: str) -> Words:
         let s = len_BK/2     # wrong
         BK = l @ beta        # right
     """
-    return Words(
+    return Message(
         at,
         f"the formula needs the length of {points}, and nothing gives it",
         f"give it: `{points} = l @ …`",
@@ -232,7 +232,7 @@ def length_open(at: Span, points: str) -> Words:
 
 
 @coded("E311")
-def side_of_the_mirror(at: Span, point: str, load: str) -> Words:
+def side_of_the_mirror(at: Span, point: str, load: str) -> Message:
     """A pair acts across the mirror line, and nothing tells where that line is.
 
     The line passes through the points that both halves share; from one of them vectors
@@ -243,11 +243,11 @@ def side_of_the_mirror(at: Span, point: str, load: str) -> Words:
         actuator P between B and B'
     """
     message = f"nothing tells on which side of the mirror line {point} is, where {load} pushes it"
-    return Words(at, message, "name a point on the line, as in `mirror across y sharing O`")
+    return Message(at, message, "name a point on the line, as in `mirror across y sharing O`")
 
 
 @coded("W301")
-def assembly_idle(at: Span, points: str) -> Words:
+def assembly_idle(at: Span, points: str) -> Message:
     """An ``assembly`` line decides nothing: all its points are placed without it.
 
     Only a loop that two closures fit asks for one. Here the directions are given, or the
@@ -257,7 +257,7 @@ def assembly_idle(at: Span, points: str) -> Words:
         AB = b @ beta
         assembly OAB ccw     # decides nothing: both directions are given
     """
-    return Words(
+    return Message(
         at,
         f"the assembly of {points} decides nothing",
         "leave it out, or name the points of a loop that mechc is to close",
@@ -265,7 +265,7 @@ def assembly_idle(at: Span, points: str) -> Words:
 
 
 @coded("E318")
-def assembly_refuted(at: Span, points: str, mode: str) -> Words:
+def assembly_refuted(at: Span, points: str, mode: str) -> Message:
     """An ``assembly`` line says of given points what they are not.
 
     The directions given, or loops that close in one way only, place its points, and they
@@ -275,7 +275,7 @@ def assembly_refuted(at: Span, points: str, mode: str) -> Words:
         BK = l @ 80 deg
         assembly OBK ccw     # wrong: O, B, K turn clockwise
     """
-    return Words(
+    return Message(
         at,
         f"{points} turns {mode} at the default pose, whatever an assembly says",
         "leave the line out, or correct the directions",
@@ -283,7 +283,7 @@ def assembly_refuted(at: Span, points: str, mode: str) -> Words:
 
 
 @coded("E319")
-def assemblies_contradict(at: Span, points: str, other: str, first: Span) -> Words:
+def assemblies_contradict(at: Span, points: str, other: str, first: Span) -> Message:
     """Two ``assembly`` lines ask for opposite closures.
 
     Which way round three points turn is said once; the order in which a line begins with
@@ -292,7 +292,7 @@ def assemblies_contradict(at: Span, points: str, other: str, first: Span) -> Wor
         assembly ABC ccw
         assembly CBA ccw     # wrong: then A, B, C turn clockwise
     """
-    return Words(
+    return Message(
         at,
         f"the assembly of {points} contradicts that of {other}",
         "leave one of the two out",
@@ -301,7 +301,7 @@ def assemblies_contradict(at: Span, points: str, other: str, first: Span) -> Wor
 
 
 @coded("W302")
-def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Words:
+def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Message:
     """Two gears stand where their pitch circles do not touch.
 
     Where the places of both pivots are given, the distance between them is the sum of the
@@ -313,7 +313,7 @@ def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Words:
         gear O 20 mm, Q 30 mm     # warned of: 50 mm
         gear O 20 mm, Q 40 mm     # right
     """
-    return Words(
+    return Message(
         at,
         f"the gears on {pivots} are {apart * 1000:.7g} mm apart, "
         f"their radii make {wanted * 1000:.7g} mm",

@@ -3,12 +3,12 @@
 from collections.abc import Collection, Sequence
 
 from ..source import Span
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 from .syntax import listed
 
 
 @coded("E501")
-def load_not_balanced(at: Span, load: str, by: str) -> Words:
+def load_not_balanced(at: Span, load: str, by: str) -> Message:
     """A load does work and nothing is there to balance it.
 
     The force that was to hold it stands perpendicular to the motion of its point, or on a
@@ -19,7 +19,7 @@ def load_not_balanced(at: Span, load: str, by: str) -> Words:
 
     Turn the force, or put it where the mechanism moves.
     """
-    return Words(
+    return Message(
         at,
         f"nothing balances {load}: {by} does no work in any motion of the mechanism",
         f"check the direction of {by} and the point it acts on",
@@ -29,7 +29,7 @@ def load_not_balanced(at: Span, load: str, by: str) -> Words:
 @coded("E502")
 def ratio_not_determined(
     at: Span, above: str, below: str, others: Sequence[str], weights: Collection[str] = ()
-) -> Words:
+) -> Message:
     """A ratio of two loads is asked for while other loads do work too.
 
     P/F is a number of the mechanism only where P and F alone do work (or others are tied
@@ -39,7 +39,7 @@ def ratio_not_determined(
         find P               # right: P = … F + … W
     """
     free = next((name for name in others if name not in weights), "")
-    return Words(
+    return Message(
         at,
         f"{above}/{below} is not determined: {', '.join(others)} does work too",
         f"write `find {above}`, which gives {above} as a sum over all other loads"
@@ -48,7 +48,9 @@ def ratio_not_determined(
 
 
 @coded("E503")
-def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int, loose: str) -> Words:
+def unknown_loads_do_not_match(
+    at: Span, unknown: Sequence[str], motions: int, loose: str
+) -> Message:
     """The number of loads asked for differs from the number of independent motions.
 
     A mechanism of mobility m has m power equations, so exactly m loads follow from the
@@ -57,7 +59,7 @@ def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int, l
     """
     named = ", ".join(unknown)
     number = "1 load is" if len(unknown) == 1 else f"{len(unknown)} loads are"
-    return Words(
+    return Message(
         at,
         f"{motions} independent motions give {motions} power equations, "
         f"but {number} asked for: {named}",
@@ -67,12 +69,12 @@ def unknown_loads_do_not_match(at: Span, unknown: Sequence[str], motions: int, l
 
 
 @coded("E504")
-def speeds_independent(at: Span, what: str) -> Words:
+def speeds_independent(at: Span, what: str) -> Message:
     """A ratio of two speeds is asked for that the constraints leave open.
 
     With more than one independent motion two speeds need not be related.
     """
-    return Words(
+    return Message(
         at,
         f"{what} is not determined: the two can move independently of one another",
         "ask for speeds of one motion, or add the constraint that ties them",
@@ -80,13 +82,13 @@ def speeds_independent(at: Span, what: str) -> Words:
 
 
 @coded("E505")
-def speed_vanishes(at: Span, what: str) -> Words:
+def speed_vanishes(at: Span, what: str) -> Message:
     """A ratio is asked for whose denominator never moves."""
-    return Words(at, f"{what} is at rest in every motion, so nothing can be divided by it")
+    return Message(at, f"{what} is at rest in every motion, so nothing can be divided by it")
 
 
 @coded("E506")
-def length_not_given(at: Span, result: str, points: Sequence[str]) -> Words:
+def length_not_given(at: Span, result: str, points: Sequence[str]) -> Message:
     """A result depends on a length that the description leaves open.
 
     A rod needs only its direction (``BK = @ beta``) because its length cancels. Here one
@@ -96,7 +98,7 @@ def length_not_given(at: Span, result: str, points: Sequence[str]) -> Words:
         OA = a @ alpha       # right
     """
     named = ", ".join(points)
-    return Words(
+    return Message(
         at,
         f"{result} depends on the length of {named}, which is not given",
         f"give it: `{points[0]} = l_{points[0]} @ …` with `param l_{points[0]}: length`",
@@ -104,7 +106,7 @@ def length_not_given(at: Span, result: str, points: Sequence[str]) -> Words:
 
 
 @coded("E507")
-def pole_at_default(at: Span, result: str, factor: str) -> Words:
+def pole_at_default(at: Span, result: str, factor: str) -> Message:
     """A result is infinite at the pose that the parameters' values describe.
 
     The mechanism is in a dead centre there: the drive is locked while the output could
@@ -112,7 +114,7 @@ def pole_at_default(at: Span, result: str, factor: str) -> Words:
     would still be right elsewhere, but every number at the default pose would not.
     """
     reason = f": {factor} = 0" if factor else ""
-    return Words(
+    return Message(
         at,
         f"{result} is infinite at the default pose{reason}",
         "move the default values away from the dead centre",
@@ -120,14 +122,14 @@ def pole_at_default(at: Span, result: str, factor: str) -> Words:
 
 
 @coded("E508")
-def branch_point(at: Span, links: Sequence[str]) -> Words:
+def branch_point(at: Span, links: Sequence[str]) -> Message:
     """At the default pose the constraints lose their independence: a branch point.
 
     The mechanism could go on in more than one way (a parallelogram laid flat, for
     example), so the velocities are not determined there.
     """
     named = ", ".join(links)
-    return Words(
+    return Message(
         at,
         f"the default pose is a branch point: the motion of {named} is not determined there",
         "choose other default values; links that lie in one line are the usual cause",
@@ -135,7 +137,7 @@ def branch_point(at: Span, links: Sequence[str]) -> Words:
 
 
 @coded("E509")
-def reaction_undetermined(at: Span, result: str) -> Words:
+def reaction_undetermined(at: Span, result: str) -> Message:
     """A force at a joint is not determined by equilibrium.
 
     Where a mechanism is held more often than it needs (a redundant bar, two guides on one
@@ -143,11 +145,11 @@ def reaction_undetermined(at: Span, result: str) -> Words:
     depends on clearances and on how the parts bend.
     """
     message = f"equilibrium leaves {result} open: the mechanism is held more than once there"
-    return Words(at, message, "leave the redundant bar or guide out, or ask for another force")
+    return Message(at, message, "leave the redundant bar or guide out, or ask for another force")
 
 
 @coded("E595")
-def which_load_follows(at: Span, result: str, loads: Sequence[str], number: int) -> Words:
+def which_load_follows(at: Span, result: str, loads: Sequence[str], number: int) -> Message:
     """A force at a joint is asked for, and nothing says which load follows from the others.
 
     The loads on a mechanism that moves are in a ratio to one another: one of them is as large
@@ -167,7 +169,7 @@ def which_load_follows(at: Span, result: str, loads: Sequence[str], number: int)
     """
     named = ", ".join(loads)
     follow = "one of the loads follows" if number == 1 else f"{number} of the loads follow"
-    return Words(
+    return Message(
         at,
         f"{follow} from the others, nothing says which of {named}: {result} is not determined",
         "write `find` for the load that follows, or give the others a size with `let`",
@@ -175,7 +177,7 @@ def which_load_follows(at: Span, result: str, loads: Sequence[str], number: int)
 
 
 @coded("E512")
-def transmission_presses(at: Span, point: str, rubs: bool) -> Words:
+def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
     """The force on the pivot of a gear, a pulley or a screw is asked for, or its friction.
 
     What the teeth pass on presses across the line of centres, a belt was tightened before
@@ -192,22 +194,24 @@ def transmission_presses(at: Span, point: str, rubs: bool) -> Words:
         f"the force on pivot {point} is needed, and nothing tells which way a gear, belt or screw "
         "presses there"
     )
-    hint = f"give friction pin by pin, and leave {point} out" if rubs else ""
-    return Words(at, message, hint)
+    hint = f"give friction pin by pin, and leave {point} out" if has_friction else ""
+    return Message(at, message, hint)
 
 
 @coded("W501")
-def load_does_no_work(at: Span, load: str) -> Words:
+def load_does_no_work(at: Span, load: str) -> Message:
     """A load does no work in any motion: it stands on a fixed point or across the motion.
 
     Such a load changes reactions, not k. If that was not meant, check the point and the
     direction.
     """
-    return Words(at, f"{load} does no work in any motion of the mechanism, so it has no influence")
+    return Message(
+        at, f"{load} does no work in any motion of the mechanism, so it has no influence"
+    )
 
 
 @coded("W502")
-def result_negative(at: Span, result: str, hint: str) -> Words:
+def result_negative(at: Span, result: str, hint: str) -> Message:
     """A force ratio is negative: the loads as directed can't balance.
 
     k is the ratio for which the loads, acting as their arrows say, are in equilibrium. A
@@ -216,7 +220,7 @@ def result_negative(at: Span, result: str, hint: str) -> Words:
     An actuator is positive where it pushes its points apart.
     """
     message = f"{result} is negative at the default pose: the arrows do not balance as drawn"
-    return Words(at, message, hint)
+    return Message(at, message, hint)
 
 
 def turn_round(forces: Sequence[str]) -> str:
@@ -239,28 +243,28 @@ def clockwise(torques: Sequence[str]) -> str:
 
 
 @coded("W503")
-def result_zero(at: Span, result: str) -> Words:
+def result_zero(at: Span, result: str) -> Message:
     """A result is zero at the default pose: the output stands still, or the load is across."""
-    return Words(at, f"{result} is zero at the default pose")
+    return Message(at, f"{result} is zero at the default pose")
 
 
 @coded("W504")
-def idle_freedom(at: Span, what: Sequence[str]) -> Words:
+def idle_freedom(at: Span, what: Sequence[str]) -> Message:
     """Something can move without moving any load.
 
     A rod that may spin about its own line, a link that hangs free: k is not changed by
     it, but it may show a constraint that was forgotten.
     """
     message = f"{listed(what, 'and')} can move without moving any load"
-    return Words(at, message, "is a constraint missing?")
+    return Message(at, message, "is a constraint missing?")
 
 
 @coded("E831")
-def too_many_lets(span: Span, name: str, number: int) -> Words:
+def too_many_lets(span: Span, name: str, number: int) -> Message:
     """So many formulas rest on one another that no report or code could show them.
 
     Every result is told with all that it rests on, so that a chain of a thousand lets
     stands for half a million definitions. Such descriptions come from a program: let it
     write the sum that it means.
     """
-    return Words(span, f"'{name}' rests on {number} other formulas", "write fewer, longer ones")
+    return Message(span, f"'{name}' rests on {number} other formulas", "write fewer, longer ones")

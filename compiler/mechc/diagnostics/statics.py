@@ -5,7 +5,7 @@ from collections.abc import Mapping
 
 from ..source import Span
 from ..units import ANGLE, NUMBER, Dimension, base_units
-from .diagnostic import Words, coded
+from .diagnostic import Message, coded
 
 REPORT_IT = "this is a bug in mechc, not in the description: please report it with this file"
 
@@ -14,7 +14,7 @@ BUGS = frozenset({"E540", "E601", "E602", "E603"})
 
 
 @coded("E601")
-def methods_disagree(span: Span, result: str, power: float, statics: float) -> Words:
+def methods_disagree(span: Span, result: str, power: float, statics: float) -> Message:
     """The two methods disagree.
 
     Every result is computed twice: as a formula by virtual power, and in numbers from the
@@ -25,11 +25,11 @@ def methods_disagree(span: Span, result: str, power: float, statics: float) -> W
     with the file. ``mechc check --verbose`` shows the poses and both numbers.
     """
     found = f"virtual power gives {result} = {power!r}, equilibrium of the free bodies {statics!r}"
-    return Words(span, f"the two methods disagree: {found}; they should be equal", REPORT_IT)
+    return Message(span, f"the two methods disagree: {found}; they should be equal", REPORT_IT)
 
 
 @coded("E602")
-def no_equilibrium(span: Span, result: str, reason: str) -> Words:
+def no_equilibrium(span: Span, result: str, reason: str) -> Message:
     """Virtual power gives a result where equilibrium gives none.
 
     A finite force ratio means that the loads can be balanced. At every pose that was tried
@@ -40,11 +40,11 @@ def no_equilibrium(span: Span, result: str, reason: str) -> Words:
     This is a bug in mechc. Please report it, with the file.
     """
     message = f"{result} has a value by virtual power, but not by equilibrium: {reason}"
-    return Words(span, message, REPORT_IT)
+    return Message(span, message, REPORT_IT)
 
 
 @coded("E603")
-def pose_does_not_close(span: Span, what: str, gap: float) -> Words:
+def pose_does_not_close(span: Span, what: str, gap: float) -> Message:
     """The mechanism does not stand as described.
 
     With the directions and lengths that were found for the pose, every point is put in its
@@ -56,11 +56,11 @@ def pose_does_not_close(span: Span, what: str, gap: float) -> Words:
     with the file.
     """
     message = f"the pose that was found does not fit: {what} is off by {gap:.3g} m, expected 0"
-    return Words(span, message, REPORT_IT)
+    return Message(span, message, REPORT_IT)
 
 
 @coded("W601")
-def not_judged(span: Span, result: str, reason: str) -> Words:
+def not_judged(span: Span, result: str, reason: str) -> Message:
     """A result could not be checked by the equilibrium of the free bodies.
 
     Each result is checked in numbers at the default pose and at poses drawn from the ranges
@@ -78,7 +78,7 @@ def not_judged(span: Span, result: str, reason: str) -> Words:
         require alpha < 30 deg
     """
     hint = "give the parameters values and ranges at which the mechanism can stand"
-    return Words(span, f"{result} was not checked against equilibrium: {reason}", hint)
+    return Message(span, f"{result} was not checked against equilibrium: {reason}", hint)
 
 
 @coded("E604")
@@ -89,7 +89,7 @@ def contact_would_pull(
     load: str,
     force: float,
     pose: Mapping[str, tuple[float, Dimension]],
-) -> Words:
+) -> Message:
     """A contact would have to pull for the loads to balance, and bodies that touch only push.
 
     The normal of a contact is the direction in which the body pushes the point. Where
@@ -103,7 +103,7 @@ def contact_would_pull(
     """
     place = ", ".join(f"{name} = {_measured(*value)}" for name, value in pose.items())
     at = f" at {place}" if place else ""
-    return Words(
+    return Message(
         span,
         f"{body} would have to pull {point} with {-force:.4g} times {load}{at}, "
         "but a contact can only push",
@@ -118,11 +118,11 @@ def _measured(value: float, dimension: Dimension) -> str:
 
 
 @coded("E540")
-def friction_not_counted(at: Span, pin: str) -> Words:
+def friction_not_counted(at: Span, pin: str) -> Message:
     """Every pin is said to have friction, and one of them was left out: a bug in mechc.
 
     Free bodies are cut at every pin, and all that turn there are counted. One on which no
     friction acts was forgotten on the way from the description to the formula.
     """
     message = f"every pin is said to have friction, but none acts at {pin}"
-    return Words(at, message, REPORT_IT)
+    return Message(at, message, REPORT_IT)

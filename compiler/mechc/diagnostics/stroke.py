@@ -5,11 +5,11 @@ from collections.abc import Iterable
 
 from ..source import Span
 from ..units import ANGLE, Dimension
-from .diagnostic import Related, Words, coded
+from .diagnostic import Message, Related, coded
 
 
 @coded("E591")
-def no_drive(span: Span, free: Iterable[str], example: str, unit: str) -> Words:
+def no_drive(span: Span, free: Iterable[str], example: str, unit: str) -> Message:
     """A stroke was asked for, and the description names no driving coordinate.
 
     ::
@@ -18,7 +18,7 @@ def no_drive(span: Span, free: Iterable[str], example: str, unit: str) -> Words:
         drive phi from 10 deg to 80 deg
     """
     names = ", ".join(free)
-    return Words(
+    return Message(
         span,
         f"no driving coordinate is named, expected one of {names}" if names else "nothing drives",
         f"add a line such as `drive {example} from 10 {unit} to 80 {unit}`",
@@ -26,7 +26,7 @@ def no_drive(span: Span, free: Iterable[str], example: str, unit: str) -> Words:
 
 
 @coded("E592")
-def no_stroke(span: Span, name: str) -> Words:
+def no_stroke(span: Span, name: str) -> Message:
     """The driving coordinate has neither a stroke nor a range.
 
     ::
@@ -34,7 +34,7 @@ def no_stroke(span: Span, name: str) -> Words:
         drive phi                          # wrong, unless phi has a range
         drive phi from 10 deg to 80 deg    # right
     """
-    return Words(
+    return Message(
         span,
         f"the stroke of {name} has no ends, expected two",
         f"write `drive {name} from … to …`, or give {name} a range",
@@ -42,7 +42,7 @@ def no_stroke(span: Span, name: str) -> Words:
 
 
 @coded("E593")
-def empty(span: Span, name: str) -> Words:
+def empty(span: Span, name: str) -> Message:
     """A stroke begins and ends at one place.
 
     ::
@@ -50,11 +50,11 @@ def empty(span: Span, name: str) -> Words:
         drive phi from 10 deg to 10 deg    # wrong
         drive phi from 10 deg to 80 deg    # right
     """
-    return Words(span, f"the stroke of {name} is empty", "give it two ends that differ")
+    return Message(span, f"the stroke of {name} is empty", "give it two ends that differ")
 
 
 @coded("E594")
-def too_many_turns(span: Span, name: str, turns: float, most: int) -> Words:
+def too_many_turns(span: Span, name: str, turns: float, most: int) -> Message:
     """A stroke goes round more often than can be looked at.
 
     Results repeat after a turn, and between the places that a stroke is looked at nothing
@@ -64,11 +64,11 @@ def too_many_turns(span: Span, name: str, turns: float, most: int) -> Words:
         drive phi from 0 deg to 360 deg     # right
     """
     message = f"the stroke of {name} is {turns:.3g} turns, expected at most {most}"
-    return Words(span, message, "give it the turns after which everything repeats")
+    return Message(span, message, "give it the turns after which everything repeats")
 
 
 @coded("W593")
-def beyond_range(span: Span, name: str, parameter: Span) -> Words:
+def beyond_range(span: Span, name: str, parameter: Span) -> Message:
     """A stroke goes beyond the range of the driving parameter.
 
     The range is what the parameter may be, the stroke what the drive runs over: one of the
@@ -79,7 +79,7 @@ def beyond_range(span: Span, name: str, parameter: Span) -> Words:
     """
     message = f"the stroke of {name} goes beyond its range"
     related = (Related(parameter, "the range"),)
-    return Words(span, message, "widen the range, or shorten the stroke", related)
+    return Message(span, message, "widen the range, or shorten the stroke", related)
 
 
 @coded("W594")
@@ -89,7 +89,7 @@ def not_assembled(
     parts: Iterable[tuple[float, float]],
     dimension: Dimension,
     places: int,
-) -> Words:
+) -> Message:
     """A loop does not close over a part of the stroke.
 
     There is no pose there, results are NaN, and the drive cannot run through. ``mechc stroke``
@@ -101,7 +101,7 @@ def not_assembled(
     """
     unit, size = ("deg", math.pi / 180) if dimension == ANGLE else ("mm", 1e-3)
     shown = " and ".join(f"from {a / size:.7g} to {b / size:.7g} {unit}" for a, b in parts)
-    return Words(
+    return Message(
         span,
         f"the mechanism cannot be assembled for {name} {shown}, seen at {places} places",
         "shorten the stroke, or change the lengths",
@@ -109,7 +109,7 @@ def not_assembled(
 
 
 @coded("W591")
-def direction_stays(span: Span, link: str, drive: str) -> Words:
+def direction_stays(span: Span, link: str, drive: str) -> Message:
     """A link does not turn along the stroke as the joints make it turn.
 
     A direction that is given as an angle of its own stays where it is while the drive
@@ -124,7 +124,7 @@ def direction_stays(span: Span, link: str, drive: str) -> Words:
     Where rods lead the link, give their lengths and leave its direction out: mechc closes
     the loop.
     """
-    return Words(
+    return Message(
         span,
         f"link {link} does not follow {drive} along the stroke as its joints demand",
         f"leave its direction to a loop, or write it as a formula of {drive}",

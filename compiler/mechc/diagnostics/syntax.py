@@ -6,7 +6,7 @@ Those of YAML's shape are in :mod:`.syntax_yaml`, those of size in :mod:`.syntax
 from collections.abc import Iterable
 
 from ..source import Span
-from .diagnostic import Related, Words, coded, near_miss
+from .diagnostic import Message, Related, coded, near_miss
 
 
 def listed(words: Iterable[str], last: str = "or") -> str:
@@ -20,7 +20,7 @@ def listed(words: Iterable[str], last: str = "or") -> str:
 
 
 @coded("E101")
-def unexpected_text(span: Span, found: str, expected: list[str], hint: str = "") -> Words:
+def unexpected_text(span: Span, found: str, expected: list[str], hint: str = "") -> Message:
     """A statement has the wrong word or sign at this place.
 
     Each statement has one order of words, and the message lists what may stand at
@@ -29,11 +29,11 @@ def unexpected_text(span: Span, found: str, expected: list[str], hint: str = "")
         slider K 90 deg          # wrong: 'along' is missing
         slider K along 90 deg    # right
     """
-    return Words(span, f"found {found}, expected {listed(expected)}", hint)
+    return Message(span, f"found {found}, expected {listed(expected)}", hint)
 
 
 @coded("E102")
-def unknown_statement(span: Span, word: str, known: Iterable[str], hint: str = "") -> Words:
+def unknown_statement(span: Span, word: str, known: Iterable[str], hint: str = "") -> Message:
     """A line begins with a word that no statement begins with.
 
     Every line of a description is one statement: it begins with the statement's word
@@ -46,11 +46,13 @@ def unknown_statement(span: Span, word: str, known: Iterable[str], hint: str = "
     """
     known = list(known)
     message = f"no statement begins with '{word}'"
-    return Words(span, message, hint or near_miss(word, known) or f"statements: {', '.join(known)}")
+    return Message(
+        span, message, hint or near_miss(word, known) or f"statements: {', '.join(known)}"
+    )
 
 
 @coded("E103")
-def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") -> Words:
+def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") -> Message:
     """The word behind a number is no unit.
 
     A unit follows its number directly or after a space; a compound unit has no spaces
@@ -64,11 +66,11 @@ def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") ->
     product = f"a product is written with '*', as in 2*{unit}" if unit.isalnum() else ""
     spaces = "a compound unit has no spaces, as in 2 m/s^2"
     hint = hint or near_miss(unit, known) or product or spaces
-    return Words(span, f"'{unit}' behind a number is not a unit", hint)
+    return Message(span, f"'{unit}' behind a number is not a unit", hint)
 
 
 @coded("E104")
-def unknown_function(span: Span, name: str, known: Iterable[str]) -> Words:
+def unknown_function(span: Span, name: str, known: Iterable[str]) -> Message:
     """A name before a bracket is no function of the language.
 
     The functions are sin cos tan cot sec csc asin acos atan atan2 sqrt hypot abs min max
@@ -86,21 +88,21 @@ def unknown_function(span: Span, name: str, known: Iterable[str]) -> Words:
         or near_miss(name.lower(), known)
         or f"for a product write {name}*(…)"
     )
-    return Words(span, f"'{name}' is not a function", hint)
+    return Message(span, f"'{name}' is not a function", hint)
 
 
 @coded("E105")
-def wrong_argument_count(span: Span, name: str, found: int, expected: str) -> Words:
+def wrong_argument_count(span: Span, name: str, found: int, expected: str) -> Message:
     """A function has too few or too many arguments.
 
     let r = atan2(y)         # wrong
     let r = atan2(y, x)      # right: first y, then x
     """
-    return Words(span, f"{name} takes {expected}, found {found}")
+    return Message(span, f"{name} takes {expected}, found {found}")
 
 
 @coded("E106")
-def reserved_word(span: Span, word: str) -> Words:
+def reserved_word(span: Span, word: str) -> Message:
     """A word of the language was taken as a name.
 
     The words that statements are made of, the functions and ``pi`` are reserved, so
@@ -110,11 +112,11 @@ def reserved_word(span: Span, word: str) -> Words:
         param a_t = 40 mm        # right
     """
     hint = f"choose another name, say {word}_1"
-    return Words(span, f"'{word}' is a word of the language and cannot be a name", hint)
+    return Message(span, f"'{word}' is a word of the language and cannot be a name", hint)
 
 
 @coded("E107")
-def unclosed_bracket(span: Span, bracket: str) -> Words:
+def unclosed_bracket(span: Span, bracket: str) -> Message:
     """A bracket is opened and never closed, or closed and never opened.
 
     let k = 2*(a + b         # wrong
@@ -122,33 +124,33 @@ def unclosed_bracket(span: Span, bracket: str) -> Words:
     """
     match bracket:
         case ")":
-            return Words(span, "this ')' closes nothing", "remove it, or open a '(' before it")
+            return Message(span, "this ')' closes nothing", "remove it, or open a '(' before it")
         case _:
-            return Words(span, "this '(' is never closed", "add a ')'")
+            return Message(span, "this '(' is never closed", "add a ')'")
 
 
 @coded("E108")
-def unfinished_statement(span: Span, expected: list[str], hint: str = "") -> Words:
+def unfinished_statement(span: Span, expected: list[str], hint: str = "") -> Message:
     """A statement ends before it is complete.
 
     force P at A             # wrong: in which direction?
     force P at A along x     # right
     """
-    return Words(span, f"the statement ends here, expected {listed(expected)}", hint)
+    return Message(span, f"the statement ends here, expected {listed(expected)}", hint)
 
 
 @coded("E109")
-def missing_equals(span: Span, found: str) -> Words:
+def missing_equals(span: Span, found: str) -> Message:
     """An ``=`` is missing between a name and its value.
 
     param a 40 mm            # wrong
     param a = 40 mm          # right
     """
-    return Words(span, f"found {found}, expected '=' and a value", "write NAME = VALUE")
+    return Message(span, f"found {found}, expected '=' and a value", "write NAME = VALUE")
 
 
 @coded("E110")
-def not_a_point(span: Span, text: str, expected: str) -> Words:
+def not_a_point(span: Span, text: str, expected: str) -> Message:
     """A point's name was expected.
 
     A point is a capital letter with optional digits or primes: A, B2, O1, K'. A link is
@@ -158,11 +160,11 @@ def not_a_point(span: Span, text: str, expected: str) -> Words:
         pivot O                  # right
     """
     hint = "a point is a capital letter with optional digits or primes: A, B2, K'"
-    return Words(span, f"found '{text}', expected {expected}", hint)
+    return Message(span, f"found '{text}', expected {expected}", hint)
 
 
 @coded("E111")
-def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Words:
+def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Message:
     """A link, a line or an angle is named by another number of points.
 
     telescope ABC            # wrong: it has two ends
@@ -171,11 +173,11 @@ def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Words
     angle ABC = 30 deg       # right
     """
     points = "1 point" if found == 1 else f"{found} points"
-    return Words(span, f"'{text}' names {points}, expected {expected}")
+    return Message(span, f"'{text}' names {points}, expected {expected}")
 
 
 @coded("E112")
-def unexpected_character(span: Span, character: str, hint: str) -> Words:
+def unexpected_character(span: Span, character: str, hint: str) -> Message:
     """A character that the language does not have.
 
     Names are written in Latin letters, digits and underscores; operators are
@@ -184,51 +186,51 @@ def unexpected_character(span: Span, character: str, hint: str) -> Words:
         param α = 12°            # wrong
         param alpha = 12 deg     # right
     """
-    return Words(span, f"unexpected character '{character}'", hint)
+    return Message(span, f"unexpected character '{character}'", hint)
 
 
 @coded("E113")
-def unclosed_text(span: Span) -> Words:
+def unclosed_text(span: Span) -> Message:
     """A text in quotes does not end on its line.
 
     source "Karpenko 2023    # wrong
     source "Karpenko 2023"   # right
     """
-    return Words(span, "this text is not closed", 'end it with "')
+    return Message(span, "this text is not closed", 'end it with "')
 
 
 @coded("E114")
-def stated_twice(span: Span, what: str, first: Span) -> Words:
+def stated_twice(span: Span, what: str, first: Span) -> Message:
     """Something that can be said only once is said twice.
 
     One description has one ``mechanism`` line, one ``source``, one ``mirror``,
     ``copies``, ``gravity``, ``motion`` and ``efficiency``.
     """
     related = (Related(first, "first stated here"),)
-    return Words(span, f"'{what}' is stated twice", "remove one of the two", related)
+    return Message(span, f"'{what}' is stated twice", "remove one of the two", related)
 
 
 @coded("E115")
-def unknown_version(span: Span, number: str) -> Words:
+def unknown_version(span: Span, number: str) -> Message:
     """The first line names a version of the language that this compiler does not know.
 
     mechc 7                  # wrong, today
     mechc 1                  # right
     """
-    return Words(span, f"found language version {number}, expected 1", "write 'mechc 1'")
+    return Message(span, f"found language version {number}, expected 1", "write 'mechc 1'")
 
 
 @coded("E116")
-def version_not_first(span: Span) -> Words:
+def version_not_first(span: Span) -> Message:
     """The language version must be known before anything else is read.
 
     ``mechc 1`` is the first statement of a file, or it is left out.
     """
-    return Words(span, "'mechc' is not the first statement", "move it to the top")
+    return Message(span, "'mechc' is not the first statement", "move it to the top")
 
 
 @coded("E117")
-def empty_parameter(span: Span, name: str) -> Words:
+def empty_parameter(span: Span, name: str) -> Message:
     """A parameter has neither a value nor a dimension nor a range.
 
     param a                  # wrong: a length? an angle?
@@ -236,21 +238,21 @@ def empty_parameter(span: Span, name: str) -> Words:
     param a: length          # right: a length without a value
     """
     hint = f"write 'param {name} = 40 mm' or 'param {name}: length'"
-    return Words(span, f"parameter '{name}' has no value and no dimension", hint)
+    return Message(span, f"parameter '{name}' has no value and no dimension", hint)
 
 
 @coded("E118")
-def not_a_name(span: Span, text: str, expected: str) -> Words:
+def not_a_name(span: Span, text: str, expected: str) -> Message:
     """A name was expected: a letter, then letters, digits, underscores or primes.
 
     params: {2a: 40 mm}      # wrong
     params: {a2: 40 mm}      # right
     """
-    return Words(span, f"found '{text}', expected {expected}")
+    return Message(span, f"found '{text}', expected {expected}")
 
 
 @coded("E129")
-def unprintable_character(span: Span, character: str) -> Words:
+def unprintable_character(span: Span, character: str) -> Message:
     r"""A text has a control character, or half of a character.
 
     No editor shows it, LaTeX and C cannot take it, and a file of it could not be read
@@ -261,11 +263,11 @@ def unprintable_character(span: Span, character: str) -> Words:
         title: "ab"              # right
     """
     message = f"found the character U+{ord(character):04X}, which no text has"
-    return Words(span, message, "remove it; in doubt type the line anew")
+    return Message(span, message, "remove it; in doubt type the line anew")
 
 
 @coded("E130")
-def tolerance_of_nothing(span: Span, name: str) -> Words:
+def tolerance_of_nothing(span: Span, name: str) -> Message:
     """A parameter without a value has a tolerance.
 
     A tolerance says how far the value may be off, so there is a value.
@@ -273,14 +275,14 @@ def tolerance_of_nothing(span: Span, name: str) -> Words:
         param a: length +- 0.1 mm        # wrong
         param a = 40 mm +- 0.1 mm        # right
     """
-    return Words(span, f"'{name}' has a tolerance but no value", f"write {name} = … +- …")
+    return Message(span, f"'{name}' has a tolerance but no value", f"write {name} = … +- …")
 
 
 @coded("E141")
-def other_notation(span: Span, found: str, name: str) -> Words:
+def other_notation(span: Span, found: str, name: str) -> Message:
     """A description is in the other notation than the suffix of its file says.
 
     Files that end in .mech hold lines (``param a = 40 mm``), files that end in .yaml, .yml
     or .json hold YAML (``params: {a: 40 mm}``).
     """
-    return Words(span, f"this is {found}, which the file's name does not say", f"call it {name}")
+    return Message(span, f"this is {found}, which the file's name does not say", f"call it {name}")

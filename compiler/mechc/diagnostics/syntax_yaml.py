@@ -3,12 +3,12 @@
 from collections.abc import Iterable
 
 from ..source import Span
-from .diagnostic import Related, Words, coded, near_miss
+from .diagnostic import Message, Related, coded, near_miss
 from .syntax import listed
 
 
 @coded("E120")
-def not_yaml(span: Span, problem: str, hint: str = "") -> Words:
+def not_yaml(span: Span, problem: str, hint: str = "") -> Message:
     """The text is not well-formed YAML.
 
     Check the indentation and the brackets near the marked place. Two habits bite: a
@@ -18,18 +18,20 @@ def not_yaml(span: Span, problem: str, hint: str = "") -> Words:
           BK: @ -90 deg          # wrong
           BK: {angle: -90 deg}   # right
     """
-    return Words(span, f"not well-formed YAML: {problem}", hint)
+    return Message(span, f"not well-formed YAML: {problem}", hint)
 
 
 @coded("E121")
-def duplicate_key(span: Span, key: str, first: Span) -> Words:
+def duplicate_key(span: Span, key: str, first: Span) -> Message:
     """A key stands twice in one mapping; which of the two is meant?"""
     related = (Related(first, "first used here"),)
-    return Words(span, f"the key '{key}' stands twice", "remove or rename one of the two", related)
+    return Message(
+        span, f"the key '{key}' stands twice", "remove or rename one of the two", related
+    )
 
 
 @coded("E122")
-def alias_refused(span: Span, what: str) -> Words:
+def alias_refused(span: Span, what: str) -> Message:
     """YAML's anchors and aliases are not part of the language.
 
     A small file of aliases can stand for an enormous one, and a reader cannot see what
@@ -41,31 +43,31 @@ def alias_refused(span: Span, what: str) -> Words:
         b: a
     """
     hint = "name the value as a parameter; a value that begins with * or & needs quotes"
-    return Words(span, f"found {what}, which descriptions do not have", hint)
+    return Message(span, f"found {what}, which descriptions do not have", hint)
 
 
 @coded("E123")
-def tag_refused(span: Span, tag: str) -> Words:
+def tag_refused(span: Span, tag: str) -> Message:
     """YAML's tags are not part of the language: a description never constructs objects.
 
     a: !!float 40            # wrong
     a: 40                    # right
     """
-    return Words(span, f"found the tag '{tag}', which descriptions do not have", "remove it")
+    return Message(span, f"found the tag '{tag}', which descriptions do not have", "remove it")
 
 
 @coded("E124")
-def wrong_shape(span: Span, found: str, expected: str, hint: str = "") -> Words:
+def wrong_shape(span: Span, found: str, expected: str, hint: str = "") -> Message:
     """A mapping, a list or a plain value stands where another of them is expected.
 
     pivots: {x: [O]}         # wrong
     pivots: [O]              # right
     """
-    return Words(span, f"found {found}, expected {expected}", hint)
+    return Message(span, f"found {found}, expected {expected}", hint)
 
 
 @coded("E125")
-def unknown_key(span: Span, key: str, place: str, allowed: Iterable[str]) -> Words:
+def unknown_key(span: Span, key: str, place: str, allowed: Iterable[str]) -> Message:
     """A key that this place does not have.
 
     forces: {P: {on: A, along: 0 deg}}   # wrong
@@ -73,22 +75,22 @@ def unknown_key(span: Span, key: str, place: str, allowed: Iterable[str]) -> Wor
     """
     allowed = list(allowed)
     hint = near_miss(key, allowed) or f"allowed here: {', '.join(allowed)}"
-    return Words(span, f"unknown key '{key}' in {place}", hint)
+    return Message(span, f"unknown key '{key}' in {place}", hint)
 
 
 @coded("E126")
-def missing_key(span: Span, keys: Iterable[str], place: str) -> Words:
+def missing_key(span: Span, keys: Iterable[str], place: str) -> Message:
     """A key without which the entry has no meaning is not there.
 
     forces: {P: {at: A}}                 # wrong: in which direction?
     forces: {P: {at: A, along: 0 deg}}   # right
     """
     missing = listed([f"'{key}'" for key in keys], "and")
-    return Words(span, f"{place} lacks {missing}")
+    return Message(span, f"{place} lacks {missing}")
 
 
 @coded("E127")
-def round_brackets(span: Span) -> Words:
+def round_brackets(span: Span) -> Message:
     """A pair of coordinates is written in round brackets inside YAML's braces.
 
     In flow style YAML cuts ``{O: (x, y)}`` at the comma into two keys. Coordinates are
@@ -97,21 +99,21 @@ def round_brackets(span: Span) -> Words:
         pivots: {O: (0, 10 mm)}  # wrong
         pivots: {O: [0, 10 mm]}  # right
     """
-    return Words(span, "a pair in round brackets is cut at its comma", "write [x, y]")
+    return Message(span, "a pair in round brackets is cut at its comma", "write [x, y]")
 
 
 @coded("E140")
-def colon_without_space(span: Span, text: str) -> Words:
+def colon_without_space(span: Span, text: str) -> Message:
     """A colon of YAML has no space behind it, so that key and value are one word.
 
     sliders: {K:90 deg}      # wrong
     sliders: {K: 90 deg}     # right
     """
     key, _, value = text.partition(":")
-    return Words(span, f"the colon in '{text}' has no space behind it", f"write {key}: {value}")
+    return Message(span, f"the colon in '{text}' has no space behind it", f"write {key}: {value}")
 
 
 @coded("E128")
-def one_document(span: Span) -> Words:
+def one_document(span: Span) -> Message:
     """A file holds one description, so ``---`` may stand only at its top."""
-    return Words(span, "a second YAML document begins here", "put it into a file of its own")
+    return Message(span, "a second YAML document begins here", "put it into a file of its own")

@@ -8,7 +8,7 @@ from ..formula.tree import Formula
 from ..frozen import frozen
 from ..model import mechanism as model
 from ..pose.places import NOWHERE, Plane, direction
-from ..pose.pose import Touch
+from ..pose.pose import PointContact
 from . import figure as drawn
 from .figure import MirrorLine, Part, Segment
 from .outline import outline, rods
@@ -27,7 +27,7 @@ Joint = (
     | model.Slider
     | model.Slot
     | model.Contact
-    | model.Mesh
+    | model.WheelPair
     | model.Rack
     | model.Screw
 )  # fmt: skip
@@ -126,7 +126,7 @@ class Half:
                 return self._slot(joint)
             case model.Contact():
                 return self._contact(joint)
-            case model.Mesh():
+            case model.WheelPair():
                 return self._wheels(joint)
             case model.Rack():
                 return self._rack(joint)
@@ -166,11 +166,11 @@ class Half:
         normal = self.unit(touch.normal)
         return drawn.Contact(self.point(contact.point), self.link(contact.link), normal, face)
 
-    def _touch(self, kind: str, point: str) -> Touch:
+    def _touch(self, kind: str, point: str) -> PointContact:
         touches = self.ways.pose.touches
         return next(t for t in touches if (t.kind, t.point) == (kind, point))
 
-    def _wheels(self, mesh: model.Mesh) -> drawn.Gears | drawn.Belt:
+    def _wheels(self, mesh: model.WheelPair) -> drawn.Gears | drawn.Belt:
         first, second = self.point(mesh.first), self.point(mesh.second)
         radius, other = self.length(mesh.first_radius), self.length(mesh.second_radius)
         circles = Circle(self.points[first], radius), Circle(self.points[second], other)
@@ -210,7 +210,7 @@ class Half:
             case model.Torque(name, link):
                 at, times = self._hub(link), float(load.times)
                 return drawn.Torque(name, self.link(link), at, self.sense > 0, times)
-            case model.Thrust(name, first, second):
+            case model.ForcePair(name, first, second):
                 kind = drawn.Spring if load.spring else drawn.Actuator
                 links = (link and self.link(link) for link in (load.first_link, load.second_link))
                 return kind(name, self.point(first), self.point(second), *links)
@@ -256,6 +256,6 @@ def joints(mechanism: model.Mechanism) -> Iterator[Joint]:
     yield from mechanism.sliders
     yield from mechanism.slots
     yield from mechanism.contacts
-    yield from mechanism.meshes
+    yield from mechanism.wheel_pairs
     yield from mechanism.racks
     yield from mechanism.screws

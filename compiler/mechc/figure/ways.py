@@ -11,9 +11,9 @@ from typing import NamedTuple
 from ..algebra.angle import Angle
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.mechanism import Mesh, Rack
+from ..model.mechanism import Rack, WheelPair
 from ..pose.places import NOWHERE, Plane, direction
-from ..pose.pose import Pose, Touch, Vector, evaluate_vector
+from ..pose.pose import PointContact, Pose, Vector, evaluate_vector
 
 BESIDE = 0.25
 """How far from a slide a pin is drawn that touches it, in usual lengths."""
@@ -83,7 +83,7 @@ class Ways:
         for touch in self.pose.touches:
             if touch.kind == "contact" and not touch.reach:
                 yield along(touch.tail, touch.point, self._beside(touch))
-        for mesh in mechanism.meshes:
+        for mesh in mechanism.wheel_pairs:
             step = self._away(mesh).times(self._apart(mesh))
             yield Way(mesh.first, mesh.second, Linear(step))
         for rack in mechanism.racks:
@@ -107,7 +107,7 @@ class Ways:
         assert angle is not None
         return self.unit(angle)
 
-    def face(self, touch: Touch) -> Plane:
+    def face(self, touch: PointContact) -> Plane:
         """Return the unit direction of a slot's line, or of the face that a point touches."""
         return self.unit(touch.normal).turned().times(-1)
 
@@ -129,14 +129,14 @@ class Ways:
             first, others = mirror.sharing[:1], mirror.sharing[1:]
             yield from (along(first[0], point, self.unit(axis)) for point in others)
 
-    def _beside(self, touch: Touch) -> Plane:
+    def _beside(self, touch: PointContact) -> Plane:
         """Return where a pin touches a slide, from its first point: on the side it is pushed to."""
         frame = self.pose.frames[touch.body]
         row = 0 if any(frame.values()) else len(frame) - 1
         middle = self.unit(self.pose.slides[touch.body]).times(row / 2)
         return middle.plus(self.unit(touch.normal).times(BESIDE))
 
-    def _away(self, mesh: Mesh) -> Plane:
+    def _away(self, mesh: WheelPair) -> Plane:
         """Return in which direction wheels stand in a row: away from a rack, if there is one."""
         racks = self.pose.mechanism.racks
         driven = [self.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
@@ -144,7 +144,7 @@ class Ways:
         on_first = any(r.pivot == mesh.first for r in racks) or not driven
         return right.times(-1 if on_first else 1)
 
-    def _apart(self, mesh: Mesh) -> float:
+    def _apart(self, mesh: WheelPair) -> float:
         """Return how far apart two wheels are drawn: gears touch, a belt needs room."""
         radii = self.pose.radii
         first = radii[mesh.first_radius].evaluate(self.values)

@@ -4,17 +4,17 @@ from collections.abc import Iterator
 
 from ..algebra.sums import add
 from ..diagnostics import Diagnostic
-from ..diagnostics import friction as words
+from ..diagnostics import friction as messages
 from ..formula.tree import ZERO
-from ..kinematics.release import Bond
+from ..kinematics.release import JointRef
 from ..model.mechanism import (
     Force,
+    ForcePair,
     Load,
     LoadForm,
     LoadRatio,
     Mechanism,
-    RubbingPin,
-    Thrust,
+    PinFriction,
     WithFriction,
 )
 from ..pose.pose import Pose
@@ -30,16 +30,16 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
     """
     mechanism = pose.mechanism
     for pin in mechanism.friction.rubbing:
-        if not isinstance(pin, RubbingPin) or not pin.assumed or pin.radius == ZERO:
+        if not isinstance(pin, PinFriction) or not pin.assumed or pin.radius == ZERO:
             continue
         bodies = mechanism.turning_at(pin.point)
         others = bool([t for t in pose.touches if t.point == pin.point])
         acting = [load for load in mechanism.loads if acts_on_pin(load, pin.point)]
         if len(bodies) + others > 2 and not acting:
-            yield words.pin_fast_in(pin.span, pin.point, pin.carrier, bodies)
+            yield messages.pin_fast_in(pin.span, pin.point, pin.carrier, bodies)
         elif acting and not (exact and len(bodies) == 2 and _alike(pin, pose, driving, given)):
             for load in acting:
-                yield words.load_on_a_pin(load.span, load.name, pin.point, pin.carrier, bodies)
+                yield messages.load_on_a_pin(load.span, load.name, pin.point, pin.carrier, bodies)
 
 
 def asks_for_loads(mechanism: Mechanism) -> bool:
@@ -55,23 +55,23 @@ def acts_on_pin(load: Load, point: str) -> bool:
     match load:
         case Force(point=at, link=link):
             return at == point and not link
-        case Thrust(first=first, second=second, first_link=link, second_link=other):
+        case ForcePair(first=first, second=second, first_link=link, second_link=other):
             return (first == point and not link) or (second == point and not other)
         case _:
             return False
 
 
-def _alike(pin: RubbingPin, pose: Pose, driving: str, given: Given) -> bool:
+def _alike(pin: PinFriction, pose: Pose, driving: str, given: Given) -> bool:
     """Tell whether two links press a pin equally hard, whatever the pose."""
     reactions = Reactions(pose, (driving,))
     squares = []
     for body in pose.mechanism.turning_at(pin.point):
-        found = reactions.of(Bond("pin", pin.point, body))
+        found = reactions.of(JointRef("pin", pin.point, body))
         if found is None:
             return False
         parts = [
             add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
-            for push in found.pushes
+            for push in found.force_terms
         ]
         squares.append(add(part * part for part in parts))
     first, second = squares

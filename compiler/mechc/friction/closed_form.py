@@ -56,7 +56,7 @@ class Condition(NamedTuple):
     force: Product
 
 
-class Way(Protocol):
+class ClosedFormSolver(Protocol):
     """A way to solve for the driving load, and what its formula takes for granted then."""
 
     conditions: list[Condition]
@@ -67,18 +67,22 @@ class Way(Protocol):
         ...
 
     def solve(self) -> Product:
-        """Return the driving load. Raises :class:`~.bodies.Entangled` where it cannot."""
+        """Return the driving load. Raises :class:`~.bodies.EquationsCoupled` where it cannot."""
         ...
 
 
-def closed_form(way: Callable[[Signs], Way], factor: Product, signs: AtAnyPose) -> Named:
+def closed_form(
+    way: Callable[[Signs], ClosedFormSolver], factor: Product, signs: AtAnyPose
+) -> Named:
     """Return the driving load times a factor, with signs that follow from the pose."""
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
     return Named(formula, tuple(signs.definitions), _positive(solver))
 
 
-def printed_form(way: Callable[[Signs], Way], factor: Product, signs: AtOnePose) -> Printed:
+def printed_form(
+    way: Callable[[Signs], ClosedFormSolver], factor: Product, signs: AtOnePose
+) -> Printed:
     """Return the driving load times a factor, for the signs of one pose."""
     solver = way(signs)
     formula = readable(canonical(solver.solve() * factor))
@@ -86,7 +90,7 @@ def printed_form(way: Callable[[Signs], Way], factor: Product, signs: AtOnePose)
     return Printed(formula, where, conditions(signs), steps, _positive(solver))
 
 
-def _positive(solver: Way) -> tuple[Formula, ...]:
+def _positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
     """Return what must be positive for the forces to keep their senses."""
     kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
     return tuple(force.formula() for force in kept if bare(force).factors)

@@ -32,7 +32,7 @@ from ..formula.tree import (
 )
 from ..frozen import frozen
 from ..model.result import Definition
-from .normal_forces import Component, Pressed
+from .normal_forces import Component, LoadedPair
 
 NOTHING = number(Fraction(1, 10**30))
 """What is added to pressing forces so that none of them vanishes, where no slope would be."""
@@ -62,11 +62,11 @@ class Sizes:
         return frozenset(definition.name for definition in self.definitions)
 
 
-def true_sizes(pressed: Sequence[Pressed], sense: int, taken: set[str]) -> Sizes:
+def true_sizes(pressed: Sequence[LoadedPair], sense: int, taken: set[str]) -> Sizes:
     """Return the sizes of the pressing forces that solve the coupled equations."""
     coupled = _Coupled(pressed, sense, taken)
     definitions = tuple(coupled.definitions())
-    names = {p.rub.name: name for p, name in zip(pressed, coupled.sizes, strict=True)}
+    names = {p.pair.name: name for p, name in zip(pressed, coupled.sizes, strict=True)}
     return Sizes(names, definitions, sense, (coupled.load,))
 
 
@@ -80,9 +80,9 @@ class Row(NamedTuple):
 class _Coupled:
     """Names what the system is made of, and the system."""
 
-    def __init__(self, pressed: Sequence[Pressed], sense: int, taken: set[str]) -> None:
+    def __init__(self, pressed: Sequence[LoadedPair], sense: int, taken: set[str]) -> None:
         self._pressed, self._sense, self._taken = pressed, sense, taken
-        self._places = {p.rub.name: i for i, p in enumerate(pressed)}
+        self._places = {p.pair.name: i for i, p in enumerate(pressed)}
         self.sizes = self._each("n")
         self._unknowns, self._added = self._each("x"), self._each("q")
         self._alone = self._each("a")
@@ -98,7 +98,7 @@ class _Coupled:
         return Symbol(self._load)
 
     def _each(self, prefix: str) -> list[str]:
-        return [self._name(f"{prefix}_{p.rub.name}") for p in self._pressed]
+        return [self._name(f"{prefix}_{p.pair.name}") for p in self._pressed]
 
     def _name(self, wanted: str) -> str:
         while wanted in self._taken:
@@ -172,16 +172,16 @@ class _Coupled:
     def _adds(self, i: int) -> Formula:
         return Symbol(self._added[i])
 
-    def _power(self, pressed: Pressed) -> Formula:
+    def _power(self, pressed: LoadedPair) -> Formula:
         """Return what a unit of a pressing force adds to the driving load by friction."""
         slip = Call("abs", (pressed.slip.formula(),))
-        return product([(number(self._sense), 1), (pressed.rub.factor.formula(), 1), (slip, 1)])
+        return product([(number(self._sense), 1), (pressed.pair.factor.formula(), 1), (slip, 1)])
 
-    def _rows(self, pressed: Pressed) -> list[Row]:
+    def _rows(self, pressed: LoadedPair) -> list[Row]:
         return [
             Row(
-                Definition(self._name(f"r_{pressed.rub.name}{axis}"), component.ideal.formula()),
-                tuple(self._shares(f"d_{pressed.rub.name}{axis}", component)),
+                Definition(self._name(f"r_{pressed.pair.name}{axis}"), component.ideal.formula()),
+                tuple(self._shares(f"d_{pressed.pair.name}{axis}", component)),
             )
             for axis, component in zip("xy", pressed.components, strict=False)
         ]
@@ -191,7 +191,7 @@ class _Coupled:
         for other, part in component.by.items():
             place = self._places[other]
             slip = self._pressed[place].slip
-            factor = self._pressed[place].rub.factor
+            factor = self._pressed[place].pair.factor
             against = product(
                 [
                     (number(-self._sense), 1),

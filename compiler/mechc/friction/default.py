@@ -8,7 +8,7 @@ from ..kinematics.plan import Plan
 from ..model.boxes import allowed_box
 from ..power.numbers import default_values
 from .closed_form import Printed
-from .free_bodies import Entangled
+from .free_bodies import EquationsCoupled
 from .naming import Meanings
 from .signs import AtOnePose
 
@@ -29,7 +29,7 @@ class DefaultPose:
         taken = values.keys() | self._taken
         try:
             found = way(AtOnePose(taken, self.meanings, endings, values, box))
-        except (KeyError, Entangled):
+        except (KeyError, EquationsCoupled):
             return None
         self.meanings.note(found.where)
         return found

@@ -12,24 +12,24 @@ from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
 from ..frozen import frozen
-from ..kinematics.release import Bond, held_end
-from ..model.mechanism import Force, Link, Load, RubbingPin, Thrust, Torque
-from ..pose.pose import Pose, Touch, Vector, gathered
+from ..kinematics.release import JointRef, held_end
+from ..model.mechanism import Force, ForcePair, Link, Load, PinFriction, Torque
+from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.definitions import bound_names
 from ..power.loads import occurrences
 from ..power.reactions import Reactions
-from .normal_forces import Given, Pressed
+from .normal_forces import Given, LoadedPair
 
 Kind = Literal["lever", "slider", "pin"]
 
 HALF_TURN = Angle.constant(180)
 
 
-class Entangled(Exception):
+class EquationsCoupled(Exception):
     """The bodies do not follow one from another."""
 
 
-class Pull(NamedTuple):
+class BodyForce(NamedTuple):
     """A force on a body: its size along a line at a point, and a couple; no line for a couple."""
 
     name: str
@@ -38,7 +38,7 @@ class Pull(NamedTuple):
     size: Product = ONE
     couple: Product = ZERO
 
-    def scaled(self, size: Product) -> "Pull":
+    def scaled(self, size: Product) -> "BodyForce":
         """Return the pull times a size."""
         return self._replace(size=self.size * size, couple=self.couple * size)
 
@@ -75,7 +75,7 @@ class Task:
     driving: str
     given: Given
     owners: Mapping[str, tuple[str, Product]]
-    pressed: Sequence[Pressed]
+    pressed: Sequence[LoadedPair]
 
 
 class Bodies:
@@ -83,9 +83,9 @@ class Bodies:
 
     def __init__(self, task: Task, cranks: bool) -> None:
         self._task, self._pose, self._mechanism = task, task.pose, task.pose.mechanism
-        self._pressed = {p.rub.bond: p for p in task.pressed}
+        self._pressed = {p.pair.joint: p for p in task.pressed}
         rubbing = self._mechanism.friction.rubbing
-        self._carriers = {r.point: r.carrier for r in rubbing if isinstance(r, RubbingPin)}
+        self._carriers = {r.point: r.carrier for r in rubbing if isinstance(r, PinFriction)}
         self._reactions = Reactions(task.pose, (task.driving,))
         self._fixed = {p.point for p in self._mechanism.pivots}
         self._guides = dict(task.pose.guides)
@@ -104,28 +104,28 @@ class Bodies:
         return len(held) == 1 and (len(link.points) > 2 or link.name in turned or cranks)
 
     def _refuse_the_rest(self, turned: set[str]) -> None:
-        """Raise :class:`Entangled` for bodies and joints that are none of the four kinds."""
+        """Raise :class:`EquationsCoupled` for bodies and joints that are none of the four kinds."""
         m = self._mechanism
         bodies = any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
         if m.cylinders or any(self._is_apart(load) for load in m.loads):
-            raise Entangled
+            raise EquationsCoupled
         held = {*self._levers, *(s.name for s in m.slides)}
         afloat = any(t.body not in held for t in self._pose.touches)
         named = {t.point for t in self._pose.touches}
         twice = len(named) < len(self._pose.touches)
-        if bodies or afloat or twice or m.meshes or m.racks or m.screws:
-            raise Entangled
+        if bodies or afloat or twice or m.wheel_pairs or m.racks or m.screws:
+            raise EquationsCoupled
         turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
         carried = [*turning, *(p for s in m.slides for p in s.points)]
         if len(set(carried)) < len(carried) or any(p in self._guides for p in turning):
-            raise Entangled
+            raise EquationsCoupled
 
     def _is_apart(self, load: Load) -> bool:
         """Tell whether a load acts on a rod itself, or on a lever at its pivot."""
         match load:
             case Force(point=point, link=link):
                 ends = [(link, point)]
-            case Thrust(first=first, second=second):
+            case ForcePair(first=first, second=second):
                 ends = [(load.first_link, first), (load.second_link, second)]
             case _:
                 return False
@@ -157,18 +157,18 @@ class Bodies:
 
     # --------------------------------------------------------------------------- loads
 
-    def loads_on(self, body: str) -> Iterator[Pull]:
+    def loads_on(self, body: str) -> Iterator[BodyForce]:
         """Yield the loads on a body, each in units of the free load that it is tied to."""
         for load in self._mechanism.loads:
             owner, factor = self._task.owners[load.name]
             for place, link, line in self._acting(load):
                 size = factor.scaled(self._part(load))
                 if line is None and link == body:
-                    yield Pull(owner, "", None, ZERO, size)
+                    yield BodyForce(owner, "", None, ZERO, size)
                 elif line is not None and place in self._points(body):
                     if not link:
                         self._refuse_on_rod(place, body)
-                    yield Pull(owner, place, line, size)
+                    yield BodyForce(owner, place, line, size)
 
     def _acting(self, load: Load) -> Iterator[tuple[str, str, Angle | None]]:
         """Yield where a load acts, on which link if that is said, and along which line."""
@@ -177,9 +177,9 @@ class Bodies:
                 yield point, link, self._pose.lines[name]
             case Torque(link=link):
                 yield "", link, None
-            case Thrust(name, first, second) if second == f"{first}'":
+            case ForcePair(name, first, second) if second == f"{first}'":
                 yield first, load.first_link, self._pose.lines[name]
-            case Thrust(name, first, second):
+            case ForcePair(name, first, second):
                 yield second, load.second_link, self._pose.lines[name]
                 yield first, load.first_link, self._pose.lines[name] + HALF_TURN
             case _:
@@ -196,7 +196,7 @@ class Bodies:
         """A load on a pin that is fast in a rod and rubs in a lever would bend the rod."""
         carrier = self._carriers.get(point, "")
         if body in self._levers and carrier and carrier != body:
-            raise Entangled
+            raise EquationsCoupled
 
     # ---------------------------------------------------------------------------- rods
 
@@ -215,32 +215,32 @@ class Bodies:
         """Return a rod's direction and length."""
         arms = self._pose.vector(rod.name, *rod.points)
         if len(arms) != 1:
-            raise Entangled
+            raise EquationsCoupled
         return arms[0].angle, arms[0].length
 
     def compression(self, rod: Link) -> Product:
         """Return the ideal force by which a rod is pressed, unless that is a long sum."""
         end = held_end(self._mechanism, rod)
-        found = self._reactions.of(Bond("pin", end, rod.name))
+        found = self._reactions.of(JointRef("pin", end, rod.name))
         if found is None:
-            raise Entangled
+            raise EquationsCoupled
         outwards = self.vector(rod)[0]
         along = found.along(outwards if end == rod.points[1] else outwards + HALF_TURN)
         pressed = -add(along[n] * size for n, size in self._task.given.items() if n in along)
         if any(bound_names(pressed)):
-            raise Entangled
+            raise EquationsCoupled
         return pressed
 
     def surface(self, point: str, rod: Link) -> Surface | None:
         """Return how a rod rubs at one of its ends: in what carries the pin, or about it."""
-        own = self._pressed.get(Bond("pin", point, rod.name))
+        own = self._pressed.get(JointRef("pin", point, rod.name))
         if own:
             return _surface(own)
         others = [p for b, p in self._pressed.items() if b.kind == "pin" and b.point == point]
         if self._carriers.get(point) != rod.name or not others:
             return None
         if len(others) > 1 or self._is_pressed_besides(point):
-            raise Entangled
+            raise EquationsCoupled
         return _surface(others[0])._replace(turn=-1)
 
     def _is_pressed_besides(self, point: str) -> bool:
@@ -253,7 +253,7 @@ class Bodies:
         touching = any(touch.point == point for touch in self._pose.touches)
         return point in self._guides or slides or (turning and touching)
 
-    def touches_at(self, body: str) -> Iterator[tuple[Touch, bool]]:
+    def touches_at(self, body: str) -> Iterator[tuple[PointContact, bool]]:
         """Yield the slots and contacts of a body, and whether it is the one under the pin."""
         for touch in self._pose.touches:
             if touch.point in self._points(body):
@@ -261,13 +261,13 @@ class Bodies:
             if touch.body == body:
                 yield touch, True
 
-    def touch(self, name: str) -> Touch | None:
+    def touch(self, name: str) -> PointContact | None:
         """Return the slot or contact whose force is called so."""
         return next((t for t in self._pose.touches if f"R_{t.point}" == name), None)
 
-    def face(self, touch: Touch) -> Surface | None:
+    def face(self, touch: PointContact) -> Surface | None:
         """Return how a pin rubs on the body under it, with the ideal force on the pin."""
-        pressed = self._pressed.get(Bond("touch", touch.point))
+        pressed = self._pressed.get(JointRef("touch", touch.point))
         if pressed is None:
             return None
         (component,) = pressed.components
@@ -296,7 +296,7 @@ class Bodies:
 
     def bearing(self, lever: str) -> Surface | None:
         """Return the friction of a lever on its pivot."""
-        pressed = self._pressed.get(Bond("pin", self.pivot(lever), lever))
+        pressed = self._pressed.get(JointRef("pin", self.pivot(lever), lever))
         return _surface(pressed) if pressed else None
 
     def guide(self, body: str) -> Angle:
@@ -305,18 +305,21 @@ class Bodies:
 
     def sliding(self, body: str) -> Surface | None:
         """Return the friction on the guide of a slider or slide, and the ideal force across it."""
-        bonds = [Bond("ground", body), *(Bond("slide", p, body) for p in self._points(body))]
-        pressed = next((self._pressed[b] for b in bonds if b in self._pressed), None)
+        joint_refs = [
+            JointRef("ground", body),
+            *(JointRef("slide", p, body) for p in self._points(body)),
+        ]
+        pressed = next((self._pressed[b] for b in joint_refs if b in self._pressed), None)
         if pressed is None:
             return None
         (component,) = pressed.components
         return _surface(pressed)._replace(pressed=-component.ideal)
 
 
-def under(touch: Touch) -> str:
+def under(touch: PointContact) -> str:
     """Return the name of the place on a body that a pin touches."""
     return f"under {touch.point}"
 
 
-def _surface(pressed: Pressed) -> Surface:
-    return Surface(pressed.rub.name, pressed.rub.factor, pressed.slip)
+def _surface(pressed: LoadedPair) -> Surface:
+    return Surface(pressed.pair.name, pressed.pair.factor, pressed.slip)

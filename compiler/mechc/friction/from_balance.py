@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 
 from ..diagnostics import Report
-from ..diagnostics import friction as words
+from ..diagnostics import friction as messages
 from ..diagnostics.power import length_not_given
 from ..formula.rounding import Size
 from ..frozen import replace
@@ -66,7 +66,7 @@ def _with_default(
     """Return a result with its value at the default pose; warn where the drive jams there."""
     size = numbers.of(result)
     if _jams(find, size.number, ideal.default):
-        report.add(words.drive_jams(find.span, find.name, _drive(find)))
+        report.add(messages.drive_jams(find.span, find.name, _drive(find)))
         size = Size(None)
     return with_default(result, size)
 

@@ -17,14 +17,14 @@ from ..power.joint_forces import size_of
 from ..power.speeds import even, magnitude
 from .closed_form import Named, Printed, conditions, readable
 from .coupled import Sizes
-from .normal_forces import Pressed
-from .pairs import Rub, radii, reduced
+from .normal_forces import LoadedPair
+from .pairs import FrictionPair, radii, reduced
 from .signs import AtOnePose, is_root
 from .steps import Step
 
 
 def first_order(
-    ideal: Formula, pressed: Sequence[Pressed], sense: int, mechanism: Mechanism
+    ideal: Formula, pressed: Sequence[LoadedPair], sense: int, mechanism: Mechanism
 ) -> Named:
     """Return the driving load with the frictions that ideal pressing forces give.
 
@@ -35,18 +35,18 @@ def first_order(
 
 
 def first_order_case(
-    name: str, ideal: Result, pressed: Sequence[Pressed], sense: int, signs: AtOnePose
+    name: str, ideal: Result, pressed: Sequence[LoadedPair], sense: int, signs: AtOnePose
 ) -> Printed:
     """Return the same for the signs of a pose, and the forces and slips that it sums up."""
     parts = _powers(pressed, positive_at(signs))
-    labels = radii(part.rub for part in parts)
+    labels = radii(part.pair for part in parts)
     terms: list[Formula] = [Symbol(ideal.name)]
     forces: dict[Formula, Formula] = {}
     slips: dict[Formula, Formula] = {}
     for part in parts:
-        factor = named_factor(part.rub, labels, signs).formula()
-        force = _called(f"r_{part.rub.name}", part.force, forces, signs)
-        slip = _called(_slip_name(part.rub), part.slip, slips, signs)
+        factor = named_factor(part.pair, labels, signs).formula()
+        force = _called(f"r_{part.pair.name}", part.force, forces, signs)
+        slip = _called(_slip_name(part.pair), part.slip, slips, signs)
         terms.append(product([(number(sense), 1), (factor, 1), (force, 1), (slip, 1)]))
     equations = [(own, known) for told in (forces, slips) for own, known in told.items()]
     step = Step(
@@ -70,31 +70,31 @@ def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
     return lambda value: value * signs.of("", value)
 
 
-def _slip_name(rub: Rub) -> str:
-    return f"{'Omega' if rub.bond.kind == 'pin' else 'v'}_{rub.name}"
+def _slip_name(pair: FrictionPair) -> str:
+    return f"{'Omega' if pair.joint.kind == 'pin' else 'v'}_{pair.name}"
 
 
-def named_factor(rub: Rub, labels: Mapping[str, str], signs: AtOnePose) -> Product:
+def named_factor(pair: FrictionPair, labels: Mapping[str, str], signs: AtOnePose) -> Product:
     """Return the factor of friction, the radius of a friction circle by its name."""
-    if rub.name in labels:
-        return signs.radius(labels[rub.name], rub.factor)
-    return signs.coefficient(reduced(rub.name), rub.factor)
+    if pair.name in labels:
+        return signs.radius(labels[pair.name], pair.factor)
+    return signs.coefficient(reduced(pair.name), pair.factor)
 
 
 class Power(NamedTuple):
     """The power of one friction: the ideal force and the slip."""
 
-    rub: Rub
+    pair: FrictionPair
     force: Product
     slip: Product
 
     @property
     def size(self) -> Product:
         """Return the power itself."""
-        return self.rub.factor * self.force * self.slip
+        return self.pair.factor * self.force * self.slip
 
 
-def _powers(pressed: Sequence[Pressed], positive: Callable[[Product], Product]) -> list[Power]:
+def _powers(pressed: Sequence[LoadedPair], positive: Callable[[Product], Product]) -> list[Power]:
     """Return the powers of frictions under ideal forces, but for those that are zero."""
     found = []
     for p in pressed:
@@ -102,7 +102,7 @@ def _powers(pressed: Sequence[Pressed], positive: Callable[[Product], Product]) 
         if parts and p.slip:
             x, y = (*parts, ZERO)[:2]
             force = size_of(x, y, positive) if y else positive(x)
-            found.append(Power(p.rub, force, positive(p.slip)))
+            found.append(Power(p.pair, force, positive(p.slip)))
     return found
 
 
@@ -130,7 +130,7 @@ def _gathered(terms: Iterable[Product]) -> list[Product]:
 
 def exact(
     ideal: Formula,
-    pressed: Sequence[Pressed],
+    pressed: Sequence[LoadedPair],
     sizes: Sizes,
     positive: Callable[[Product], Product],
 ) -> Named:
@@ -138,32 +138,34 @@ def exact(
 
     ``positive`` gives absolute values.
     """
-    parts = [(p.rub, p.rub.factor.formula(), positive(p.slip).formula()) for p in pressed]
+    parts = [(p.pair, p.pair.factor.formula(), positive(p.slip).formula()) for p in pressed]
     steps = (Step("iterated"),)
     whole = _sum(ideal, parts, sizes)
     return Named(whole, sizes.definitions, sizes.positive, steps=steps, inside=sizes.inside)
 
 
 def exact_case(
-    ideal: Formula, pressed: Sequence[Pressed], sizes: Sizes, signs: AtOnePose
+    ideal: Formula, pressed: Sequence[LoadedPair], sizes: Sizes, signs: AtOnePose
 ) -> Printed:
     """Return the same with a name for each slip, its sign that of a pose."""
-    labels, positive = radii(p.rub for p in pressed), positive_at(signs)
+    labels, positive = radii(p.pair for p in pressed), positive_at(signs)
     parts = []
     for p in pressed:
-        slip = Symbol(signs.define(_slip_name(p.rub), positive(p.slip).formula()))
-        parts.append((p.rub, named_factor(p.rub, labels, signs).formula(), slip))
+        slip = Symbol(signs.define(_slip_name(p.pair), positive(p.slip).formula()))
+        parts.append((p.pair, named_factor(p.pair, labels, signs).formula(), slip))
     where = (*signs.definitions, *sizes.definitions)
     steps = (Step("iterated"),)
     formula = _sum(ideal, parts, sizes)
     return Printed(formula, where, conditions(signs), steps, sizes.positive)
 
 
-def _sum(ideal: Formula, parts: Iterable[tuple[Rub, Formula, Formula]], sizes: Sizes) -> Formula:
+def _sum(
+    ideal: Formula, parts: Iterable[tuple[FrictionPair, Formula, Formula]], sizes: Sizes
+) -> Formula:
     """Return the driving load with the powers of friction: factor, true size and slip of each."""
     sense = number(sizes.sense)
     added = (
-        product([(sense, 1), (factor, 1), (Symbol(sizes.names[rub.name]), 1), (slip, 1)])
-        for rub, factor, slip in parts
+        product([(sense, 1), (factor, 1), (Symbol(sizes.names[pair.name]), 1), (slip, 1)])
+        for pair, factor, slip in parts
     )
     return total([ideal, *added])

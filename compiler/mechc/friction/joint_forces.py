@@ -16,8 +16,8 @@ from ..power.reactions import Reactions
 from .closed_form import Named, Printed, conditions
 from .coupled import Sizes
 from .iterated import named_factor
-from .normal_forces import Pressed, load_of, term_of
-from .pairs import Rub, radii
+from .normal_forces import LoadedPair, load_of, term_of
+from .pairs import FrictionPair, radii
 from .signs import AtOnePose
 from .steps import Step
 
@@ -30,29 +30,29 @@ class ForceWithFriction:
         target: Reaction | Axial | Normal,
         plan: Plan,
         driving: str,
-        pressed: Sequence[Pressed],
+        pressed: Sequence[LoadedPair],
         sizes: Sizes,
     ) -> None:
         self._target, self._pose = target, plan.graph.pose
         self._pressed, self._sizes = pressed, sizes
-        rubs = [p.rub for p in pressed]
+        pairs = [p.pair for p in pressed]
         known = (plan, *(other for p in pressed for other in p.plans))
-        reactions = Reactions(self._pose, (driving,), partial(_terms, rubs), known)
+        reactions = Reactions(self._pose, (driving,), partial(_terms, pairs), known)
         self.transmitted = reactions.of(bond_of(target, self._pose))
 
     def at_any_pose(self) -> Named:
         """Return the force with signs that follow from the pose."""
         formula = self._formula(
-            lambda rub: rub.factor, lambda slip: Call("sign", (slip.formula(),))
+            lambda pair: pair.factor, lambda slip: Call("sign", (slip.formula(),))
         )
         sizes = self._sizes
         return Named(formula, sizes.definitions, sizes.positive, inside=sizes.inside)
 
     def at_one_pose(self, signs: AtOnePose) -> Printed:
         """Return the force as it is printed, for the signs of one pose."""
-        labels = radii(p.rub for p in self._pressed)
+        labels = radii(p.pair for p in self._pressed)
         formula = self._formula(
-            lambda rub: named_factor(rub, labels, signs),
+            lambda pair: named_factor(pair, labels, signs),
             lambda slip: signs.of("", slip).formula(),
         )
         where = (*signs.definitions, *self._sizes.definitions)
@@ -60,10 +60,10 @@ class ForceWithFriction:
         return Printed(formula, where, conditions(signs), steps, self._sizes.positive)
 
     def _formula(
-        self, factor: Callable[[Rub], Product], sign: Callable[[Product], Formula]
+        self, factor: Callable[[FrictionPair], Product], sign: Callable[[Product], Formula]
     ) -> Formula:
         frictions = {
-            load_of(p.rub): self._resisting(p, factor(p.rub), sign(p.slip)) for p in self._pressed
+            load_of(p.pair): self._resisting(p, factor(p.pair), sign(p.slip)) for p in self._pressed
         }
 
         def along(*line: Arm) -> Formula:
@@ -80,16 +80,16 @@ class ForceWithFriction:
             case _:
                 return along(*line_of(self._target, self._pose))
 
-    def _resisting(self, pressed: Pressed, factor: Product, sign: Formula) -> Formula:
+    def _resisting(self, pressed: LoadedPair, factor: Product, sign: Formula) -> Formula:
         """Return a friction as a load on its slip: its size, against the sign of the slip."""
-        size = Symbol(self._sizes.names[pressed.rub.name])
+        size = Symbol(self._sizes.names[pressed.pair.name])
         return product(
             [(number(-self._sizes.sense), 1), (factor.formula(), 1), (size, 1), (sign, 1)]
         )
 
 
-def _terms(rubs: Sequence[Rub], loose: Plan) -> list[Term]:
-    return [term_of(rub, loose) for rub in rubs]
+def _terms(pairs: Sequence[FrictionPair], loose: Plan) -> list[Term]:
+    return [term_of(pair, loose) for pair in pairs]
 
 
 def _form(amounts: Mapping[str, Product], frictions: Mapping[str, Formula]) -> Formula:

@@ -22,7 +22,7 @@ from ..algebra.sums import add
 from ..formula.tree import Call, negative, number, power, product, quotient, total
 from ..pose.pose import Vector
 from ..power.speeds import root
-from .free_bodies import Entangled, Pull
+from .free_bodies import BodyForce, EquationsCoupled
 from .signs import Signs
 
 TWO = number(2)
@@ -47,7 +47,11 @@ class Balanced(NamedTuple):
 
 
 def on_lever(
-    unknown: Pull, known: Sequence[Pull], arms: Arms, bearing: Bearing | None, signs: Signs
+    unknown: BodyForce,
+    known: Sequence[BodyForce],
+    arms: Arms,
+    bearing: Bearing | None,
+    signs: Signs,
 ) -> Balanced:
     """Return the size of the unknown pull on a lever that is in balance."""
     if unknown.line is not None and unknown.size != ONE:
@@ -94,7 +98,7 @@ def _parallel(
     lever = turn * pressed * radius
     left = add((arm, -lever))
     if not left:
-        raise Entangled
+        raise EquationsCoupled
     return Balanced(add((lever * along, rest)) / left, arm * left)
 
 
@@ -124,9 +128,9 @@ def _root(
     return Balanced(Product.of(Opaque(root)), Product.of(Opaque(turns)))
 
 
-def moment(pull: Pull, arms: Arms) -> Product:
+def moment(force: BodyForce, arms: Arms) -> Product:
     """Return the moment of a pull about the pivot, counter-clockwise."""
-    if pull.line is None:
-        return pull.couple
-    parts = (part.length * pull.across(part.angle) for part in arms[pull.point])
-    return add((*parts, pull.couple))
+    if force.line is None:
+        return force.couple
+    parts = (part.length * force.across(part.angle) for part in arms[force.point])
+    return add((*parts, force.couple))

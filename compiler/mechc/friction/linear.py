@@ -11,8 +11,8 @@ from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
 from ..formula.tree import Formula, Symbol, number, product, total
 from .closed_form import Condition
-from .free_bodies import Entangled
-from .normal_forces import Pressed
+from .free_bodies import EquationsCoupled
+from .normal_forces import LoadedPair
 from .signs import Signs
 from .steps import Step
 
@@ -20,14 +20,14 @@ MOST = 3
 """More pairs than this make a formula that nobody reads."""
 
 
-class Straight:
+class LinearSolver:
     """Solves the linear system."""
 
     def __init__(
-        self, driving: str, ideal: Product, pressed: Sequence[Pressed], signs: Signs, sense: int
+        self, driving: str, ideal: Product, pressed: Sequence[LoadedPair], signs: Signs, sense: int
     ) -> None:
         if len(pressed) > MOST or any(len(p.components) != 1 for p in pressed):
-            raise Entangled
+            raise EquationsCoupled
         self._driving, self._ideal = driving, ideal
         self._pressed, self._signs, self._sense = pressed, signs, sense
         self.conditions: list[Condition] = []
@@ -41,24 +41,24 @@ class Straight:
         if self._signs.is_read:
             self.steps = (self._step(sides, sizes),)
         parts = (
-            p.rub.factor * self._slip(p) * p.slip * size
+            p.pair.factor * self._slip(p) * p.slip * size
             for p, size in zip(self._pressed, sizes, strict=True)
         )
         return canonical(add((self._ideal, *(part.scaled(self._sense) for part in parts))))
 
-    def _side(self, pressed: Pressed) -> Product:
+    def _side(self, pressed: LoadedPair) -> Product:
         """Return the sign of a pressing force in the ideal mechanism."""
-        sign = self._signs.of(f"s_{pressed.rub.name}", pressed.components[0].ideal)
+        sign = self._signs.of(f"s_{pressed.pair.name}", pressed.components[0].ideal)
         if not sign:
-            raise Entangled
+            raise EquationsCoupled
         return sign
 
-    def _slip(self, pressed: Pressed) -> Product:
-        return self._signs.of(f"sigma_{pressed.rub.name}", pressed.slip)
+    def _slip(self, pressed: LoadedPair) -> Product:
+        return self._signs.of(f"sigma_{pressed.pair.name}", pressed.slip)
 
     def _solved(self, sides: Sequence[Product]) -> list[Product]:
         """Return the sizes of the pressing forces by Cramer's rule."""
-        places = {p.rub.name: i for i, p in enumerate(self._pressed)}
+        places = {p.pair.name: i for i, p in enumerate(self._pressed)}
         matrix = []
         for i, (pressed, side) in enumerate(zip(self._pressed, sides, strict=True)):
             by = pressed.components[0].by
@@ -73,8 +73,8 @@ class Straight:
         """Return by how much a unit of another pressing force presses less here."""
         if name not in by:
             return ZERO
-        other = next(p for p in self._pressed if p.rub.name == name)
-        return (side * by[name] * other.rub.factor * self._slip(other)).scaled(self._sense)
+        other = next(p for p in self._pressed if p.pair.name == name)
+        return (side * by[name] * other.pair.factor * self._slip(other)).scaled(self._sense)
 
     def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
         """Tell the forces that press, the slips, and what frictions add to the driving load."""
@@ -84,26 +84,26 @@ class Straight:
         equations |= {(_slip(p), (self._slip(p) * p.slip).formula()): None for p in self._pressed}
         sense = (number(self._sense), 1)
         powers = (
-            product([sense, (p.rub.factor.formula(), 1), (_size(p), 1), (_slip(p), 1)])
+            product([sense, (p.pair.factor.formula(), 1), (_size(p), 1), (_slip(p), 1)])
             for p in self._pressed
         )
         whole = total([self._ideal.formula(), *powers])
         return Step("straight", equations=(*equations, (Symbol(self._driving), whole)))
 
-    def _balance(self, pressed: Pressed, side: Product) -> tuple[Formula, Formula]:
+    def _balance(self, pressed: LoadedPair, side: Product) -> tuple[Formula, Formula]:
         """Return a pressing force less what frictions change in it, and the ideal one."""
         (component,) = pressed.components
-        shares = ((self._share(component.by, p.rub.name, side), _size(p)) for p in self._pressed)
+        shares = ((self._share(component.by, p.pair.name, side), _size(p)) for p in self._pressed)
         changes = (product([(share.formula(), 1), (n, 1)]) for share, n in shares if share)
         return total([_size(pressed), *changes]), (component.ideal * side).formula()
 
 
-def _size(pressed: Pressed) -> Formula:
-    return Symbol(f"n_{pressed.rub.name}")
+def _size(pressed: LoadedPair) -> Formula:
+    return Symbol(f"n_{pressed.pair.name}")
 
 
-def _slip(pressed: Pressed) -> Formula:
-    return Symbol(f"v_{pressed.rub.name}")
+def _slip(pressed: LoadedPair) -> Formula:
+    return Symbol(f"v_{pressed.pair.name}")
 
 
 def _replaced(

@@ -69,7 +69,7 @@ def _ended(sizes: Sizes, ending: str) -> Sizes:
     names = {d.name: Symbol(f"{d.name}{ending}") for d in sizes.definitions}
     definitions = (Definition(names[n].name, substitute(f, names)) for n, f in sizes.definitions)
     return Sizes(
-        {rub: names[name].name for rub, name in sizes.names.items()},
+        {pair: names[name].name for pair, name in sizes.names.items()},
         tuple(definitions),
         sizes.sense,
         tuple(substitute(f, names) for f in sizes.positive),

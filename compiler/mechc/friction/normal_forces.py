@@ -13,15 +13,15 @@ from ..frozen import frozen, replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Torque
 from ..power.balance import Equations, Term
-from ..power.reactions import Push, Reactions
-from .pairs import Rub
+from ..power.reactions import ForceTerm, Reactions
+from .pairs import FrictionPair
 
 Given = Mapping[str, Product]
 """The size of each given load."""
 
 
 @frozen
-class Pressed:
+class LoadedPair:
     """A pair of surfaces in a mechanism under given loads, friction not yet known.
 
     Its pressing force has perpendicular ``components``, each ``ideal + Σ by[other] · f``
@@ -31,7 +31,7 @@ class Pressed:
     are those by which the components were found.
     """
 
-    rub: Rub
+    pair: FrictionPair
     slip: Product
     components: tuple["Component", ...]
     plans: tuple[Plan, ...]
@@ -48,11 +48,11 @@ class Component:
 class Undetermined(Exception):
     """Equilibrium leaves open how hard a pair of surfaces is pressed."""
 
-    def __init__(self, rub: Rub) -> None:
-        self.rub = rub
+    def __init__(self, pair: FrictionPair) -> None:
+        self.pair = pair
 
 
-class PressedByAnother(Exception):
+class LoadedByAnother(Exception):
     """A load that is neither given nor driving presses a pair of surfaces."""
 
     def __init__(self, load: str) -> None:
@@ -62,63 +62,63 @@ class PressedByAnother(Exception):
 class Idle(Exception):
     """A pair of surfaces can slip without any load moving."""
 
-    def __init__(self, rub: Rub) -> None:
-        self.rub = rub
+    def __init__(self, pair: FrictionPair) -> None:
+        self.pair = pair
 
 
-def press(
-    plan: Plan, equations: Equations, driving: str, rubs: Sequence[Rub], given: Given
-) -> tuple[Pressed, ...]:
+def loaded_pairs(
+    plan: Plan, equations: Equations, driving: str, pairs: Sequence[FrictionPair], given: Given
+) -> tuple[LoadedPair, ...]:
     """Return how every pair is pressed and slips where one load drives.
 
     Raises :class:`Undetermined` at a pair whose pressing force equilibrium leaves open,
-    :class:`PressedByAnother` where a load has a part in it that is not given, and :class:`Idle`
+    :class:`LoadedByAnother` where a load has a part in it that is not given, and :class:`Idle`
     where a motion that moves no load changes how it slips.
     """
     pose = plan.graph.pose
-    names = {load_of(rub): rub.name for rub in rubs}
+    names = {load_of(pair): pair.name for pair in pairs}
     reactions = Reactions(
-        pose, (driving,), lambda loose: [term_of(rub, loose) for rub in rubs], (plan,)
+        pose, (driving,), lambda loose: [term_of(pair, loose) for pair in pairs], (plan,)
     )
-    slips = [_slip(rub, plan, equations, driving) for rub in rubs]
+    slips = [_slip(pair, plan, equations, driving) for pair in pairs]
     pressed = []
-    for rub, slip in zip(rubs, slips, strict=True):
-        transmitted = reactions.of(rub.bond)
+    for pair, slip in zip(pairs, slips, strict=True):
+        transmitted = reactions.of(pair.joint)
         if transmitted is None:
-            raise Undetermined(rub)
-        components = (_component(push, names, given) for push in transmitted.pushes)
-        pressed.append(Pressed(rub, slip, tuple(components), transmitted.plans))
+            raise Undetermined(pair)
+        components = (_component(push, names, given) for push in transmitted.force_terms)
+        pressed.append(LoadedPair(pair, slip, tuple(components), transmitted.plans))
     return tuple(pressed)
 
 
-def _slip(rub: Rub, plan: Plan, equations: Equations, driving: str) -> Product:
-    slip = equations.per_power(driving, term_of(rub, plan).power)
+def _slip(pair: FrictionPair, plan: Plan, equations: Equations, driving: str) -> Product:
+    slip = equations.per_power(driving, term_of(pair, plan).power)
     if slip is None:
-        raise Idle(rub)
+        raise Idle(pair)
     return slip
 
 
-def load_of(rub: Rub) -> str:
+def load_of(pair: FrictionPair) -> str:
     """Return the name of a friction as a load; no description can have it."""
-    return f"friction of {rub.name} {rub.bond.kind}"
+    return f"friction of {pair.name} {pair.joint.kind}"
 
 
-def term_of(rub: Rub, plan: Plan) -> Term:
+def term_of(pair: FrictionPair, plan: Plan) -> Term:
     """Return a friction as a term of the power equations: it does work with its slip."""
-    load = Torque(load_of(rub), "", plan.graph.pose.mechanism.span)
-    return Term(load, Product(rub.number), rub.speeds(plan), None)
+    load = Torque(load_of(pair), "", plan.graph.pose.mechanism.span)
+    return Term(load, Product(pair.number), pair.speeds(plan), None)
 
 
-def _component(push: Push, names: Mapping[str, str], given: Given) -> Component:
+def _component(push: ForceTerm, names: Mapping[str, str], given: Given) -> Component:
     known = names.keys() | given.keys()
     for load, amount in push.amounts.items():
         if amount and load not in known:
-            raise PressedByAnother(load)
+            raise LoadedByAnother(load)
     ideal = add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
     by = {name: push.amounts[load] for load, name in names.items() if push.amounts.get(load)}
     return Component(ideal, by)
 
 
-def scaled(pressed: Sequence[Pressed], factor: Product) -> tuple[Pressed, ...]:
+def scaled(pressed: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, ...]:
     """Return what adds to a multiple of the driving load."""
     return tuple(replace(p, slip=p.slip * factor) for p in pressed)

@@ -8,7 +8,7 @@ from ..algebra.sums import canonical
 from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
 from ..formula.walk import substitute
 from ..model.mechanism import Link
-from .free_bodies import Bodies, Kind, Pull
+from .free_bodies import Bodies, BodyForce, Kind
 from .lever import moment
 from .signs import Signs, exact_sign
 from .steps import Kind as StepKind
@@ -44,7 +44,7 @@ class Notes:
         self,
         kind: Kind,
         body: str,
-        pulls: Sequence[Pull],
+        forces: Sequence[BodyForce],
         friction: Product,
         found: Mapping[str, Product],
     ) -> None:
@@ -53,11 +53,11 @@ class Notes:
         match kind:
             case "lever":
                 pivot, sense = self._bodies.pivot(body), exact_sign(friction.coefficient)
-                equations = [self._moments(body, pulls, friction)]
+                equations = [self._moments(body, forces, friction)]
             case "slider":
-                equations = [self._along(body, pulls, friction)]
+                equations = [self._along(body, forces, friction)]
             case "pin":
-                equations = _across(pulls, found)
+                equations = _across(forces, found)
             case _:
                 assert_never(kind)
         told = {Symbol(d.name) for d in self._signs.definitions}
@@ -79,21 +79,21 @@ class Notes:
         self._told = len(self._signs.definitions)
         self.steps.append(Step(kind, body, pivot, sense, tuple(equations), tuple(fresh)))
 
-    def _moments(self, lever: str, pulls: Sequence[Pull], friction: Product) -> Pair:
+    def _moments(self, lever: str, forces: Sequence[BodyForce], friction: Product) -> Pair:
         """Return the moments about the pivot, and the couple of its friction."""
         arms = self._bodies.arms(lever)
-        moments = _sum(moment(pull, arms) for pull in pulls)
+        moments = _sum(moment(force, arms) for force in forces)
         if not friction:
             return moments, ZERO
-        line = next(pull.line for pull in pulls if pull.line is not None)
-        parts = (_sum(p.along(line) for p in pulls), _sum(p.across(line) for p in pulls))
+        line = next(force.line for force in forces if force.line is not None)
+        parts = (_sum(p.along(line) for p in forces), _sum(p.across(line) for p in forces))
         return moments, product([(friction.formula(), 1), (_size(parts), 1)])
 
-    def _along(self, body: str, pulls: Sequence[Pull], friction: Product) -> Pair:
+    def _along(self, body: str, forces: Sequence[BodyForce], friction: Product) -> Pair:
         """Return the forces along a guide, and the friction of what presses on it."""
         guide = self._bodies.guide(body)
-        across = _sum(pull.across(guide) for pull in pulls)
-        along = _sum(pull.along(guide) for pull in pulls)
+        across = _sum(force.across(guide) for force in forces)
+        along = _sum(force.along(guide) for force in forces)
         return along, product([(friction.formula(), 1), (across, 1)])
 
 
@@ -108,10 +108,10 @@ def _size(parts: Iterable[Formula]) -> Formula:
             return Call("hypot", tuple(both))
 
 
-def _across(pulls: Sequence[Pull], found: Mapping[str, Product]) -> list[Pair]:
+def _across(forces: Sequence[BodyForce], found: Mapping[str, Product]) -> list[Pair]:
     """Return the forces on a pin across each of those that are found."""
-    lines = [pull.line for pull in pulls if pull.name in found]
-    return [(_sum(p.across(line) for p in pulls), ZERO) for line in lines if line is not None]
+    lines = [force.line for force in forces if force.name in found]
+    return [(_sum(p.across(line) for p in forces), ZERO) for line in lines if line is not None]
 
 
 def _sum(terms: Iterable[Product]) -> Formula:

@@ -14,21 +14,21 @@ from ..formula.tree import PI
 from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
 from ..kinematics.plan import Plan, Speeds
-from ..kinematics.release import Bond, Measure, members
+from ..kinematics.release import JointRef, Measure, members
 from ..model.mechanism import (
-    Rubbing,
-    RubbingFace,
-    RubbingGuide,
-    RubbingMesh,
-    RubbingPin,
-    RubbingThread,
+    FaceFriction,
+    GuideFriction,
+    JointFriction,
+    PinFriction,
+    ThreadFriction,
+    WheelFriction,
 )
-from ..pose.pose import Pose, Touch
+from ..pose.pose import PointContact, Pose
 from ..power.joint_forces import guiding
 from ..power.loads import repeated
 
 
-class Rub(NamedTuple):
+class FrictionPair(NamedTuple):
     """A pair of surfaces: ``factor · |force of the bond|`` resists its ``slip``.
 
     The factor is the radius of a friction circle in metres, against a relative rotation,
@@ -37,7 +37,7 @@ class Rub(NamedTuple):
     """
 
     name: str
-    bond: Bond
+    joint: JointRef
     factor: Product
     slip: Measure
     number: Fraction = Fraction(1)
@@ -47,48 +47,52 @@ class Rub(NamedTuple):
         return plan.value(self.slip(plan.graph))
 
 
-def rubs(pose: Pose) -> tuple[Rub, ...]:
+def pairs(pose: Pose) -> tuple[FrictionPair, ...]:
     """Return all pairs of surfaces that rub, in the order of the text.
 
     Side forces on a guide that halves or branches share cancel: nothing rubs there, nor where
     the coefficient is written as 0.
     """
-    found = (rub for rubbing in pose.mechanism.friction.rubbing for rub in _of(rubbing, pose))
-    return tuple(rub._replace(number=_number(rub.bond, pose)) for rub in found if rub.factor)
+    found = (pair for rubbing in pose.mechanism.friction.rubbing for pair in _of(rubbing, pose))
+    return tuple(pair._replace(number=_number(pair.joint, pose)) for pair in found if pair.factor)
 
 
-def _of(rubbing: Rubbing, pose: Pose) -> Iterator[Rub]:
+def _of(rubbing: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
     match rubbing:
-        case RubbingPin():
+        case PinFriction():
             yield from _pin(rubbing, pose)
-        case RubbingGuide(point, factor):
-            bond = guiding(point, pose)
+        case GuideFriction(point, factor):
+            joint = guiding(point, pose)
             guide = pose.guide_of(point)
-            if guide is not None and not _is_shared(bond, pose):
+            if guide is not None and not _is_shared(joint, pose):
                 along = guide
-                yield Rub(
+                yield FrictionPair(
                     f"{point}_guide",
-                    bond,
+                    joint,
                     to_product(factor),
                     lambda graph: projection(graph.velocities[point], along),
                 )
-        case RubbingMesh(kind, point, factor):
-            yield Rub(f"{point}_{kind}", Bond(kind, point), to_product(factor), _rim(rubbing, pose))
-        case RubbingThread(point, factor):
+        case WheelFriction(kind, point, factor):
+            yield FrictionPair(
+                f"{point}_{kind}", JointRef(kind, point), to_product(factor), _rim(rubbing, pose)
+            )
+        case ThreadFriction(point, factor):
             slip = _along_thread(rubbing, pose)
-            yield Rub(f"{point}_screw", Bond("screw", point), to_product(factor), slip)
-        case RubbingFace(point, factor):
+            yield FrictionPair(f"{point}_screw", JointRef("screw", point), to_product(factor), slip)
+        case FaceFriction(point, factor):
             touch = next(t for t in pose.touches if t.point == point)
-            yield Rub(f"{point}_face", Bond("touch", point), to_product(factor), _sliding(touch))
+            yield FrictionPair(
+                f"{point}_face", JointRef("touch", point), to_product(factor), _sliding(touch)
+            )
 
 
-def _pin(pin: RubbingPin, pose: Pose) -> Iterator[Rub]:
+def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
     links = [name for name in pose.mechanism.turning_at(pin.point) if name != pin.carrier]
     for link in links:
         name = pin.point if len(links) == 1 else f"{pin.point}{link}"
         slip = _turning(link, pin.carrier)
-        bond = Bond("pin", pin.point, link)
-        yield Rub(name, bond, to_product(pin.radius), slip)
+        joint = JointRef("pin", pin.point, link)
+        yield FrictionPair(name, joint, to_product(pin.radius), slip)
 
 
 def _turning(link: str, carrier: str) -> Measure:
@@ -101,7 +105,7 @@ def _turning(link: str, carrier: str) -> Measure:
     return slip
 
 
-def _sliding(touch: Touch) -> Measure:
+def _sliding(touch: PointContact) -> Measure:
     def slip(graph: Graph) -> Form:
         there = next((t for t in graph.pose.touches if t.point == touch.point), touch)
         return leaving(graph, there, touch.normal + QUARTER)
@@ -109,15 +113,17 @@ def _sliding(touch: Touch) -> Measure:
     return slip
 
 
-def _rim(mesh: RubbingMesh, pose: Pose) -> Measure:
+def _rim(mesh: WheelFriction, pose: Pose) -> Measure:
     """Return the speed of the first wheel's rim, or of a rack."""
     if mesh.kind == "rack":
         return lambda graph: projection(graph.velocities[mesh.point], _guide(mesh.point, pose))
-    pair = next(m for m in pose.mechanism.meshes if (m.kind, m.first) == (mesh.kind, mesh.point))
+    pair = next(
+        m for m in pose.mechanism.wheel_pairs if (m.kind, m.first) == (mesh.kind, mesh.point)
+    )
     return lambda graph: scaled(spin(graph, pair.first_link), pose.radii[pair.first_radius])
 
 
-def _along_thread(thread: RubbingThread, pose: Pose) -> Measure:
+def _along_thread(thread: ThreadFriction, pose: Pose) -> Measure:
     """Return v·p/(πd) + ω·d/2: what the axial force times μ does work with.
 
     With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
@@ -135,20 +141,20 @@ def _along_thread(thread: RubbingThread, pose: Pose) -> Measure:
     return slip
 
 
-def radii(rubs: Iterable[Rub]) -> dict[str, str]:
+def radii(pairs: Iterable[FrictionPair]) -> dict[str, str]:
     """Return what the radius of each pin's friction circle is called: rho where all are alike."""
-    pins = [rub for rub in rubs if rub.bond.kind == "pin"]
-    alike = len({rub.factor.formula() for rub in pins}) == 1
-    return {rub.name: "rho" if alike else f"rho_{rub.name}" for rub in pins}
+    pins = [pair for pair in pairs if pair.joint.kind == "pin"]
+    alike = len({pair.factor.formula() for pair in pins}) == 1
+    return {pair.name: "rho" if alike else f"rho_{pair.name}" for pair in pins}
 
 
-def reduced(rub: str) -> str:
+def reduced(pair: str) -> str:
     """Return what the reduced coefficient of a guide, face or pair is called.
 
     >>> reduced("C_guide")
     'mu_C'
     """
-    return f"mu_{rub.partition('_')[0]}"
+    return f"mu_{pair.partition('_')[0]}"
 
 
 def _guide(point: str, pose: Pose) -> Angle:
@@ -157,11 +163,11 @@ def _guide(point: str, pose: Pose) -> Angle:
     return guide
 
 
-def _is_shared(bond: Bond, pose: Pose) -> bool:
-    points = set(members(pose, bond))
+def _is_shared(joint: JointRef, pose: Pose) -> bool:
+    points = set(members(pose, joint))
     groups = (pose.mechanism.mirror, pose.mechanism.copies)
     return any(group is not None and points <= set(group.sharing) for group in groups)
 
 
-def _number(bond: Bond, pose: Pose) -> Fraction:
-    return repeated(pose.mechanism, members(pose, bond))
+def _number(joint: JointRef, pose: Pose) -> Fraction:
+    return repeated(pose.mechanism, members(pose, joint))

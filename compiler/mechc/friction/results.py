@@ -7,7 +7,7 @@ from functools import partial
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
 from ..diagnostics import Report
-from ..diagnostics import friction as words
+from ..diagnostics import friction as messages
 from ..diagnostics.power import transmission_presses
 from ..formula.tree import ZERO, Formula
 from ..formula.walk import symbols
@@ -35,18 +35,18 @@ from ..power.numbers import value_of
 from ..power.speeds import magnitude
 from .assumptions import asks_for_loads, assumptions
 from .case import Case
-from .closed_form import Named, Printed, Way, closed_form, printed_form
+from .closed_form import ClosedFormSolver, Named, Printed, closed_form, printed_form
 from .coupled import Sizes, true_sizes
 from .default import DefaultPose
 from .efficiency import Drives
-from .free_bodies import Entangled, Task
+from .free_bodies import EquationsCoupled, Task
 from .iterated import exact, exact_case, first_order, first_order_case
 from .joint_forces import ForceWithFriction
-from .linear import Straight
+from .linear import LinearSolver
 from .naming import Endings, Meanings, with_one_meaning
-from .normal_forces import Idle, Pressed, PressedByAnother, Undetermined, press, scaled
-from .pairs import Rub, rubs
-from .sequential import Chain
+from .normal_forces import Idle, LoadedByAnother, LoadedPair, Undetermined, loaded_pairs, scaled
+from .pairs import FrictionPair, pairs
+from .sequential import SequentialSolver
 from .signs import AtAnyPose, Signs
 from .solution import SolvedWithFriction
 from .steps import Step
@@ -60,9 +60,9 @@ class FrictionResults:
         self._driving = next(iter(balance.driving), "")
         self._mechanism = balance.plan.graph.pose.mechanism
         self._valued = dict(self._weights())
-        self._rubs: tuple[Rub, ...] = rubs(balance.plan.graph.pose)
-        self._pressed: dict[str, tuple[Pressed, ...] | None] = {}
-        self._known: dict[object, tuple[Pressed, ...] | None] = {}
+        self._pairs: tuple[FrictionPair, ...] = pairs(balance.plan.graph.pose)
+        self._pressed: dict[str, tuple[LoadedPair, ...] | None] = {}
+        self._known: dict[object, tuple[LoadedPair, ...] | None] = {}
         self._true: dict[tuple[int, int], Sizes] = {}
         self._in_code, self._endings = Meanings(), Endings()
         self._default = DefaultPose(balance.plan, self._valued, self._taken())
@@ -159,7 +159,9 @@ class FrictionResults:
         for remark in assumptions(self._plan.graph.pose, case.driving, case.given, exact=exact):
             self._report.add(remark)
 
-    def _sizes_of(self, pressed: tuple[Pressed, ...], sense: int, endings: Sequence[str]) -> Sizes:
+    def _sizes_of(
+        self, pressed: tuple[LoadedPair, ...], sense: int, endings: Sequence[str]
+    ) -> Sizes:
         """Return the true sizes of pressing forces, once for all results that rest on them."""
         key = id(pressed), sense
         if key not in self._true:
@@ -170,14 +172,14 @@ class FrictionResults:
         return self._true[key]
 
     def _closed(
-        self, case: Case, pressed: Sequence[Pressed], sense: int, endings: Sequence[str]
+        self, case: Case, pressed: Sequence[LoadedPair], sense: int, endings: Sequence[str]
     ) -> Named | None:
         """Return the first closed form that there is; None where all equations hang together."""
         for way in self._ways(case, pressed, sense):
             try:
                 signs = AtAnyPose(self._taken(), self._in_code, endings)
                 found = closed_form(way, case.factor, signs)
-            except Entangled:
+            except EquationsCoupled:
                 continue
             self._in_code.note(found.where)
             printed = partial(printed_form, way, case.factor)
@@ -185,32 +187,32 @@ class FrictionResults:
         return None
 
     def _ways(
-        self, case: Case, pressed: Sequence[Pressed], sense: int
-    ) -> Iterator[Callable[[Signs], Way]]:
+        self, case: Case, pressed: Sequence[LoadedPair], sense: int
+    ) -> Iterator[Callable[[Signs], ClosedFormSolver]]:
         loads = self._mechanism.loads
         owners = {load.name: self._equations.owner(load.name) for load in loads}
         task = Task(self._plan.graph.pose, case.driving, case.given, owners, pressed)
-        yield lambda signs: Chain(task, False, signs, sense)
-        yield lambda signs: Chain(task, True, signs, sense)
+        yield lambda signs: SequentialSolver(task, False, signs, sense)
+        yield lambda signs: SequentialSolver(task, True, signs, sense)
         columns = self._equations.columns
         works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
         ideal = canonical(-(add(works) / columns[case.driving][0]))
-        yield lambda signs: Straight(case.driving, ideal, pressed, signs, sense)
+        yield lambda signs: LinearSolver(case.driving, ideal, pressed, signs, sense)
 
-    def _anywhere(self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes) -> Named:
+    def _anywhere(self, ideal: Result, pressed: Sequence[LoadedPair], sizes: Sizes) -> Named:
         """Return the load by Newton's method, whichever way the joints are pressed."""
         positive = partial(magnitude, mechanism=self._mechanism)
         return exact(ideal.formula, pressed, sizes, positive)
 
     def _iterated(
-        self, ideal: Result, pressed: Sequence[Pressed], sizes: Sizes, endings: Sequence[str]
+        self, ideal: Result, pressed: Sequence[LoadedPair], sizes: Sizes, endings: Sequence[str]
     ) -> Named:
         """Return the load by Newton's method, as it is printed for the default pose."""
         found = self._anywhere(ideal, pressed, sizes)
         case = self._default.printed(partial(exact_case, ideal.formula, pressed, sizes), endings)
         return replace(found, case=case)
 
-    def _press(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
+    def _press(self, find: Find, case: Case) -> tuple[LoadedPair, ...] | None:
         """Return how the pairs are pressed under the loads of a case, found once for each."""
         key = case.driving, tuple(case.given.items())
         if key not in self._known:
@@ -218,26 +220,28 @@ class FrictionResults:
         self._pressed[case.ideal.name] = self._known[key]
         return self._known[key]
 
-    def _try(self, find: Find, case: Case) -> tuple[Pressed, ...] | None:
+    def _try(self, find: Find, case: Case) -> tuple[LoadedPair, ...] | None:
         if self._equations.number != 1:
-            self._report.add(words.several_freedoms(find.span, self._equations.number))
+            self._report.add(messages.several_freedoms(find.span, self._equations.number))
             return None
         pressed_on = unclear(self._mechanism)
-        for rub in self._rubs:
-            if rub.bond.kind == "pin" and rub.bond.point in pressed_on:
-                self._report.add(transmission_presses(find.span, rub.bond.point, rubs=True))
+        for pair in self._pairs:
+            if pair.joint.kind == "pin" and pair.joint.point in pressed_on:
+                self._report.add(
+                    transmission_presses(find.span, pair.joint.point, has_friction=True)
+                )
                 return None
         plan, given = self._plan, case.given
         try:
-            pressed = press(plan, self._equations, case.driving, self._rubs, given)
+            pressed = loaded_pairs(plan, self._equations, case.driving, self._pairs, given)
         except Undetermined as found:
-            self._report.add(words.pressed_how_hard(find.span, found.rub.bond.point))
+            self._report.add(messages.pressed_how_hard(find.span, found.pair.joint.point))
             return None
-        except PressedByAnother as found:
-            self._report.add(words.another_load_presses(find.span, found.load, find.name))
+        except LoadedByAnother as found:
+            self._report.add(messages.another_load_presses(find.span, found.load, find.name))
             return None
         except Idle as found:
-            self._report.add(words.slips_either_way(find.span, found.rub.bond.point))
+            self._report.add(messages.slips_either_way(find.span, found.pair.joint.point))
             return None
         return pressed
 
@@ -269,7 +273,9 @@ class FrictionResults:
         result = self._result(find, replace(ideal, where=()), named)
         sums = [
             d
-            for plan, push in zip(found.transmitted.plans, found.transmitted.pushes, strict=True)
+            for plan, push in zip(
+                found.transmitted.plans, found.transmitted.force_terms, strict=True
+            )
             for d in bound_sums(plan, list(push.amounts.values()))
         ]
         result = replace(result, where=tuple(dict.fromkeys((*sums, *result.where))))
@@ -319,7 +325,7 @@ class FrictionResults:
         known = [*weights, *intermediates(self._plan, formulas), *ideal.where]
         return tuple(dict.fromkeys((*known, *own)))
 
-    def _sums(self, pressed: Sequence[Pressed]) -> Iterable[Definition]:
+    def _sums(self, pressed: Sequence[LoadedPair]) -> Iterable[Definition]:
         """Return the named sums that slips and pressing forces rest on."""
         yield from bound_sums(self._plan, [p.slip for p in pressed])
         for each in pressed:

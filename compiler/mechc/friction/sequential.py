@@ -10,7 +10,7 @@ Free bodies are solved one after another, each with one force left unknown:
 - a *pin* between two rods balances both ways. Its friction is exact there only if both
   rods carry the same force, as in a symmetric knee.
 
-Where a body has more unknowns the chain ends (:class:`Entangled`): its equations hang
+Where a body has more unknowns the chain ends (:class:`EquationsCoupled`): its equations hang
 together, and :mod:`.exact` solves them.
 """
 
@@ -22,9 +22,9 @@ from ..algebra.factors import Opaque
 from ..algebra.product import ONE, ZERO, Product
 from ..algebra.sums import add, canonical
 from ..model.mechanism import Link
-from ..pose.pose import Touch
+from ..pose.pose import PointContact
 from .closed_form import Condition
-from .free_bodies import HALF_TURN, Bodies, Entangled, Kind, Pull, Surface, Task, under
+from .free_bodies import HALF_TURN, Bodies, BodyForce, EquationsCoupled, Kind, Surface, Task, under
 from .lever import Bearing, on_lever
 from .notes import Notes
 from .pairs import radii, reduced
@@ -32,7 +32,7 @@ from .signs import Signs
 from .steps import Step
 
 
-class Chain:
+class SequentialSolver:
     """Solves body after body; ``sizes`` are the forces known so far, in units of the load."""
 
     def __init__(self, task: Task, cranks: bool, signs: Signs, sense: int) -> None:
@@ -42,7 +42,7 @@ class Chain:
         self.conditions: list[Condition] = []
         self._notes = Notes(self._bodies, signs)
         self._given = task.given
-        self._radii = radii(p.rub for p in task.pressed)
+        self._radii = radii(p.pair for p in task.pressed)
         self._lines: dict[str, Angle] = {}
 
     @property
@@ -51,32 +51,32 @@ class Chain:
         return self._notes.steps
 
     def solve(self) -> Product:
-        """Return the driving load. Raises :class:`Entangled` where the chain ends."""
+        """Return the driving load. Raises :class:`EquationsCoupled` where the chain ends."""
         left = list(self._bodies.solvable())
         while self._driving not in self.sizes:
             body = next(filter(self._solves, left), None)
             if body is None:
-                raise Entangled
+                raise EquationsCoupled
             left.remove(body)
         return canonical(self.sizes[self._driving])
 
     def _solves(self, body: str) -> bool:
         """Solve a body if it has no more unknowns than equations."""
         kind = self._bodies.kind(body)
-        pulls = list(self._pulls(body))
-        unknown = [p for p in pulls if p.name not in self.sizes]
+        forces = list(self._pulls(body))
+        unknown = [p for p in forces if p.name not in self.sizes]
         if len(unknown) != (2 if kind == "pin" else 1):
             return False
-        known = [p.scaled(self.sizes[p.name]) for p in pulls if p.name in self.sizes]
+        known = [p.scaled(self.sizes[p.name]) for p in forces if p.name in self.sizes]
         friction = self._balance(kind, body, unknown, known)
         if self._signs.is_read:
-            free = [p.scaled(self._given.get(p.name) or Product.symbol(p.name)) for p in pulls]
+            free = [p.scaled(self._given.get(p.name) or Product.symbol(p.name)) for p in forces]
             found = {p.name: self.sizes[p.name] for p in unknown}
             self._notes.balance(kind, body, free, friction, found)
         return True
 
     def _balance(
-        self, kind: Kind, body: str, unknown: Sequence[Pull], known: Sequence[Pull]
+        self, kind: Kind, body: str, unknown: Sequence[BodyForce], known: Sequence[BodyForce]
     ) -> Product:
         """Find the unknown sizes; return friction per unit of what presses, with its sign."""
         match kind:
@@ -91,7 +91,7 @@ class Chain:
 
     # ---------------------------------------------------------------------------- rods
 
-    def _pulls(self, body: str) -> Iterator[Pull]:
+    def _pulls(self, body: str) -> Iterator[BodyForce]:
         """Yield the forces on a body, those of rods under a unit of force."""
         yield from self._bodies.loads_on(body)
         for rod, point in self._bodies.rods_at(body):
@@ -99,15 +99,17 @@ class Chain:
         for touch, is_under in self._bodies.touches_at(body):
             line = self._face(touch)
             place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
-            yield Pull(f"R_{touch.point}", place, ahead)
+            yield BodyForce(f"R_{touch.point}", place, ahead)
 
-    def _push(self, rod: Link, point: str) -> Pull:
+    def _push(self, rod: Link, point: str) -> BodyForce:
         """Return what a rod under a unit of force does to what it meets at a point."""
         line, surface = self._line(rod), self._bodies.surface(point, rod)
         pressed, counted = self._pressed(rod), self._counted(rod)
         couple = pressed * counted * self._resistance(surface) if surface else ZERO
-        pushes = (point == rod.points[1]) == (counted == ONE)
-        return Pull(f"S_{rod.name}", point, line if pushes else line + HALF_TURN, ONE, couple)
+        force_terms = (point == rod.points[1]) == (counted == ONE)
+        return BodyForce(
+            f"S_{rod.name}", point, line if force_terms else line + HALF_TURN, ONE, couple
+        )
 
     def _counted(self, rod: Link) -> Product:
         """Return 1 where compression counts as positive, -1 where people read of a pull."""
@@ -127,7 +129,7 @@ class Chain:
                 self._notes.rod(rod, self._pressed(rod), resistances, turn)
         return self._lines[rod.name]
 
-    def _face(self, touch: Touch) -> Angle:
+    def _face(self, touch: PointContact) -> Angle:
         """Return the line of the force on a pin: the normal turned by the angle of friction."""
         name, surface = f"R_{touch.point}", self._bodies.face(touch)
         if surface and name not in self._lines:
@@ -164,7 +166,7 @@ class Chain:
 
     # -------------------------------------------------------------------------- bodies
 
-    def _lever(self, body: str, unknown: Pull, known: Sequence[Pull]) -> Product:
+    def _lever(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
         surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
         bearing = Bearing(pivot, self._factor(surface), self._turn(surface)) if surface else None
         size, turns = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
@@ -173,7 +175,7 @@ class Chain:
             self.conditions.append(Condition(ONE, turns))
         return self._resistance(surface) if surface else ZERO
 
-    def _slider(self, body: str, unknown: Pull, known: Sequence[Pull]) -> Product:
+    def _slider(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
         """Σ F·(e − σ c n) = 0 along the guide e, n its normal on the side that is pressed.
 
         Which side that is does not depend on the guide's own friction, so it follows from
@@ -182,15 +184,15 @@ class Chain:
         guide, surface = self._bodies.guide(body), self._bodies.sliding(body)
         against, side = ZERO, ZERO
         if not unknown.along(guide):
-            raise Entangled
+            raise EquationsCoupled
         if surface:
             free = -(add(p.along(guide) for p in known) / unknown.along(guide))
             pushed = add(p.across(guide) for p in (*known, unknown.scaled(free)))
             side = self._signs.of(f"s_{body}", canonical(pushed))
             against = self._resistance(surface) * side
 
-        def along(pull: Pull) -> Product:
-            return add((pull.along(guide), -(against * pull.across(guide))))
+        def along(force: BodyForce) -> Product:
+            return add((force.along(guide), -(against * force.across(guide))))
 
         size = -(add(map(along, known)) / along(unknown))
         self._settle(unknown, size)
@@ -199,14 +201,14 @@ class Chain:
             self._keep(side, pressing)
         return against
 
-    def _pin(self, body: str, unknown: Sequence[Pull], known: Sequence[Pull]) -> Product:
+    def _pin(self, body: str, unknown: Sequence[BodyForce], known: Sequence[BodyForce]) -> Product:
         for one, other in (unknown, unknown[::-1]):
             if one.line is None or other.line is None or not one.across(other.line):
-                raise Entangled
+                raise EquationsCoupled
             parts = add(p.across(other.line) for p in known)
             self._settle(one, -(parts / one.across(other.line)))
         if self._bodies.is_rubbing(body) and not self._are_alike(body):
-            raise Entangled
+            raise EquationsCoupled
         return ZERO
 
     def _are_alike(self, body: str) -> bool:
@@ -217,21 +219,21 @@ class Chain:
         first, second = (self.sizes[f"S_{rod.name}"] for rod in rods)
         return not add((first * first, -(second * second)))
 
-    def _settle(self, pull: Pull, size: Product) -> None:
-        rod, size = self._bodies.rod(pull.name), canonical(size)
-        if pull.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
-            size = self._signs.named(pull.name, size)
-        self.sizes[pull.name] = size
+    def _settle(self, force: BodyForce, size: Product) -> None:
+        rod, size = self._bodies.rod(force.name), canonical(size)
+        if force.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
+            size = self._signs.named(force.name, size)
+        self.sizes[force.name] = size
         if rod and self._surfaces(rod):
-            self._keep(self._pressed(rod) * self._counted(rod), self.sizes[pull.name])
-        touch = self._bodies.touch(pull.name)
+            self._keep(self._pressed(rod) * self._counted(rod), self.sizes[force.name])
+        touch = self._bodies.touch(force.name)
         if touch and (surface := self._bodies.face(touch)):
             side = self._signs.of(f"s_{touch.point}", surface.pressed)
-            self._keep(side, self.sizes[pull.name])
+            self._keep(side, self.sizes[force.name])
 
     def _keep(self, sign: Product, force: Product) -> None:
         """Note that a force keeps its ideal sign; one that only friction brings about has none."""
         if force and not sign:
-            raise Entangled
+            raise EquationsCoupled
         if force:
             self.conditions.append(Condition(sign, force))

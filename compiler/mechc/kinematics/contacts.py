@@ -6,8 +6,8 @@ from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI
-from ..model.mechanism import Mesh, Rack, Screw
-from ..pose.pose import Pose, Touch
+from ..model.mechanism import Rack, Screw, WheelPair
+from ..pose.pose import PointContact, Pose
 from .forms import projection, scaled, subtract, turned
 from .graph import Form, Relation, Rule, Velocity
 
@@ -20,7 +20,7 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
     for touch in pose.touches:
         yield _touch(touch, velocities, spins)
     mechanism = pose.mechanism
-    for mesh in mechanism.meshes:
+    for mesh in mechanism.wheel_pairs:
         yield _mesh(mesh, pose, spins)
     for rack in mechanism.racks:
         yield _rack(rack, pose, velocities, spins)
@@ -31,12 +31,12 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
 def spinning(pose: Pose) -> set[str]:
     """Return the links whose angular velocity such a joint asks for."""
     mechanism = pose.mechanism
-    meshed = {link for m in mechanism.meshes for link in (m.first_link, m.second_link)}
+    meshed = {link for m in mechanism.wheel_pairs for link in (m.first_link, m.second_link)}
     racked, screwed = {r.link for r in mechanism.racks}, {s.link for s in mechanism.screws}
     return meshed | racked | screwed | {touch.body for touch in pose.touches}
 
 
-def _touch(touch: Touch, velocities: Velocities, spins: Spins) -> Relation:
+def _touch(touch: PointContact, velocities: Velocities, spins: Spins) -> Relation:
     """(V_B − V of the body under B) · normal = 0."""
     under = velocities[touch.tail]
     if touch.body in spins:
@@ -47,7 +47,7 @@ def _touch(touch: Touch, velocities: Velocities, spins: Spins) -> Relation:
     return Relation(rule, touch.body, (touch.point,), touch.normal, form, touch.span)
 
 
-def _mesh(mesh: Mesh, pose: Pose, spins: Spins) -> Relation:
+def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
     first, second = pose.radii[mesh.first_radius], pose.radii[mesh.second_radius]
     sign = -1 if mesh.same else 1
     form = {spins[mesh.first_link]: first, spins[mesh.second_link]: second.scaled(sign)}

@@ -6,8 +6,8 @@ from ..algebra.angle import Angle
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
-from ..model.mechanism import Thrust
-from ..pose.pose import Pose, Touch, Vector
+from ..model.mechanism import ForcePair
+from ..pose.pose import PointContact, Pose, Vector
 from .graph import Flow, Form, Graph, Velocity
 
 QUARTER = Angle.constant(90)
@@ -43,7 +43,7 @@ def combined(parts: Iterable[tuple[Product, Form]]) -> Form:
     return _collected(terms)
 
 
-def parting(graph: Graph, pair: Thrust, line: Angle) -> Form:
+def parting(graph: Graph, pair: ForcePair, line: Angle) -> Form:
     """Return the rate at which the points of a pair part along a line.
 
     Across the mirror it is the first point's part in it, half of the whole.
@@ -54,7 +54,7 @@ def parting(graph: Graph, pair: Thrust, line: Angle) -> Form:
     return subtract(ahead, behind)
 
 
-def leaving(graph: Graph, touch: Touch, along: Angle) -> Form:
+def leaving(graph: Graph, touch: PointContact, along: Angle) -> Form:
     """Return the component of a pin's velocity relative to the body that it touches."""
     own, under = (projection(graph.velocities[p], along) for p in (touch.point, touch.tail))
     form = subtract(own, under)

@@ -7,7 +7,7 @@ from .plan import Plan
 from .planning import plan_of
 
 
-def arrange(pose: Pose, report: Report) -> Plan:
+def plan_velocities(pose: Pose, report: Report) -> Plan:
     """Return the plan by which all velocities follow from the drives.
 
     Reports E401 where nothing can move, E841 where too much does, and W401 for a redundant

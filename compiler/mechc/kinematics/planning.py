@@ -8,7 +8,7 @@ from ..algebra.product import ONE, ZERO
 from ..algebra.rank import Echelon, Residues, independent, residues
 from ..algebra.sums import canonical
 from ..diagnostics import Report
-from ..diagnostics import kinematics as words
+from ..diagnostics import kinematics as messages
 from .graph import Graph, Kind, Relation
 from .locked import described, locked
 from .plan import Block, Plan, Speeds
@@ -30,12 +30,12 @@ def plan_of(graph: Graph, report: Report, taken: frozenset[str] = frozenset()) -
     redundant = tuple(r for r, keep in zip(graph.relations, kept, strict=True) if not keep)
     mobility = len(graph.unknowns) - len(relations)
     for relation in redundant:
-        report.add(words.redundant_constraint(relation.span, described(relation)))
+        report.add(messages.redundant_constraint(relation.span, described(relation)))
     if mobility <= 0:
-        raise report.fail(words.nothing_can_move(*locked(graph, relations)))
+        raise report.fail(messages.nothing_can_move(*locked(graph, relations)))
     if mobility > MOTIONS:
         span = graph.pose.mechanism.span
-        raise report.fail(words.too_many_motions(span, mobility, MOTIONS))
+        raise report.fail(messages.too_many_motions(span, mobility, MOTIONS))
     drives = _drives(graph, [residues(r.form, point) for r in relations])
     return _solved(graph, relations, drives, redundant, taken)
 

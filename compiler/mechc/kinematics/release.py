@@ -18,8 +18,8 @@ from ..algebra.product import Product
 from ..diagnostics import MechcError, Report
 from ..formula.tree import PI
 from ..frozen import frozen, replace
-from ..model.mechanism import Force, Link, Load, Mechanism, Telescope, Thrust, Torque
-from ..pose.pose import Pose, Touch
+from ..model.mechanism import Force, ForcePair, Link, Load, Mechanism, Telescope, Torque
+from ..pose.pose import PointContact, Pose
 from ..source import Source, Span
 from .builder import Builder
 from .forms import QUARTER, combined, leaving, parting, projection, scaled, spin, subtract
@@ -28,7 +28,7 @@ from .plan import Plan, Speeds
 from .planning import plan_of
 
 
-class Bond(NamedTuple):
+class JointRef(NamedTuple):
     """What is let go at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
 
     ``of`` is the name of the link or slide. A ``gear`` or ``belt`` has the pivot of its first
@@ -51,7 +51,7 @@ def held_end(mechanism: Mechanism, link: Link) -> str:
     At an end where a load acts on the rod itself the pin gives not all of the force along it.
     """
     loaded = {k.point for k in mechanism.loads if isinstance(k, Force) and k.link == link.name}
-    for pair in (k for k in mechanism.loads if isinstance(k, Thrust)):
+    for pair in (k for k in mechanism.loads if isinstance(k, ForcePair)):
         ends = (pair.first_link, pair.first), (pair.second_link, pair.second)
         loaded |= {point for name, point in ends if name == link.name}
 
@@ -81,7 +81,7 @@ class Released:
 
 
 @frozen
-class Loosened:
+class ReleasedLinkage:
     """The plan of a mechanism with a bond let go, and the speed at which the bond parts."""
 
     plan: Plan
@@ -92,16 +92,20 @@ Share = tuple[Product, Load]
 """A load by how much of it there is for a unit of the free load that it is tied to."""
 
 
-def loosened(
-    pose: Pose, bond: Bond, along: Angle, held: Iterable[Sequence[Share]], taken: frozenset[str]
-) -> Loosened | None:
+def released_linkage(
+    pose: Pose,
+    joint: JointRef,
+    along: Angle,
+    held: Iterable[Sequence[Share]],
+    taken: frozenset[str],
+) -> ReleasedLinkage | None:
     """Return the motions that are left with a bond let go along a direction.
 
     Each free load in ``held`` does no work in them, with all that are tied to it. None where
     nothing moves: then other bonds do the same as this one. Long sums get names that are not
     ``taken``.
     """
-    let_go = _released(pose, bond, along)
+    let_go = _released(pose, joint, along)
     moved = {load.name: load for load in let_go.pose.mechanism.loads}
     shares = [[(part, moved[load.name]) for part, load in free] for free in held]
     measures = [*let_go.holding, *map(work_of, shares)]
@@ -110,7 +114,7 @@ def loosened(
         plan = plan_of(graph, Report(Source("", "")), taken)
     except MechcError:
         return None
-    return Loosened(plan, plan.value(let_go.parting(graph)))
+    return ReleasedLinkage(plan, plan.value(let_go.parting(graph)))
 
 
 def work_of(shares: Sequence[Share]) -> Measure:
@@ -125,7 +129,7 @@ def _speed_of(load: Load) -> Measure:
     match load:
         case Force(name, point):
             return lambda graph: projection(graph.velocities[point], graph.pose.lines[name])
-        case Thrust(name):
+        case ForcePair(name):
             return lambda graph: parting(graph, load, graph.pose.lines[name])
         case Torque(_, link):
             return lambda graph: spin(graph, link)
@@ -139,41 +143,41 @@ def _held_still(graph: Graph, measures: Iterable[Measure], span: Span) -> Graph:
     return replace(graph, relations=(*graph.relations, *more))
 
 
-def _released(pose: Pose, bond: Bond, along: Angle) -> Released:
-    match bond.kind:
+def _released(pose: Pose, joint: JointRef, along: Angle) -> Released:
+    match joint.kind:
         case "pin":
-            return _without_pin(pose, bond, along)
+            return _without_pin(pose, joint, along)
         case "ground":
-            return _without_ground(pose, bond.point, along)
+            return _without_ground(pose, joint.point, along)
         case "slide":
-            return _without_slide(pose, bond, along)
+            return _without_slide(pose, joint, along)
         case "gear" | "belt" | "rack" | "screw":
-            return _without_transmission(pose, bond)
+            return _without_transmission(pose, joint)
         case _:
-            return _without_touch(pose, bond.point)
+            return _without_touch(pose, joint.point)
 
 
-def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
+def _without_pin(pose: Pose, joint: JointRef, along: Angle) -> Released:
     """Give the link a point of its own that parts from the pin along one direction.
 
     What acts on the link there goes with it. A telescope holds its ends at no distance, so
     that its own point moves like a body.
     """
-    own, point, mechanism = bond.loose, bond.point, pose.mechanism
-    links = tuple(_renamed(k, point, own) if k.name == bond.of else k for k in mechanism.links)
-    frame = {own if p == point else p: v for p, v in pose.frames[bond.of].items()}
-    frames = {**pose.frames, bond.of: frame}
+    own, point, mechanism = joint.loose, joint.point, pose.mechanism
+    links = tuple(_renamed(k, point, own) if k.name == joint.of else k for k in mechanism.links)
+    frame = {own if p == point else p: v for p, v in pose.frames[joint.of].items()}
+    frames = {**pose.frames, joint.of: frame}
     touches = tuple(
-        t._replace(tail=own) if t.body == bond.of and t.tail == point else t for t in pose.touches
+        t._replace(tail=own) if t.body == joint.of and t.tail == point else t for t in pose.touches
     )
     racks = tuple(
-        replace(r, pivot=own) if (r.link, r.pivot) == (bond.of, point) else r
+        replace(r, pivot=own) if (r.link, r.pivot) == (joint.of, point) else r
         for r in mechanism.racks
     )
     apart = replace(
         pose,
         mechanism=replace(
-            _sharing(mechanism, bond), links=links, racks=racks, loads=_carried(mechanism, bond)
+            _sharing(mechanism, joint), links=links, racks=racks, loads=_carried(mechanism, joint)
         ),
         frames=frames,
         touches=touches,
@@ -187,18 +191,18 @@ def _without_pin(pose: Pose, bond: Bond, along: Angle) -> Released:
     return Released(apart, gap, (lambda graph: gap(graph, along + QUARTER),))
 
 
-def _carried(mechanism: Mechanism, bond: Bond) -> tuple[Load, ...]:
+def _carried(mechanism: Mechanism, joint: JointRef) -> tuple[Load, ...]:
     """Return the loads, those on a link itself at the point that it has for itself now."""
 
     def moved(load: Load) -> Load:
-        there = (bond.of, bond.point)
+        there = (joint.of, joint.point)
         match load:
             case Force() if (load.link, load.point) == there:
-                return replace(load, point=bond.loose)
-            case Thrust() if (load.first_link, load.first) == there:
-                return replace(load, first=bond.loose)
-            case Thrust() if (load.second_link, load.second) == there:
-                return replace(load, second=bond.loose)
+                return replace(load, point=joint.loose)
+            case ForcePair() if (load.first_link, load.first) == there:
+                return replace(load, first=joint.loose)
+            case ForcePair() if (load.second_link, load.second) == there:
+                return replace(load, second=joint.loose)
             case _:
                 return load
 
@@ -228,14 +232,14 @@ def _renamed(link: Link, point: str, own: str) -> Link:
     return replace(link, points=tuple(own if p == point else p for p in link.points))
 
 
-def _sharing(mechanism: Mechanism, bond: Bond) -> Mechanism:
+def _sharing(mechanism: Mechanism, joint: JointRef) -> Mechanism:
     """Let both halves share the link's own point where they share the whole link."""
     mirror = mechanism.mirror
     bodies: list[Link | Telescope] = [*mechanism.links, *mechanism.cylinders]
-    points = next(b.points for b in bodies if b.name == bond.of)
+    points = next(b.points for b in bodies if b.name == joint.of)
     if mirror is None or not set(points) <= set(mirror.sharing):
         return mechanism
-    return replace(mechanism, mirror=replace(mirror, sharing=(*mirror.sharing, bond.loose)))
+    return replace(mechanism, mirror=replace(mirror, sharing=(*mirror.sharing, joint.loose)))
 
 
 def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
@@ -254,45 +258,47 @@ def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
     )
 
 
-def _without_slide(pose: Pose, bond: Bond, along: Angle) -> Released:
+def _without_slide(pose: Pose, joint: JointRef, along: Angle) -> Released:
     """Let a translating body leave its guide; it still does not turn."""
     mechanism = pose.mechanism
-    slide = next(s for s in mechanism.slides if s.name == bond.of)
+    slide = next(s for s in mechanism.slides if s.name == joint.of)
     slides = tuple(s for s in mechanism.slides if s is not slide)
     link = Link(slide.name, slide.points, slide.span)
     free = replace(mechanism, slides=slides, links=(*mechanism.links, link))
     left = dict.fromkeys(slide.points, pose.slides[slide.name])
     return Released(
         replace(pose, mechanism=free, left=left),
-        lambda graph: projection(graph.velocities[bond.point], along),
+        lambda graph: projection(graph.velocities[joint.point], along),
         (lambda graph: spin(graph, slide.name),),
     )
 
 
-def _without_transmission(pose: Pose, bond: Bond) -> Released:
+def _without_transmission(pose: Pose, joint: JointRef) -> Released:
     """Let the teeth of a pair, a rack or a thread lose each other."""
     m = pose.mechanism
     free = replace(
         m,
-        meshes=tuple(x for x in m.meshes if (x.kind, x.first) != (bond.kind, bond.point)),
-        racks=tuple(r for r in m.racks if (bond.kind, bond.point) != ("rack", r.point)),
-        screws=tuple(s for s in m.screws if (bond.kind, bond.point) != ("screw", s.point)),
+        wheel_pairs=tuple(
+            x for x in m.wheel_pairs if (x.kind, x.first) != (joint.kind, joint.point)
+        ),
+        racks=tuple(r for r in m.racks if (joint.kind, joint.point) != ("rack", r.point)),
+        screws=tuple(s for s in m.screws if (joint.kind, joint.point) != ("screw", s.point)),
     )
-    return Released(replace(pose, mechanism=free), lambda graph: slipping(graph, pose, bond))
+    return Released(replace(pose, mechanism=free), lambda graph: slipping(graph, pose, joint))
 
 
-def slipping(graph: Graph, pose: Pose, bond: Bond) -> Form:
+def slipping(graph: Graph, pose: Pose, joint: JointRef) -> Form:
     """Return the speed at which rims, a rack and its wheel, or nut and thread, part."""
-    for mesh in pose.mechanism.meshes:
-        if (mesh.kind, mesh.first) == (bond.kind, bond.point):
+    for mesh in pose.mechanism.wheel_pairs:
+        if (mesh.kind, mesh.first) == (joint.kind, joint.point):
             sign = -1 if mesh.same else 1
             first = scaled(spin(graph, mesh.first_link), pose.radii[mesh.first_radius])
             second = scaled(spin(graph, mesh.second_link), pose.radii[mesh.second_radius])
             return subtract(first, scaled(second, Product(-sign)))
-    moved, guide = bond.point, pose.guide_of(bond.point) or Angle()
+    moved, guide = joint.point, pose.guide_of(joint.point) or Angle()
     ahead = projection(graph.velocities[moved], guide)
     racks = {r.point: r for r in (*pose.mechanism.racks, *graph.pose.mechanism.racks)}
-    if bond.kind == "rack":
+    if joint.kind == "rack":
         rack = racks[moved]
         rim = scaled(spin(graph, rack.link), pose.radii[rack.radius])
         return subtract(subtract(ahead, rim), projection(graph.velocities[rack.pivot], guide))
@@ -316,27 +322,27 @@ def unclear(mechanism: Mechanism) -> frozenset[str]:
     Teeth press across the line of centres, belts are tightened beforehand, and a screw's
     thrust is out of the plane. A rack presses along its guide.
     """
-    turning = {link for m in mechanism.meshes for link in (m.first_link, m.second_link)}
+    turning = {link for m in mechanism.wheel_pairs for link in (m.first_link, m.second_link)}
     turning |= {screw.link for screw in mechanism.screws}
     fixed = {pivot.point for pivot in mechanism.pivots}
     held = (p for k in mechanism.links if k.name in turning for p in k.points)
     return frozenset(p for p in held if p in fixed)
 
 
-def members(pose: Pose, bond: Bond) -> tuple[str, ...]:
+def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:
     """Return the points of all that a bond joins; it is shared by halves where they all are."""
-    if bond.kind == "touch":
-        return (bond.point, *pose.frames[touch_at(pose, bond.point).body])
-    if bond.kind in ("gear", "belt"):
-        mesh = next(m for m in pose.mechanism.meshes if (m.kind, m.first) == bond[:2])
+    if joint.kind == "touch":
+        return (joint.point, *pose.frames[touch_at(pose, joint.point).body])
+    if joint.kind in ("gear", "belt"):
+        mesh = next(m for m in pose.mechanism.wheel_pairs if (m.kind, m.first) == joint[:2])
         return (*pose.frames[mesh.first_link], *pose.frames[mesh.second_link])
-    if bond.kind in ("rack", "screw"):
+    if joint.kind in ("rack", "screw"):
         links = {r.point: r.link for r in pose.mechanism.racks}
         links |= {s.point: s.link for s in pose.mechanism.screws}
-        return (bond.point, *pose.frames[links[bond.point]])
-    return tuple(pose.frames[bond.of]) if bond.of else (bond.point,)
+        return (joint.point, *pose.frames[links[joint.point]])
+    return tuple(pose.frames[joint.of]) if joint.of else (joint.point,)
 
 
-def touch_at(pose: Pose, point: str) -> Touch:
+def touch_at(pose: Pose, point: str) -> PointContact:
     """Return the slot or contact of a point."""
     return next(t for t in pose.touches if t.point == point)

@@ -25,6 +25,7 @@ from .mechanism import (
     Arrow,
     Contact,
     Force,
+    ForcePair,
     Link,
     Load,
     LoadForm,
@@ -35,7 +36,6 @@ from .mechanism import (
     Screw,
     Slot,
     Telescope,
-    Thrust,
     Torque,
 )
 
@@ -143,14 +143,14 @@ class Carriers:
         touches: list[Slot | Contact] = [*m.slots, *m.contacts]
         for touch in touches:
             yield ("point", touch.point), ("body", touch.link), type(touch).__name__
-        for mesh in m.meshes:
+        for mesh in m.wheel_pairs:
             yield ("body", mesh.first_link), ("body", mesh.second_link), mesh.kind
         for rack in m.racks:
             yield ("point", rack.point), ("body", rack.link), "rack"
         for screw in m.screws:
             yield ("point", screw.point), ("body", screw.link), "screw"
         for load in m.loads:
-            if isinstance(load, Thrust) and load.second != f"{load.first}'":
+            if isinstance(load, ForcePair) and load.second != f"{load.first}'":
                 yield ("point", load.first), ("point", load.second), self._role(load)
 
     def _lengths(self) -> Iterator[Edge]:
@@ -202,9 +202,9 @@ def _bent(mechanism: Mechanism) -> Iterator[str]:
     m = mechanism
     yield from (k.name for k in m.links if len(k.points) > 2)
     yield from (k.link for k in m.loads if isinstance(k, Torque | Force) and k.link)
-    pairs = [k for k in m.loads if isinstance(k, Thrust)]
+    pairs = [k for k in m.loads if isinstance(k, ForcePair)]
     yield from (name for k in pairs for name in (k.first_link, k.second_link))
-    yield from (name for k in m.meshes for name in (k.first_link, k.second_link))
+    yield from (name for k in m.wheel_pairs for name in (k.first_link, k.second_link))
     joints: list[Slot | Contact | Rack | Screw] = [*m.slots, *m.contacts, *m.racks, *m.screws]
     yield from (joint.link for joint in joints)
 

@@ -3,7 +3,7 @@
 from collections.abc import Callable
 
 from ..diagnostics.model import doubts
-from ..diagnostics.model import friction as words
+from ..diagnostics.model import friction as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..source import Span
@@ -44,7 +44,7 @@ def checked(
     """Return a quantity whose default value makes sense; report one that makes none."""
     value = None if formula is None else value_of(formula, scope)
     if value is not None and not fits(value):
-        scope.report.add(words.senseless(span, what, show(value)))
+        scope.report.add(messages.senseless(span, what, show(value)))
         return None
     return formula
 

@@ -5,7 +5,7 @@ from collections import Counter
 from collections.abc import Iterable, Iterator, Sequence
 
 from ..diagnostics import Diagnostic
-from ..diagnostics.model import doubts as words
+from ..diagnostics.model import doubts as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..source import Span
@@ -41,7 +41,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield a remark on each thing that is hardly meant."""
     chain = Chain(dependent(mechanism))
     values = chain.complete(defaults(mechanism))
-    if not (mechanism.meshes or mechanism.racks or mechanism.screws):
+    if not (mechanism.wheel_pairs or mechanism.racks or mechanism.screws):
         yield from _turns(mechanism)
     yield from _vanishing(mechanism, chain, values)
     yield from _far_off(mechanism, values)
@@ -71,7 +71,7 @@ def _turns(mechanism: Mechanism) -> Iterator[Diagnostic]:
         if isinstance(direction, Absolute):
             rest = evaluate(direction.angle, dict.fromkeys(symbols(direction.angle), 0.0))
             if 2 * TURN < abs(rest) < math.inf:
-                yield words.beyond_a_turn(direction.span, "the direction", rest / (2 * math.pi))
+                yield messages.beyond_a_turn(direction.span, "the direction", rest / (2 * math.pi))
 
 
 def _turn_of(parameter: Parameter) -> Iterator[Diagnostic]:
@@ -85,7 +85,7 @@ def _beyond(span: Span, what: str, angles: Iterable[Formula | None]) -> Iterator
     sizes = [evaluate(angle, {}) for angle in angles if angle is not None]
     largest = max(sizes, key=abs, default=0.0)
     if abs(largest) > TURN:
-        yield words.beyond_a_turn(span, what, largest / (2 * math.pi))
+        yield messages.beyond_a_turn(span, what, largest / (2 * math.pi))
 
 
 def directions(mechanism: Mechanism) -> Iterator[Direction]:
@@ -141,7 +141,7 @@ def _vanishes(arrow: Arrow, known: Values, parameter: Parameter, where: str) -> 
     size = evaluate(arrow.length, known)
     shown = f"{size * 1000:.6g} mm" if abs(size) < FARTHEST else "infinity"
     points = f"{arrow.tail}{arrow.head}"
-    return words.length_vanishes(parameter.span, points, shown, parameter.name, where)
+    return messages.length_vanishes(parameter.span, points, shown, parameter.name, where)
 
 
 def _reach(
@@ -173,7 +173,7 @@ def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         sizes = [s for s, p in known if p is not parameter]
         if size > FAR * max(sizes) or size * FAR < min(sizes):
             (other,) = units.keys() - {parameter.unit}
-            yield words.length_far_off(parameter.span, parameter.name, parameter.unit, other)
+            yield messages.length_far_off(parameter.span, parameter.name, parameter.unit, other)
             return
 
 
@@ -192,7 +192,7 @@ def _lengths(entry: object) -> tuple[Formula, ...]:
 
 def _coinciding(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     """Yield the pivots at the place of an earlier one, but for those of wheels."""
-    wheels = {p for m in mechanism.meshes for p in (m.first, m.second)}
+    wheels = {p for m in mechanism.wheel_pairs for p in (m.first, m.second)}
     wheels |= {r.pivot for r in mechanism.racks}
     spans = {p.point: p.span for p in mechanism.pivots}
     first: dict[tuple[float, float], str] = {}
@@ -205,7 +205,7 @@ def _coinciding(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
         other = first.setdefault((x, y), entry.head)
         is_guide = "_" in other + entry.head
         if other != entry.head and not is_guide and wheels.isdisjoint((other, entry.head)):
-            yield words.pivots_coincide(spans[entry.head], entry.head, other, spans[other])
+            yield messages.pivots_coincide(spans[entry.head], entry.head, other, spans[other])
 
 
 def _within(links: Sequence[Link]) -> Iterator[Diagnostic]:
@@ -217,7 +217,7 @@ def _within(links: Sequence[Link]) -> Iterator[Diagnostic]:
     for link in links:
         for other in through[link.points[0]]:
             if other is not link and set(link.points) < set(other.points):
-                yield words.link_within_link(link.span, link.name, other.name, other.span)
+                yield messages.link_within_link(link.span, link.name, other.name, other.span)
                 break
 
 
@@ -225,7 +225,7 @@ def _held(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield the telescopes between two points of one link, or of the ground."""
     for telescope in mechanism.telescopes:
         if body := body_through(telescope.points, mechanism):
-            yield words.telescope_between_fixed(telescope.span, telescope.name, body)
+            yield messages.telescope_between_fixed(telescope.span, telescope.name, body)
 
 
 def body_through(points: Iterable[str], mechanism: Mechanism) -> str:
@@ -246,14 +246,14 @@ def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
     for find in finds:
         other = first.setdefault(find.target, find)
         if other.name != find.name:
-            yield words.asked_twice(find.span, find.name, other.name, other.span)
+            yield messages.asked_twice(find.span, find.name, other.name, other.span)
 
 
 def _without_value(lets: Iterable[Let], values: Values) -> Iterator[Diagnostic]:
     """Yield the formulas of parameters alone that have no finite value."""
     for let in lets:
         if symbols(let.value) <= values.keys() and not math.isfinite(evaluate(let.value, values)):
-            yield words.let_without_value(let.span, let.name)
+            yield messages.let_without_value(let.span, let.name)
 
 
 def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
@@ -261,10 +261,10 @@ def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     names = {load.name for load in mechanism.loads}
     for let in mechanism.lets:
         if let.name in names and _is_zero(let.value, values):
-            yield words.of_no_size(let.span, f"load '{let.name}'")
+            yield messages.of_no_size(let.span, f"load '{let.name}'")
     for load in mechanism.loads:
         if load.tie is not None and _is_zero(load.tie, values):
-            yield words.of_no_size(load.span, f"load '{load.name}'")
+            yield messages.of_no_size(load.span, f"load '{load.name}'")
 
 
 def _is_zero(formula: Formula, values: Values) -> bool:

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 
 from ..diagnostics import Report
-from ..diagnostics.model import doubts as words
+from ..diagnostics.model import doubts as messages
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
@@ -23,7 +23,7 @@ def judged(mechanism: Mechanism, report: Report) -> Mechanism:
         if not driven.isdisjoint(symbols(formula)):
             driven.add(name)
     if all(driven.isdisjoint(symbols(formula)) for formula in _moved(mechanism)):
-        report.add(words.drive_moves_nothing(drive.span, drive.parameter))
+        report.add(messages.drive_moves_nothing(drive.span, drive.parameter))
     parameters = [p for p in mechanism.parameters if p.name == drive.parameter]
     is_length = any(p.dimension == LENGTH for p in parameters)
     for entry in mechanism.geometry:
@@ -31,7 +31,7 @@ def judged(mechanism: Mechanism, report: Report) -> Mechanism:
         if sizes and isinstance(entry, Arrow | Offset):
             body = body_through((entry.tail, entry.head), mechanism)
             if body:
-                found = words.drive_reshapes(
+                found = messages.drive_reshapes(
                     drive.span, drive.parameter, entry.tail, entry.head, body
                 )
                 report.add(found)

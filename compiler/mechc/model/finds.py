@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple
 
 from ..diagnostics.model import reactions as reaction_words
-from ..diagnostics.model import results as words
+from ..diagnostics.model import results as messages
 from ..syntax import ast
 from ..units import FREQUENCY, NUMBER, VELOCITY, Dimension
 from .forms import Form, form_of
@@ -138,7 +138,7 @@ def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> A
         case ast.Product(factors=((1, ast.Symbol() as above), (-1, ast.Symbol() as below))):
             asked = _ratio(above, below, scope)
         case _:
-            scope.report.add(words.not_findable(target.span))
+            scope.report.add(messages.not_findable(target.span))
             return None
     if on:
         scope.report.add(reaction_words.link_named_for_nothing(on.span))
@@ -148,7 +148,7 @@ def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> A
 def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:
     if form_of(symbol.name):
         hint = "velocities are asked for as a ratio, as in V_D / V_A"
-        scope.report.add(words.not_findable(symbol.span, hint))
+        scope.report.add(messages.not_findable(symbol.span, hint))
         return None
     part = _load(symbol, scope)
     return Asked(LoadForm(symbol.name), part.dimension, symbol.name) if part else None
@@ -167,7 +167,7 @@ def _ratio(above: ast.Symbol, below: ast.Symbol, scope: Scope) -> Asked | None:
         case _:
             same = first.quantity == second.quantity
             hint = "this ratio is 1" if same else "a load and a velocity have no ratio here"
-            scope.report.add(words.not_findable(above.span.to(below.span), hint))
+            scope.report.add(messages.not_findable(above.span.to(below.span), hint))
             return None
     dimension = first.dimension.joined(second.dimension.scaled(-1))
     return Asked(target, dimension, f"{first.name}_over_{second.name}")
@@ -183,10 +183,10 @@ def _load(symbol: ast.Symbol, scope: Scope) -> Part | None:
     if entry is None:
         is_speed = symbol.name.startswith(("V_", "omega_"))
         loads = scope.names({"load"})
-        scope.report.add(words.unknown_load(symbol.span, symbol.name, loads, is_speed))
+        scope.report.add(messages.unknown_load(symbol.span, symbol.name, loads, is_speed))
         return None
     if entry.kind != "load" or entry.dimension is None:
-        scope.report.add(words.not_findable(symbol.span, f"'{symbol.name}' is a {entry.kind}"))
+        scope.report.add(messages.not_findable(symbol.span, f"'{symbol.name}' is a {entry.kind}"))
         return None
     return Part(symbol.name, entry.dimension, symbol.name)
 
@@ -202,7 +202,7 @@ def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Part | None:
         case "V":
             return _point_velocity(points, identifier, scope)
         case _:
-            scope.report.add(words.not_findable(symbol.span))
+            scope.report.add(messages.not_findable(symbol.span))
             return None
 
 
@@ -210,6 +210,6 @@ def _point_velocity(point: ast.Name, identifier: str, scope: Scope) -> Part | No
     if not scope.points.acting(point):
         return None
     if point.text in scope.points.fixed:
-        scope.report.add(words.still_point(point.span, point.text))
+        scope.report.add(messages.still_point(point.span, point.text))
         return None
     return Part(Speed("point", point.text), VELOCITY, identifier)

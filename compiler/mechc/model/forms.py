@@ -3,7 +3,7 @@
 import re
 from typing import NamedTuple
 
-from ..syntax.words import points_of
+from ..syntax.vocabulary import points_of
 
 FORMS = {
     "V": "the velocity of a point",

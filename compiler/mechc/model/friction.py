@@ -4,23 +4,23 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import Literal
 
-from ..diagnostics.model import friction as words
+from ..diagnostics.model import friction as messages
 from ..diagnostics.model.reactions import several_touch
 from ..formula.tree import Call, Formula, number, product, total
 from ..syntax import ast
 from ..units import NUMBER
 from .coefficients import checked, coefficient, positive_length, value_of
 from .expressions import Reader
+from .joint_friction import (
+    FaceFriction,
+    Friction,
+    GuideFriction,
+    JointFriction,
+    ThreadFriction,
+    WheelFriction,
+)
 from .mechanism import Force, Load, Mechanism
 from .pins import Pins, remark_on_pairs
-from .rubbing import (
-    Friction,
-    Rubbing,
-    RubbingFace,
-    RubbingGuide,
-    RubbingMesh,
-    RubbingThread,
-)
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
 
@@ -30,13 +30,13 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
     pins = Pins(named, built, scope)
-    rubbing: dict[object, Rubbing] = {}
+    rubbing: dict[object, JointFriction] = {}
     for statement in file.statements:
         for rub in _read(statement, file, pins, built, scope):
             key = (type(rub), getattr(rub, "kind", "")), rub.point
             if key in rubbing:
                 first = rubbing[key].span
-                scope.report.add(words.friction_again(rub.span, rub.point, first))
+                scope.report.add(messages.friction_again(rub.span, rub.point, first))
             rubbing.setdefault(key, rub)
     _judge_halves(rubbing.values(), built, scope)
     motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
@@ -47,29 +47,29 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
         remark_on_pairs(built, scope)
         _remark_on_slots(friction, built, scope)
     if motion and friction.is_ideal:
-        scope.report.add(words.motion_for_nothing(motion.span))
+        scope.report.add(messages.motion_for_nothing(motion.span))
     return friction
 
 
 def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None:
     """Say which pins slide in slots without friction, though every pin is said to have it."""
-    rough = {rub.point for rub in friction.rubbing if isinstance(rub, RubbingFace)}
+    rough = {rub.point for rub in friction.rubbing if isinstance(rub, FaceFriction)}
     for slot in built.slots:
         if slot.point not in rough:
-            scope.report.add(words.slot_without_friction(slot.span, slot.point))
+            scope.report.add(messages.slot_without_friction(slot.span, slot.point))
 
 
-def _judge_halves(rubbing: Iterable[Rubbing], built: Mechanism, scope: Scope) -> None:
+def _judge_halves(rubbing: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
     """Remark on guides whose side forces cancel, or would in a whole that is drawn by half."""
     shared = {p for group in (built.mirror, built.copies) if group for p in group.sharing}
     for rub in rubbing:
-        if isinstance(rub, RubbingGuide) and rub.point in shared:
-            scope.report.add(words.halves_cancel(rub.span, rub.point))
-        elif isinstance(rub, RubbingGuide) and not shared:
+        if isinstance(rub, GuideFriction) and rub.point in shared:
+            scope.report.add(messages.halves_cancel(rub.span, rub.point))
+        elif isinstance(rub, GuideFriction) and not shared:
             _judge_half(rub, built, scope)
 
 
-def _judge_half(rub: RubbingGuide, built: Mechanism, scope: Scope) -> None:
+def _judge_half(rub: GuideFriction, built: Mechanism, scope: Scope) -> None:
     """Refuse a guide that halves would share: what acts on it counts less often than the rest.
 
     A guide with the load that counts most is the half's own. One without a load is open.
@@ -78,12 +78,12 @@ def _judge_half(rub: RubbingGuide, built: Mechanism, scope: Scope) -> None:
     own = [k for k in built.loads if isinstance(k, Force) and k.point in body]
     counted = [k for k in built.loads if k.times != 1]
     if not own and counted:
-        scope.report.add(words.perhaps_a_half(rub.span, rub.point, counted[0].name))
+        scope.report.add(messages.perhaps_a_half(rub.span, rub.point, counted[0].name))
     if own:
         here, most = min(own, key=_times), max(built.loads, key=_times)
         if most.times > here.times:
             share = most.times / here.times
-            found = words.half_of_a_whole(rub.span, rub.point, here.name, most.name, share)
+            found = messages.half_of_a_whole(rub.span, rub.point, here.name, most.name, share)
             scope.report.add(found)
 
 
@@ -93,7 +93,7 @@ def _times(load: Load) -> Fraction:
 
 def _read(
     statement: ast.Statement, file: ast.File, pins: Pins, built: Mechanism, scope: Scope
-) -> Iterator[Rubbing]:
+) -> Iterator[JointFriction]:
     match statement:
         case ast.PinFriction():
             yield from pins.read(statement)
@@ -112,7 +112,7 @@ def _read(
 # ------------------------------------------------------------ guides, rollers, faces
 
 
-def _guide(statement: ast.GuideFriction, scope: Scope) -> Iterator[Rubbing]:
+def _guide(statement: ast.GuideFriction, scope: Scope) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, scope)
     if not _is_guided(statement.point, scope) or f is None:
         return
@@ -121,7 +121,7 @@ def _guide(statement: ast.GuideFriction, scope: Scope) -> Iterator[Rubbing]:
         tilt = _tilt(statement, (statement.overhang, statement.length), scope)
     if tilt is not None:
         factor = product([(f, 1), (tilt, 1)])
-        yield RubbingGuide(statement.point.text, factor, statement.span)
+        yield GuideFriction(statement.point.text, factor, statement.span)
 
 
 def _tilt(
@@ -149,32 +149,32 @@ def _tilt(
             return twice if share and share > 1 / 2 else Call("max", (twice, number(1)))
         case _:
             if share is not None and share < 1 / 3:
-                scope.report.add(words.less_than_plain(statement.span, share))
+                scope.report.add(messages.less_than_plain(statement.span, share))
             return product([(number(3), 1), (x, 1)])
 
 
-def _roller(statement: ast.RollerFriction, scope: Scope) -> Iterator[Rubbing]:
+def _roller(statement: ast.RollerFriction, scope: Scope) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, scope)
     axle = positive_length(statement.axle, "the diameter of an axle", scope)
     wheel = positive_length(statement.wheel, "the diameter of a roller", scope)
     if not _is_guided(statement.point, scope) or f is None or axle is None or wheel is None:
         return
     factor = product([(f, 1), (axle, 1), (wheel, -1)])
-    yield RubbingGuide(statement.point.text, factor, statement.span)
+    yield GuideFriction(statement.point.text, factor, statement.span)
 
 
-def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[Rubbing]:
+def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, scope)
     if not scope.points.acting(statement.point) or f is None:
         return
     point = statement.point
     touching = scope.points.touching[point.text]
     if touching == 1:
-        yield RubbingFace(point.text, f, statement.span)
+        yield FaceFriction(point.text, f, statement.span)
     elif touching:
         scope.report.add(several_touch(point.span, point.text))
     else:
-        scope.report.add(words.nothing_touches(point.span, point.text))
+        scope.report.add(messages.nothing_touches(point.span, point.text))
 
 
 def _transmission(
@@ -182,7 +182,7 @@ def _transmission(
     file: ast.File,
     built: Mechanism,
     scope: Scope,
-) -> Iterator[Rubbing]:
+) -> Iterator[JointFriction]:
     """Return the friction of a pair by its first wheel, of a rack or screw by its slider."""
     f = coefficient(statement.coefficient, scope)
     point, span = statement.point, statement.span
@@ -191,9 +191,9 @@ def _transmission(
     kind: Literal["gear", "belt", "rack", "screw"]
     match statement:
         case ast.GearFriction():
-            kind, there = "gear", [m.first for m in built.meshes if m.kind == "gear"]
+            kind, there = "gear", [m.first for m in built.wheel_pairs if m.kind == "gear"]
         case ast.BeltFriction():
-            kind, there = "belt", [m.first for m in built.meshes if m.kind == "belt"]
+            kind, there = "belt", [m.first for m in built.wheel_pairs if m.kind == "belt"]
         case ast.RackFriction():
             kind, there = "rack", [r.point for r in built.racks]
         case _:
@@ -201,15 +201,15 @@ def _transmission(
     if point.text not in there and point.text in _begun(kind, file):
         return  # what is wrong with that line was reported
     if point.text not in there:
-        scope.report.add(words.no_transmission(point.span, kind, point.text, sorted(there)))
+        scope.report.add(messages.no_transmission(point.span, kind, point.text, sorted(there)))
     elif there.count(point.text) > 1:
-        scope.report.add(words.several_transmissions(point.span, kind, point.text))
+        scope.report.add(messages.several_transmissions(point.span, kind, point.text))
     elif isinstance(statement, ast.ScrewFriction):
         thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:
-            yield RubbingThread(point.text, f, thread, span)
+            yield ThreadFriction(point.text, f, thread, span)
     elif kind != "screw":
-        yield RubbingMesh(kind, point.text, f, span)
+        yield WheelFriction(kind, point.text, f, span)
 
 
 def _begun(kind: str, file: ast.File) -> set[str]:
@@ -233,9 +233,9 @@ def _is_guided(point: ast.Name, scope: Scope) -> bool:
     if point.text in scope.points.guided:
         pressed = point.text in scope.points.carried.keys() | scope.points.touching.keys()
         if not pressed:
-            scope.report.add(words.nothing_presses(point.span, point.text))
+            scope.report.add(messages.nothing_presses(point.span, point.text))
         return pressed
-    scope.report.add(words.not_guided(point.span, point.text))
+    scope.report.add(messages.not_guided(point.span, point.text))
     return False
 
 

@@ -7,7 +7,7 @@ from pathlib import PurePath
 from ..diagnostics import Report
 from ..diagnostics.model import loads as load_words
 from ..diagnostics.model import names
-from ..diagnostics.model import results as words
+from ..diagnostics.model import results as messages
 from ..frozen import replace
 from ..source import Span
 from ..syntax import ast
@@ -16,6 +16,7 @@ from .definitions import Definitions, read_definitions, settled, spread_feeding
 from .doubts import doubts
 from .driven import judged
 from .finds import read_finds
+from .force_pairs import inside_telescopes, spring_name
 from .friction import read_friction
 from .geometry import read_geometry
 from .joints import declare_points, read_pivots, read_sliders, warn_idle
@@ -29,7 +30,6 @@ from .results import read_expects, read_requires
 from .scope import Scope
 from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
-from .thrusts import inside_telescopes, spring_name
 from .transmissions import check_belts, read_joints
 
 
@@ -78,7 +78,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     pivots, places = read_pivots(file, scope)
     sliders, guides, guide_places = read_sliders(file, scope)
     joints = read_joints(file, scope)
-    check_belts(joints.meshes, places, scope)
+    check_belts(joints.wheel_pairs, places, scope)
     geometry = read_geometry(file, scope)
     drive = read_drive(file, scope)
     assemblies = read_assemblies(file, scope)
@@ -91,7 +91,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
         telescopes=joints.telescopes,
         slots=joints.slots,
         contacts=joints.contacts,
-        meshes=joints.meshes,
+        wheel_pairs=joints.wheel_pairs,
         racks=joints.racks,
         screws=joints.screws,
         drive=drive,
@@ -169,7 +169,7 @@ def _declare_lets(file: ast.File, finds: Sequence[Find], scope: Scope) -> None:
 def _check_asked(file: ast.File, report: Report) -> None:
     if not every(file, ast.Find) and not every(file, ast.Let):
         end = file.statements[-1].span.end if file.statements else 0
-        report.add(words.nothing_asked(Span(end, end), not file.statements))
+        report.add(messages.nothing_asked(Span(end, end), not file.statements))
 
 
 def _warn_lonely(points: Points) -> None:

@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from ..diagnostics.model import joints as words
+from ..diagnostics.model import joints as messages
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..source import Span
@@ -39,7 +39,9 @@ def read_geometry(file: ast.File, scope: Scope) -> list[Geometry]:
             case _:
                 continue
         if points and first.setdefault(key, name.span) != name.span:
-            scope.report.add(words.vector_again(name.span, name.text, len(points) == 3, first[key]))
+            scope.report.add(
+                messages.vector_again(name.span, name.text, len(points) == 3, first[key])
+            )
         elif entry:
             found.append(entry)
     _count_uses(found, scope)
@@ -70,7 +72,7 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
     check_reach(formula, LENGTH, length.span, scope)
     if value is not None and value <= 0:
         shown = f"{value * 1000:g} mm"
-        scope.report.add(words.length_not_positive(length.span, statement.points.text, shown))
+        scope.report.add(messages.length_not_positive(length.span, statement.points.text, shown))
         return None
     return formula
 
@@ -78,7 +80,7 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
 def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
     """Tell a vector from none; a coordinate may be zero at the default pose and pass it."""
     if value_of(offset.x, scope) == value_of(offset.y, scope) == 0 and not _runs(offset):
-        scope.report.add(words.length_not_positive(offset.span, statement.points.text, "0"))
+        scope.report.add(messages.length_not_positive(offset.span, statement.points.text, "0"))
         return False
     return True
 
@@ -95,7 +97,7 @@ def _turn(statement: ast.Turn, points: tuple[str, ...], scope: Scope) -> Turn | 
     if value is not None and abs(value) > 2 * math.pi:
         shown = f"{math.degrees(value):g} deg"
         scope.report.add(
-            words.turn_out_of_range(statement.angle.span, statement.points.text, shown)
+            messages.turn_out_of_range(statement.angle.span, statement.points.text, shown)
         )
         return None
     first, vertex, second = points

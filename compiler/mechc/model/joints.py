@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 
-from ..diagnostics.model import joints as words
+from ..diagnostics.model import joints as messages
 from ..source import Span
 from ..syntax import ast
 from .directions import read_direction, read_place
@@ -52,7 +52,7 @@ def _is_again(name: ast.Name, carried: Sequence[str], points: Points) -> bool:
     """Report a second body through the same points."""
     key = frozenset(carried)
     if other := points.bodies.get(key) or points.slides.get(key):
-        points.report.add(words.link_again(name.span, name.text, other.span))
+        points.report.add(messages.link_again(name.span, name.text, other.span))
     return other is not None
 
 
@@ -67,9 +67,9 @@ def _check_joints(file: ast.File, points: Points) -> None:
         if before is None:
             first[point] = what, span
         elif before[0] == what:
-            points.report.add(words.joint_again(span, what, point, before[1]))
+            points.report.add(messages.joint_again(span, what, point, before[1]))
         else:
-            points.report.add(words.pivot_and_slider(span, point, before[1]))
+            points.report.add(messages.pivot_and_slider(span, point, before[1]))
 
 
 def read_pivots(file: ast.File, scope: Scope) -> tuple[list[Pivot], list[Geometry]]:
@@ -112,7 +112,7 @@ def _through(statement: ast.Slider, scope: Scope) -> str | Offset | None:
             if not scope.points.acting(name):
                 return None
             if name.text not in scope.points.fixed:
-                scope.report.add(words.guide_through_moving_point(name.span, name.text))
+                scope.report.add(messages.guide_through_moving_point(name.span, name.text))
             return name.text
 
 
@@ -123,4 +123,4 @@ def warn_idle(pivots: Sequence[Pivot], sliders: Sequence[Slider], points: Points
     for joint, what in joints:
         point = joint.point
         if point in points.places and point not in points.carried and not points.used[point]:
-            points.report.add(words.idle_joint(joint.span, what, point))
+            points.report.add(messages.idle_joint(joint.span, what, point))

@@ -3,7 +3,7 @@
 from collections.abc import Sequence
 from fractions import Fraction
 
-from ..diagnostics.model import loads as words
+from ..diagnostics.model import loads as messages
 from ..diagnostics.model import names
 from ..formula.tree import (
     Call,
@@ -25,12 +25,12 @@ from ..units import ACCELERATION, FORCE, MASS, NUMBER, TORQUE, Dimension
 from .constants import rational
 from .directions import check_sign, read_direction
 from .expressions import Reader
+from .force_pairs import carrying, read_thrust
 from .mechanism import GRAVITY, Absolute, Direction, Force, Load, Torque
 from .order import ordered
 from .parameters import constant
 from .scope import DESCRIPTION, TIE, Scope
 from .statements import every, only
-from .thrusts import carrying, read_thrust
 
 
 def read_loads(file: ast.File, scope: Scope) -> list[Load]:
@@ -105,7 +105,7 @@ def _gravity(file: ast.File, scope: Scope) -> Direction | None:
         weights = every(file, ast.Weight)
         return Absolute(degrees(-90), weights[0].span if weights else Span(0, 0))
     if not every(file, ast.Weight):
-        scope.report.add(words.idle_gravity(statement.span))
+        scope.report.add(messages.idle_gravity(statement.span))
     return read_direction(statement.along, scope)
 
 
@@ -120,7 +120,7 @@ def _times(expression: ast.Expr | None, scope: Scope) -> Fraction:
     if value is not None and value > 0:
         return value
     shown = scope.report.source.text[expression.span.start : expression.span.end]
-    scope.report.add(words.times_not_positive(expression.span, shown))
+    scope.report.add(messages.times_not_positive(expression.span, shown))
     return Fraction(1)
 
 
@@ -134,7 +134,7 @@ def _tie(tie: ast.Expr, dimension: Dimension, name: ast.Name, scope: Scope) -> F
         return None
     loads = symbols(formula) & set(scope.names({"load"}))
     if len(loads) != 1 or degree(formula, loads) != 1:
-        scope.report.add(words.tie_not_linear(tie.span, name.text))
+        scope.report.add(messages.tie_not_linear(tie.span, name.text))
         return None
     return formula
 
@@ -177,4 +177,4 @@ def _check_given_once(loads: Sequence[Load], file: ast.File, scope: Scope) -> No
     for let in every(file, ast.Let):
         name = let.name.text
         if name in tied:
-            scope.report.add(words.load_given_again(let.span, name, tied[name]))
+            scope.report.add(messages.load_given_again(let.span, name, tied[name]))

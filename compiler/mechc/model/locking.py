@@ -52,7 +52,7 @@ class Stretch(NamedTuple):
 
 
 @frozen
-class Reach:
+class LockingIntervals:
     """All stretches of one parameter, the others at their values; its range, if it has one.
 
     ``unit`` is the one that was written; angles have none.
@@ -74,11 +74,11 @@ class Locking:
     state: State
     drive: str
     load: str
-    reaches: tuple[Reach, ...] = ()
+    reaches: tuple[LockingIntervals, ...] = ()
 
 
 @frozen
-class Course:
+class EfficiencyRange:
     """What an efficiency runs through over a parameter's range, 0 where all is stuck.
 
     It is found by sampling; the lowest and highest are refined. ``usual`` are the stretches

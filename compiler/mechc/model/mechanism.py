@@ -14,6 +14,13 @@ from ..formula.tree import Formula, Number
 from ..frozen import frozen
 from ..source import Span
 from ..units import Dimension
+from .joint_friction import FaceFriction as FaceFriction
+from .joint_friction import Friction as Friction
+from .joint_friction import GuideFriction as GuideFriction
+from .joint_friction import JointFriction as JointFriction
+from .joint_friction import PinFriction as PinFriction
+from .joint_friction import ThreadFriction as ThreadFriction
+from .joint_friction import WheelFriction as WheelFriction
 from .parts import Absolute as Absolute
 from .parts import Along as Along
 from .parts import Assembly as Assembly
@@ -21,7 +28,6 @@ from .parts import Contact as Contact
 from .parts import Direction as Direction
 from .parts import Drive as Drive
 from .parts import Link as Link
-from .parts import Mesh as Mesh
 from .parts import Pivot as Pivot
 from .parts import Rack as Rack
 from .parts import Screw as Screw
@@ -29,13 +35,7 @@ from .parts import Slide as Slide
 from .parts import Slider as Slider
 from .parts import Slot as Slot
 from .parts import Telescope as Telescope
-from .rubbing import Friction as Friction
-from .rubbing import Rubbing as Rubbing
-from .rubbing import RubbingFace as RubbingFace
-from .rubbing import RubbingGuide as RubbingGuide
-from .rubbing import RubbingMesh as RubbingMesh
-from .rubbing import RubbingPin as RubbingPin
-from .rubbing import RubbingThread as RubbingThread
+from .parts import WheelPair as WheelPair
 from .targets import Axial as Axial
 from .targets import Efficiency as Efficiency
 from .targets import LoadForm as LoadForm
@@ -157,7 +157,7 @@ class Torque:
 
 
 @frozen
-class Thrust:
+class ForcePair:
     """A pair of equal and opposite forces that pushes two points apart.
 
     ``tie`` is None for an actuator; for a spring it is c·(l0 − len_AB), a known load, and
@@ -177,7 +177,7 @@ class Thrust:
     second_link: str = ""
 
 
-Load = Force | Torque | Thrust
+Load = Force | Torque | ForcePair
 """A weight is a :class:`Force` with ``weight`` True and ``tie`` = m·g (a known load)."""
 
 
@@ -263,7 +263,7 @@ class Mechanism:
     telescopes: tuple[Telescope, ...] = ()
     slots: tuple[Slot, ...] = ()
     contacts: tuple[Contact, ...] = ()
-    meshes: tuple[Mesh, ...] = ()
+    wheel_pairs: tuple[WheelPair, ...] = ()
     racks: tuple[Rack, ...] = ()
     screws: tuple[Screw, ...] = ()
     drive: Drive | None = None
@@ -283,7 +283,7 @@ class Mechanism:
     @property
     def cylinders(self) -> tuple[Telescope, ...]:
         """Return the telescopes under load whose end pins have friction, which bends them."""
-        loaded = {load.first_link for load in self.loads if isinstance(load, Thrust)}
+        loaded = {load.first_link for load in self.loads if isinstance(load, ForcePair)}
         return tuple(t for t in self.telescopes if t.name in loaded)
 
     def turning_at(self, point: str) -> tuple[str, ...]:

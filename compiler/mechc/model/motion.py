@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable
 
 from ..diagnostics import Report, stroke
-from ..diagnostics.model import joints as words
+from ..diagnostics.model import joints as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
 from ..syntax import ast
@@ -46,7 +46,7 @@ def check_drive(drive: Drive | None, parameters: Iterable[Parameter], report: Re
     if drive is None or moved is None:
         return
     if moved.dependent:
-        report.add(words.drive_depends(drive.span, drive.parameter))
+        report.add(messages.drive_depends(drive.span, drive.parameter))
     elif drive.low is not None and drive.high is not None:
         _check_stroke(drive, moved, (evaluate(drive.low, {}), evaluate(drive.high, {})), report)
 
@@ -89,9 +89,9 @@ def read_assemblies(file: ast.File, scope: Scope) -> list[Assembly]:
         turns = statement.mode in ("cw", "ccw")
         if (len(points) == 3) != turns or (len(points) == 1) == turns:
             text, mode = statement.points.text, statement.mode
-            scope.report.add(words.assembly_of_wrong_points(statement.span, text, mode))
+            scope.report.add(messages.assembly_of_wrong_points(statement.span, text, mode))
         elif not turns and points[0] not in guided:
-            scope.report.add(words.assembly_without_guide(statement.span, points[0]))
+            scope.report.add(messages.assembly_without_guide(statement.span, points[0]))
         else:
             found.append(Assembly(points, statement.mode, statement.span))
     return found

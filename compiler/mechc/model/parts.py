@@ -123,7 +123,7 @@ class Contact:
 
 
 @frozen
-class Mesh:
+class WheelPair:
     """Two wheels on pivots, each fixed to its pivot's link: a pair of gears, a belt, a chain.
 
     ω₁ r₁ = ω₂ r₂ where ``same`` is True (belt, internal gears), else ω₁ r₁ = −ω₂ r₂

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 
 from ..diagnostics.model import doubts
-from ..diagnostics.model import friction as words
+from ..diagnostics.model import friction as messages
 from ..formula.tree import Call, Formula, number, product
 from ..source import Span
 from ..syntax import ast
@@ -12,8 +12,8 @@ from ..units import LENGTH
 from .carriers import Carriers, is_held
 from .coefficients import coefficient, positive_length, value_of
 from .expressions import Reader
-from .mechanism import Arrow, Link, Mechanism, Telescope, Thrust
-from .rubbing import RubbingPin
+from .joint_friction import PinFriction
+from .mechanism import Arrow, ForcePair, Link, Mechanism, Telescope
 from .scope import DESCRIPTION, Scope
 
 HALF = number(Fraction(1, 2))
@@ -26,7 +26,7 @@ class Pins:
         self._named, self._built, self._scope = named, built, scope
         self._carriers = Carriers(built, scope.values)
 
-    def read(self, statement: ast.PinFriction) -> Iterator[RubbingPin]:
+    def read(self, statement: ast.PinFriction) -> Iterator[PinFriction]:
         """Yield the pins that a line speaks of; report one at which nothing turns."""
         radius = _radius(statement, self._scope)
         if radius is None:
@@ -41,17 +41,17 @@ class Pins:
         if point not in self._scope.points.places:
             return
         if not self._is_pin(point):
-            self._scope.report.add(words.nothing_turns(statement.point.span, point))
+            self._scope.report.add(messages.nothing_turns(statement.point.span, point))
             return
         if statement.link is None:
             yield self._pin(point, radius, statement.span)
             return
         link = self._scope.points.link(statement.link)
         if link and point not in link.points:
-            found = words.pin_of_another(statement.link.span, point, link.name)
+            found = messages.pin_of_another(statement.link.span, point, link.name)
             self._scope.report.add(found)
         elif link:
-            yield RubbingPin(point, link.name, radius, statement.span)
+            yield PinFriction(point, link.name, radius, statement.span)
 
     def _remark_on_overlap(self, statement: ast.PinFriction) -> None:
         """Say which pins would be thicker than they are apart on one body."""
@@ -82,18 +82,18 @@ class Pins:
     def _bodies(self) -> tuple[Link | Telescope, ...]:
         return (*self._built.links, *self._built.telescopes)
 
-    def _pin(self, point: str, radius: Formula, span: Span) -> RubbingPin:
+    def _pin(self, point: str, radius: Formula, span: Span) -> PinFriction:
         """Return a pin with what it is taken to be fast in."""
         carrier = self._carriers.of(point)
-        return RubbingPin(point, carrier, radius, span, assumed=bool(carrier))
+        return PinFriction(point, carrier, radius, span, assumed=bool(carrier))
 
 
 def remark_on_pairs(built: Mechanism, scope: Scope) -> None:
     """Say which pairs of forces act at points, so that their ends are no pins with friction."""
     ends = {frozenset(telescope.points) for telescope in built.telescopes}
     for load in built.loads:
-        if isinstance(load, Thrust) and frozenset((load.first, load.second)) not in ends:
-            found = words.pair_without_pins(load.span, load.name, load.first, load.second)
+        if isinstance(load, ForcePair) and frozenset((load.first, load.second)) not in ends:
+            found = messages.pair_without_pins(load.span, load.name, load.first, load.second)
             scope.report.add(found)
 
 

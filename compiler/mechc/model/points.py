@@ -6,10 +6,10 @@ from itertools import accumulate, pairwise
 
 from ..diagnostics import Report
 from ..diagnostics.model import joints
-from ..diagnostics.model import names as words
+from ..diagnostics.model import names as messages
 from ..source import Span
 from ..syntax import ast
-from ..syntax.words import points_of
+from ..syntax.vocabulary import points_of
 from .mechanism import Link
 
 
@@ -40,7 +40,7 @@ class Points:
         points = points_of(name.text)
         for point, count in Counter(points).items():
             if count > 1:
-                self.report.add(words.repeated_point(name.span, name.text, point))
+                self.report.add(messages.repeated_point(name.span, name.text, point))
                 return None
         return points
 
@@ -59,7 +59,7 @@ class Points:
         for point in strange:
             if point not in self._strange:
                 self._strange.add(point)
-                self.report.add(words.unknown_point(places[point], point, self.places))
+                self.report.add(messages.unknown_point(places[point], point, self.places))
         return None if strange else points
 
     def acting(self, name: ast.Name) -> tuple[str, ...] | None:
@@ -88,13 +88,13 @@ class Points:
                 self._report_no_link(name, points)
             case several:
                 candidates = [link.name for link in several]
-                self.report.add(words.ambiguous_link(name.span, name.text, candidates))
+                self.report.add(messages.ambiguous_link(name.span, name.text, candidates))
         return None
 
     def _report_no_link(self, name: ast.Name, points: Collection[str]) -> None:
         slide = next((s for own, s in self.slides.items() if own.issuperset(points)), None)
         if slide is None:
-            self.report.add(words.unknown_link(name.span, name.text, self.links))
+            self.report.add(messages.unknown_link(name.span, name.text, self.links))
         else:
             self.report.add(joints.slide_does_not_turn(name.span, slide.text, slide.span))
 

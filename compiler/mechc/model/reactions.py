@@ -2,11 +2,11 @@
 
 from collections.abc import Iterator
 
-from ..diagnostics.model import reactions as words
+from ..diagnostics.model import reactions as messages
 from ..syntax import ast
 from ..units import ANGLE, FORCE, Dimension
 from .forms import Form
-from .mechanism import Axial, Force, Link, Mechanism, Normal, Part, Reaction, Target, Thrust
+from .mechanism import Axial, Force, ForcePair, Link, Mechanism, Normal, Part, Reaction, Target
 from .scope import Scope
 
 Asked = tuple[str, Target, Dimension]
@@ -33,7 +33,7 @@ def read_reaction(
     if form.prefix == "R":
         return tuple(_force(symbol, form.points[0], on, scope))
     if on:
-        scope.report.add(words.link_named_for_nothing(on.span))
+        scope.report.add(messages.link_named_for_nothing(on.span))
         return ()
     normal = len(form.points) == 1
     target = _normal(symbol, form.points[0], scope) if normal else _axial(symbol, name, scope)
@@ -44,7 +44,7 @@ def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) ->
     held = scope.points
     if on is None and point not in held.fixed | held.guided:
         links = [link.name for link in held.carried.get(point, [])]
-        scope.report.add(words.on_which_link(symbol.span, point, links))
+        scope.report.add(messages.on_which_link(symbol.span, point, links))
         return
     link = held.link(on) if on else None
     if on and (link is None or not _meets_something(symbol, point, link, scope)):
@@ -57,11 +57,11 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -
     """Tell whether a link has the point, and anything else there to press on it."""
     points = scope.points
     if point not in link.points:
-        scope.report.add(words.point_of_another(symbol.span, point, link.name))
+        scope.report.add(messages.point_of_another(symbol.span, point, link.name))
         return False
     joined = len(points.carried[point]) > 1 or any(point in s for s in points.slides)
     if not joined and point not in points.fixed | points.guided | points.touching.keys():
-        scope.report.add(words.no_joint(symbol.span, point, link.name))
+        scope.report.add(messages.no_joint(symbol.span, point, link.name))
         return False
     return True
 
@@ -72,7 +72,7 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
         return None
     tail, head, *more = scope.points.split(name) or ()
     if more or len(link.points) > 2:
-        scope.report.add(words.not_a_rod(symbol.span, link.name, len(link.points)))
+        scope.report.add(messages.not_a_rod(symbol.span, link.name, len(link.points)))
         return None
     return Axial(link.name, tail, head)
 
@@ -82,21 +82,21 @@ def check_rods(mechanism: Mechanism, scope: Scope) -> None:
     on = {(load.link, load.point) for load in mechanism.loads if isinstance(load, Force)} | {
         end
         for load in mechanism.loads
-        if isinstance(load, Thrust)
+        if isinstance(load, ForcePair)
         for end in ((load.first_link, load.first), (load.second_link, load.second))
     }
     for find in mechanism.finds:
         match find.target:
             case Axial(link, tail, head) if {(link, tail), (link, head)} <= on:
-                scope.report.add(words.loaded_at_both_ends(find.span, link))
+                scope.report.add(messages.loaded_at_both_ends(find.span, link))
 
 
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
     if scope.points.touching[point] > 1:
-        scope.report.add(words.several_touch(symbol.span, point))
+        scope.report.add(messages.several_touch(symbol.span, point))
         return None
     sliding = {p for points in scope.points.slides for p in points}
     if point not in scope.points.guided | scope.points.touching.keys() | sliding:
-        scope.report.add(words.nothing_normal(symbol.span, point))
+        scope.report.add(messages.nothing_normal(symbol.span, point))
         return None
     return Normal(point)

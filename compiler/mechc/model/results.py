@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
 from ..diagnostics.model import quantities
-from ..diagnostics.model import results as words
+from ..diagnostics.model import results as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, substitute, symbols
 from ..syntax import ast
@@ -33,7 +33,7 @@ def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -
     """Return the formula with every let that is no parameter written out."""
     for name in sorted((symbols(found.formula) & scope.entries.keys()) - lets.keys()):
         if scope.entries[name].kind == "let" and name not in scope.feeding:
-            scope.report.add(words.let_too_long(found.span, name))
+            scope.report.add(messages.let_too_long(found.span, name))
     return substitute(found.formula, lets)
 
 
@@ -105,7 +105,7 @@ def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: 
     if statement.tolerance is None:
         return half_a_digit(statement.value)
     if symbols(formula):
-        scope.report.add(words.tolerance_of_formula(statement.tolerance.span))
+        scope.report.add(messages.tolerance_of_formula(statement.tolerance.span))
         return Fraction(0)
     anything = value.sort.nature is Nature.ZERO
     dimension = None if anything else value.dimension
@@ -149,7 +149,7 @@ def _subject(
             for find in finds:
                 if find.target == asked.target:
                     return find.name
-    scope.report.add(words.unknown_subject(subject.span, known))
+    scope.report.add(messages.unknown_subject(subject.span, known))
     return None
 
 
@@ -167,7 +167,7 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
             known = scope.names({"parameter", "load"})
             scope.unknown(name.span, name.text, known)
         elif entry.kind not in ("parameter", "load"):
-            scope.report.add(words.not_a_setting(name.span, name.text, f"a {entry.kind}"))
+            scope.report.add(messages.not_a_setting(name.span, name.text, f"a {entry.kind}"))
         elif value and _suits(value, entry.dimension, f"the value of '{name.text}'", scope):
             at[name.text] = value.formula
     return at

@@ -5,12 +5,12 @@ from itertools import permutations
 from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
-from ..diagnostics.model import names as words
+from ..diagnostics.model import names as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
-from ..syntax.words import points_of
+from ..syntax.vocabulary import points_of
 from ..units import Dimension
 from .forms import FORMS, form_of
 from .points import Points
@@ -93,7 +93,7 @@ class Scope:
         """Enter a name; False where it is taken or reserved, which is reported."""
         if form := form_of(name.text):
             meaning = f"{FORMS[form.prefix]} {''.join(form.points)}"
-            self.report.add(words.reserved_form(name.span, name.text, meaning))
+            self.report.add(messages.reserved_form(name.span, name.text, meaning))
             return False
         return self.enter(name.text, Entry(kind, name.span, dimension))
 
@@ -101,10 +101,12 @@ class Scope:
         """Enter a name made up by the compiler or vetted before; False where it is taken."""
         first = self.entries.get(name)
         if first and first.span == entry.span:
-            self.report.add(words.list_of_values(entry.span, name, entry.kind))
+            self.report.add(messages.list_of_values(entry.span, name, entry.kind))
             return False
         if first:
-            self.report.add(words.name_taken(entry.span, name, entry.kind, first.span, first.kind))
+            self.report.add(
+                messages.name_taken(entry.span, name, entry.kind, first.span, first.kind)
+            )
             return False
         self.entries[name] = entry
         return True
@@ -144,14 +146,14 @@ class Scope:
 
     def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
         vector = len(points_of(symbol.name)) > 1
-        hint = words.vector_as_quantity(symbol.name, usage.posed) if vector else ""
+        hint = messages.vector_as_quantity(symbol.name, usage.posed) if vector else ""
         self.unknown(symbol.span, symbol.name, self._offered(usage), hint)
 
     def unknown(self, span: Span, name: str, offered: list[str], hint: str = "") -> None:
         """Report a name that nothing declares, where it is first met."""
         if (name, hint) not in self._unknowns:
             self._unknowns.add((name, hint))
-            self.report.add(words.unknown_name(span, name, offered, hint))
+            self.report.add(messages.unknown_name(span, name, offered, hint))
 
     def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
         """Return what a name in a formula stands for; None where that is an error."""
@@ -163,11 +165,15 @@ class Scope:
         too_late = (usage.plain and not entry.plain) or (entry.solved and not usage.solved)
         if entry.kind not in usage.kinds or too_late:
             kind = f"a {entry.kind}" if entry.plain else "a formula of loads or results"
-            self.report.add(words.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted))
+            self.report.add(
+                messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted)
+            )
             return None
         if entry.posed and usage.feeds:
             kind = "a formula of directions and lengths that follow from the description"
-            self.report.add(words.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted))
+            self.report.add(
+                messages.name_out_of_place(symbol.span, symbol.name, kind, usage.wanted)
+            )
             return None
         if entry.kind == "let" and usage.feeds:
             self.feeding.add(symbol.name)
@@ -175,11 +181,11 @@ class Scope:
 
     def _offered(self, usage: Usage) -> list[str]:
         """Return the names that may stand in a formula, as far as they are few enough to tell."""
-        if len(self.entries) > words.MANY:
+        if len(self.entries) > messages.MANY:
             return []
         pairs = [permutations(k.points, 2) for k in self.points.links.values()]
         vectors = [f"{form}_{a}{b}" for pair in pairs for a, b in pair for form in ("phi", "len")]
-        posed = vectors if usage.posed and len(vectors) <= words.MANY else []
+        posed = vectors if usage.posed and len(vectors) <= messages.MANY else []
         return [*self.names(usage.kinds), *posed]
 
     def size(self, formula: Formula) -> float:

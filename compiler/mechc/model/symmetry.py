@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 
-from ..diagnostics.model import joints as words
+from ..diagnostics.model import joints as messages
 from ..diagnostics.model import loads as load_words
 from ..diagnostics.model import symmetry as apart_words
 from ..source import Span
@@ -16,12 +16,12 @@ from .mechanism import (
     Copies,
     Direction,
     Force,
+    ForcePair,
     Geometry,
     Load,
     Mirror,
     Slide,
     Slider,
-    Thrust,
 )
 from .parameters import constant
 from .scope import DESCRIPTION, Scope
@@ -45,7 +45,7 @@ def read_mirror(
         return None
     if off := next(_off_the_line(guided, loads, across, shared, scope), None):
         scope.report.add(load_words.off_the_mirror(off[0], off[1], statement.span))
-    if not statement.sharing and not any(isinstance(load, Thrust) for load in loads):
+    if not statement.sharing and not any(isinstance(load, ForcePair) for load in loads):
         scope.report.add(apart_words.halves_apart(statement.span))
     return Mirror(across, shared, statement.span)
 
@@ -96,7 +96,7 @@ def _check_twins(shared: Sequence[str], mirror: Span, scope: Scope) -> None:
     for point in places:
         if point not in shared and f"{point}'" in places:
             twin = f"{point}'"
-            scope.report.add(words.twin_declared(places[twin], twin, point, mirror))
+            scope.report.add(messages.twin_declared(places[twin], twin, point, mirror))
 
 
 def read_copies(file: ast.File, scope: Scope) -> Copies | None:
@@ -112,7 +112,7 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
     if value is None or value < 2 or value.denominator != 1:
         span = statement.number.span
         shown = scope.report.source.text[span.start : span.end]
-        scope.report.add(words.copies_not_whole(span, shown))
+        scope.report.add(messages.copies_not_whole(span, shown))
         return None
     if not statement.sharing:
         scope.report.add(apart_words.copies_apart(statement.span))

@@ -4,7 +4,7 @@ import math
 from collections.abc import Collection, Iterable
 from typing import Protocol, TypeVar
 
-from ..diagnostics.model import joints as words
+from ..diagnostics.model import joints as messages
 from ..diagnostics.model import names
 from ..formula.tree import Formula
 from ..frozen import frozen
@@ -12,7 +12,18 @@ from ..syntax import ast
 from ..units import LENGTH
 from .directions import read_direction, value_of
 from .expressions import Reader
-from .mechanism import Contact, Geometry, Link, Mesh, Offset, Rack, Screw, Slide, Slot, Telescope
+from .mechanism import (
+    Contact,
+    Geometry,
+    Link,
+    Offset,
+    Rack,
+    Screw,
+    Slide,
+    Slot,
+    Telescope,
+    WheelPair,
+)
 from .scope import DESCRIPTION, Scope
 from .statements import every
 
@@ -39,7 +50,7 @@ class Joints:
     telescopes: tuple[Telescope, ...]
     slots: tuple[Slot, ...]
     contacts: tuple[Contact, ...]
-    meshes: tuple[Mesh, ...]
+    wheel_pairs: tuple[WheelPair, ...]
     racks: tuple[Rack, ...]
     screws: tuple[Screw, ...]
 
@@ -79,7 +90,7 @@ def _slide(statement: ast.Slide, loose: Collection[str], scope: Scope) -> Slide 
     if not points or not along:
         return None
     for point in (p for p in points if p in loose):
-        scope.report.add(words.guided_twice(statement.span, statement.points.text, point))
+        scope.report.add(messages.guided_twice(statement.span, statement.points.text, point))
     return Slide(statement.points.text, points, along, statement.span)
 
 
@@ -88,7 +99,7 @@ def _telescope(statement: ast.Telescope, scope: Scope) -> Telescope | None:
     if not points:
         return None
     if link := scope.points.bodies.get(frozenset(points)):
-        scope.report.add(words.link_again(statement.span, statement.points.text, link.span))
+        scope.report.add(messages.link_again(statement.span, statement.points.text, link.span))
     return Telescope(statement.points.text, (points[0], points[1]), statement.span)
 
 
@@ -111,7 +122,7 @@ def _on_line(
     if not acting or body is None or not ends:
         return None
     if acting[0] in body.points:
-        scope.report.add(words.slides_in_itself(point.span, acting[0], body.name))
+        scope.report.add(messages.slides_in_itself(point.span, acting[0], body.name))
         return None
     return acting[0], body, ends[0], ends[1]
 
@@ -136,7 +147,7 @@ def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> C
 # ------------------------------------------------------------------------------ wheels
 
 
-def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> Mesh | None:
+def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> WheelPair | None:
     if is_mirrored and _joins_halves(statement, scope):
         return None
     first, second = (_wheel(name, scope) for name in (statement.first, statement.second))
@@ -149,7 +160,7 @@ def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> Me
         return None
     is_gear = isinstance(statement, ast.Gear)
     same = statement.inner if isinstance(statement, ast.Gear) else not statement.crossed
-    return Mesh(
+    return WheelPair(
         "gear" if is_gear else "belt",
         pivots[0],
         first.name,
@@ -162,11 +173,11 @@ def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> Me
     )
 
 
-def check_belts(meshes: Iterable[Mesh], places: Iterable[Geometry], scope: Scope) -> None:
+def check_belts(wheel_pairs: Iterable[WheelPair], places: Iterable[Geometry], scope: Scope) -> None:
     """Report belts whose wheels overlap, where the places of both pivots are given."""
     known = [place for place in places if isinstance(place, Offset)]
     located = {place.head: _values((place.x, place.y), scope) for place in known}
-    for mesh in meshes:
+    for mesh in wheel_pairs:
         ends = [located.get(pivot) for pivot in (mesh.first, mesh.second)]
         radii = _values((mesh.first_radius, mesh.second_radius), scope)
         if mesh.kind != "belt" or ends[0] is None or ends[1] is None or radii is None:
@@ -174,7 +185,7 @@ def check_belts(meshes: Iterable[Mesh], places: Iterable[Geometry], scope: Scope
         apart = math.dist(ends[0], ends[1])
         if apart < sum(radii) * (1 - 1e-9):
             pivots = f"{mesh.first} and {mesh.second}"
-            scope.report.add(words.wheels_overlap(mesh.span, pivots, apart, sum(radii)))
+            scope.report.add(messages.wheels_overlap(mesh.span, pivots, apart, sum(radii)))
 
 
 def _values(formulas: Iterable[Formula], scope: Scope) -> list[float] | None:
@@ -191,7 +202,7 @@ def _joins_halves(statement: ast.Gear | ast.Belt, scope: Scope) -> bool:
         places, described = scope.points.places, name.text.removesuffix("'")
         if name.text not in places and described in places:
             are_twins = first.removesuffix("'") == second.removesuffix("'")
-            scope.report.add(words.wheels_across_the_mirror(name.span, first, second, are_twins))
+            scope.report.add(messages.wheels_across_the_mirror(name.span, first, second, are_twins))
             return True
     return False
 
@@ -202,11 +213,11 @@ def _wheel(pivot: ast.Name, scope: Scope) -> Link | None:
     if not points:
         return None
     if points[0] not in scope.points.fixed:
-        scope.report.add(words.wheel_without_pivot(pivot.span, points[0]))
+        scope.report.add(messages.wheel_without_pivot(pivot.span, points[0]))
         return None
     links = scope.points.carried.get(points[0], [])
     if len(links) != 1:
-        scope.report.add(words.wheel_of_several(pivot.span, points[0], [k.name for k in links]))
+        scope.report.add(messages.wheel_of_several(pivot.span, points[0], [k.name for k in links]))
         return None
     scope.points.used.update(links[0].points)
     return links[0]
@@ -216,7 +227,7 @@ def _radius(radius: ast.Expr, scope: Scope, signed: bool = False) -> Formula | N
     formula = Reader(scope, DESCRIPTION).wanted(radius, LENGTH, "a radius")
     value = value_of(formula, scope) if formula else None
     if value is not None and (value == 0 or (value < 0 and not signed)):
-        scope.report.add(words.radius_not_positive(radius.span, f"{value * 1000:g} mm"))
+        scope.report.add(messages.radius_not_positive(radius.span, f"{value * 1000:g} mm"))
         return None
     return formula
 
@@ -237,7 +248,7 @@ def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw
     if not point or not link or not pitch:
         return None
     if scope.points.fixed.isdisjoint(link.points):
-        scope.report.add(words.wheel_without_pivot(statement.link.span, link.name))
+        scope.report.add(messages.wheel_without_pivot(statement.link.span, link.name))
         return None
     scope.points.used.update(link.points)
     return Screw(point, pitch, link.name, statement.span)
@@ -249,6 +260,6 @@ def _guided(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> str | None
     if not points:
         return None
     if points[0] not in scope.points.guided.union(*(s.points for s in slides)):
-        scope.report.add(words.rack_without_guide(name.span, points[0]))
+        scope.report.add(messages.rack_without_guide(name.span, points[0]))
         return None
     return points[0]

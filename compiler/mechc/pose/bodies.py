@@ -6,8 +6,8 @@ from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..model.mechanism import Along, Arrow, Direction, Geometry, Mechanism, Offset, Slot
 from .closure import Condition, across
-from .compass import Compass
-from .pose import Arm, Touch, Vector
+from .directions import Directions
+from .pose import Arm, PointContact, Vector
 from .vectors import Vectors
 
 Find = Callable[[Direction, str, str], Angle]
@@ -53,23 +53,23 @@ def _lay(
 
 
 def touches(
-    mechanism: Mechanism, compass: Compass, vectors: Vectors, find: Find
-) -> Iterator[Touch]:
+    mechanism: Mechanism, compass: Directions, vectors: Vectors, find: Find
+) -> Iterator[PointContact]:
     """Yield every pin that slides along a body."""
     slides = {s.name for s in mechanism.slides}
     for slot in mechanism.slots:
         line = _line(slot, slot.link in slides, compass, vectors, find)
         reach = () if slot.link in slides else _reach(slot.tail, slot.point, line, vectors)
-        yield Touch("slot", slot.point, slot.link, slot.tail, reach, across(line), slot.span)
+        yield PointContact("slot", slot.point, slot.link, slot.tail, reach, across(line), slot.span)
     for contact in mechanism.contacts:
         point, tail = contact.point, contact.tail
         normal = find(contact.normal, f"theta_{point}", f"the contact at {point}")
         face = normal - Angle.constant(90)
         reach = () if contact.link in slides else _reach(tail, point, face, vectors)
-        yield Touch("contact", point, contact.link, tail, reach, normal, contact.span)
+        yield PointContact("contact", point, contact.link, tail, reach, normal, contact.span)
 
 
-def _line(slot: Slot, on_slide: bool, compass: Compass, vectors: Vectors, find: Find) -> Angle:
+def _line(slot: Slot, on_slide: bool, compass: Directions, vectors: Vectors, find: Find) -> Angle:
     """Return the direction of a slot; that of a link which nothing gives is reported there."""
     if not on_slide and vectors.path(slot.tail, slot.head) is None:
         return compass.of(slot.tail, slot.head) or Angle()
@@ -88,7 +88,7 @@ def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
     return (Arm(Product.symbol(name), line),)
 
 
-def on_the_line(slots: Sequence[Touch], vectors: Vectors) -> list[Condition]:
+def on_the_line(slots: Sequence[PointContact], vectors: Vectors) -> list[Condition]:
     """Return the condition of every pin in a slot that has a place: it stands on the line."""
     conditions = []
     for slot in slots:

@@ -16,7 +16,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..diagnostics import Diagnostic
-from ..diagnostics import pose as words
+from ..diagnostics import pose as messages
 from ..formula.to_text import text
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
@@ -104,13 +104,13 @@ class Closure:
     ) -> Diagnostic:
         gap = _gap(condition, values) if not self._mentions_open(condition.arms) else 0.0
         if gap:
-            return words.loop_does_not_close(condition.span, condition.name, _metres(gap))
+            return messages.loop_does_not_close(condition.span, condition.name, _metres(gap))
         names = sorted(_symbols(condition.arms) - self._open)
         relation = ""
         if not self._mentions_open(condition.arms):
             left = add(a.length * cosine(a.angle - direction) for a in condition.arms)
             relation = f"{text(left.formula())} = 0"
-        return words.loop_ties_symbols(condition.span, condition.name, names, relation)
+        return messages.loop_ties_symbols(condition.span, condition.name, names, relation)
 
     def _mentions_open(self, arms: Vector) -> bool:
         return not self._open.isdisjoint(_symbols(arms))

@@ -4,33 +4,33 @@ from collections.abc import Mapping
 
 from ..algebra.angle import Angle
 from ..diagnostics import Report
-from ..diagnostics import pose as words
+from ..diagnostics import pose as messages
 from ..diagnostics.model.quantities import condition_broken
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import Along, Direction, Force, Link, Mechanism, Slide, Telescope, Thrust
+from ..model.mechanism import Along, Direction, Force, ForcePair, Link, Mechanism, Slide, Telescope
 from ..model.values import holds
-from .asked import with_directions
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
-from .compass import Compass
+from .directions import Directions
+from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
 from .loops.closing import Closed, close
 from .loops.groups import Open
-from .loops.rails import with_lines
-from .loops.web import mentioned
+from .loops.guide_lines import with_lines
+from .loops.vector_graph import mentioned
 from .missing import Missing
-from .nearby import poses_nearby
 from .pose import Pose, Vector
 from .pruning import pruned
+from .queries import with_directions
+from .samples import poses_nearby
 from .terms import Terms
-from .thrusts import Pairing, thrust_line
 from .unfound import explained, unfound_angles
 from .vectors import Vectors
 from .wheels import misfits, radii
 
 
-def settle(mechanism: Mechanism, report: Report) -> Pose:
+def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     """Return the pose of a mechanism whose directions are given.
 
     Reports E301 and E305 where a direction is missing, E302 where two disagree, E303
@@ -42,7 +42,7 @@ def settle(mechanism: Mechanism, report: Report) -> Pose:
     report.stop_on_errors()
     mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
     terms = Terms(mechanism)
-    compass = Compass(mechanism, terms, report)
+    compass = Directions(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
     closed = close(mechanism, terms, compass, vectors, report)
     mechanism, found = closed.mechanism, closed.found
@@ -95,7 +95,7 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
         if not judged and not holds(condition, default):
             report.add(condition_broken(condition.span))
     for misfit in misfits(pose, vectors, default):
-        report.add(words.gears_apart(*misfit))
+        report.add(messages.gears_apart(*misfit))
 
 
 class _Survey:
@@ -105,7 +105,7 @@ class _Survey:
         self,
         mechanism: Mechanism,
         terms: Terms,
-        compass: Compass,
+        compass: Directions,
         vectors: Vectors,
         report: Report,
     ) -> None:
@@ -151,9 +151,9 @@ class _Survey:
     def _report_missing(self, link: Link, base: str, point: str, found: Vector | None) -> None:
         name = f"link {link.name}"
         if found is None and self._missing.is_first(base, point):
-            self._report.add(words.missing_direction(link.span, f"{base}{point}", name))
+            self._report.add(messages.missing_direction(link.span, f"{base}{point}", name))
         elif found is not None:
-            self._report.add(words.points_coincide(link.span, f"{base}{point}"))
+            self._report.add(messages.points_coincide(link.span, f"{base}{point}"))
 
     def guides(self) -> Mapping[str, Angle]:
         """Return the direction of every guide."""
@@ -184,7 +184,7 @@ class _Survey:
 
     def thrusts(self) -> Mapping[str, Angle]:
         """Return the direction in which each pair of forces pushes its second point."""
-        pairs = [t for t in self._mechanism.loads if isinstance(t, Thrust)]
+        pairs = [t for t in self._mechanism.loads if isinstance(t, ForcePair)]
         return {t.name: thrust_line(t, self._pairing()) for t in pairs}
 
     def _pairing(self) -> Pairing:
@@ -209,9 +209,9 @@ class _Survey:
         vector = self._vectors.path(tail, head)
         if vector is None:
             if self._missing.is_first(tail, head):
-                self._report.add(words.missing_direction(span, f"{tail}{head}", for_what))
+                self._report.add(messages.missing_direction(span, f"{tail}{head}", for_what))
         elif not vector or (len(vector) > 1 and self._vectors.is_open(vector)):
-            self._report.add(words.no_direction_of_its_own(span, f"{tail}{head}"))
+            self._report.add(messages.no_direction_of_its_own(span, f"{tail}{head}"))
         elif len(vector) > 1:
             return self._vectors.straighten(tail, head) + Angle.constant(90 * quarter)
         else:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 from ..diagnostics import Diagnostic
-from ..diagnostics import pose as words
+from ..diagnostics import pose as messages
 from ..model.mechanism import Assembly
 from .pose import evaluate_vector
 from .vectors import Vectors
@@ -20,9 +20,9 @@ def remarks(
     points = "".join(assembly.points)
     area = _area(assembly, vectors, values)
     if area is not None and (area > 0) != (assembly.mode == "ccw"):
-        yield words.assembly_refuted(assembly.span, points, "ccw" if area > 0 else "cw")
+        yield messages.assembly_refuted(assembly.span, points, "ccw" if area > 0 else "cw")
     else:
-        yield words.assembly_idle(assembly.span, points)
+        yield messages.assembly_idle(assembly.span, points)
 
 
 def _area(assembly: Assembly, vectors: Vectors, values: Mapping[str, float]) -> float | None:
@@ -48,7 +48,7 @@ def contradictions(assemblies: Sequence[Assembly]) -> Iterator[Diagnostic]:
         other = first.setdefault(points, assembly)
         if _in_order(other)[1] != mode:
             named = "".join(assembly.points), "".join(other.points)
-            yield words.assemblies_contradict(assembly.span, *named, other.span)
+            yield messages.assemblies_contradict(assembly.span, *named, other.span)
 
 
 def _in_order(assembly: Assembly) -> tuple[tuple[str, ...], bool]:

@@ -74,7 +74,7 @@ class Place(NamedTuple):
     at: Plane
 
 
-Places = Mapping[str, Place]
+Sweep = Mapping[str, Place]
 
 
 def placed(edges: Iterable[Edge]) -> dict[str, Place]:
@@ -102,7 +102,7 @@ def placed(edges: Iterable[Edge]) -> dict[str, Place]:
     return places
 
 
-def between(places: Places, tail: str, head: str) -> Plane | None:
+def between(places: Sweep, tail: str, head: str) -> Plane | None:
     """Return the vector between two points, None where they do not hang together."""
     a, b = places.get(tail), places.get(head)
     if a is None or b is None or a.start != b.start:

@@ -82,7 +82,7 @@ class ClosedLoop(NamedTuple):
     margin: Formula
 
 
-class Touch(NamedTuple):
+class PointContact(NamedTuple):
     """A pin that slides along a body: in a slot of it, or touching a face.
 
     ``reach`` is the vector from the body's point ``tail`` to the pin, () on a body that only
@@ -133,7 +133,7 @@ class Pose:
     free: tuple[str, ...]
     rates: Mapping[str, Product] = MappingProxyType({})
     slides: Mapping[str, Angle] = MappingProxyType({})
-    touches: tuple[Touch, ...] = ()
+    touches: tuple[PointContact, ...] = ()
     radii: Mapping[Formula, Product] = MappingProxyType({})
     limits: tuple[Limit, ...] = ()
     loops: tuple[ClosedLoop, ...] = ()

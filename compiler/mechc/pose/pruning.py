@@ -7,7 +7,7 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
-from .loops.web import mentioned
+from .loops.vector_graph import mentioned
 from .pose import Pose
 
 

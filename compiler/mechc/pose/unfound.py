@@ -7,13 +7,13 @@ leaves too much open in it; a direction of its own is asked for only where no lo
 from collections.abc import Collection, Iterator, Mapping, Sequence
 
 from ..diagnostics import Diagnostic
-from ..diagnostics import open_loops as words
+from ..diagnostics import open_loops as messages
 from ..diagnostics import pose as plain
 from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter
 from ..source import Span
 from ..units import ANGLE, LENGTH
 from .loops.groups import Open
-from .loops.web import Names, mentioned
+from .loops.vector_graph import Names, mentioned
 from .vectors import Vectors
 
 Sought = Mapping[str, tuple[str, str, Span]]
@@ -66,7 +66,7 @@ def unfound_angles(
             return
     for parameter in open_:
         if parameter.name != drive.parameter:
-            yield words.angle_not_found(parameter.span, parameter.name, drive.parameter)
+            yield messages.angle_not_found(parameter.span, parameter.name, drive.parameter)
 
 
 def _is_open(parameter: Parameter) -> bool:
@@ -76,7 +76,7 @@ def _is_open(parameter: Parameter) -> bool:
 def _without_value(parameters: Sequence[Parameter], unknown: Names) -> Iterator[Diagnostic]:
     for parameter in parameters:
         if parameter.name in unknown and parameter.dimension == LENGTH:
-            yield words.length_without_value(parameter.span, parameter.name)
+            yield messages.length_without_value(parameter.span, parameter.name)
 
 
 def _without_place(mechanism: Mechanism, vectors: Vectors) -> Iterator[Diagnostic]:
@@ -87,7 +87,7 @@ def _without_place(mechanism: Mechanism, vectors: Vectors) -> Iterator[Diagnosti
     home = max(joined, key=len, default=set())
     for pivot, others in zip(mechanism.pivots, joined, strict=True):
         if pivot.point not in home and others.isdisjoint(home):
-            yield words.pivot_without_place(pivot.span, pivot.point, _beside(home))
+            yield messages.pivot_without_place(pivot.span, pivot.point, _beside(home))
 
 
 def _beside(ground: Collection[str]) -> str:
@@ -98,7 +98,7 @@ def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
     near = _beside([p.point for p in mechanism.pivots]) or "(0 mm, 0 mm)"
     for slider in mechanism.sliders:
         if not slider.through:
-            yield words.guide_without_line(slider.span, slider.point, near)
+            yield messages.guide_without_line(slider.span, slider.point, near)
 
 
 def _without_rail(mechanism: Mechanism, vectors: Sequence[tuple[str, str]]) -> Iterator[Diagnostic]:
@@ -107,7 +107,7 @@ def _without_rail(mechanism: Mechanism, vectors: Sequence[tuple[str, str]]) -> I
     near = _beside([p.point for p in mechanism.pivots]) or "(0 mm, 0 mm)"
     for slider in mechanism.sliders if mechanism.drive else ():
         if slider.point in ends and not slider.through:
-            yield words.guide_without_line(slider.span, slider.point, near)
+            yield messages.guide_without_line(slider.span, slider.point, near)
 
 
 def _without_input(needed: Mapping[str, Link], sought: Sought, left: Open) -> Iterator[Diagnostic]:
@@ -115,7 +115,7 @@ def _without_input(needed: Mapping[str, Link], sought: Sought, left: Open) -> It
     names = [name for name in needed if name in left.unknown]
     if names and left.missing:
         points = ["".join(sought[name][:2]) for name in names]
-        yield words.inputs_missing(needed[names[0]].span, points, left.missing)
+        yield messages.inputs_missing(needed[names[0]].span, points, left.missing)
 
 
 def _cycles(mechanism: Mechanism) -> Iterator[Diagnostic]:
@@ -135,4 +135,4 @@ def _cycles(mechanism: Mechanism) -> Iterator[Diagnostic]:
             seen.update(chain)
             entries = [after[pair][0] for pair in chain]
             names = [f"{entry.tail}{entry.head}" for entry in entries]
-            yield words.directions_in_a_cycle(entries[0].span, names)
+            yield messages.directions_in_a_cycle(entries[0].span, names)

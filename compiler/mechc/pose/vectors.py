@@ -10,8 +10,8 @@ from ..algebra.product import Product
 from ..formula.walk import symbols
 from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
-from .compass import Compass
-from .loops.web import Edge
+from .directions import Directions
+from .loops.vector_graph import Edge
 from .pose import Arm, Vector, components, gathered, reverse, turned_by
 from .terms import Terms
 
@@ -31,7 +31,7 @@ class Vectors:
     the closed chains, one for each vector between points that were connected before.
     """
 
-    def __init__(self, mechanism: Mechanism, terms: Terms, compass: Compass) -> None:
+    def __init__(self, mechanism: Mechanism, terms: Terms, compass: Directions) -> None:
         self._terms, self._compass = terms, compass
         self._edges: dict[str, dict[str, Vector]] = {}
         self._lengths = {

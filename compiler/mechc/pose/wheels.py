@@ -8,9 +8,9 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..source import Span
-from .loops.web import mentioned
-from .nearby import Values
+from .loops.vector_graph import mentioned
 from .pose import Pose, evaluate_vector
+from .samples import Values
 from .vectors import Vectors
 
 CLOSE = 1e-6
@@ -28,7 +28,7 @@ class Misfit(NamedTuple):
 
 def radii(mechanism: Mechanism) -> Iterator[Formula]:
     """Yield the radius of every wheel and the pitch of every screw."""
-    for mesh in mechanism.meshes:
+    for mesh in mechanism.wheel_pairs:
         yield from (mesh.first_radius, mesh.second_radius)
     yield from (rack.radius for rack in mechanism.racks)
     yield from (screw.pitch for screw in mechanism.screws)
@@ -36,7 +36,7 @@ def radii(mechanism: Mechanism) -> Iterator[Formula]:
 
 def misfits(pose: Pose, vectors: Vectors, values: Values) -> Iterator[Misfit]:
     """Yield the gears whose centres have places that do not fit their radii."""
-    for mesh in pose.mechanism.meshes:
+    for mesh in pose.mechanism.wheel_pairs:
         line = vectors.path(mesh.first, mesh.second)
         lengths = [pose.radii[r] for r in (mesh.first_radius, mesh.second_radius)]
         used = {s for length in lengths for s in symbols(length.formula())}

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, assert_never
 from ..algebra.product import Product
 from ..algebra.sums import canonical
 from ..diagnostics import Report
-from ..diagnostics import power as words
+from ..diagnostics import power as messages
 from ..formula.tree import Formula, Symbol, product, total
 from ..formula.walk import symbols
 from ..frozen import replace
@@ -85,7 +85,7 @@ class _Asked:
         seen = {name for formula in shown for name in symbols(formula)}
         for name in self._equations.idle_loads:
             if name not in seen:
-                self._report.add(words.load_does_no_work(self._loads[name].span, name))
+                self._report.add(messages.load_does_no_work(self._loads[name].span, name))
 
     def _warn_of_idle_motions(self) -> None:
         """Name what the idle motions are measured by: links that turn, points that move."""
@@ -98,7 +98,7 @@ class _Asked:
         spans |= {f"point {p}": span for p, span in self._mechanism.spans.items()}
         named = [f"{'link' if d.kind is Kind.SPIN else 'point'} {d.of}" for d in drives]
         what = sorted(dict.fromkeys(named), key=lambda name: spans[name])
-        self._report.add(words.idle_freedom(spans[what[0]], what))
+        self._report.add(messages.idle_freedom(spans[what[0]], what))
 
     def _find(self, find: Find) -> Solved | None:
         match find.target:
@@ -126,17 +126,17 @@ class _Asked:
         others = [n for n in columns if n not in (upper, lower)]
         unknown = [upper, *others]
         if upper not in columns:
-            self._report.add(words.load_not_balanced(find.span, below, above))
+            self._report.add(messages.load_not_balanced(find.span, below, above))
             return None
         if len(unknown) < self._equations.number:
             number = self._equations.number
             loose = looseness(self._mechanism)
-            self._report.add(words.unknown_loads_do_not_match(find.span, unknown, number, loose))
+            self._report.add(messages.unknown_loads_do_not_match(find.span, unknown, number, loose))
             return None
         if len(unknown) > self._equations.number or not self._equations.determines(unknown):
             others = others or [lower]
             self._report.add(
-                words.ratio_not_determined(find.span, above, below, others, self._weights())
+                messages.ratio_not_determined(find.span, above, below, others, self._weights())
             )
             return None
         if lower not in columns:
@@ -155,10 +155,10 @@ class _Asked:
         if len(unknown) != self._equations.number:
             number = self._equations.number
             loose = looseness(self._mechanism)
-            self._report.add(words.unknown_loads_do_not_match(find.span, asked, number, loose))
+            self._report.add(messages.unknown_loads_do_not_match(find.span, asked, number, loose))
             return None
         if not self._equations.determines(unknown):
-            self._report.add(words.load_not_balanced(find.span, "the other loads", load))
+            self._report.add(messages.load_not_balanced(find.span, "the other loads", load))
             return None
         known = [n for n in self._equations.columns if n not in unknown]
         values = {n: self._equations.solve(load, unknown, n) for n in known}
@@ -191,17 +191,17 @@ class _Asked:
 
         point = getattr(target, "point", "")
         if not isinstance(target, Normal) and point in unclear(self._mechanism):
-            self._report.add(words.transmission_presses(find.span, point, rubs=False))
+            self._report.add(messages.transmission_presses(find.span, point, has_friction=False))
             return None
         if self._undecided:
             if find.span not in self._undecided_at:
                 shown = called(target), self._undecided, self._equations.number
-                self._report.add(words.which_load_follows(find.span, *shown))
+                self._report.add(messages.which_load_follows(find.span, *shown))
             self._undecided_at.add(find.span)
             return None
         found = find_force(target, self._plan.graph.pose, self._reactions)
         if found is None:
-            self._report.add(words.reaction_undetermined(find.span, called(target)))
+            self._report.add(messages.reaction_undetermined(find.span, called(target)))
             return None
         where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
         loads = (*self._equations.columns, *self._equations.idle_loads)
@@ -261,11 +261,11 @@ class _Asked:
         (upper, signed), (lower, signed_below) = (speed(self._plan, s) for s in (above, below))
         moving = [i for i, v in enumerate(lower) if v]
         if not moving:
-            self._report.add(words.speed_vanishes(find.span, _called(below)))
+            self._report.add(messages.speed_vanishes(find.span, _called(below)))
             return None
         if len(moving) > 1 or any(v for i, v in enumerate(upper) if i not in moving):
             ratio = f"{_called(above)}/{_called(below)}"
-            self._report.add(words.speeds_independent(find.span, ratio))
+            self._report.add(messages.speeds_independent(find.span, ratio))
             return None
         value = canonical(upper[moving[0]] / lower[moving[0]])
         if not (signed and signed_below):
@@ -285,7 +285,7 @@ class _Asked:
     def _check_lengths(self, find: Find, formulas: Sequence[Formula]) -> None:
         missing = open_lengths(self._plan, formulas)
         if missing and find.span not in self._without_lengths:
-            self._report.add(words.length_not_given(find.span, find.name, missing))
+            self._report.add(messages.length_not_given(find.span, find.name, missing))
             self._without_lengths.add(find.span)
 
 

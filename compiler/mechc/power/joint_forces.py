@@ -14,7 +14,7 @@ from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Symbol, product, total
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
-from ..kinematics.release import Bond, held_end
+from ..kinematics.release import JointRef, held_end
 from ..model.mechanism import Axial, Mechanism, Normal, Part, Reaction
 from ..pose.pose import Arm, Pose, Vector
 from .balance import Release
@@ -67,30 +67,30 @@ def called(target: Reaction | Axial | Normal) -> str:
             return f"N_{point}"
 
 
-def bond_of(target: Reaction | Axial | Normal, pose: Pose) -> Bond:
+def bond_of(target: Reaction | Axial | Normal, pose: Pose) -> JointRef:
     """Return the bond whose force is asked for."""
     match target:
         case Reaction(point, link):
-            return Bond("pin", point, link) if link else Bond("ground", point)
+            return JointRef("pin", point, link) if link else JointRef("ground", point)
         case Axial(link):
             rod = next(k for k in pose.mechanism.links if k.name == link)
-            return Bond("pin", held_end(pose.mechanism, rod), link)
+            return JointRef("pin", held_end(pose.mechanism, rod), link)
         case Normal(point):
             return holding(point, pose)
 
 
-def holding(point: str, pose: Pose) -> Bond:
+def holding(point: str, pose: Pose) -> JointRef:
     """Return what presses on a point across a line: a slot, a contact, a guide."""
     if any(touch.point == point for touch in pose.touches):
-        return Bond("touch", point)
+        return JointRef("touch", point)
     return guiding(point, pose)
 
 
-def guiding(point: str, pose: Pose) -> Bond:
+def guiding(point: str, pose: Pose) -> JointRef:
     """Return what the guide of a point holds: the point, or the body that it belongs to."""
     slides = (slide.name for slide in pose.mechanism.slides if point in slide.points)
     name = next(slides, "")
-    return Bond("slide", point, name) if name else Bond("ground", point)
+    return JointRef("slide", point, name) if name else JointRef("ground", point)
 
 
 def component(transmitted: Transmitted, line: Vector) -> dict[str, Product]:

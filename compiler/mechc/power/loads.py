@@ -10,7 +10,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
 from ..kinematics.forms import parting
 from ..kinematics.plan import Plan
-from ..model.mechanism import Force, Load, Mechanism, Thrust, Torque
+from ..model.mechanism import Force, ForcePair, Load, Mechanism, Torque
 from .balance import Term
 
 
@@ -27,7 +27,7 @@ def _term(plan: Plan, load: Load, names: set[str]) -> Term:
     if isinstance(load, Force):
         line = plan.graph.pose.lines[load.name]
         return Term(load, count, plan.component(load.point, line), line, tie)
-    if isinstance(load, Thrust):
+    if isinstance(load, ForcePair):
         line = plan.graph.pose.lines[load.name]
         return Term(load, count, plan.value(parting(plan.graph, load, line)), line, tie)
     return Term(load, count, plan.spin(load.link), None, tie)
@@ -84,7 +84,7 @@ def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:
     match load:
         case Force(point=point, link=link):
             return links[link] if link else (point,)
-        case Thrust(first=first, second=second):
+        case ForcePair(first=first, second=second):
             return (first, second)
         case Torque(link=link):
             return links[link]

@@ -54,7 +54,7 @@ def _parts(mechanism: Mechanism, fixed: set[str]) -> Iterable[tuple[str, set[str
         yield "" if slider.point in carried else f"slider {slider.point}", {slider.point}
     for touch in touches:
         yield "", {touch.point, touch.tail, touch.head, f"link {touch.link}"} - fixed
-    for mesh in mechanism.meshes:
+    for mesh in mechanism.wheel_pairs:
         yield "", {f"link {mesh.first_link}", f"link {mesh.second_link}"}
     for pulled in drawn:
         yield "", {pulled.point, f"link {pulled.link}"}
@@ -73,5 +73,5 @@ def _joined(point: str, link: str, mechanism: Mechanism) -> bool:
 def _held_otherwise(link: str, mechanism: Mechanism) -> bool:
     """Tell whether a slot or a face of the link itself, or a wheel, holds it."""
     touched = {t.link for t in mechanism.slots} | {t.link for t in mechanism.contacts}
-    turned = {n for m in mechanism.meshes for n in (m.first_link, m.second_link)}
+    turned = {n for m in mechanism.wheel_pairs for n in (m.first_link, m.second_link)}
     return link in touched | turned

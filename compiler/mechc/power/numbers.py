@@ -7,14 +7,14 @@ from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
-from ..diagnostics import power as words
+from ..diagnostics import power as messages
 from ..formula.rounding import Rounding, Size, beyond_rounding, is_undetermined
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import Find, Force, LoadRatio, Thrust, Torque
+from ..model.mechanism import Find, Force, ForcePair, LoadRatio, Torque
 from ..model.result import Result
 from ..model.values import Chain, completed, defaults, dependent, standing
 from ..pose.pose import Pose
@@ -109,7 +109,7 @@ def _check_branch(plan: Plan, values: Mapping[str, float], report: Report) -> No
     regular = all(_is_regular(block, rows) for block in plan.blocks)
     if not regular and numeric_rank(rows) < len(rows):
         mechanism = plan.graph.pose.mechanism
-        report.add(words.branch_point(mechanism.span, [k.name for k in mechanism.links]))
+        report.add(messages.branch_point(mechanism.span, [k.name for k in mechanism.links]))
 
 
 def _is_regular(block: Block, rows: Sequence[Mapping[int, float]]) -> bool:
@@ -132,13 +132,13 @@ def _remark(
 ) -> None:
     factor = _vanishing(item.value, values, -1) if item.value else None
     if factor is not None or not math.isfinite(number):
-        report.add(words.pole_at_default(find.span, find.name, text(factor) if factor else ""))
+        report.add(messages.pole_at_default(find.span, find.name, text(factor) if factor else ""))
     elif isinstance(find.target, LoadRatio):
         if number == 0 or (item.value and _vanishing(item.value, values, 1) is not None):
-            report.add(words.result_zero(find.span, find.name))
+            report.add(messages.result_zero(find.span, find.name))
         elif number < 0:
             hint = _against(find.target, balance)
-            report.add(words.result_negative(find.span, find.name, hint))
+            report.add(messages.result_negative(find.span, find.name, hint))
 
 
 def _against(target: LoadRatio, balance: Balance) -> str:
@@ -149,12 +149,12 @@ def _against(target: LoadRatio, balance: Balance) -> str:
     loads = {t.load.name: t.load for t in balance.terms}
     asked = [loads[n] for n in (target.below, target.above) if n in loads]
     forces = [load.name for load in asked if isinstance(load, Force) and not load.weight]
-    pairs = [load.name for load in asked if isinstance(load, Thrust)]
+    pairs = [load.name for load in asked if isinstance(load, ForcePair)]
     torques = [load.name for load in asked if isinstance(load, Torque)]
     if forces:
         touching = balance.plan.graph.pose.mechanism.contacts
-        return words.turn_round(forces if touching else forces[:1])
-    return words.pulls(pairs[0]) if pairs else words.clockwise(torques)
+        return messages.turn_round(forces if touching else forces[:1])
+    return messages.pulls(pairs[0]) if pairs else messages.clockwise(torques)
 
 
 def _vanishing(value: Product, values: Mapping[str, float], side: int) -> Formula | None:

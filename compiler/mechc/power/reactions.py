@@ -15,7 +15,7 @@ from ..formula.tree import ZERO
 from ..frozen import frozen
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
-from ..kinematics.release import Bond, Loosened, loosened, members, touch_at
+from ..kinematics.release import JointRef, ReleasedLinkage, members, released_linkage, touch_at
 from ..model.mechanism import Absolute, Force
 from ..pose.pose import Pose
 from .balance import Release, Term
@@ -30,7 +30,7 @@ More = Callable[[Plan], Iterable[Term]]
 """The terms of further loads in a plan."""
 
 
-class Push(NamedTuple):
+class ForceTerm(NamedTuple):
     """A force along a direction, per unit of each given load."""
 
     direction: Angle
@@ -46,7 +46,7 @@ class Push(NamedTuple):
 class Transmitted:
     """The force of a bond as the sum of pushes, and how each was found."""
 
-    pushes: tuple[Push, ...]
+    force_terms: tuple[ForceTerm, ...]
     releases: tuple[Release, ...]
 
     @property
@@ -57,7 +57,7 @@ class Transmitted:
     def along(self, direction: Angle) -> dict[str, Product]:
         """Return the component in a direction as a linear form in the given loads."""
         parts: dict[str, list[Product]] = {}
-        for push in self.pushes:
+        for push in self.force_terms:
             for load, amount in push.along(direction).items():
                 parts.setdefault(load, []).append(amount)
         return {load: add(amounts) for load, amounts in parts.items()}
@@ -80,36 +80,36 @@ class Reactions:
         self._pose, self._more = pose, more
         self._driving = tuple(driving)
         self._held = [shares(pose.mechanism, name) for name in self._driving]
-        self._known: dict[Bond, Transmitted | None] = {}
+        self._known: dict[JointRef, Transmitted | None] = {}
         self._taken = frozenset(b.name for plan in known for b in plan.bindings)
 
-    def of(self, bond: Bond) -> Transmitted | None:
+    def of(self, joint: JointRef) -> Transmitted | None:
         """Return what a bond transmits to the link or point that it holds.
 
         None where the other bonds leave that undetermined.
         """
-        if bond not in self._known:
-            self._known[bond] = self._find(bond)
-        return self._known[bond]
+        if joint not in self._known:
+            self._known[joint] = self._find(joint)
+        return self._known[joint]
 
-    def _find(self, bond: Bond) -> Transmitted | None:
+    def _find(self, joint: JointRef) -> Transmitted | None:
         releases: list[Release] = []
-        for direction in directions(self._pose, bond):
-            loose = loosened(self._pose, bond, direction, self._held, self._taken)
-            powers = self._powers(loose, bond) if loose else ()
+        for direction in directions(self._pose, joint):
+            loose = released_linkage(self._pose, joint, direction, self._held, self._taken)
+            powers = self._powers(loose, joint) if loose else ()
             amounts = self._amounts(powers) if powers else None
             if loose is None or amounts is None:
                 return None
             self._taken |= {binding.name for binding in loose.plan.bindings}
-            releases.append(Release(*bond, direction, self._driving, loose.plan, powers, amounts))
-        pushes = tuple(Push(r.direction, r.amounts) for r in releases)
-        return Transmitted(pushes, tuple(releases))
+            releases.append(Release(*joint, direction, self._driving, loose.plan, powers, amounts))
+        force_terms = tuple(ForceTerm(r.direction, r.amounts) for r in releases)
+        return Transmitted(force_terms, tuple(releases))
 
-    def _powers(self, loose: Loosened, bond: Bond) -> tuple[Term, ...]:
+    def _powers(self, loose: ReleasedLinkage, joint: JointRef) -> tuple[Term, ...]:
         """Return the terms of all loads, that of the bond's force last."""
         plan, span = loose.plan, self._pose.mechanism.span
-        load = Force(HERE, bond.loose, Absolute(ZERO, span), span)
-        count = Product(repeated(self._pose.mechanism, members(self._pose, bond)))
+        load = Force(HERE, joint.loose, Absolute(ZERO, span), span)
+        count = Product(repeated(self._pose.mechanism, members(self._pose, joint)))
         here = Term(load, count, loose.parting, None)
         return (*terms(plan), *self._more(plan), here)
 
@@ -121,28 +121,28 @@ class Reactions:
         return {n: equations.solve(HERE, [HERE], n) for n in others}
 
 
-def directions(pose: Pose, bond: Bond) -> tuple[Angle, ...]:
+def directions(pose: Pose, joint: JointRef) -> tuple[Angle, ...]:
     """Return the directions in which a bond is asked for its force, which add up to all of it.
 
     What both mirrored halves share is pushed along the line only, as the pushes across it
     cancel.
     """
     mirror = pose.mechanism.mirror
-    shared = mirror is not None and set(members(pose, bond)) <= set(mirror.sharing)
-    match bond.kind:
+    shared = mirror is not None and set(members(pose, joint)) <= set(mirror.sharing)
+    match joint.kind:
         case "touch":
-            return (touch_at(pose, bond.point).normal,)
+            return (touch_at(pose, joint.point).normal,)
         case "gear" | "belt" | "rack" | "screw":
             return (Angle(),)
-        case "ground" if bond.point in pose.guides:
-            return () if shared else (pose.guides[bond.point] + QUARTER,)
+        case "ground" if joint.point in pose.guides:
+            return () if shared else (pose.guides[joint.point] + QUARTER,)
         case _ if shared and pose.axis is not None:
             return (pose.axis,)
         case "slide":
-            return () if shared else (pose.slides[bond.of] + QUARTER,)
-        case "pin" if len(pose.frames[bond.of]) == 2:
-            tail, head = pose.frames[bond.of]
-            along = pose.vector(bond.of, tail, head)[0].angle
+            return () if shared else (pose.slides[joint.of] + QUARTER,)
+        case "pin" if len(pose.frames[joint.of]) == 2:
+            tail, head = pose.frames[joint.of]
+            along = pose.vector(joint.of, tail, head)[0].angle
             return (along, along + QUARTER)
         case _:
             return (Angle(), QUARTER)

@@ -12,7 +12,7 @@ from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
 from ..model.result import Definition
 from ..study.analysis import Analysis
 from .definitions import lettered, literal_sizes, usual_weights
-from .derivation.steps import Account, Derivation, Passage
+from .derivation.steps import Derivation, Explanation, Paragraph
 from .sentences.remarks import reaction
 
 LONG = 24
@@ -26,7 +26,7 @@ class Section:
     ``units`` are those of loads that are numbers.
     """
 
-    passages: tuple[Passage, ...]
+    paragraphs: tuple[Paragraph, ...]
     results: tuple[Analysis, ...]
     where: tuple[Definition, ...]
     has_usual_g: bool = False
@@ -35,17 +35,19 @@ class Section:
 
 def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
     """Yield the results under their headings; what was told before is left out."""
-    told, usual, units = Told(), usual_weights(mechanism), literal_sizes(mechanism)
-    for account, results in _grouped(derivation):
-        told.equations(account)
-        rested = told.untold([Symbol(d.name) for d in account.where], account.where)
+    told, usual, units = Shown(), usual_weights(mechanism), literal_sizes(mechanism)
+    for explanation, results in _grouped(derivation):
+        told.equations(explanation)
+        rested = told.new_definitions(
+            [Symbol(d.name) for d in explanation.where], explanation.where
+        )
         fresh = [*rested, *(d for r in results for d in told.of(r))]
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
         weighs = any(d.name in usual for d in fresh)
-        yield Section(account.passages, shown, tuple(lettered(fresh, usual)), weighs, units)
+        yield Section(explanation.paragraphs, shown, tuple(lettered(fresh, usual)), weighs, units)
 
 
-class Told:
+class Shown:
     """What the names in a report stand for, so that nothing is told twice."""
 
     def __init__(self) -> None:
@@ -55,11 +57,13 @@ class Told:
     def of(self, result: Analysis) -> list[Definition]:
         """Return what is new in a result's definitions, and note it."""
         where = [d for d in result.where if d.name not in result.inside]
-        fresh = self.untold([result.formula], where)
+        fresh = self.new_definitions([result.formula], where)
         self._results.add(result.name)
         return fresh
 
-    def untold(self, formulas: Iterable[Formula], where: Sequence[Definition]) -> list[Definition]:
+    def new_definitions(
+        self, formulas: Iterable[Formula], where: Sequence[Definition]
+    ) -> list[Definition]:
         """Return the definitions that formulas rest on and that are new, and note them."""
         needed = self._needed(formulas, where)
         new = [d for d in needed if self._known.get(d.name) != d.formula]
@@ -68,10 +72,10 @@ class Told:
         self._known |= dict(fresh)
         return fresh
 
-    def equations(self, account: Account) -> None:
+    def equations(self, explanation: Explanation) -> None:
         """Note the names that the equations of an account define."""
-        for passage in account.passages:
-            for left, right in passage.equations:
+        for paragraph in explanation.paragraphs:
+            for left, right in paragraph.equations:
                 if isinstance(left, Symbol):
                     self._known[left.name] = right
 
@@ -91,13 +95,15 @@ def _system(definition: Definition) -> System | None:
     return formula.system if isinstance(formula, Implicit) else None
 
 
-def _grouped(derivation: Derivation) -> Iterator[tuple[Account, Sequence[Analysis]]]:
-    owners = {name: account for account in derivation.accounts for name in account.results}
+def _grouped(derivation: Derivation) -> Iterator[tuple[Explanation, Sequence[Analysis]]]:
+    owners = {
+        name: explanation for explanation in derivation.explanations for name in explanation.results
+    }
     left = list(derivation.results)
     while left:
-        account = owners.get(left[0].name) or Account((left[0].name,), ())
-        yield account, [r for r in left if r.name in account.results]
-        left = [r for r in left if r.name not in account.results]
+        explanation = owners.get(left[0].name) or Explanation((left[0].name,), ())
+        yield explanation, [r for r in left if r.name in explanation.results]
+        left = [r for r in left if r.name not in explanation.results]
 
 
 def _conditioned_once(results: Sequence[Analysis]) -> Iterator[Analysis]:

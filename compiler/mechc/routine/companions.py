@@ -22,7 +22,7 @@ class Companions:
         self, mechanism: Mechanism, results: Sequence[Result], inputs: Mapping[str, Input]
     ) -> None:
         self._results, self._inputs = results, inputs
-        self._rubs = mechanism.friction.efficiency is None
+        self._pairs = mechanism.friction.efficiency is None
         self._taken = {*inputs, *(r.name for r in results)}
 
     def joined(self, function: Function, other: Function | None, result: Result) -> Function:
@@ -38,7 +38,7 @@ class Companions:
 
     def _status(self, function: Function, result: Result) -> Status | None:
         match result.target:
-            case WithFriction(LoadRatio() | LoadForm() as of, sense, "exact") if self._rubs:
+            case WithFriction(LoadRatio() | LoadForm() as of, sense, "exact") if self._pairs:
                 ideal = next(r for r in self._results if r.target == of)
                 solved = function.otherwise or function
                 guards = tuple(g for g in solved.guards if not g.balance)

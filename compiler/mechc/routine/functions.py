@@ -26,7 +26,7 @@ from .loops import closing_guard, unseen_loops
 from .scope import Scope, rename
 from .sharing import Shared, share
 from .steps import Function, Guard, Input, Solve, Statement, Step, formulas_of
-from .turning import in_unit_vectors
+from .unit_vectors import in_unit_vectors
 
 
 class Asked(NamedTuple):

@@ -13,7 +13,7 @@ from typing import NamedTuple, assert_never
 from ..formula.derivative import jacobian
 from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, System
 from ..formula.walk import side, symbols
-from .alike import turned_alike
+from .angle_offsets import turned_alike
 from .steps import Solve, Solver, Statement, Step
 from .table import (
     Apply,

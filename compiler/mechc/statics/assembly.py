@@ -46,7 +46,7 @@ class Cylinder(NamedTuple):
         return f"{self.name} at {point}"
 
 
-class Rubbing(NamedTuple):
+class JointFriction(NamedTuple):
     """A pin held by a body across a line: the force on the pin is along the normal.
 
     ``arm`` is the vector from the body's first point to the pin.
@@ -116,7 +116,7 @@ class Assembly:
     pivots: tuple[str, ...]
     guides: tuple[Guide, ...]
     slides: tuple[Translation, ...]
-    rubbings: tuple[Rubbing, ...]
+    rubbings: tuple[JointFriction, ...]
     transfers: tuple[Transfer, ...]
     cylinders: tuple[Cylinder, ...]
     loads: Mapping[str, tuple[Action, ...]]

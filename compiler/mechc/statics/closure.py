@@ -13,7 +13,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
-from ..pose.places import Edge, Places, Plane, between, direction, placed
+from ..pose.places import Edge, Plane, Sweep, between, direction, placed
 from ..pose.pose import Pose, evaluate_vector
 
 CLOSED = 1e-6
@@ -73,7 +73,7 @@ def _known(values: Mapping[str, float], *formulas: Formula) -> bool:
 class Drawing:
     """Points in their places, and what can be measured between them."""
 
-    places: Places
+    places: Sweep
     values: Mapping[str, float]
 
     def loop(self, edge: Edge) -> Gap | None:

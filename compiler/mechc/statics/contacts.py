@@ -10,7 +10,7 @@ from ..diagnostics import Diagnostic
 from ..diagnostics.statics import contact_would_pull
 from ..model.mechanism import LoadForm, LoadRatio
 from ..model.result import Result
-from ..pose.pose import Touch
+from ..pose.pose import PointContact
 from .answers import pushes
 from .balanced import Balanced
 
@@ -24,7 +24,7 @@ Forces = Mapping[tuple[str, str], float]
 def pulling(results: Iterable[Result], at: Balanced) -> Iterator[Diagnostic]:
     """Yield an error for each contact that pulls where the given loads act as drawn."""
     contacts = [t for t in at.pose.touches if t.kind == "contact"]
-    refused: set[Touch] = set()
+    refused: set[PointContact] = set()
     for result in results if contacts else ():
         forces = dict(_forces(result, at))
         for touch in contacts:
@@ -51,7 +51,7 @@ def _forces(result: Result, at: Balanced) -> Iterator[tuple[str, Forces]]:
                 yield other, pushes(at, load, other, known, "contact")
 
 
-def _refused(touch: Touch, load: str, force: float, at: Balanced) -> Diagnostic:
+def _refused(touch: PointContact, load: str, force: float, at: Balanced) -> Diagnostic:
     parameters = (p for p in at.pose.mechanism.parameters if p.name in at.pose.free)
     place = {p.name: (at.values[p.name], p.dimension) for p in parameters}
     return contact_would_pull(touch.span, touch.point, touch.body, load, force, place)

@@ -17,7 +17,7 @@ from .friction import Pair
 ROUNDED = 1e-13
 """What is smaller than this beside its like is a zero that was rounded."""
 
-Places = Mapping[str, Plane]
+Sweep = Mapping[str, Plane]
 """Where points are drawn."""
 
 
@@ -47,7 +47,7 @@ class Solution:
         return replace(self, found=found, sizes=sizes)
 
 
-def cut_free(solution: Solution, places: Places) -> tuple[FreeBody, ...]:
+def cut_free(solution: Solution, places: Sweep) -> tuple[FreeBody, ...]:
     """Return every link, slide and pin that people draw, with all that acts on it.
 
     Forces do not depend on where slides carry their pins, but the couples of their guides do.
@@ -65,7 +65,7 @@ def cut_free(solution: Solution, places: Places) -> tuple[FreeBody, ...]:
 
 
 def sizes_beyond_rounding(
-    solution: Solution, bodies: Sequence[FreeBody], torques: Set[str], places: Places
+    solution: Solution, bodies: Sequence[FreeBody], torques: Set[str], places: Sweep
 ) -> dict[str, float]:
     """Return the sizes of loads, those as 0 of which nothing but rounding is left.
 
@@ -107,7 +107,7 @@ def _clean(acting: Acting, least: float) -> Acting:
     return acting._replace(force=force, moment=moment + 0.0)
 
 
-def _held(body: FreeBody, places: Places) -> FreeBody:
+def _held(body: FreeBody, places: Sweep) -> FreeBody:
     """Return a slide with the couple of its guide that keeps it from turning."""
     known = all(acting.force is not None for acting in body.forces)
     holding = next((i for i, a in enumerate(body.forces) if a.kind == "guide"), None)
@@ -122,7 +122,7 @@ def _held(body: FreeBody, places: Places) -> FreeBody:
     return body._replace(forces=tuple(forces))
 
 
-def _reach(acting: Acting, centre: Plane, places: Places) -> float:
+def _reach(acting: Acting, centre: Plane, places: Sweep) -> float:
     """Return the largest moment that such a force could have at its place."""
     if acting.force is None or not acting.point:
         return abs(acting.moment)

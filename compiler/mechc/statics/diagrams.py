@@ -14,7 +14,7 @@ from ..pose.places import NOWHERE
 from ..pose.pose import Pose
 from . import solved
 from .cases import Case, Sizes, cases, sizes_of
-from .cut_free import Places, Solution, cut_free, sizes_beyond_rounding
+from .cut_free import Solution, Sweep, cut_free, sizes_beyond_rounding
 from .diagram import Acting, Diagram, FreeBody, Motion
 from .poses import with_lets
 from .unfold import Unfolding
@@ -33,7 +33,7 @@ Solve = Callable[[Unfolding, Case], Solution | str]
 
 
 def diagrams(
-    pose: Pose, results: tuple[Result, ...], values: Sizes, places: Places, sizes: Sizes
+    pose: Pose, results: tuple[Result, ...], values: Sizes, places: Sweep, sizes: Sizes
 ) -> tuple[Diagram, ...]:
     """Return the free bodies under every set of loads, without friction and then with it.
 
@@ -55,7 +55,7 @@ class _Maker:
     """A mechanism at one pose under one set of loads."""
 
     unfolding: Unfolding
-    places: Places
+    places: Sweep
     case: Case
 
     def diagrams(self, *, mixed: bool) -> Iterator[Diagram]:

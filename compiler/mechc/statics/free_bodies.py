@@ -20,9 +20,9 @@ from .assembly import (
     Body,
     Couple,
     Cylinder,
+    JointFriction,
     Plane,
     Push,
-    Rubbing,
     Transfer,
     Translation,
     Wrench,
@@ -163,7 +163,7 @@ def _translation(sums: _Sums, slide: Translation) -> None:
     sums.rows[first + 2][couple] = 1.0
 
 
-def _rubbing(sums: _Sums, rubbing: Rubbing) -> None:
+def _rubbing(sums: _Sums, rubbing: JointFriction) -> None:
     """Let a body push a pin along the normal, and the pin push back where it is."""
     n = Plane(*_components(rubbing.normal))
     column = sums.force(Unknown(rubbing.body, rubbing.point, rubbing.kind), rubbing.point, n)

@@ -15,15 +15,15 @@ from typing import Literal, NamedTuple, assert_never
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import (
+    FaceFriction,
+    GuideFriction,
+    JointFriction,
     LoadForm,
     LoadRatio,
-    Rubbing,
-    RubbingFace,
-    RubbingGuide,
-    RubbingMesh,
-    RubbingPin,
-    RubbingThread,
+    PinFriction,
     Sense,
+    ThreadFriction,
+    WheelFriction,
     WithFriction,
 )
 from ..model.targets import SIGNS
@@ -34,7 +34,7 @@ from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
 from .joint_forces import Weights, wanted_of
 from .solve import Factors, factor
-from .speeds import felt
+from .speeds import dual_speed
 from .unfold import Unfolding
 
 ROUNDS = 10_000
@@ -90,7 +90,7 @@ class Question(NamedTuple):
     unit: float
 
 
-class Rubbed(NamedTuple):
+class FrictionForces(NamedTuple):
     """What friction comes to under given loads: its size at each pair, and against which slip.
 
     ``right`` is the right-hand side that the given loads make by themselves.
@@ -124,7 +124,7 @@ def with_friction(
 
 def rubbed(
     unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
-) -> Rubbed | str:
+) -> FrictionForces | str:
     """Return friction at every pair of surfaces, or why there is none that balances."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     drive = tied[driving]
@@ -145,7 +145,7 @@ def rubbed(
     frictions = _repeated(question, pairs, ideal, [question.factors.solve(row) for row in rows])
     if frictions is None:
         return LOCKED
-    return Rubbed(question, right, pairs, senses, tuple(frictions))
+    return FrictionForces(question, right, pairs, senses, tuple(frictions))
 
 
 def _drive(unfolding: Unfolding, tied: Mapping[str, Tie], base: str) -> Iterator[Action]:
@@ -197,7 +197,7 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
 
 def _slip(unfolding: Unfolding, pair: Pair, reference: tuple[Action, ...]) -> float:
     """Return the sign of a pair's slip as the driving load moves along its arrow."""
-    slip = felt(unfolding, pair.actions, reference).value
+    slip = dual_speed(unfolding, pair.actions, reference).value
     return math.copysign(1.0, slip) if abs(slip) > STANDING else 0.0
 
 
@@ -270,9 +270,9 @@ def pairs_of(unfolding: Unfolding) -> Iterator[Pair]:
         yield from _of(rubbing, unfolding)
 
 
-def _of(rubbing: Rubbing, unfolding: Unfolding) -> Iterator[Pair]:
+def _of(rubbing: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
     match rubbing:
-        case RubbingPin(point, carrier, radius):
+        case PinFriction(point, carrier, radius):
             size = evaluate(radius, unfolding.values)
             for body in unfolding.turning_on(point):
                 if body != carrier:
@@ -280,18 +280,18 @@ def _of(rubbing: Rubbing, unfolding: Unfolding) -> Iterator[Pair]:
                     back = unfolding.turning(carrier, point, -1.0) if carrier else ()
                     name = f"pin {point} {body}"
                     yield Pair("pin", name, (*couples, *back), body, point, size)
-        case RubbingGuide(point, factor_):
+        case GuideFriction(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
-        case RubbingMesh(kind, point, factor_):
+        case WheelFriction(kind, point, factor_):
             size = evaluate(factor_, unfolding.values)
             name = f"{kind} {point}"
             yield Pair("transmission", name, unfolding.rim(kind, point), name, "", size)
-        case RubbingThread(point, factor_, thread):
+        case ThreadFriction(point, factor_, thread):
             size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
             actions = unfolding.along_thread(point, diameter)
             name = f"screw {point}"
             yield Pair("transmission", name, actions, name, "", size)
-        case RubbingFace(point, factor_):
+        case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:
             assert_never(rubbing)

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Mapping, Set
 
-from ..model.mechanism import Axial, Force, Normal, Reaction, Thrust
+from ..model.mechanism import Axial, Force, ForcePair, Normal, Reaction
 from .answers import Answer, combination, one_of, unknown_bases
 from .assembly import Plane
 from .balanced import Balanced
@@ -53,7 +53,7 @@ def _is_loaded(link: str, point: str, unfolding: Unfolding) -> bool:
         match load:
             case Force(point=at, link=on):
                 ends = [(on, at)]
-            case Thrust(first=first, second=second, first_link=one, second_link=other):
+            case ForcePair(first=first, second=second, first_link=one, second_link=other):
                 ends = [(one, first), (other, second)]
             case _:
                 ends = []

@@ -81,14 +81,14 @@ class Question(NamedTuple):
     guards: tuple[Require, ...] = ()
 
 
-class Judged(NamedTuple):
+class CrossChecked(NamedTuple):
     """The trials of one question, and why other poses were passed over."""
 
     trials: tuple[Trial, ...]
     troubles: tuple[str, ...]
 
 
-def judge(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
+def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verdict:
     """Return the verdict on all results that ask for a ratio or for a load.
 
     Raises :class:`RefereeDisagrees` where the two methods differ by more than the
@@ -233,7 +233,7 @@ def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
     return {n: substitute(result.formula, {n: ONE}) for n in loads} if len(loads) == 1 else {}
 
 
-def _judge(question: Question, poses: Iterator[Balanced]) -> Judged:
+def _judge(question: Question, poses: Iterator[Balanced]) -> CrossChecked:
     """Try poses until enough of them give an answer by both methods."""
     trials: list[Trial] = []
     troubles: list[str] = []
@@ -245,7 +245,7 @@ def _judge(question: Question, poses: Iterator[Balanced]) -> Judged:
             troubles.append(trial)
         if len(trials) == POSES:
             break
-    return Judged(tuple(trials), tuple(troubles))
+    return CrossChecked(tuple(trials), tuple(troubles))
 
 
 def _try(question: Question, at: Balanced) -> Trial | str:

@@ -115,8 +115,8 @@ def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
 
 
 def _pressed(mechanism: Mechanism) -> Iterator[Bearing]:
-    wheels = [(m.first, m.first_link) for m in mechanism.meshes]
-    wheels += [(m.second, m.second_link) for m in mechanism.meshes]
+    wheels = [(m.first, m.first_link) for m in mechanism.wheel_pairs]
+    wheels += [(m.second, m.second_link) for m in mechanism.wheel_pairs]
     wheels += [(rack.pivot, rack.link) for rack in mechanism.racks]
     links = {link.name: link for link in mechanism.links}
     fixed = {pivot.point for pivot in mechanism.pivots}

@@ -32,8 +32,8 @@ class Probes(NamedTuple):
 def speed_ratio(unfolding: Unfolding, target: SpeedRatio) -> Answer:
     """Return a ratio of speeds, its magnitude where :func:`has_sign` says that it has no sign."""
     above, below = _probes(unfolding, target.above), _probes(unfolding, target.below)
-    upper = _size([felt(unfolding, p, below.reference) for p in above.components])
-    lower = _size([felt(unfolding, p, below.reference) for p in below.components])
+    upper = _size([dual_speed(unfolding, p, below.reference) for p in above.components])
+    lower = _size([dual_speed(unfolding, p, below.reference) for p in below.components])
     scale = unfolding.count(target.below.of) / unfolding.count(target.above.of)
     if upper.trouble or lower.trouble or not lower.value:
         trouble = upper.trouble or lower.trouble or "the speed below the line vanishes"
@@ -82,7 +82,7 @@ def _probes(unfolding: Unfolding, speed: Speed) -> Probes:
     return Probes(components, unfolding.push(speed.of, direction(SLANT)))
 
 
-def felt(unfolding: Unfolding, probe: Probe, reference: Probe) -> Answer:
+def dual_speed(unfolding: Unfolding, probe: Probe, reference: Probe) -> Answer:
     """Return the speed that a probe feels, in units of the one that the reference feels."""
     system = equilibrium(unfolding.assembly(("probe", probe), ("reference", reference)))
     right = {i: -amount for i, amount in system.loads["probe"].items()}

@@ -17,8 +17,8 @@ from typing import assert_never
 
 from ..formula.walk import evaluate
 from ..frozen import frozen
-from ..model.mechanism import Force, Load, Rack, Thrust, Torque
-from ..pose.pose import Pose, Touch, evaluate_vector
+from ..model.mechanism import Force, ForcePair, Load, Rack, Torque
+from ..pose.pose import PointContact, Pose, evaluate_vector
 from .assembly import (
     Action,
     Assembly,
@@ -26,9 +26,9 @@ from .assembly import (
     Couple,
     Cylinder,
     Guide,
+    JointFriction,
     Plane,
     Push,
-    Rubbing,
     Transfer,
     Translation,
     Wrench,
@@ -124,7 +124,7 @@ class Unfolding:
     def turning_on(self, point: str) -> Iterator[str]:
         """Yield the links and telescopes that a pin joins, but no telescope that nothing loads."""
         mechanism = self.pose.mechanism
-        pairs = [load for load in mechanism.loads if isinstance(load, Thrust)]
+        pairs = [load for load in mechanism.loads if isinstance(load, ForcePair)]
         loaded = [{pair.first, pair.second} for pair in pairs]
         yield from (link.name for link in mechanism.links if point in link.points)
         for telescope in mechanism.telescopes:
@@ -149,12 +149,12 @@ class Unfolding:
                 return self.on(link, point, force) if link else self.push(point, force)
             case Torque(_, link):
                 return self.couple(link, float(load.times))
-            case Thrust():
+            case ForcePair():
                 return self._pair(load)
             case _:
                 assert_never(load)
 
-    def _pair(self, load: Thrust) -> tuple[Action, ...]:
+    def _pair(self, load: ForcePair) -> tuple[Action, ...]:
         """Return both forces of a pair, all of them where it belongs to one half or branch.
 
         Across the mirror the twin's is the other one.
@@ -182,7 +182,7 @@ class Unfolding:
         arm = self.arm(link, next(iter(self.pose.frames[link])), point)
         return Wrench(link, push, arm.x * push.y - arm.y * push.x)
 
-    def apart(self, touch: Touch, along: Plane) -> tuple[Action, ...]:
+    def apart(self, touch: PointContact, along: Plane) -> tuple[Action, ...]:
         """Return a unit force on a pin and its reaction on the body under it, in both halves."""
         first = next(iter(self.pose.frames[touch.body]))
         base = self.arm(touch.body, first, touch.tail)
@@ -199,7 +199,7 @@ class Unfolding:
         if kind == "rack":
             rack = next(r for r in self.pose.mechanism.racks if r.point == point)
             return self._by(rack.link, point, self.direction_of_guide(point))
-        pairs = self.pose.mechanism.meshes
+        pairs = self.pose.mechanism.wheel_pairs
         pair = next(m for m in pairs if (m.kind, m.first) == (kind, point))
         return self.couple(pair.first_link, evaluate(pair.first_radius, self.values))
 
@@ -265,18 +265,18 @@ class Unfolding:
                 twins = {self._twin(p): self._reflected(v) for p, v in points.items()}
                 yield Translation(Body(f"{slide.name}'", twins), self._reflected(along))
 
-    def _rubbings(self) -> Iterator[Rubbing]:
+    def _rubbings(self) -> Iterator[JointFriction]:
         for touch in self.pose.touches:
             normal = direction(touch.normal.evaluate(self.values))
             reach = Plane(*evaluate_vector(touch.reach, self.values))
             first = next(iter(self.pose.frames[touch.body]))
             base = self.arm(touch.body, first, touch.tail)
             arm = Plane(base.x + reach.x, base.y + reach.y)
-            yield Rubbing(touch.kind, touch.point, touch.body, arm, normal)
+            yield JointFriction(touch.kind, touch.point, touch.body, arm, normal)
             if not (self._shared(touch.point) and self._shared(touch.body)):
                 body = touch.body if self._shared(touch.body) else f"{touch.body}'"
                 mirrored = self._reflected(arm), self._reflected(normal)
-                yield Rubbing(touch.kind, self._twin(touch.point), body, *mirrored)
+                yield JointFriction(touch.kind, self._twin(touch.point), body, *mirrored)
 
     def _transfers(self) -> Iterator[Transfer]:
         """Yield the forces that wheels and screws pass on.
@@ -286,7 +286,7 @@ class Unfolding:
         open belt pulls one wheel backwards as it pulls the other one on: opposite signs.
         """
         mechanism, values = self.pose.mechanism, self.values
-        for mesh in mechanism.meshes:
+        for mesh in mechanism.wheel_pairs:
             first = evaluate(mesh.first_radius, values)
             second = evaluate(mesh.second_radius, values) * (-1 if mesh.same else 1)
             couples = Couple(mesh.first_link, first), Couple(mesh.second_link, second)

@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from ..formula.tree import Formula
 from ..frozen import fields, frozen, replace
-from ..model.locking import Course, Locking
+from ..model.locking import EfficiencyRange, Locking
 from ..model.mechanism import Require
 from ..model.result import FrictionResult, Result
 
@@ -63,7 +63,7 @@ class Analysis(Result):
     holds: tuple[Require, ...] = ()
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
-    courses: tuple[Course, ...] = ()
+    courses: tuple[EfficiencyRange, ...] = ()
 
 
 def as_printed(result: Result) -> Analysis:

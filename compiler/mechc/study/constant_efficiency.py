@@ -8,7 +8,7 @@ import math
 from collections.abc import Iterator
 
 from ..diagnostics import Report
-from ..diagnostics import friction as words
+from ..diagnostics import friction as messages
 from ..formula.roots import spaced
 from ..formula.walk import evaluate, symbols
 from ..friction.results import FrictionResults
@@ -20,7 +20,7 @@ from .ranges import moved, shown, spans, turns
 from .ratios import sizes
 from .sampling import looked_at
 from .states import Moving
-from .sweep import Places
+from .sweep import Sweep
 
 FAR = 0.05
 """By so much a constant may miss the efficiency that friction makes."""
@@ -42,14 +42,14 @@ def remark_on_constant(solution: Solution, report: Report) -> None:
     for find in solution.plan.graph.pose.mechanism.finds:
         if isinstance(find.target, WithFriction):
             ideal = next(r for r in solution.results if r.target == find.target.of)
-            real = friction.by_rubbing(find, ideal) if _rubs(solution) else None
+            real = friction.by_rubbing(find, ideal) if _pairs(solution) else None
             if real is not None:
                 _Beside(solution, find, ideal, real).remark(report)
             elif where := list(_steep(solution, ideal)):
-                report.add(words.efficiency_near_dead_centre(find.span, ideal.name, where))
+                report.add(messages.efficiency_near_dead_centre(find.span, ideal.name, where))
 
 
-def _rubs(solution: Solution) -> bool:
+def _pairs(solution: Solution) -> bool:
     return bool(solution.plan.graph.pose.mechanism.friction.rubbing)
 
 
@@ -78,10 +78,10 @@ class _Beside:
             found += self._along(name)
         if found:
             given = self._given(here, 0.0)
-            report.add(words.efficiency_beside_friction(self._find.span, given, found))
+            report.add(messages.efficiency_beside_friction(self._find.span, given, found))
 
     def _moving(self, name: str) -> Moving:
-        places = Places(self._solution.plan, name, self._loads or {})
+        places = Sweep(self._solution.plan, name, self._loads or {})
         return Moving(places, self._ideal, self._real, self._sense)
 
     def _given(self, moving: Moving, place: float) -> float:
@@ -115,7 +115,7 @@ def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
     if loads is None or ideal.default is None:
         return
     for name in moved(mechanism, (ideal,)):
-        places, ends = Places(solution.plan, name, loads), range_of(name, mechanism)
+        places, ends = Sweep(solution.plan, name, loads), range_of(name, mechanism)
         here = places.defaults[name]
         whole = ends or (here, here)
         scale = 1.0 if turns(name, mechanism) else whole[1] - whole[0]
@@ -130,7 +130,7 @@ def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
 class _Slope:
     """The logarithmic slope of a ratio along a parameter, per radian or per stroke."""
 
-    def __init__(self, places: Places, ideal: Result, scale: float) -> None:
+    def __init__(self, places: Sweep, ideal: Result, scale: float) -> None:
         self._places, self._ideal, self._scale = places, ideal, scale
 
     def is_steep(self, place: float) -> bool:

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 
-from ..model.locking import USUAL, Course, Range
+from ..model.locking import USUAL, EfficiencyRange, Range
 from ..model.mechanism import Efficiency
 from ..model.result import Result
 from ..model.values import range_of
@@ -16,7 +16,7 @@ SAME = 1e-9
 """What varies less is the same: the efficiency does not depend on that parameter."""
 
 
-def courses(study: Study, efficiency: Result) -> Iterator[Course]:
+def courses(study: Study, efficiency: Result) -> Iterator[EfficiencyRange]:
     """Yield the course of an efficiency over each range that it depends on."""
     assert isinstance(efficiency.target, Efficiency)
     of, sense = efficiency.target.of, efficiency.target.sense
@@ -37,13 +37,13 @@ class _Run:
         self._moving, self._low, self._high = moving, low, high
         self._places = looked_at(moving, low, high)
 
-    def course(self, name: str, unit: str) -> Course | None:
+    def course(self, name: str, unit: str) -> EfficiencyRange | None:
         """Return the whole, None where there is no efficiency anywhere."""
         values = [v for x in self._places if math.isfinite(v := self._moving.efficiency(x))]
         if not values:
             return None
         ends, usual = (self._low, self._high), tuple(self._usual())
-        return Course(name, unit, ends, min(values), max(values), usual)
+        return EfficiencyRange(name, unit, ends, min(values), max(values), usual)
 
     def _usual(self) -> Iterator[Range]:
         """Yield the stretches on which it is usual, if it only passes through that, too."""

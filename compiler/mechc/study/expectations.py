@@ -17,7 +17,7 @@ from typing import Literal, NamedTuple
 
 from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
-from ..diagnostics import check as words
+from ..diagnostics import check as messages
 from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -198,11 +198,11 @@ def _remark(finding: Finding, mechanism: Mechanism) -> Diagnostic | None:
             units = {p.name: p.unit for p in mechanism.parameters}
             at = {name: in_unit(value, units.get(name, "")) for name, value in finding.at.items()}
             found, expected = _figures(finding)
-            return words.expectation_refuted(span, subject, found, expected, at)
+            return messages.expectation_refuted(span, subject, found, expected, at)
         case "undecided" if finding.missing:
-            return words.expectation_without_pose(span, subject, finding.missing)
+            return messages.expectation_without_pose(span, subject, finding.missing)
         case "agrees" | "undecided" if not _is_number(finding.expect):
-            return words.expectation_unproved(span, subject, finding.poses)
+            return messages.expectation_unproved(span, subject, finding.poses)
     return None
 
 

@@ -35,7 +35,7 @@ Their number grows with the square of the parameters', and nobody reads them the
 """
 
 
-def conclude(solution: Solution) -> tuple[Analysis, ...]:
+def analyse(solution: Solution) -> tuple[Analysis, ...]:
     """Return the results with what follows from each."""
     values, study = default_values(solution.plan), cache(partial(_study, solution))
     return tuple(_concluded(item, solution, values, study) for item in solution.solved)

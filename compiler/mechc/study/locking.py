@@ -10,7 +10,7 @@ from ..formula.solved import Solution, poles, zeros
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
-from ..model.locking import Bound, Locking, Range, Reach, State, Stretch
+from ..model.locking import Bound, Locking, LockingIntervals, Range, State, Stretch
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
@@ -51,7 +51,9 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
         if moving and looked_at is not None:
             stretches = _Stretches(name, moving, printed, range_of(name, mechanism))
             unit = unit_of(name, mechanism)
-            reaches.append(Reach(name, unit, stretches.range, tuple(stretches.found(*looked_at))))
+            reaches.append(
+                LockingIntervals(name, unit, stretches.range, tuple(stretches.found(*looked_at)))
+            )
     drive, load = (asked.load, "") if isinstance(asked, LoadForm) else (asked.above, asked.below)
     return Locking(state, drive, load, tuple(reaches))
 

@@ -5,7 +5,7 @@ from ..friction.solution import Solution
 from ..model.mechanism import LoadForm, LoadRatio, Mechanism, Sense, WithFriction
 from ..model.result import FrictionResult, Result
 from .states import Moving
-from .sweep import Places
+from .sweep import Sweep
 
 
 class Study:
@@ -33,7 +33,7 @@ class Study:
         if loads is None:
             return None
         if key not in self._moving:
-            places = Places(self.solution.plan, parameter, loads)
+            places = Sweep(self.solution.plan, parameter, loads)
             self._moving[key] = Moving(places, ideal, real, sense)
         return self._moving[key]
 

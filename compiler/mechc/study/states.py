@@ -21,7 +21,7 @@ from ..frozen import replace
 from ..model.locking import State
 from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS, Sense
-from .sweep import VALUE, Places, guarded
+from .sweep import VALUE, Sweep, guarded
 
 
 class Found(NamedTuple):
@@ -42,7 +42,7 @@ NOWHERE = Found(None, math.nan, None)
 class Moving:
     """A ratio with friction next to the one without, along one parameter."""
 
-    def __init__(self, places: Places, ideal: Result, real: FrictionResult, sense: Sense) -> None:
+    def __init__(self, places: Sweep, ideal: Result, real: FrictionResult, sense: Sense) -> None:
         self.places, self.ideal, self.real = places, ideal, real
         self._sign = SIGNS[sense]
         self._known: dict[float, Found] = {}

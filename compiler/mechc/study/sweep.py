@@ -13,7 +13,7 @@ VALUE, LEFT, RIGHT = "=", "<", ">"
 """What a result's value, and the sides of its guards, are called beside its definitions."""
 
 
-class Places:
+class Sweep:
     """Evaluates results; ``loads`` are sizes of loads that nobody gives."""
 
     def __init__(self, plan: Plan, parameter: str, loads: Mapping[str, float]) -> None:

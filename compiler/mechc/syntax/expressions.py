@@ -12,7 +12,7 @@ from . import ast, limits
 from .fault import Fault
 from .lalr import Token
 from .spans import span_of
-from .words import CONSTANTS, FUNCTIONS, TWINS, counted, points_of, split_quantity
+from .vocabulary import CONSTANTS, FUNCTIONS, TWINS, counted, points_of, split_quantity
 
 Signed = tuple[int, ast.Expr]
 

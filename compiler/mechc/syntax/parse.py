@@ -10,7 +10,7 @@ from .grammar import Start, keywords, reading, spelling, statement_words
 from .lalr import END, Refused, Token
 from .spans import span_of
 from .tokens import check
-from .words import points_of
+from .vocabulary import points_of
 
 NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DRIVE", "MECHANISM"})
 """After these words a name is given."""

@@ -7,7 +7,7 @@ from ..units import foreign
 from .grammar import keywords, spelling
 from .lalr import Token
 from .spans import span_of
-from .words import FUNCTIONS, NAME, TWINS, split_quantity
+from .vocabulary import FUNCTIONS, NAME, TWINS, split_quantity
 
 ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these."""

@@ -15,9 +15,9 @@ from .fault import Fault
 from .grammar import keywords, lexed
 from .lalr import Token
 from .spans import span_of
-from .words import split_quantity
+from .vocabulary import split_quantity
 
-Places = Callable[[int], int]
+Sweep = Callable[[int], int]
 
 # Longest first, and no unit ends in the middle of a word: in 5 N*mass the unit is N.
 UNIT = re.compile(
@@ -59,7 +59,7 @@ LOOKALIKES = {
 }
 
 
-def tokens(text: str, places: Places | None = None) -> list[Token]:
+def tokens(text: str, places: Sweep | None = None) -> list[Token]:
     """Return the tokens of a text, with comments and line ends, units joined to numbers."""
     found = list(with_units(text, [plus_minus(token) for token in lexed(text)]))
     return [moved(token, places) for token in found] if places else found
@@ -70,7 +70,7 @@ def plus_minus(token: Token) -> Token:
     return Token("PLUSMINUS", "+-", *span_of(token)) if token == "±" else token
 
 
-def moved(token: Token, places: Places) -> Token:
+def moved(token: Token, places: Sweep) -> Token:
     """Return a token with its place in the user's text."""
     start, end = span_of(token)
     return Token(token.type, str(token), places(start), places(max(start, end - 1)) + 1)

@@ -9,7 +9,7 @@ from ..source import Source, Span
 from . import ast
 from .fault import Fault
 from .sections import Entry, Key, Kind, Section, Shape
-from .words import points_of
+from .vocabulary import points_of
 from .yaml_nodes import Listing, Mapping, Node, Scalar
 from .yaml_values import described, values
 

@@ -12,7 +12,7 @@ from .grammar import Start, keywords
 from .sections import Key, Kind
 from .spans import span_of
 from .tokens import tokens
-from .words import NAME
+from .vocabulary import NAME
 from .yaml_nodes import Listing, Node, Scalar
 from .yaml_nodes import Mapping as Table
 from .yaml_places import places

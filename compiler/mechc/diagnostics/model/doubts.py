@@ -3,12 +3,12 @@
 from collections.abc import Sequence
 
 from ...source import Span
-from ..diagnostic import Related, Words, coded
+from ..diagnostic import Message, Related, coded
 from ..syntax import listed
 
 
 @coded("W245")
-def beyond_a_turn(span: Span, what: str, turns: float) -> Words:
+def beyond_a_turn(span: Span, what: str, turns: float) -> Message:
     """An angle is more than a full turn, and nothing in the mechanism counts turns.
 
     Radians written for degrees are the usual cause. Where gears, belts, racks or screws
@@ -19,11 +19,11 @@ def beyond_a_turn(span: Span, what: str, turns: float) -> Words:
         drive phi from 0 deg to 4000 deg     # warned of: all repeats after 360 deg
     """
     message = f"{what} is {turns:.3g} turns, expected at most one"
-    return Words(span, message, "is it meant in degrees? Leave out full turns")
+    return Message(span, message, "is it meant in degrees? Leave out full turns")
 
 
 @coded("W246")
-def length_vanishes(span: Span, points: str, length: str, name: str, where: str) -> Words:
+def length_vanishes(span: Span, points: str, length: str, name: str, where: str) -> Message:
     """A length comes to zero, below it or to infinity within what a parameter may be.
 
     The range, the tolerance or the stroke reaches to where the vector has no length, or
@@ -34,11 +34,11 @@ def length_vanishes(span: Span, points: str, length: str, name: str, where: str)
         param l = 20 mm +- 30 mm                   # warned of, with AB = l
     """
     message = f"{where} of {name} takes the length of {points} to {length}"
-    return Words(span, message, "keep it to where the length is positive")
+    return Message(span, message, "keep it to where the length is positive")
 
 
 @coded("W247")
-def length_far_off(span: Span, name: str, unit: str, others: str) -> Words:
+def length_far_off(span: Span, name: str, unit: str, others: str) -> Message:
     """A length is hundreds of times the others, or less than a hundredth, and in another unit.
 
     Where all lengths are in one unit nothing is said: then the size is meant.
@@ -48,11 +48,11 @@ def length_far_off(span: Span, name: str, unit: str, others: str) -> Words:
         param b = 120 mm     # right
     """
     message = f"'{name}' is in {unit}, and far from the other lengths, which are in {others}"
-    return Words(span, message, "is its unit right?")
+    return Message(span, message, "is its unit right?")
 
 
 @coded("W248")
-def asked_twice(span: Span, name: str, other: str, first: Span) -> Words:
+def asked_twice(span: Span, name: str, other: str, first: Span) -> Message:
     """The same is asked for under two names.
 
     find k = P/F
@@ -60,11 +60,11 @@ def asked_twice(span: Span, name: str, other: str, first: Span) -> Words:
     """
     related = (Related(first, f"'{other}' asks for it here"),)
     message = f"'{name}' asks for the same as '{other}'"
-    return Words(span, message, "remove one, or change what was copied", related)
+    return Message(span, message, "remove one, or change what was copied", related)
 
 
 @coded("W249")
-def drive_moves_nothing(span: Span, name: str) -> Words:
+def drive_moves_nothing(span: Span, name: str) -> Message:
     """The driving coordinate stands in no vector, angle or guide: nothing moves with it.
 
     param phi = 60 deg
@@ -73,11 +73,11 @@ def drive_moves_nothing(span: Span, name: str) -> Words:
     OA = a @ phi        # right
     """
     message = f"no vector, angle or guide depends on {name}, so nothing moves with it"
-    return Words(span, message, "drive what moves, or write it into the geometry")
+    return Message(span, message, "drive what moves, or write it into the geometry")
 
 
 @coded("W250")
-def drive_reshapes(span: Span, name: str, tail: str, head: str, body: str) -> Words:
+def drive_reshapes(span: Span, name: str, tail: str, head: str, body: str) -> Message:
     """The driving coordinate is a size of a rigid body, or a distance of pivots.
 
     Nothing in the mechanism changes it, so the rows of a stroke belong to as many different
@@ -89,11 +89,11 @@ def drive_reshapes(span: Span, name: str, tail: str, head: str, body: str) -> Wo
     """
     what = f"the length of {tail}{head}" if tail else f"the place of {head}"
     message = f"{name} is no motion: it changes {what}, and {body} is rigid"
-    return Words(span, message, "drive an angle of a link, or the length of what is variable")
+    return Message(span, message, "drive an angle of a link, or the length of what is variable")
 
 
 @coded("W251")
-def coefficient_above_one(span: Span, what: str, value: float) -> Words:
+def coefficient_above_one(span: Span, what: str, value: float) -> Message:
     """A coefficient of friction is above 1, which dry surfaces hardly ever reach.
 
     Per cent written as whole numbers, and angles of friction, are the usual cause.
@@ -102,11 +102,11 @@ def coefficient_above_one(span: Span, what: str, value: float) -> Words:
         friction slider K 0.15      # right
     """
     message = f"{what} is {value:.6g}, expected at most 1"
-    return Words(span, message, "is it in per cent? A hundredth is written 0.01")
+    return Message(span, message, "is it in per cent? A hundredth is written 0.01")
 
 
 @coded("W252")
-def pivots_coincide(span: Span, point: str, other: str, first: Span) -> Words:
+def pivots_coincide(span: Span, point: str, other: str, first: Span) -> Message:
     """Two pivots are at one place, so that what turns on them turns on one axis.
 
     A linkage between such pivots turns as one rigid body. Wheels may sit on one axis.
@@ -117,11 +117,11 @@ def pivots_coincide(span: Span, point: str, other: str, first: Span) -> Words:
     """
     related = (Related(first, f"the place of {other}"),)
     message = f"pivot {point} is at the same place as pivot {other}"
-    return Words(span, message, "correct the place, or use one pivot for both", related)
+    return Message(span, message, "correct the place, or use one pivot for both", related)
 
 
 @coded("W253")
-def link_within_link(span: Span, link: str, other: str, first: Span) -> Words:
+def link_within_link(span: Span, link: str, other: str, first: Span) -> Message:
     """All pins of a link are pins of another one, with which it moves as one body.
 
     It demands nothing of the motion, and the force it carries is not determined.
@@ -131,11 +131,11 @@ def link_within_link(span: Span, link: str, other: str, first: Span) -> Words:
     """
     related = (Related(first, f"link {other}"),)
     message = f"all points of link {link} are on link {other}, so the two move as one"
-    return Words(span, message, "leave it out, or correct its points", related)
+    return Message(span, message, "leave it out, or correct its points", related)
 
 
 @coded("W254")
-def telescope_between_fixed(span: Span, name: str, body: str) -> Words:
+def telescope_between_fixed(span: Span, name: str, body: str) -> Message:
     """The ends of a telescope keep their distance, so it can neither extend nor push.
 
     link OB
@@ -143,21 +143,23 @@ def telescope_between_fixed(span: Span, name: str, body: str) -> Words:
     telescope CB     # right
     """
     message = f"{body} holds both ends of telescope {name}, so its length never changes"
-    return Words(span, message, "name the points that move apart")
+    return Message(span, message, "name the points that move apart")
 
 
 @coded("W255")
-def of_no_size(span: Span, what: str) -> Words:
+def of_no_size(span: Span, what: str) -> Message:
     """A load, a mass or the rate of a spring is zero: it has no influence.
 
     let F = 0 N              # warned of
     weight W mass 0 kg at G  # warned of
     """
-    return Words(span, f"{what} is zero, so it has no influence", "give its size, or leave it out")
+    return Message(
+        span, f"{what} is zero, so it has no influence", "give its size, or leave it out"
+    )
 
 
 @coded("W256")
-def let_without_value(span: Span, name: str) -> Words:
+def let_without_value(span: Span, name: str) -> Message:
     """A formula of one's own has no finite value at the given parameters.
 
     It divides by zero there, or asks for a root or an arc function of what has none.
@@ -166,11 +168,11 @@ def let_without_value(span: Span, name: str) -> Words:
         let z = 1/(l - 200 mm)     # warned of
     """
     message = f"'{name}' has no finite value at the given parameters"
-    return Words(span, message, "check signs and brackets, or the values")
+    return Message(span, message, "check signs and brackets, or the values")
 
 
 @coded("W257")
-def pins_overlap(span: Span, diameter: float, points: Sequence[str], apart: float) -> Words:
+def pins_overlap(span: Span, diameter: float, points: Sequence[str], apart: float) -> Message:
     """Pins of one diameter stand closer on a link than they are thick, so that they overlap.
 
     A radius, or another unit, is the usual cause. Eccentrics, which are pins that enclose
@@ -184,4 +186,4 @@ def pins_overlap(span: Span, diameter: float, points: Sequence[str], apart: floa
         f"pins of {diameter * 1000:.6g} mm overlap: "
         f"{listed(points, 'and')} are {apart * 1000:.6g} mm apart"
     )
-    return Words(span, message, "check the diameter")
+    return Message(span, message, "check the diameter")

@@ -4,11 +4,11 @@ from collections.abc import Sequence
 from fractions import Fraction
 
 from ...source import Span
-from ..diagnostic import Related, Words, coded
+from ..diagnostic import Message, Related, coded
 
 
 @coded("E270")
-def nothing_turns(span: Span, point: str) -> Words:
+def nothing_turns(span: Span, point: str) -> Message:
     """Pin friction is given at a point where no two bodies turn on one another.
 
     A pin joins links with each other, with the ground or with a slider. The point of one
@@ -19,54 +19,54 @@ def nothing_turns(span: Span, point: str) -> Words:
         friction pin O 0.1 diameter 10 mm     # right
     """
     message = f"nothing turns on a pin at {point}: only one link is there"
-    return Words(span, message, "name a pivot, a slider or a pin between links")
+    return Message(span, message, "name a pivot, a slider or a pin between links")
 
 
 @coded("E271")
-def pin_of_another(span: Span, point: str, link: str) -> Words:
+def pin_of_another(span: Span, point: str, link: str) -> Message:
     """The link that carries a pin has no such point.
 
     link AB
     link BC
     friction pin C 0.1 diameter 10 mm on AB     # wrong
     """
-    return Words(span, f"link {link} has no point {point}, so the pin cannot be fast in it")
+    return Message(span, f"link {link} has no point {point}, so the pin cannot be fast in it")
 
 
 @coded("E272")
-def not_guided(span: Span, point: str) -> Words:
+def not_guided(span: Span, point: str) -> Message:
     """Friction of a guide or a roller is given at a point that no guide holds.
 
     link AB
     friction slider A 0.1     # wrong without a line such as 'slider A along x'
     """
-    return Words(span, f"point {point} is not guided", f"add 'slider {point} along …'")
+    return Message(span, f"point {point} is not guided", f"add 'slider {point} along …'")
 
 
 @coded("E273")
-def nothing_touches(span: Span, point: str) -> Words:
+def nothing_touches(span: Span, point: str) -> Message:
     """Friction of a contact is given at a point that is in no contact and no slot.
 
     friction contact A 0.1              # wrong without
     contact A on BC normal 60 deg       # such a line
     """
     message = f"point {point} is neither in contact nor in a slot"
-    return Words(span, message, f"add 'contact {point} on … normal …'")
+    return Message(span, message, f"add 'contact {point} on … normal …'")
 
 
 @coded("E274")
-def senseless(span: Span, what: str, value: str) -> Words:
+def senseless(span: Span, what: str, value: str) -> Message:
     """A coefficient of friction is negative, a diameter is not positive, or the like.
 
     An efficiency is above 0 and at most 1.
 
         friction pins -0.1 diameter 10 mm     # wrong
     """
-    return Words(span, f"{what} of {value} makes no sense")
+    return Message(span, f"{what} of {value} makes no sense")
 
 
 @coded("E275")
-def friction_again(span: Span, point: str, first: Span) -> Words:
+def friction_again(span: Span, point: str, first: Span) -> Message:
     """Friction of one kind is given twice at one point.
 
     friction pin O 0.1 diameter 10 mm
@@ -76,22 +76,22 @@ def friction_again(span: Span, point: str, first: Span) -> Words:
     """
     message = f"friction at {point} is given twice"
     related = (Related(first, "it stands here first"),)
-    return Words(span, message, "remove one of the two lines", related)
+    return Message(span, message, "remove one of the two lines", related)
 
 
 @coded("E276")
-def nothing_presses(span: Span, point: str) -> Words:
+def nothing_presses(span: Span, point: str) -> Message:
     """Friction is given at a slider that holds and touches nothing to press it on its guide.
 
     slider B along x
     friction slider B 0.1     # wrong unless a link goes through B, or B touches one
     """
     message = f"no link goes through {point} or touches it, so nothing presses it on its guide"
-    return Words(span, message)
+    return Message(span, message)
 
 
 @coded("E277")
-def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> Words:
+def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> Message:
     """Friction of a gear, belt, rack or screw is given where there is none.
 
     A pair of gears and a belt are named by the pivot of their first wheel, a rack and a
@@ -104,11 +104,11 @@ def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> 
     named = {"gear": "no pair of gears begins at", "belt": "no belt begins at"}
     message = f"{named.get(kind, f'there is no {kind} at')} {point}"
     hint = f"write 'friction {kind} {there[0]} …'" if there else f"no line begins with '{kind}'"
-    return Words(span, message, hint)
+    return Message(span, message, hint)
 
 
 @coded("E279")
-def several_transmissions(span: Span, kind: str, point: str) -> Words:
+def several_transmissions(span: Span, kind: str, point: str) -> Message:
     """Friction of a gear, belt, rack or screw is given where several have the same name.
 
     Two wheels that mesh may be written in either order.
@@ -120,11 +120,11 @@ def several_transmissions(span: Span, kind: str, point: str) -> Words:
     named = {"gear": "pairs of gears begin", "belt": "belts begin"}
     message = f"several {named.get(kind, f'{kind}s are')} at {point}, and this does not tell which"
     hint = "write the other wheel of one of them first" if kind in named else ""
-    return Words(span, message, hint)
+    return Message(span, message, hint)
 
 
 @coded("E278")
-def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fraction) -> Words:
+def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fraction) -> Message:
     """A guide rubs in one half, or branch, of a mechanism whose other halves are left out.
 
     A load that counts twice as often as the one on the guide tells of a second half. In the
@@ -144,11 +144,11 @@ def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fracti
         "side forces of what is left out would cancel"
     )
     whole = f"copies {share}" if share.denominator == 1 and share > 2 else "mirror across …"
-    return Words(span, message, f"describe the rest with '{whole} sharing {point}'")
+    return Message(span, message, f"describe the rest with '{whole} sharing {point}'")
 
 
 @coded("W270")
-def less_than_plain(span: Span, share: float) -> Words:
+def less_than_plain(span: Span, share: float) -> Message:
     """The couple part of a plunger's pressure is below plain friction.
 
     The default law, 3l/s, counts the couple that tilts the plunger and leaves the side force
@@ -158,20 +158,20 @@ def less_than_plain(span: Span, share: float) -> Words:
         friction slider K 0.1 guide 40 mm overhang 10 mm linear     # right: 1.08 times
     """
     message = f"with an overhang of {share:.3g} of the guide's length, 3l/s is below plain friction"
-    return Words(span, message, "name the law 'linear' or 'edges'")
+    return Message(span, message, "name the law 'linear' or 'edges'")
 
 
 @coded("W271")
-def motion_for_nothing(span: Span) -> Words:
+def motion_for_nothing(span: Span) -> Message:
     """``motion`` says which way friction acts, and there is no friction.
 
     motion releasing     # warned of where no line begins with 'friction' or 'efficiency'
     """
-    return Words(span, "without friction it makes no difference which way the mechanism moves")
+    return Message(span, "without friction it makes no difference which way the mechanism moves")
 
 
 @coded("W272")
-def halves_cancel(span: Span, point: str) -> Words:
+def halves_cancel(span: Span, point: str) -> Message:
     """Friction is given on a guide that mirrored halves, or equal branches, share.
 
     The side forces of the halves cancel there, so the guide is not pressed and does not
@@ -181,11 +181,11 @@ def halves_cancel(span: Span, point: str) -> Words:
         friction slider A 0.1            # warned of
     """
     message = f"the side forces on the guide of {point} cancel, so that it does not rub"
-    return Words(span, message, "remove the line, or the symmetry if there is none")
+    return Message(span, message, "remove the line, or the symmetry if there is none")
 
 
 @coded("W273")
-def perhaps_a_half(span: Span, point: str, load: str) -> Words:
+def perhaps_a_half(span: Span, point: str, load: str) -> Message:
     """A guide rubs in a mechanism of which perhaps one half is described only.
 
     A load that counts twice, or by half, suggests a second half that is not there. In the
@@ -200,11 +200,11 @@ def perhaps_a_half(span: Span, point: str, load: str) -> Words:
         f"the guide of {point} rubs, but {load} does not count once: side forces of a half that "
         "is left out would cancel there"
     )
-    return Words(span, message, f"describe the half with 'mirror across … sharing {point}'")
+    return Message(span, message, f"describe the half with 'mirror across … sharing {point}'")
 
 
 @coded("W243")
-def pair_without_pins(span: Span, load: str, first: str, second: str) -> Words:
+def pair_without_pins(span: Span, load: str, first: str, second: str) -> Message:
     """Every pin is said to have friction, and a pair of forces has no pins of its own.
 
     An actuator or a spring is a pair of forces at two points. A telescope between them has
@@ -215,11 +215,11 @@ def pair_without_pins(span: Span, load: str, first: str, second: str) -> Words:
         telescope AB
     """
     message = f"{load} is a pair of forces: its ends at {first} and {second} have no friction"
-    return Words(span, message, f"add 'telescope {first}{second}' if pins hold its ends")
+    return Message(span, message, f"add 'telescope {first}{second}' if pins hold its ends")
 
 
 @coded("W244")
-def slot_without_friction(span: Span, point: str) -> Words:
+def slot_without_friction(span: Span, point: str) -> Message:
     """Every pin is said to have friction, and one of them slides in a slot without any.
 
     A pin in a slot has friction as a contact has, along the slot.
@@ -229,4 +229,4 @@ def slot_without_friction(span: Span, point: str) -> Words:
         friction contact B 0.1
     """
     message = f"the pin {point} slides in its slot without friction"
-    return Words(span, message, f"add 'friction contact {point} …'")
+    return Message(span, message, f"add 'friction contact {point} …'")

@@ -3,11 +3,11 @@
 from collections.abc import Iterable
 
 from ...source import Span
-from ..diagnostic import Related, Words, coded
+from ..diagnostic import Message, Related, coded
 
 
 @coded("E240")
-def pivot_and_slider(span: Span, point: str, first: Span) -> Words:
+def pivot_and_slider(span: Span, point: str, first: Span) -> Message:
     """A point is both a pivot and a slider.
 
     A pivot stands still; a slider moves along its guide.
@@ -16,22 +16,22 @@ def pivot_and_slider(span: Span, point: str, first: Span) -> Words:
         slider A along x     # wrong
     """
     related = (Related(first, "the other statement"),)
-    return Words(span, f"point {point} is both a pivot and a slider", "remove one", related)
+    return Message(span, f"point {point} is both a pivot and a slider", "remove one", related)
 
 
 @coded("E241")
-def joint_again(span: Span, what: str, point: str, first: Span) -> Words:
+def joint_again(span: Span, what: str, point: str, first: Span) -> Message:
     """The same point is declared as a pivot, or as a slider, twice.
 
     pivot O
     pivot O     # wrong
     """
     related = (Related(first, "it stands here first"),)
-    return Words(span, f"{what} {point} is declared twice", "remove one", related)
+    return Message(span, f"{what} {point} is declared twice", "remove one", related)
 
 
 @coded("E242")
-def link_again(span: Span, points: str, first: Span) -> Words:
+def link_again(span: Span, points: str, first: Span) -> Message:
     """Two links go through the same points.
 
     Two bodies pinned together at two points are one body.
@@ -40,11 +40,11 @@ def link_again(span: Span, points: str, first: Span) -> Words:
         link ABO     # wrong
     """
     related = (Related(first, "the same points"),)
-    return Words(span, f"a second link through the points {points}", "remove one", related)
+    return Message(span, f"a second link through the points {points}", "remove one", related)
 
 
 @coded("E243")
-def guide_through_moving_point(span: Span, point: str) -> Words:
+def guide_through_moving_point(span: Span, point: str) -> Message:
     """A slider's guide is fixed to the ground, but is drawn through a point that is not.
 
     The point behind ``through`` is a pivot, or a place.
@@ -54,11 +54,11 @@ def guide_through_moving_point(span: Span, point: str) -> Words:
         slider A along x through (0, 5 mm)     # right
     """
     message = f"a guide is fixed to the ground, but point {point} is no pivot"
-    return Words(span, message, f"declare 'pivot {point}', or give the place: through (x, y)")
+    return Message(span, message, f"declare 'pivot {point}', or give the place: through (x, y)")
 
 
 @coded("E244")
-def vector_again(span: Span, points: str, corner: bool, first: Span) -> Words:
+def vector_again(span: Span, points: str, corner: bool, first: Span) -> Message:
     """The vector between two points, or the angle between three, is given twice.
 
     ``AB`` and ``BA`` are the same vector up to its sign; all that is known of it stands
@@ -69,11 +69,11 @@ def vector_again(span: Span, points: str, corner: bool, first: Span) -> Words:
         AB = 40 mm @ alpha       # right
     """
     hint = "remove one" if corner else "write length and direction in one: AB = l @ alpha"
-    return Words(span, f"{points} is given twice", hint, (Related(first, "given here first"),))
+    return Message(span, f"{points} is given twice", hint, (Related(first, "given here first"),))
 
 
 @coded("E245")
-def length_not_positive(span: Span, points: str, value: str) -> Words:
+def length_not_positive(span: Span, points: str, value: str) -> Message:
     """A length is zero or negative.
 
     The direction says which way a vector points, so its length is positive. To reverse
@@ -83,11 +83,11 @@ def length_not_positive(span: Span, points: str, value: str) -> Words:
         BA = 40 mm @ 0 deg        # right
     """
     hint = "a vector is reversed by exchanging its points"
-    return Words(span, f"the length of {points} is {value}, expected a positive one", hint)
+    return Message(span, f"the length of {points} is {value}, expected a positive one", hint)
 
 
 @coded("E246")
-def turn_out_of_range(span: Span, points: str, value: str) -> Words:
+def turn_out_of_range(span: Span, points: str, value: str) -> Message:
     """An angle between vectors is more than a full turn.
 
     ``angle ABC`` is the turn at B from BA to BC, counter-clockwise, or clockwise where it
@@ -97,7 +97,7 @@ def turn_out_of_range(span: Span, points: str, value: str) -> Words:
         angle ABC = 40 deg      # right
         angle CBA = -40 deg     # the same, turned the other way
     """
-    return Words(
+    return Message(
         span,
         f"angle {points} is {value}, expected -360 … 360 deg",
         "leave out full turns",
@@ -105,7 +105,7 @@ def turn_out_of_range(span: Span, points: str, value: str) -> Words:
 
 
 @coded("E247")
-def twin_declared(span: Span, twin: str, point: str, mirror: Span) -> Words:
+def twin_declared(span: Span, twin: str, point: str, mirror: Span) -> Message:
     """A point is declared that ``mirror`` makes by itself.
 
     With a mirror, each point A that is not shared has a twin A' on the other side.
@@ -115,32 +115,34 @@ def twin_declared(span: Span, twin: str, point: str, mirror: Span) -> Words:
         mirror across 90 deg sharing O
     """
     related = (Related(mirror, f"this makes {twin} from {point}"),)
-    return Words(span, f"point {twin} is the mirror twin of {point}", "describe one half", related)
+    return Message(
+        span, f"point {twin} is the mirror twin of {point}", "describe one half", related
+    )
 
 
 @coded("E248")
-def copies_not_whole(span: Span, found: str) -> Words:
+def copies_not_whole(span: Span, found: str) -> Message:
     """The number of copies is not a whole number of at least two.
 
     copies 3 sharing A       # right
     copies 1/2 sharing A     # wrong
     """
-    return Words(span, f"the number of copies is a whole number from 2 on, found {found}")
+    return Message(span, f"the number of copies is a whole number from 2 on, found {found}")
 
 
 @coded("W240")
-def idle_joint(span: Span, what: str, point: str) -> Words:
+def idle_joint(span: Span, what: str, point: str) -> Message:
     """A pivot or slider holds no link and nothing uses it.
 
     pivot O
     pivot Q      # warned of: no link goes through Q
     link  OA
     """
-    return Words(span, f"no link goes through {what} {point}", "is it mistyped?")
+    return Message(span, f"no link goes through {what} {point}", "is it mistyped?")
 
 
 @coded("E288")
-def assembly_of_wrong_points(at: Span, points: str, mode: str) -> Words:
+def assembly_of_wrong_points(at: Span, points: str, mode: str) -> Message:
     """An ``assembly`` names points that do not go with its word.
 
     Three points turn one way or the other; one point stands farther along its guide or
@@ -151,7 +153,7 @@ def assembly_of_wrong_points(at: Span, points: str, mode: str) -> Words:
         assembly B forward    # right: B is on a guide
     """
     wanted = "three points" if mode in ("cw", "ccw") else "one point on a guide"
-    return Words(
+    return Message(
         at,
         f"'{mode}' is said of {wanted}, found {points}",
         "write `assembly ABC ccw` for a turn, `assembly B forward` for a place along a guide",
@@ -159,7 +161,7 @@ def assembly_of_wrong_points(at: Span, points: str, mode: str) -> Words:
 
 
 @coded("E289")
-def assembly_without_guide(at: Span, point: str) -> Words:
+def assembly_without_guide(at: Span, point: str) -> Message:
     """``forward`` and ``back`` are said of a point that no guide or slot holds.
 
     They tell the two places of a slider along its line apart::
@@ -167,7 +169,7 @@ def assembly_without_guide(at: Span, point: str) -> Words:
         slider B along x through O
         assembly B forward
     """
-    return Words(
+    return Message(
         at,
         f"point {point} is on no guide, so it is neither forward nor back",
         "name three points that turn, such as `assembly ABC ccw`, or give the point a guide",
@@ -175,7 +177,7 @@ def assembly_without_guide(at: Span, point: str) -> Words:
 
 
 @coded("E290")
-def drive_depends(at: Span, name: str) -> Words:
+def drive_depends(at: Span, name: str) -> Message:
     """The driving coordinate follows from other parameters, so nothing can drive it.
 
     The drive is what the stroke runs over, and everything else follows from it::
@@ -184,7 +186,7 @@ def drive_depends(at: Span, name: str) -> Words:
         drive phi from 10 deg to 80 deg    # wrong
         drive psi from 5 deg to 40 deg     # right
     """
-    return Words(
+    return Message(
         at,
         f"the drive {name} follows from other parameters, expected an independent one",
         "drive a parameter that it follows from",
@@ -192,7 +194,7 @@ def drive_depends(at: Span, name: str) -> Words:
 
 
 @coded("E291")
-def slides_in_itself(at: Span, point: str, body: str) -> Words:
+def slides_in_itself(at: Span, point: str, body: str) -> Message:
     """A pin slides along a body that it belongs to, so it cannot move there.
 
     The pin belongs to one body and slides along another::
@@ -202,7 +204,7 @@ def slides_in_itself(at: Span, point: str, body: str) -> Words:
         slot B in OC         # right: B is of AB
         slot C in OC         # wrong
     """
-    return Words(
+    return Message(
         at,
         f"point {point} belongs to {body} and cannot slide along it",
         "name a pin of another body",
@@ -210,7 +212,7 @@ def slides_in_itself(at: Span, point: str, body: str) -> Words:
 
 
 @coded("E292")
-def wheel_without_pivot(at: Span, what: str) -> Words:
+def wheel_without_pivot(at: Span, what: str) -> Message:
     """A gear, a pulley or a screw turns about a pin on the ground.
 
     ::
@@ -219,13 +221,13 @@ def wheel_without_pivot(at: Span, what: str) -> Words:
         link O1A
         gear O1 r1, O2 r2
     """
-    return Words(
+    return Message(
         at, f"{what} turns about no pivot, expected a pin on the ground", "add a `pivot` line"
     )
 
 
 @coded("E293")
-def wheel_of_several(at: Span, pivot: str, links: Iterable[str]) -> Words:
+def wheel_of_several(at: Span, pivot: str, links: Iterable[str]) -> Message:
     """A wheel is fixed to the one link on its pivot; here there is none, or there are several.
 
     Give each wheel a pivot of its own, at the same place if need be::
@@ -236,7 +238,7 @@ def wheel_of_several(at: Span, pivot: str, links: Iterable[str]) -> Words:
     """
     named = ", ".join(links)
     count = f"carries {named}" if named else "carries no link"
-    return Words(
+    return Message(
         at,
         f"pivot {pivot} {count}, expected one link to which the wheel is fixed",
         "give the wheel a pivot with one link",
@@ -244,13 +246,13 @@ def wheel_of_several(at: Span, pivot: str, links: Iterable[str]) -> Words:
 
 
 @coded("E294")
-def radius_not_positive(at: Span, shown: str) -> Words:
+def radius_not_positive(at: Span, shown: str) -> Message:
     """A radius or a pitch is zero or negative. A rack's may be negative: it lies on the left."""
-    return Words(at, f"expected a positive length, found {shown}", "check the value")
+    return Message(at, f"expected a positive length, found {shown}", "check the value")
 
 
 @coded("E295")
-def rack_without_guide(at: Span, point: str) -> Words:
+def rack_without_guide(at: Span, point: str) -> Message:
     """A rack or a screw moves a point along its guide, and this point has none.
 
     The point is a slider, or belongs to a ``slide``.
@@ -260,7 +262,7 @@ def rack_without_guide(at: Span, point: str) -> Words:
         slider A along x
         rack A on O r
     """
-    return Words(
+    return Message(
         at,
         f"point {point} is no slider, so it has no guide to move along",
         f"add `slider {point} along x`",
@@ -268,7 +270,7 @@ def rack_without_guide(at: Span, point: str) -> Words:
 
 
 @coded("E297")
-def slide_does_not_turn(at: Span, slide: str, first: Span) -> Words:
+def slide_does_not_turn(at: Span, slide: str, first: Span) -> Message:
     """A couple, or an angular velocity, is asked of a body that only translates.
 
     A ``slide`` never turns: a couple on it does no work, its guide takes it, and its
@@ -278,7 +280,7 @@ def slide_does_not_turn(at: Span, slide: str, first: Span) -> Words:
         torque M on WXY            # wrong
         force  P at W along x      # right
     """
-    return Words(
+    return Message(
         at,
         f"{slide} only translates, expected a link that turns",
         f"let a force act at a point of {slide}, or declare it as a link",
@@ -287,7 +289,7 @@ def slide_does_not_turn(at: Span, slide: str, first: Span) -> Words:
 
 
 @coded("E298")
-def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool) -> Words:
+def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool) -> Message:
     """A pair of wheels joins the two halves of a mirrored mechanism.
 
     The mirror by itself turns a link and its twin oppositely and equally fast, as equal
@@ -299,7 +301,7 @@ def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool)
     Any other pair across the line needs both halves described.
     """
     left_out = "leave the pair out: the mirror turns a link and its twin oppositely already"
-    return Words(
+    return Message(
         at,
         f"the wheels on {first} and {second} join the halves of the mirror",
         left_out if are_twins else "describe both halves, without the mirror",
@@ -307,7 +309,7 @@ def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool)
 
 
 @coded("E236")
-def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Words:
+def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Message:
     """The wheels of a belt stand where they overlap.
 
     A belt runs round both wheels in one plane, so that their pivots are farther apart than
@@ -320,11 +322,11 @@ def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Words
     """
     message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and overlap"
     hint = f"their radii make {radii * 1000:.7g} mm: are they diameters?"
-    return Words(span, message, hint)
+    return Message(span, message, hint)
 
 
 @coded("W241")
-def guided_twice(at: Span, slide: str, point: str) -> Words:
+def guided_twice(at: Span, slide: str, point: str) -> Message:
     """A point of a slide is a slider as well.
 
     All points of a slide move along its direction, so that a guide of their own adds
@@ -334,7 +336,7 @@ def guided_twice(at: Span, slide: str, point: str) -> Words:
         slide  WXY along x                # warned of: the slide guides W by itself
         slider W along x through O        # right: it says where the guide lies
     """
-    return Words(
+    return Message(
         at,
         f"slider {point} is a point of the slide {slide}, which guides it by itself",
         f"leave the slider {point} out",

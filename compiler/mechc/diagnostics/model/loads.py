@@ -1,11 +1,11 @@
 """Words for forces, torques and weights (E26x)."""
 
 from ...source import Span
-from ..diagnostic import Related, Words, coded
+from ..diagnostic import Message, Related, coded
 
 
 @coded("E260")
-def tie_not_linear(span: Span, load: str) -> Words:
+def tie_not_linear(span: Span, load: str) -> Message:
     """A load is tied by a formula that is not proportional to one other load.
 
     A tied load goes with another one, as friction does with the force that presses, so
@@ -16,11 +16,11 @@ def tie_not_linear(span: Span, load: str) -> Words:
         force T = 5 N at C along x          # wrong: let T = 5 N gives a value
     """
     message = f"the formula of '{load}' is not proportional to exactly one other load"
-    return Words(span, message, f"a fixed value is written 'let {load} = …'")
+    return Message(span, message, f"a fixed value is written 'let {load} = …'")
 
 
 @coded("E261")
-def load_given_again(span: Span, load: str, first: Span) -> Words:
+def load_given_again(span: Span, load: str, first: Span) -> Message:
     """A load that has a value gets one by ``let`` as well.
 
     A tied load follows from another one, a weight from its mass, and a load that is asked
@@ -30,11 +30,11 @@ def load_given_again(span: Span, load: str, first: Span) -> Words:
         let T = 5 N                    # wrong
     """
     related = (Related(first, "its value comes from here"),)
-    return Words(span, f"load '{load}' is given twice", "remove one of the two", related)
+    return Message(span, f"load '{load}' is given twice", "remove one of the two", related)
 
 
 @coded("E262")
-def times_not_positive(span: Span, found: str) -> Words:
+def times_not_positive(span: Span, found: str) -> Message:
     """The factor behind ``times`` is not positive.
 
     It counts how often a load acts (``1/2`` for one of two jaws). An arrow is turned by
@@ -43,11 +43,13 @@ def times_not_positive(span: Span, found: str) -> Words:
         force F at A along x times -1     # wrong
         force F at A along -x             # right
     """
-    return Words(span, f"'times' is a positive number, found {found}", "turn the direction instead")
+    return Message(
+        span, f"'times' is a positive number, found {found}", "turn the direction instead"
+    )
 
 
 @coded("E263")
-def off_the_mirror(span: Span, what: str, mirror: Span) -> Words:
+def off_the_mirror(span: Span, what: str, mirror: Span) -> Message:
     """A direction does not lie along the mirror line, but symmetry wants it to.
 
     Gravity acts on both halves alike only along the line; so does a force on a point
@@ -60,21 +62,21 @@ def off_the_mirror(span: Span, what: str, mirror: Span) -> Words:
         force F at K along 90 deg     # right
     """
     related = (Related(mirror, "the mirror line"),)
-    return Words(span, f"{what} is not along the mirror line", "describe both halves", related)
+    return Message(span, f"{what} is not along the mirror line", "describe both halves", related)
 
 
 @coded("W260")
-def idle_gravity(span: Span) -> Words:
+def idle_gravity(span: Span) -> Message:
     """A direction of gravity is given, but nothing has a weight.
 
     gravity along -y                  # warned of without a line such as
     weight W mass m at G
     """
-    return Words(span, "gravity acts on nothing: there is no 'weight'")
+    return Message(span, "gravity acts on nothing: there is no 'weight'")
 
 
 @coded("E296")
-def pair_across_the_mirror(at: Span, first: str, second: str) -> Words:
+def pair_across_the_mirror(at: Span, first: str, second: str) -> Message:
     """A pair of forces joins a point of one half to the twin of another point.
 
     Across the mirror an actuator or a spring joins a point to its own twin, and then lies
@@ -83,7 +85,7 @@ def pair_across_the_mirror(at: Span, first: str, second: str) -> Words:
         actuator P between A and A'    # right
         actuator P between A and B'    # wrong
     """
-    return Words(
+    return Message(
         at,
         f"a pair across the mirror joins a point to its own twin, found {first} and {second}",
         "write the point described first, and its twin second: `between A and A'`",
@@ -91,18 +93,18 @@ def pair_across_the_mirror(at: Span, first: str, second: str) -> Words:
 
 
 @coded("E257")
-def load_on_another_link(span: Span, point: str, link: str) -> Words:
+def load_on_another_link(span: Span, point: str, link: str) -> Message:
     """A load is put on a link that has no such point.
 
     force F at P on NP along -y     # right where link NP has the point P
     force F at P on HE along -y     # wrong
     """
     message = f"link {link} has no point {point}, so it cannot carry the load there"
-    return Words(span, message, f"name a link through {point}")
+    return Message(span, message, f"name a link through {point}")
 
 
 @coded("E258")
-def load_inside_telescope(span: Span, load: str, telescope: str) -> Words:
+def load_inside_telescope(span: Span, load: str, telescope: str) -> Message:
     """A pair of forces acts in a telescope, and names links that carry its ends.
 
     The force of a telescope is that at its piston, along it. Friction at its end pins bends
@@ -114,4 +116,4 @@ def load_inside_telescope(span: Span, load: str, telescope: str) -> Words:
         actuator P between A and B           # right
     """
     message = f"{load} acts in the telescope {telescope}, which takes it at both ends"
-    return Words(span, message, "leave the links out")
+    return Message(span, message, "leave the links out")

@@ -3,7 +3,7 @@
 from collections.abc import Collection, Iterable
 
 from ...source import Span
-from ..diagnostic import Related, Words, coded, near_miss
+from ..diagnostic import Message, Related, coded, near_miss
 
 MANY = 200
 """Names among which no near miss is looked for: thousands of errors would take minutes."""
@@ -31,7 +31,7 @@ def offered(name: str, known: Collection[str], what: str) -> str:
 
 
 @coded("E201")
-def unknown_name(span: Span, name: str, known: Collection[str], hint: str = "") -> Words:
+def unknown_name(span: Span, name: str, known: Collection[str], hint: str = "") -> Message:
     """An expression mentions a name that nothing declares.
 
     A name in an expression is a parameter, a load, or the name of a ``find`` or ``let``.
@@ -44,7 +44,7 @@ def unknown_name(span: Span, name: str, known: Collection[str], hint: str = "") 
         angle BAC = 30 deg           # right
     """
     hint = hint or offered(name, known, "names declared")
-    return Words(span, f"the name '{name}' is not declared", hint)
+    return Message(span, f"the name '{name}' is not declared", hint)
 
 
 def vector_as_quantity(vector: str, posed: bool) -> str:
@@ -60,7 +60,7 @@ def angle_from_vector() -> str:
 
 
 @coded("E202")
-def unknown_point(span: Span, point: str, known: Collection[str]) -> Words:
+def unknown_point(span: Span, point: str, known: Collection[str]) -> Message:
     """A statement names a point that stands on no link, pivot or slider.
 
     Points come into being with ``link``, ``pivot`` and ``slider``. A vector, a load or
@@ -71,11 +71,11 @@ def unknown_point(span: Span, point: str, known: Collection[str]) -> Words:
         force P at A along x     # right
     """
     hint = offered(point, known, "points")
-    return Words(span, f"point {point} stands on no link, pivot or slider", hint)
+    return Message(span, f"point {point} stands on no link, pivot or slider", hint)
 
 
 @coded("E203")
-def unknown_link(span: Span, points: str, known: Collection[str]) -> Words:
+def unknown_link(span: Span, points: str, known: Collection[str]) -> Message:
     """Points are named as a link, but no one link carries them all.
 
     A link is named by two or more of its points in any order.
@@ -86,11 +86,11 @@ def unknown_link(span: Span, points: str, known: Collection[str]) -> Words:
         torque M on OA     # right: the link OAH
     """
     hint = offered(points, known, "links")
-    return Words(span, f"no link carries the points {points} together", hint)
+    return Message(span, f"no link carries the points {points} together", hint)
 
 
 @coded("E204")
-def ambiguous_link(span: Span, points: str, candidates: Iterable[str]) -> Words:
+def ambiguous_link(span: Span, points: str, candidates: Iterable[str]) -> Message:
     """Points are named as a link, but several links carry them.
 
     link OAB
@@ -99,11 +99,11 @@ def ambiguous_link(span: Span, points: str, candidates: Iterable[str]) -> Words:
     torque M on ABC     # right
     """
     names = " and ".join(sorted(candidates))
-    return Words(span, f"{points} may be any of the links {names}", "name it by all its points")
+    return Message(span, f"{points} may be any of the links {names}", "name it by all its points")
 
 
 @coded("E205")
-def repeated_point(span: Span, points: str, point: str) -> Words:
+def repeated_point(span: Span, points: str, point: str) -> Message:
     """A list of points has the same point twice.
 
     A link goes through each of its points once, and a vector leads from one point to
@@ -112,11 +112,11 @@ def repeated_point(span: Span, points: str, point: str) -> Words:
         link OBO     # wrong
         link OBA     # right
     """
-    return Words(span, f"{points} has the point {point} twice", "each point stands there once")
+    return Message(span, f"{points} has the point {point} twice", "each point stands there once")
 
 
 @coded("E206")
-def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -> Words:
+def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -> Message:
     """Two things have the same name.
 
     Parameters, loads, finds and lets share one world of names, in which each is unique.
@@ -129,12 +129,12 @@ def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -
     """
     related = (Related(first, f"{first_kind} '{name}' is declared here"),)
     if kind == first_kind:
-        return Words(span, f"{kind} '{name}' is declared twice", "remove or rename one", related)
-    return Words(span, f"{kind} '{name}' has the name of a {first_kind}", "rename one", related)
+        return Message(span, f"{kind} '{name}' is declared twice", "remove or rename one", related)
+    return Message(span, f"{kind} '{name}' has the name of a {first_kind}", "rename one", related)
 
 
 @coded("E214")
-def list_of_values(span: Span, name: str, kind: str) -> Words:
+def list_of_values(span: Span, name: str, kind: str) -> Message:
     """A name has a list of values, where YAML takes one.
 
     A list of two stands for two things of one name.
@@ -143,11 +143,11 @@ def list_of_values(span: Span, name: str, kind: str) -> Words:
         l: 200 mm            # right
     """
     message = f"{kind} '{name}' has a list of values, expected one"
-    return Words(span, message, f"write {name}: … without brackets, or two names")
+    return Message(span, message, f"write {name}: … without brackets, or two names")
 
 
 @coded("E207")
-def name_out_of_place(span: Span, name: str, kind: str, wanted: str, hint: str = "") -> Words:
+def name_out_of_place(span: Span, name: str, kind: str, wanted: str, hint: str = "") -> Message:
     """A name is declared, but may not stand in this formula.
 
     Geometry, directions and values of parameters are made of parameters (and of ``let``s
@@ -156,11 +156,11 @@ def name_out_of_place(span: Span, name: str, kind: str, wanted: str, hint: str =
 
         OB = P @ 90 deg     # wrong where P is a force
     """
-    return Words(span, f"'{name}' is {kind}, expected {wanted}", hint)
+    return Message(span, f"'{name}' is {kind}, expected {wanted}", hint)
 
 
 @coded("E208")
-def circular_definition(span: Span, cycle: list[str], places: list[Span]) -> Words:
+def circular_definition(span: Span, cycle: list[str], places: list[Span]) -> Message:
     """Definitions need one another in a circle, so none of them has a value.
 
     param a = 2*b
@@ -172,11 +172,11 @@ def circular_definition(span: Span, cycle: list[str], places: list[Span]) -> Wor
     else:
         message = f"these definitions go in a circle: {' → '.join(cycle)}"
     related = tuple(Related(p, "and here") for p in places)
-    return Words(span, message, "give one of them a value", related)
+    return Message(span, message, "give one of them a value", related)
 
 
 @coded("E209")
-def reserved_form(span: Span, name: str, meaning: str) -> Words:
+def reserved_form(span: Span, name: str, meaning: str) -> Message:
     """A name has the form that the language keeps for quantities of a point or link.
 
     ``V_D``, ``omega_OB``, ``R_O``, ``N_AB``, ``phi_AB`` and ``len_AB`` are quantities of
@@ -185,11 +185,11 @@ def reserved_form(span: Span, name: str, meaning: str) -> Words:
         param R_O = 40 mm     # wrong
         param R_o = 40 mm     # right: 'o' is no point
     """
-    return Words(span, f"'{name}' means {meaning} and cannot be declared", "choose another name")
+    return Message(span, f"'{name}' means {meaning} and cannot be declared", "choose another name")
 
 
 @coded("W201")
-def unused_parameter(span: Span, name: str) -> Words:
+def unused_parameter(span: Span, name: str) -> Message:
     """A parameter is declared and nothing uses it.
 
     Often a formula mentions another name than was meant.
@@ -198,11 +198,11 @@ def unused_parameter(span: Span, name: str) -> Words:
         param b = 50 mm      # warned of: b stands in no formula
         OB = a @ 90 deg
     """
-    return Words(span, f"nothing uses the parameter '{name}'", "use it or remove it")
+    return Message(span, f"nothing uses the parameter '{name}'", "use it or remove it")
 
 
 @coded("W202")
-def lonely_point(span: Span, point: str, link: str) -> Words:
+def lonely_point(span: Span, point: str, link: str) -> Message:
     """Only one link goes through a point, and nothing acts there.
 
     Most often it is a mistyped pin: the point was meant to join two links.
@@ -212,11 +212,11 @@ def lonely_point(span: Span, point: str, link: str) -> Words:
     """
     short = link if len(link) <= 40 else f"{link[:40]}…"
     message = f"only link {short} goes through point {point}, and nothing acts there"
-    return Words(span, message, "is it a mistyped pin?")
+    return Message(span, message, "is it a mistyped pin?")
 
 
 @coded("W204")
-def stated_again(span: Span, first: Span) -> Words:
+def stated_again(span: Span, first: Span) -> Message:
     """A line stands twice.
 
     A ``find``, an ``expect``, a ``require``, an ``assembly`` or a ``telescope`` that is
@@ -226,4 +226,6 @@ def stated_again(span: Span, first: Span) -> Words:
         expect k = 2*tan(alpha)     # warned of
     """
     related = (Related(first, "first stated here"),)
-    return Words(span, "this is stated once more", "remove it, or change what was copied", related)
+    return Message(
+        span, "this is stated once more", "remove it, or change what was copied", related
+    )

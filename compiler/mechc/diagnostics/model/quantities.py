@@ -4,13 +4,13 @@ from collections.abc import Iterable
 
 from ...source import Span
 from ...units import ANGLE, FORCE, LENGTH, MASS, NUMBER, USUAL_UNITS, Dimension, described
-from ..diagnostic import Related, Words, coded, near_miss
+from ..diagnostic import Message, Related, coded, near_miss
 
 
 @coded("E220")
 def mixed_dimensions(
     span: Span, dimension: Dimension, first: Span, first_dimension: Dimension, act: str
-) -> Words:
+) -> Message:
     """Quantities of different dimensions are added or compared.
 
     Every formula has one dimension. An angle is a dimension of its own in sums and
@@ -22,7 +22,7 @@ def mixed_dimensions(
         OB = a @ alpha          # right
     """
     message = f"cannot {act} {described(first_dimension)} and {described(dimension)}"
-    return Words(span, message, "", (Related(first, f"this is {described(first_dimension)}"),))
+    return Message(span, message, "", (Related(first, f"this is {described(first_dimension)}"),))
 
 
 @coded("E221")
@@ -33,7 +33,7 @@ def wrong_dimension(
     what: str,
     name: str = "",
     declared: Span | None = None,
-) -> Words:
+) -> Message:
     """A quantity of another dimension stands where a length, an angle, a force … is wanted.
 
     OB = alpha @ a      # wrong: length and direction are exchanged
@@ -46,11 +46,11 @@ def wrong_dimension(
     if (found, wanted) == (MASS, FORCE):
         hint = "a mass acts as a load by `weight W mass … at G`; a force is in N"
     related = (Related(declared, f"'{name}' is declared here"),) if declared else ()
-    return Words(span, said, hint, related)
+    return Message(span, said, hint, related)
 
 
 @coded("E222")
-def bare_number(span: Span, digits: str, wanted: Dimension) -> Words:
+def bare_number(span: Span, digits: str, wanted: Dimension) -> Message:
     """A number without a unit stands where a quantity is wanted.
 
     Thirty what? Millimetres and metres, degrees and radians would all be possible, so
@@ -61,11 +61,11 @@ def bare_number(span: Span, digits: str, wanted: Dimension) -> Words:
     """
     unit = USUAL_UNITS.get(wanted, "")
     hint = f"write {digits} {unit}" if unit else "write its unit"
-    return Words(span, f"{digits} what? Expected {described(wanted)}", hint)
+    return Message(span, f"{digits} what? Expected {described(wanted)}", hint)
 
 
 @coded("E223")
-def exponent_not_number(span: Span, base: Dimension) -> Words:
+def exponent_not_number(span: Span, base: Dimension) -> Message:
     """A quantity with a dimension is raised to a power that is no constant number.
 
     The dimension of ``a^n`` is known only where ``n`` is written as a number; a pure
@@ -75,31 +75,31 @@ def exponent_not_number(span: Span, base: Dimension) -> Words:
         let v = (a/b)^n     # right
     """
     message = f"the exponent of {described(base)} is a constant number, found a formula"
-    return Words(span, message)
+    return Message(span, message)
 
 
 @coded("E224")
-def number_too_large(span: Span) -> Words:
+def number_too_large(span: Span) -> Message:
     """A constant is too large or an exponent beyond 64: nothing measured is like that.
 
     Numbers are kept exactly, and powers of powers would fill the memory.
 
         param n = 9^9^9^9     # wrong
     """
-    return Words(span, "this number is too large to compute with", "exponents go up to 64")
+    return Message(span, "this number is too large to compute with", "exponents go up to 64")
 
 
 @coded("E225")
-def divided_by_zero(span: Span) -> Words:
+def divided_by_zero(span: Span) -> Message:
     """A formula divides by a constant that is zero.
 
     param n = 1/(2 - 2)     # wrong
     """
-    return Words(span, "this divisor is 0")
+    return Message(span, "this divisor is 0")
 
 
 @coded("E226")
-def no_value(span: Span) -> Words:
+def no_value(span: Span) -> Message:
     """A formula has no real value for the given parameters.
 
     param s = 2
@@ -107,11 +107,11 @@ def no_value(span: Span) -> Words:
     param beta = asin(s/4)       # right
     """
     message = "this formula has no real value at the given parameters"
-    return Words(span, message, "is the argument of a root or an arc function out of its domain?")
+    return Message(span, message, "is the argument of a root or an arc function out of its domain?")
 
 
 @coded("E227")
-def unknown_dimension(span: Span, name: str, known: Iterable[str]) -> Words:
+def unknown_dimension(span: Span, name: str, known: Iterable[str]) -> Message:
     """A parameter is declared with a dimension that does not exist.
 
     param a: lenght     # wrong
@@ -119,11 +119,11 @@ def unknown_dimension(span: Span, name: str, known: Iterable[str]) -> Words:
     """
     known = list(known)
     hint = near_miss(name, known) or f"dimensions: {', '.join(known)}"
-    return Words(span, f"'{name}' is no dimension", hint)
+    return Message(span, f"'{name}' is no dimension", hint)
 
 
 @coded("E228")
-def range_backwards(span: Span, name: str, is_empty: bool = False) -> Words:
+def range_backwards(span: Span, name: str, is_empty: bool = False) -> Message:
     """The ends of a range are equal or exchanged.
 
     param a = 12 deg in 40 deg .. 2 deg     # wrong
@@ -131,12 +131,12 @@ def range_backwards(span: Span, name: str, is_empty: bool = False) -> Words:
     """
     if is_empty:
         message = f"the range of '{name}' is empty: its ends are the same"
-        return Words(span, message, "leave the range out of what does not vary")
-    return Words(span, f"the range of '{name}' does not go from low to high", "exchange its ends")
+        return Message(span, message, "leave the range out of what does not vary")
+    return Message(span, f"the range of '{name}' does not go from low to high", "exchange its ends")
 
 
 @coded("E229")
-def range_of_dependent(span: Span, name: str) -> Words:
+def range_of_dependent(span: Span, name: str) -> Message:
     """A parameter that depends on others has a range of its own.
 
     Its range follows from theirs. A condition that it must keep is a ``require``.
@@ -146,11 +146,11 @@ def range_of_dependent(span: Span, name: str) -> Words:
         require 1 mm < b < 2 mm
     """
     message = f"'{name}' follows from other parameters, so its range does too"
-    return Words(span, message, "write a 'require' for a condition")
+    return Message(span, message, "write a 'require' for a condition")
 
 
 @coded("E230")
-def not_constant(span: Span, name: str, what: str) -> Words:
+def not_constant(span: Span, name: str, what: str) -> Message:
     """A name stands where a constant is expected.
 
     Ends of ranges, ``times``, the number of ``copies`` and the values behind ``at`` are
@@ -159,11 +159,11 @@ def not_constant(span: Span, name: str, what: str) -> Words:
         param a = 2 mm in 1 mm .. b        # wrong
         param a = 2 mm in 1 mm .. 5 mm     # right
     """
-    return Words(span, f"{what} is a constant, found the name '{name}'")
+    return Message(span, f"{what} is a constant, found the name '{name}'")
 
 
 @coded("E231")
-def out_of_reach(span: Span, dimension: Dimension) -> Words:
+def out_of_reach(span: Span, dimension: Dimension) -> Message:
     """A quantity is larger, or smaller, than anything that a mechanism has.
 
     Results are computed with some sixteen digits. Sums with such quantities lose all of
@@ -173,15 +173,15 @@ def out_of_reach(span: Span, dimension: Dimension) -> Words:
         param t = 1e9 deg      # wrong
     """
     if dimension == ANGLE:
-        return Words(span, "this angle is out of reach, expected at most 1000000 deg")
+        return Message(span, "this angle is out of reach, expected at most 1000000 deg")
     hint = "is the exponent mistyped?"
     if dimension == LENGTH:
-        return Words(span, "this length is out of reach, expected 0.001 mm to 1000 km", hint)
-    return Words(span, "this quantity is out of reach, expected 1e-60 to 1e60 in SI units", hint)
+        return Message(span, "this length is out of reach, expected 0.001 mm to 1000 km", hint)
+    return Message(span, "this quantity is out of reach, expected 1e-60 to 1e60 in SI units", hint)
 
 
 @coded("W220")
-def value_outside_range(span: Span, name: str, edge: Span) -> Words:
+def value_outside_range(span: Span, name: str, edge: Span) -> Message:
     """The value of a parameter lies outside its own range.
 
     The value makes the pose that is drawn, the range is what is swept: one of the two
@@ -190,11 +190,11 @@ def value_outside_range(span: Span, name: str, edge: Span) -> Words:
         param a = 50 deg in 2 deg .. 40 deg     # warned of
     """
     related = (Related(edge, "the range"),)
-    return Words(span, f"the value of '{name}' lies outside its range", "", related)
+    return Message(span, f"the value of '{name}' lies outside its range", "", related)
 
 
 @coded("W221")
-def condition_broken(span: Span) -> Words:
+def condition_broken(span: Span) -> Message:
     """A ``require`` does not hold for the given values.
 
     The description is compiled, but at its own default pose the results do not apply.
@@ -202,11 +202,11 @@ def condition_broken(span: Span) -> Words:
         param alpha = 100 deg
         require alpha < 90 deg     # warned of
     """
-    return Words(span, "the given values break this condition")
+    return Message(span, "the given values break this condition")
 
 
 @coded("E232")
-def tolerance_not_positive(span: Span, what: str) -> Words:
+def tolerance_not_positive(span: Span, what: str) -> Message:
     """A tolerance is zero or negative.
 
     It says how far a value may be off, to either side; an exact value has none.
@@ -214,11 +214,11 @@ def tolerance_not_positive(span: Span, what: str) -> Words:
         param a = 40 mm +- -0.1 mm       # wrong
         param a = 40 mm +- 0.1 mm        # right
     """
-    return Words(span, f"the tolerance {what} is not positive", "write how far it may be off")
+    return Message(span, f"the tolerance {what} is not positive", "write how far it may be off")
 
 
 @coded("E233")
-def tolerance_of_dependent(span: Span, name: str) -> Words:
+def tolerance_of_dependent(span: Span, name: str) -> Message:
     """A parameter that depends on others has a tolerance of its own.
 
     Its tolerance follows from theirs.
@@ -228,11 +228,11 @@ def tolerance_of_dependent(span: Span, name: str) -> Words:
         param b = 2*a
     """
     message = f"'{name}' follows from other parameters, so its tolerance does too"
-    return Words(span, message, "give a tolerance to what it follows from")
+    return Message(span, message, "give a tolerance to what it follows from")
 
 
 @coded("E235")
-def negative_quantity(span: Span, what: str, found: str) -> Words:
+def negative_quantity(span: Span, what: str, found: str) -> Message:
     """A mass, the rate or the free length of a spring is negative.
 
     Nothing has a negative mass, and no spring pushes the harder the less it is pressed. The
@@ -242,4 +242,4 @@ def negative_quantity(span: Span, what: str, found: str) -> Words:
         weight W mass 2 kg at G                      # right
         spring -5 N/mm between A and B free 80 mm    # wrong
     """
-    return Words(span, f"{what} is negative: {found}", "leave out its minus sign")
+    return Message(span, f"{what} is negative: {found}", "leave out its minus sign")

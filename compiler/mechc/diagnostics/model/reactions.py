@@ -3,11 +3,11 @@
 from collections.abc import Sequence
 
 from ...source import Span
-from ..diagnostic import Words, coded
+from ..diagnostic import Message, coded
 
 
 @coded("E250")
-def on_which_link(span: Span, point: str, links: Sequence[str]) -> Words:
+def on_which_link(span: Span, point: str, links: Sequence[str]) -> Message:
     """A pin between links transmits another force to each of them.
 
     By itself ``R_O`` is the force of the ground, at a pivot or a slider. Anywhere else the
@@ -18,11 +18,11 @@ def on_which_link(span: Span, point: str, links: Sequence[str]) -> Words:
     """
     hint = " or ".join(f"'find R_{point} on {link}'" for link in links[:3])
     message = f"point {point} is not held by the ground, so R_{point} needs a link"
-    return Words(span, message, f"write {hint}" if hint else "")
+    return Message(span, message, f"write {hint}" if hint else "")
 
 
 @coded("E251")
-def point_of_another(span: Span, point: str, link: str) -> Words:
+def point_of_another(span: Span, point: str, link: str) -> Message:
     """The force on a link is asked for at a point that is not one of its own.
 
     link AB
@@ -30,11 +30,11 @@ def point_of_another(span: Span, point: str, link: str) -> Words:
     find R_C on AB     # wrong
     find R_C on BC     # right
     """
-    return Words(span, f"point {point} is not a point of link {link}")
+    return Message(span, f"point {point} is not a point of link {link}")
 
 
 @coded("E252")
-def no_joint(span: Span, point: str, link: str) -> Words:
+def no_joint(span: Span, point: str, link: str) -> Message:
     """The force of a joint is asked for where nothing is joined to the link.
 
     A load that acts there is not a force of a joint.
@@ -45,11 +45,11 @@ def no_joint(span: Span, point: str, link: str) -> Words:
         find R_O           # right
     """
     message = f"nothing is joined to link {link} at {point}, so no joint exerts a force there"
-    return Words(span, message, "a load that acts there is known by its own name")
+    return Message(span, message, "a load that acts there is known by its own name")
 
 
 @coded("E253")
-def not_a_rod(span: Span, link: str, number: int) -> Words:
+def not_a_rod(span: Span, link: str, number: int) -> Message:
     """``N_AB`` is the force along a rod, a link of two points.
 
     link BOD
@@ -57,11 +57,11 @@ def not_a_rod(span: Span, link: str, number: int) -> Words:
     find R_B on BOD      # right
     """
     message = f"link {link} has {number} points, so no single force acts along it"
-    return Words(span, message, "ask for the force at a pin, as in 'find R_B on BOD'")
+    return Message(span, message, "ask for the force at a pin, as in 'find R_B on BOD'")
 
 
 @coded("E256")
-def several_touch(span: Span, point: str) -> Words:
+def several_touch(span: Span, point: str) -> Message:
     """A pin is in several slots or contacts, and one of them is named by it.
 
     slot A in OB
@@ -69,11 +69,11 @@ def several_touch(span: Span, point: str) -> Words:
     find N_A     # wrong: of which slot?
     """
     message = f"{point} is in several slots or contacts, and this does not tell which"
-    return Words(span, message, "let a link with a pin of its own be in one of them")
+    return Message(span, message, "let a link with a pin of its own be in one of them")
 
 
 @coded("E254")
-def nothing_normal(span: Span, point: str) -> Words:
+def nothing_normal(span: Span, point: str) -> Message:
     """``N_A`` is the force of a guide, a slot or a contact on point A, or on the slide of A.
 
     pivot O
@@ -81,31 +81,33 @@ def nothing_normal(span: Span, point: str) -> Words:
     find R_O     # right
     """
     message = f"point {point} is neither guided nor in contact, so it has no normal force"
-    return Words(span, message, f"the force on a pin is R_{point}")
+    return Message(span, message, f"the force on a pin is R_{point}")
 
 
 @coded("E255")
-def ask_first(span: Span, name: str) -> Words:
+def ask_first(span: Span, name: str) -> Message:
     """A force at a joint may stand in a formula once it is asked for.
 
     find R_O
     let stress = R_O/A     # right
     """
-    return Words(span, f"{name} is a force at a joint that nothing asks for", f"add 'find {name}'")
+    return Message(
+        span, f"{name} is a force at a joint that nothing asks for", f"add 'find {name}'"
+    )
 
 
 @coded("E286")
-def link_named_for_nothing(span: Span) -> Words:
+def link_named_for_nothing(span: Span) -> Message:
     """``on`` says which link's pin force is meant, so it stands only with ``R_B``.
 
     find P on AB       # wrong
     find R_B on AB     # right
     """
-    return Words(span, "'on' stands only with a pin force such as R_B", "remove it")
+    return Message(span, "'on' stands only with a pin force such as R_B", "remove it")
 
 
 @coded("E259")
-def loaded_at_both_ends(span: Span, link: str) -> Words:
+def loaded_at_both_ends(span: Span, link: str) -> Message:
     """The force along a rod is asked for, and loads act on the rod itself at both its ends.
 
     N_AB is what the pin at an end without such a load gives the rod. Between two loaded ends
@@ -117,4 +119,4 @@ def loaded_at_both_ends(span: Span, link: str) -> Words:
         find R_A on AB             # right: what the pin at A does to the rod
     """
     message = f"loads act on {link} itself at both ends, so that no pin gives the force along it"
-    return Words(span, message, "ask for the forces at its pins, as in 'find R_A on AB'")
+    return Message(span, message, "ask for the forces at its pins, as in 'find R_A on AB'")

@@ -3,23 +3,23 @@
 from collections.abc import Collection
 
 from ...source import Span
-from ..diagnostic import Words, coded
+from ..diagnostic import Message, coded
 from .names import offered
 
 
 @coded("E280")
-def nothing_asked(span: Span, is_empty: bool = False) -> Words:
+def nothing_asked(span: Span, is_empty: bool = False) -> Message:
     """A description to compile has no ``find`` and no ``let``.
 
     find k = P / F
     """
     if is_empty:
-        return Words(span, "the description is empty", "`mechc new NAME` starts one")
-    return Words(span, "nothing is asked for", "add a line such as 'find k = P / F'")
+        return Message(span, "the description is empty", "`mechc new NAME` starts one")
+    return Message(span, "nothing is asked for", "add a line such as 'find k = P / F'")
 
 
 @coded("E281")
-def not_findable(span: Span, hint: str = "") -> Words:
+def not_findable(span: Span, hint: str = "") -> Message:
     """A ``find`` asks for something that is no ratio and no load.
 
     ``find`` takes the ratio of two loads (``P / F``), one load (``P``, as a linear form
@@ -31,11 +31,11 @@ def not_findable(span: Span, hint: str = "") -> Words:
         let  q = 2*k
     """
     message = "'find' takes a ratio of two loads, one load, or a ratio of two velocities"
-    return Words(span, message, hint or "a formula of results is written with 'let'")
+    return Message(span, message, hint or "a formula of results is written with 'let'")
 
 
 @coded("E282")
-def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) -> Words:
+def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) -> Message:
     """A ``find`` names a load that is not there.
 
     force P at A along x
@@ -45,22 +45,22 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
     """
     if is_speed:
         message = f"'{name}' is no velocity: what stands behind the '_' is no point or link"
-        return Words(span, message, "write V_A for a point A, omega_OA for a link OA")
-    return Words(span, f"there is no load '{name}'", offered(name, loads, "loads"))
+        return Message(span, message, "write V_A for a point A, omega_OA for a link OA")
+    return Message(span, f"there is no load '{name}'", offered(name, loads, "loads"))
 
 
 @coded("E283")
-def still_point(span: Span, point: str) -> Words:
+def still_point(span: Span, point: str) -> Message:
     """A velocity of a pivot is asked for; pivots stand still.
 
     pivot O
     find V_O / V_A     # wrong
     """
-    return Words(span, f"point {point} is a pivot, so its velocity is always 0")
+    return Message(span, f"point {point} is a pivot, so its velocity is always 0")
 
 
 @coded("E284")
-def unknown_subject(span: Span, known: Collection[str]) -> Words:
+def unknown_subject(span: Span, known: Collection[str]) -> Message:
     """An ``expect`` speaks of something that nothing asks for.
 
     Its left side is the name of a ``find`` or ``let``, or the same ratio as a ``find``.
@@ -70,20 +70,20 @@ def unknown_subject(span: Span, known: Collection[str]) -> Words:
         expect k = 2     # right
     """
     message = "an 'expect' is about the name of a 'find' or 'let'"
-    return Words(span, message, offered("", known, "results"))
+    return Message(span, message, offered("", known, "results"))
 
 
 @coded("E285")
-def not_a_setting(span: Span, name: str, kind: str) -> Words:
+def not_a_setting(span: Span, name: str, kind: str) -> Message:
     """The values behind ``at`` set parameters and loads, not what follows from them.
 
     expect k = 7.14 at b = 2 mm     # wrong where b = 2*a
     """
-    return Words(span, f"'{name}' is {kind}; 'at' sets free parameters and loads")
+    return Message(span, f"'{name}' is {kind}; 'at' sets free parameters and loads")
 
 
 @coded("E287")
-def let_too_long(span: Span, name: str) -> Words:
+def let_too_long(span: Span, name: str) -> Message:
     """A condition or expectation uses a ``let`` that would be very long in parameters.
 
     Lets of lets of lets can double in length each time. A condition is checked by itself
@@ -93,11 +93,11 @@ def let_too_long(span: Span, name: str) -> Words:
         require u > 0          # wrong
     """
     message = f"'{name}' is too long to stand here, written out in parameters"
-    return Words(span, message, "state the condition in parameters")
+    return Message(span, message, "state the condition in parameters")
 
 
 @coded("E234")
-def tolerance_of_formula(span: Span) -> Words:
+def tolerance_of_formula(span: Span) -> Message:
     """The formula that a result is expected to be has a tolerance.
 
     A formula is proved equal, or refuted; a figure holds within bounds.
@@ -107,4 +107,4 @@ def tolerance_of_formula(span: Span) -> Words:
         expect k = 0.35 +- 0.01 at alpha = 10 deg    # right
     """
     message = "a tolerance belongs to a figure, found it behind a formula"
-    return Words(span, message, "leave it out, or write the figure and `at …`")
+    return Message(span, message, "leave it out, or write the figure and `at …`")

@@ -9,7 +9,7 @@ from typing import get_args
 from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import evaluate
-from ...model.locking import Bound, Course, Locking, Reach, Stretch
+from ...model.locking import Bound, EfficiencyRange, Locking, LockingIntervals, Stretch
 from ...model.mechanism import (
     Axial,
     Efficiency,
@@ -25,13 +25,13 @@ from ...model.mechanism import (
 )
 from ...model.result import Definition, Result
 from ...report.derivation.steps import (
-    Account,
     Derivation,
     Equation,
-    Passage,
+    Explanation,
+    Paragraph,
     PowerTerm,
     Rule,
-    Saying,
+    SentenceKind,
     Step,
 )
 from ...statics.verdict import Trial, Verdict
@@ -151,7 +151,7 @@ STRETCH: Kind[Stretch] = record(
     member("sampled", "Found by sampling, not solved for.", TRUTH, lambda s: s.sampled),
 )
 
-REACH: Kind[Reach] = record(
+REACH: Kind[LockingIntervals] = record(
     "reach",
     "Where nothing moves as one parameter varies, the others at their values.",
     member("parameter", "Its name.", TEXT, lambda r: r.parameter),
@@ -166,7 +166,7 @@ LOCKING: Kind[Locking] = record(
     member("reaches", "By parameter.", list_of(REACH), lambda k: k.reaches),
 )
 
-COURSE: Kind[Course] = record(
+COURSE: Kind[EfficiencyRange] = record(
     "course",
     "What an efficiency runs through over a range, found by sampling.",
     member("parameter", "Its name.", TEXT, lambda c: c.parameter),
@@ -269,10 +269,10 @@ TERM: Kind[PowerTerm] = record(
     member("speed", "Signed along the load.", FORMULA, lambda t: t.speed),
 )
 
-PASSAGE: Kind[Passage] = record(
+PASSAGE: Kind[Paragraph] = record(
     "passage",
     "A sentence with the equations that it leads to.",
-    member("says", "What the sentence says.", one_of(*Saying), lambda p: p.saying),
+    member("says", "What the sentence says.", one_of(*SentenceKind), lambda p: p.saying),
     member("names", "What it says it of.", map_of(list_of(TEXT)), lambda p: p.names),
     member("formulas", "Directions, speeds …", map_of(FORMULA), lambda p: p.formulas),
     member(
@@ -283,11 +283,11 @@ PASSAGE: Kind[Passage] = record(
     ),
 )
 
-ACCOUNT: Kind[Account] = record(
+ACCOUNT: Kind[Explanation] = record(
     "account",
     "How results were found that need more than the power equation.",
     member("results", "Their names.", list_of(TEXT), lambda a: a.results),
-    member("passages", "In order.", list_of(PASSAGE), lambda a: a.passages),
+    member("passages", "In order.", list_of(PASSAGE), lambda a: a.paragraphs),
     member("where", "What the equations rest on.", list_of(DEFINITION), lambda a: a.where),
 )
 
@@ -302,7 +302,7 @@ DERIVATION: Kind[Derivation] = record(
         list_of(TEXT),
         lambda d: tuple(map(_equation, d.balances)),
     ),
-    member("accounts", "Of forces and friction.", list_of(ACCOUNT), lambda d: d.accounts),
+    member("accounts", "Of forces and friction.", list_of(ACCOUNT), lambda d: d.explanations),
 )
 
 TRIAL: Kind[Trial] = record(

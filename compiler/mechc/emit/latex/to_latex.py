@@ -16,7 +16,7 @@ from ...frozen import replace
 from ...model.mechanism import Geometry, Parameter, WithFriction
 from ...report.derivation.steps import Derivation, Equation, Step
 from ...report.languages import en, ru, uk
-from ...report.languages.locale import Words
+from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
 from ...report.latex.given import (
     ParameterRow,
@@ -50,7 +50,7 @@ class StepBlock(NamedTuple):
 class Report(NamedTuple):
     """All that the body's template prints."""
 
-    words: Words
+    locale: Locale
     made_by: str
     section: str
     conventions: str
@@ -78,11 +78,11 @@ class Latex:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return one ``.tex`` file."""
-        words = _WORDS[options.language]
+        locale = _WORDS[options.language]
         style = _style(compiled, notation(options.language))
-        report = _report(compiled, words, style, options.fragment)
+        report = _report(compiled, locale, style, options.fragment)
         body = _TEMPLATES.get_template("body.jinja").render(report._asdict())
-        text = body if options.fragment else _document(body, words, options)
+        text = body if options.fragment else _document(body, locale, options)
         return (Emitted(f"{options.stem}.tex", text),)
 
 
@@ -104,11 +104,11 @@ _TEMPLATES = Environment(
 )
 
 
-def _document(body: str, words: Words, options: Options) -> str:
+def _document(body: str, locale: Locale, options: Options) -> str:
     """Return the body within a preamble that loads no more than it needs."""
     eastern = options.language != "en"
     return _TEMPLATES.get_template("report.jinja").render(
-        body=body, babel=words.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
+        body=body, babel=locale.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
     )
 
 
@@ -153,56 +153,56 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
             yield parameter
 
 
-def _report(compiled: Compiled, words: Words, style: Notation, fragment: bool) -> Report:
+def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> Report:
     mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
     return Report(
-        words=words,
-        made_by=words.made_by.format(version=compiled.version),
-        conventions=_conventions(mechanism.geometry, words),
-        convention_of_speeds=_convention(derivation, words),
+        locale=locale,
+        made_by=locale.made_by.format(version=compiled.version),
+        conventions=_conventions(mechanism.geometry, locale),
+        convention_of_speeds=_convention(derivation, locale),
         section="subsection" if fragment else "section",
         title=escape(mechanism.title or mechanism.name),
         source=escape(mechanism.source),
-        parameters=tuple(parameter_row(p, words, style) for p in _given(compiled)),
-        scheme=scheme(mechanism, words, style),
-        vectors=tuple(vector_row(entry, words, style) for entry in mechanism.geometry),
-        steps=tuple(_step(step, words, style) for step in derivation.steps),
-        several=_several(derivation, words),
-        balances=_balances(derivation.balances, words, style),
-        results=tuple(section_block(s, words, style) for s in sections(derivation, mechanism)),
+        parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
+        scheme=scheme(mechanism, locale, style),
+        vectors=tuple(vector_row(entry, locale, style) for entry in mechanism.geometry),
+        steps=tuple(_step(step, locale, style) for step in derivation.steps),
+        several=_several(derivation, locale),
+        balances=_balances(derivation.balances, locale, style),
+        results=tuple(section_block(s, locale, style) for s in sections(derivation, mechanism)),
         conditions=conditions(mechanism.requires, Speller(style)),
-        numbers=numbers(derivation.results, words, style),
-        check=check(verdict, words, style),
+        numbers=numbers(derivation.results, locale, style),
+        check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
     )
 
 
-def _conventions(geometry: Sequence[Geometry], words: Words) -> str:
+def _conventions(geometry: Sequence[Geometry], locale: Locale) -> str:
     """Return from where angles are counted, and the unit of lengths written as numbers."""
-    angles = words.conventions.format(x="$x$")
-    return f"{angles} {words.metres}" if has_literal_lengths(geometry) else angles
+    angles = locale.conventions.format(x="$x$")
+    return f"{angles} {locale.metres}" if has_literal_lengths(geometry) else angles
 
 
-def _step(step: Step, words: Words, style: Notation) -> StepBlock:
+def _step(step: Step, locale: Locale, style: Notation) -> StepBlock:
     said, hence = lines(step)
     return StepBlock(
-        sentence(step, words, Speller(style).point),
-        _equations(said, words, style),
-        _equations(hence, words, style),
+        sentence(step, locale, Speller(style).point),
+        _equations(said, locale, style),
+        _equations(hence, locale, style),
     )
 
 
-def _equations(equations: tuple[Sides, ...], words: Words, style: Notation) -> str:
+def _equations(equations: tuple[Sides, ...], locale: Locale, style: Notation) -> str:
     if not equations:
         return ""
     rows = tuple(Line(_chained(sides[:-1], style), sides[-1]) for sides in equations)
-    return display(rows, style, words.where)
+    return display(rows, style, locale.where)
 
 
-def _balances(balances: tuple[Equation, ...], words: Words, style: Notation) -> str:
+def _balances(balances: tuple[Equation, ...], locale: Locale, style: Notation) -> str:
     if any(box(e.left, style).width > LINE for e in balances):
-        return "\n".join(vanishing(e.left, style, words.where) for e in balances)
-    return _equations(balances, words, style)
+        return "\n".join(vanishing(e.left, style, locale.where) for e in balances)
+    return _equations(balances, locale, style)
 
 
 def _chained(sides: Sides, style: Notation) -> Box:
@@ -210,10 +210,10 @@ def _chained(sides: Sides, style: Notation) -> Box:
     return row((first, *(part for b in others for part in (plain("="), b))))
 
 
-def _convention(derivation: Derivation, words: Words) -> str:
-    return words.signed if len(derivation.balances) > 1 else words.magnitudes
+def _convention(derivation: Derivation, locale: Locale) -> str:
+    return locale.signed if len(derivation.balances) > 1 else locale.magnitudes
 
 
-def _several(derivation: Derivation, words: Words) -> str:
+def _several(derivation: Derivation, locale: Locale) -> str:
     count = len(derivation.balances)
-    return words.several.format(count=count) if count > 1 else ""
+    return locale.several.format(count=count) if count > 1 else ""

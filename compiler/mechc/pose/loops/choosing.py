@@ -4,15 +4,15 @@ import math
 from collections.abc import Collection, Mapping, Sequence
 
 from ...diagnostics import MechcError, Report
-from ...diagnostics import pose as words
+from ...diagnostics import pose as messages
 from ...model.mechanism import Assembly
-from ..nearby import Values
+from ..samples import Values
 from .dyads import Closure
-from .rails import Rail
+from .guide_lines import GuideLine
 from .reach import reach_of
 from .state import State
 from .telling import Loops, Telling, group_span, is_ahead
-from .web import loop_name
+from .vector_graph import loop_name
 
 FLAT = 1e-9
 """A triangle whose height is below this part of its longest side has no turn."""
@@ -24,7 +24,7 @@ class Choice:
     def __init__(self, state: State, report: Report) -> None:
         self._state, self._report = state, report
         self._unused = list(state.mechanism.assemblies)
-        self._lines: Mapping[str, Rail] = {}
+        self._lines: Mapping[str, GuideLine] = {}
 
     def choose(
         self, closures: Sequence[Closure], group: Loops, within: Collection[str] | None = None
@@ -77,7 +77,7 @@ class Choice:
         """Return the lines that decided nothing."""
         return tuple(self._unused)
 
-    def _rails_of(self, group: Loops) -> Mapping[str, Rail]:
+    def _rails_of(self, group: Loops) -> Mapping[str, GuideLine]:
         """Return the line of each pin; of several lines the one along which the group closes."""
         rails = sorted(self._state.rails, key=lambda rail: rail.length in group.unknown)
         return {rail.pin: rail for rail in rails}
@@ -139,7 +139,7 @@ class Choice:
         drive = self._state.mechanism.drive
         name = drive.parameter if drive else ""
         return self._report.fail(
-            words.cannot_assemble(group_span(group), loop_name(group.cycle), name, stretches)
+            messages.cannot_assemble(group_span(group), loop_name(group.cycle), name, stretches)
         )
 
     def _report_open(
@@ -153,7 +153,7 @@ class Choice:
         if decisive:
             self._report.stop_on_errors()
             at = decisive[0]
-            self._report.add(words.assembly_undecided(at.span, "".join(at.points), hint))
+            self._report.add(messages.assembly_undecided(at.span, "".join(at.points), hint))
         else:
             loop, number = loop_name(group.cycle), len(poses)
-            self._report.add(words.closure_open(group_span(group), loop, number, hint))
+            self._report.add(messages.closure_open(group_span(group), loop, number, hint))

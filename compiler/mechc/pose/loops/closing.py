@@ -14,13 +14,13 @@ from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...diagnostics import Report
 from ...diagnostics import open_loops as open_words
-from ...diagnostics import pose as words
+from ...diagnostics import pose as messages
 from ...formula.tree import Formula
 from ...frozen import replace
 from ...model.mechanism import Assembly, Link, Mechanism, Parameter
 from ...model.values import Chain, dependent
 from ...units import ANGLE, LENGTH
-from ..compass import Compass
+from ..directions import Directions
 from ..pose import ClosedLoop, Limit
 from ..terms import Terms
 from ..vectors import Vectors
@@ -28,11 +28,11 @@ from .branches import branches
 from .choosing import Choice
 from .dyads import Group
 from .groups import NOTHING, Open, closures, left_open, remaining_blocks
+from .guide_lines import GuideLine, rails
 from .margins import in_closed_form, iterated
-from .rails import Rail, rails
 from .redundant import check_fit
 from .state import State
-from .web import Cycle, Edge, Names, Web, loop_name, mentioned
+from .vector_graph import Cycle, Edge, Names, VectorGraph, loop_name, mentioned
 
 
 class Closed(NamedTuple):
@@ -53,7 +53,7 @@ class Closed(NamedTuple):
 
 
 def close(
-    mechanism: Mechanism, terms: Terms, compass: Compass, vectors: Vectors, report: Report
+    mechanism: Mechanism, terms: Terms, compass: Directions, vectors: Vectors, report: Report
 ) -> Closed:
     """Close all loops that mention a sought direction, and put the directions in.
 
@@ -72,7 +72,7 @@ def close(
     turning = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
     angles = frozenset({*compass.sought, *(named & turning)})
     sought = {*angles, *named, *lengths}
-    state = State(mechanism, terms, Web(edges, sought), lines, angles, named)
+    state = State(mechanism, terms, VectorGraph(edges, sought), lines, angles, named)
     closing = _Closing(state, report)
     closing.run()
     report.stop_on_errors()
@@ -91,7 +91,7 @@ def _open_lengths(edges: Iterable[Edge], terms: Terms) -> Names:
     return frozenset(named - {d.name for d in terms.definitions})
 
 
-def _crossed(lines: Sequence[Rail]) -> Names:
+def _crossed(lines: Sequence[GuideLine]) -> Names:
     """Return the distances along lines to the pins that two lines give a place.
 
     They follow with all directions given, with no drive, and tie nothing.
@@ -159,7 +159,7 @@ class _Closing:
             loop, drive = loop_name(block.cycle), self._state.mechanism.drive
             reach = branches(block, self._state)
             name = drive.parameter if drive else ""
-            raise self._report.fail(words.cannot_assemble(span, loop, name, reach))
+            raise self._report.fail(messages.cannot_assemble(span, loop, name, reach))
         chosen = self._choice.choose(found, block)
         loop = loop_name(block.cycle)
         self._state.limits.append(Limit(loop, "system", (), ()))

@@ -20,10 +20,10 @@ from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula, negative, product, total
-from ..nearby import Values, is_behind
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
-from .sides import along, common_turn, heron, principal
-from .web import Cycle, Names, loop_name, mentioned
+from ..samples import Values, is_behind
+from .triangle import along, common_turn, heron, principal
+from .vector_graph import Cycle, Names, loop_name, mentioned
 
 HALF_TURN, QUARTER = Angle.constant(180), Angle.constant(90)
 

@@ -16,11 +16,11 @@ from ...algebra.factors import Length
 from ...algebra.product import Product
 from ...formula.tree import Formula, System, implicit
 from ...frozen import replace
-from ..nearby import Values
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
+from ..samples import Values
 from .dyads import Closure
 from .state import State
-from .web import Cycle, mentioned
+from .vector_graph import Cycle, mentioned
 
 STARTS = 400
 """Random starts from which closures are looked for."""

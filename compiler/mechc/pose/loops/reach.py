@@ -22,8 +22,8 @@ from ...formula.walk import evaluate, symbols, walk
 from ...model.values import Chain, dependent
 from ...units import ANGLE, Dimension
 from ..pose import Limit
+from .continuation import moved_by
 from .dyads import Closure
-from .moving import moved_by
 from .state import State
 
 SAMPLES = 720

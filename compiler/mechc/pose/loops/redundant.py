@@ -5,13 +5,13 @@ from collections.abc import Iterator
 
 from ...algebra.angle import Angle
 from ...diagnostics import Diagnostic
-from ...diagnostics import pose as words
+from ...diagnostics import pose as messages
 from ...formula.tree import Call
 from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
 from .dyads import Closure
-from .sides import common_turn, principal
 from .state import State
-from .web import Cycle, mentioned
+from .triangle import common_turn, principal
+from .vector_graph import Cycle, mentioned
 
 FITS = 1e-9
 """A gap below this part of the longest arm counts as closed at the values given."""
@@ -32,7 +32,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     if abs(gap) > FITS * size:
         edge = max((e for e in cycle if name in mentioned(e.arms)), key=lambda e: e.span.start)
         points = "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))
-        return words.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
+        return messages.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
     unknown = frozenset({name})
     closure = _closure(name, known, moving, state)
     familiar = [a.angle for e in cycle for a in e.arms]

@@ -9,14 +9,14 @@ from ...formula.walk import evaluate
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH
-from ..nearby import Values, poses_nearby
 from ..pose import ClosedLoop, Definition, Limit, Vector, turned_by
+from ..samples import Values, poses_nearby
 from ..terms import Terms
+from .continuation import given_rates
 from .dyads import Closure
-from .moving import given_rates
-from .rails import Rail
+from .guide_lines import GuideLine
 from .rates import loop_rates
-from .web import Edge, Names, Web, mentioned
+from .vector_graph import Edge, Names, VectorGraph, mentioned
 
 ALIKE = 1e-9
 """Angles in radians that differ by less at every pose looked at are the same angle."""
@@ -32,8 +32,8 @@ class State:
         self,
         mechanism: Mechanism,
         terms: Terms,
-        web: Web,
-        lines: Iterable[Rail],
+        web: VectorGraph,
+        lines: Iterable[GuideLine],
         angles: Names,
         named: Names,
     ) -> None:

@@ -5,13 +5,13 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from itertools import combinations
 from typing import Protocol
 
-from ...diagnostics import pose as words
+from ...diagnostics import pose as messages
 from ...model.mechanism import Assembly
 from ...source import Span
-from ..nearby import Values
 from ..pose import Limit
-from .rails import Rail
-from .web import Cycle, Names
+from ..samples import Values
+from .guide_lines import GuideLine
+from .vector_graph import Cycle, Names
 
 
 class Loops(Protocol):
@@ -51,7 +51,11 @@ class Telling:
     """Looks for lines that tell the closures of loops apart."""
 
     def __init__(
-        self, group: Loops, rails: Mapping[str, Rail], measure: Measure, angles: Collection[str]
+        self,
+        group: Loops,
+        rails: Mapping[str, GuideLine],
+        measure: Measure,
+        angles: Collection[str],
     ) -> None:
         """``rails`` are the lines whose pins the group places, ``angles`` unknown directions."""
         self._group, self._rails, self._measure = group, rails, measure
@@ -65,11 +69,11 @@ class Telling:
         lines = [self._lines(values, poses) for values in poses]
         alike = [p for p, own in zip(poses, lines, strict=True) if lines.count(own) > 1]
         if alike and self._is_one(alike):
-            return words.MEET
+            return messages.MEET
         if alike:
-            return words.no_line_tells(self._apart(alike), drive)
+            return messages.no_line_tells(self._apart(alike), drive)
         found = (self._described(p, own) for p, own in zip(poses, lines, strict=True))
-        return words.the_closures(list(found)) if refuted else words.one_of(list(found))
+        return messages.the_closures(list(found)) if refuted else messages.one_of(list(found))
 
     def _is_one(self, poses: Sequence[Values]) -> bool:
         """Tell whether poses are one, so that it is no matter of lines."""

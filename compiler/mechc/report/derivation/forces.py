@@ -10,23 +10,23 @@ from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, product, quotient, total
 from ...friction.solution import Solution, SolvedWithFriction
 from ...frozen import replace
-from ...model.mechanism import Axial, Force, Load, Normal, Reaction, Thrust, Torque
+from ...model.mechanism import Axial, Force, ForcePair, Load, Normal, Reaction, Torque
 from ...model.result import Definition
 from ...pose.pose import Pose, Vector
 from ...power.balance import Release, Solved, Term
 from ...power.definitions import resting_on
 from ..sentences.wording import positive_first
-from .steps import Account, Equation, Passage, Saying
+from .steps import Equation, Explanation, Paragraph, SentenceKind
 
 HALF_TURN = Angle.constant(180)
 
-_BONDS = {"pin": Saying.PIN, "slide": Saying.GUIDE, "touch": Saying.TOUCH}
+_BONDS = {"pin": SentenceKind.PIN, "slide": SentenceKind.GUIDE, "touch": SentenceKind.TOUCH}
 
 
-def of_forces(solution: Solution) -> Iterator[Account]:
+def of_forces(solution: Solution) -> Iterator[Explanation]:
     """Yield an account of every force at a joint; its components are told together."""
     pose = solution.plan.graph.pose
-    opening: tuple[Passage, ...] = ()
+    opening: tuple[Paragraph, ...] = ()
     told: set[str] = set()
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, Solved))
@@ -34,11 +34,13 @@ def of_forces(solution: Solution) -> Iterator[Account]:
             continue
         writer = _Writer(pose, solved, told)
         if not told and solved[0].releases:
-            opening = (Passage(Saying.RELEASED, names={"held": solved[0].releases[0].held}),)
-        passages = (*opening, *writer.passages())
+            opening = (
+                Paragraph(SentenceKind.RELEASED, names={"held": solved[0].releases[0].held}),
+            )
+        paragraphs = (*opening, *writer.paragraphs())
         opening = ()
         told.update(writer.names)
-        yield Account(writer.names, passages, tuple(writer.definitions()))
+        yield Explanation(writer.names, paragraphs, tuple(writer.definitions()))
 
 
 def _place(solved: Solved | SolvedWithFriction) -> tuple[str, ...] | None:
@@ -67,7 +69,7 @@ class _Writer:
         self._parting = next(n for n in ("u", "u_r", "u_rel") if n not in taken)
         self._said: list[tuple[Release, list[Product]]] = []
 
-    def passages(self) -> Iterator[Passage]:
+    def paragraphs(self) -> Iterator[Paragraph]:
         """Yield one passage for each direction in which the bond is let go."""
         releases = self._releases
         if isinstance(self._target, Axial) and self._is_slanting():
@@ -78,7 +80,7 @@ class _Writer:
         if isinstance(self._target, Axial):
             releases = releases[:1]
         elif self._is_rod():
-            yield Passage(Saying.ROD, names={"link": (releases[0].of,)})
+            yield Paragraph(SentenceKind.ROD, names={"link": (releases[0].of,)})
             releases = releases[:1] if f"N_{releases[0].of}" not in self._told else ()
         elif isinstance(self._target, Reaction) and len(releases) < 2:
             yield self._one_sided()
@@ -124,15 +126,17 @@ class _Writer:
         whole = total(product([(side, 1), (self._component(r)[0], 1)]) for r, side in parts)
         return Equation(Symbol(self.names[0]), quotient(whole, Call("hypot", tuple(sides))))
 
-    def _one_sided(self) -> Passage:
+    def _one_sided(self) -> Paragraph:
         """Say why a force has one component."""
         guided = self._releases and self._releases[0].kind in ("ground", "slide")
         point = self._target.point if isinstance(self._target, Reaction) else ""
-        return Passage(Saying.SMOOTH if guided else Saying.SHARED, names={"point": (point,)})
+        return Paragraph(
+            SentenceKind.SMOOTH if guided else SentenceKind.SHARED, names={"point": (point,)}
+        )
 
     # ------------------------------------------------------------------------ releases
 
-    def _passage(self, release: Release) -> Passage:
+    def _passage(self, release: Release) -> Paragraph:
         symbol, way = self._component(release)
         direction = release.direction if way > 0 else release.direction + HALF_TURN
         here = release.terms[-1]
@@ -146,7 +150,7 @@ class _Writer:
         found = () if symbol.name in self.names else (Equation(symbol, force),)
         names = {"point": (release.point,), "link": (release.of,)}
         if not working:
-            return Passage(Saying.IDLE, found, names, {"direction": _direction(direction)})
+            return Paragraph(SentenceKind.IDLE, found, names, {"direction": _direction(direction)})
         parting = self._parting_of(release)
         ratios = [canonical(t.speed[motion].scaled(way) / here.speed[motion]) for t in working]
         self._said.append((release, ratios))
@@ -157,16 +161,16 @@ class _Writer:
         powers = [_power(here, symbol, parting)]
         powers += [_power(t, Symbol(t.load.name), _speed(t.load)) for t in working]
         power = Equation(total(positive_first(powers)), ZERO)
-        return Passage(
+        return Paragraph(
             _BONDS.get(release.kind) or self._on_ground(release.point),
             (*speeds, power, *found),
             names,
             {"direction": _direction(direction), "speed": parting},
         )
 
-    def _on_ground(self, point: str) -> Saying:
+    def _on_ground(self, point: str) -> SentenceKind:
         fixed = any(p.point == point for p in self._mechanism.pivots)
-        return Saying.PIVOT if fixed else Saying.GUIDE
+        return SentenceKind.PIVOT if fixed else SentenceKind.GUIDE
 
     def _parting_of(self, release: Release) -> Symbol:
         relative = release.kind in ("pin", "touch")
@@ -207,7 +211,7 @@ def _speed(load: Load) -> Symbol:
     match load:
         case Force(name, point):
             return Symbol(f"V_{point}_{name}")
-        case Thrust(_, first, second):
+        case ForcePair(_, first, second):
             return Symbol(f"V_{first}{second}")
         case Torque(_, link):
             return Symbol(f"omega_{link}")

@@ -12,14 +12,14 @@ from ...frozen import replace
 from ...model.mechanism import LoadForm, LoadRatio, Mechanism, Reaction, WithFriction
 from ...power.balance import Solved
 from ..sentences.wording import geometry_first, positive_first
-from .steps import Account, Equation, Passage, Saying
+from .steps import Equation, Explanation, Paragraph, SentenceKind
 
-_LINES: Mapping[str, Saying] = {
-    "crossed": Saying.CROSSED,
-    "outer": Saying.OUTER,
-    "parallel": Saying.PARALLEL,
-    "single": Saying.SINGLE,
-    "face": Saying.FACE,
+_LINES: Mapping[str, SentenceKind] = {
+    "crossed": SentenceKind.CROSSED,
+    "outer": SentenceKind.OUTER,
+    "parallel": SentenceKind.PARALLEL,
+    "single": SentenceKind.SINGLE,
+    "face": SentenceKind.FACE,
 }
 
 _ONCE = {*_LINES, "iterated"}
@@ -37,18 +37,18 @@ _ITERATED = {
 _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 
 
-def of_friction(solution: Solution) -> Iterator[Account]:
+def of_friction(solution: Solution) -> Iterator[Explanation]:
     """Yield an account of every result with friction that was found in steps."""
     mechanism = solution.plan.graph.pose.mechanism
-    told = _Told(mechanism.friction.parameters)
+    told = _Shown(mechanism.friction.parameters)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is None or not solved or not solved[0].steps:
             continue
         steps = solved[0].steps
-        passages = [p for step in steps for p in _passages(step, told, place)]
+        paragraphs = [p for step in steps for p in _passages(step, told, place)]
         names = tuple(s.result.name for s in solved)
-        yield Account(names, (*_opening(place, steps, mechanism, told), *passages))
+        yield Explanation(names, (*_opening(place, steps, mechanism, told), *paragraphs))
 
 
 def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
@@ -62,7 +62,7 @@ def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
             return None
 
 
-class _Told:
+class _Shown:
     """What was told of earlier results, so that nothing is told twice."""
 
     def __init__(self, turns: Iterable[str]) -> None:
@@ -70,7 +70,7 @@ class _Told:
         """Names of angles by which friction turns a force, those of friction itself."""
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
-        self._sayings: set[Saying] = set()
+        self._sayings: set[SentenceKind] = set()
 
     def new(self, step: Step) -> list[Equation] | None:
         """Return the definitions of a step that are new; None for a line that was told before."""
@@ -87,48 +87,48 @@ class _Told:
         self._lines.add(line)
         return [Equation(Symbol(d.name), d.formula) for d in step.defined if d.name in changed]
 
-    def once(self, passages: Iterable[Passage]) -> Iterator[Passage]:
+    def once(self, paragraphs: Iterable[Paragraph]) -> Iterator[Paragraph]:
         """Yield the passages of which nothing like them was said before."""
-        for passage in passages:
-            if passage.saying not in self._sayings:
-                self._sayings.add(passage.saying)
-                yield passage
+        for paragraph in paragraphs:
+            if paragraph.saying not in self._sayings:
+                self._sayings.add(paragraph.saying)
+                yield paragraph
 
 
 # ------------------------------------------------------------------------------- opening
 
 
 def _opening(
-    target: WithFriction, steps: Sequence[Step], mechanism: Mechanism, told: _Told
-) -> Iterator[Passage]:
+    target: WithFriction, steps: Sequence[Step], mechanism: Mechanism, told: _Shown
+) -> Iterator[Paragraph]:
     """Say which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
     if kind == "efficiency":
         return
     drive = _driving(target)
     if drive is not None and kind != "first order":
-        saying = Saying.TIGHTENING if target.sense == "tightening" else Saying.RELEASING
-        yield Passage(saying, formulas={"drive": drive})
+        saying = SentenceKind.TIGHTENING if target.sense == "tightening" else SentenceKind.RELEASING
+        yield Paragraph(saying, formulas={"drive": drive})
     if kind not in ("first order", "straight", "iterated"):
         yield from told.once(_how(steps, mechanism))
     if isinstance(target.of, LoadRatio):
-        yield Passage(Saying.UNIT, names={"load": (target.of.below,)})
+        yield Paragraph(SentenceKind.UNIT, names={"load": (target.of.below,)})
 
 
-def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Passage]:
+def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
     """Say how what there is resists, and what is looked at."""
     radii = [d.name for step in steps for d in step.defined if d.name.startswith("rho")]
     if any(step.kind in _AT_PINS or (step.kind == "lever" and step.sense) for step in steps):
         circle = Symbol(radii[0] if len(radii) == 1 else "rho")
-        yield Passage(Saying.PINS_RUB, formulas={"radius": circle})
+        yield Paragraph(SentenceKind.PINS_RUB, formulas={"radius": circle})
     if any(map(_rubs_along, steps)):
-        yield Passage(Saying.GUIDES_RUB)
+        yield Paragraph(SentenceKind.GUIDES_RUB)
     sides = (side for step in steps for pair in step.equations for side in pair)
     used = frozenset[str]().union(*map(symbols, sides))
     if any(f"S_{link.name}" in used for link in mechanism.links):
-        yield Passage(Saying.ROD_FORCES, formulas={"force": Symbol("S")})
+        yield Paragraph(SentenceKind.ROD_FORCES, formulas={"force": Symbol("S")})
     if mechanism.mirror or mechanism.copies:
-        yield Passage(Saying.PART)
+        yield Paragraph(SentenceKind.PART)
 
 
 def _rubs_along(step: Step) -> bool:
@@ -138,7 +138,7 @@ def _rubs_along(step: Step) -> bool:
 # ----------------------------------------------------------------------------- passages
 
 
-def _passages(step: Step, told: _Told, asked: WithFriction) -> Iterator[Passage]:
+def _passages(step: Step, told: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
     """Yield what a step says; the load that is asked for is left to the result."""
     new = told.new(step)
     if new is None:
@@ -149,60 +149,62 @@ def _passages(step: Step, told: _Told, asked: WithFriction) -> Iterator[Passage]
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
             names = {"link": (step.body,)}
-            yield Passage(Saying.PRESSED if step.sense > 0 else Saying.PULLED, names=names)
-            yield Passage(_LINES[step.kind], tuple(new), names)
+            yield Paragraph(
+                SentenceKind.PRESSED if step.sense > 0 else SentenceKind.PULLED, names=names
+            )
+            yield Paragraph(_LINES[step.kind], tuple(new), names)
         case "face":
             force = {"force": Symbol(f"R_{step.body}")}
-            yield Passage(Saying.FACE, tuple(new), {"point": (step.body,)}, force)
+            yield Paragraph(SentenceKind.FACE, tuple(new), {"point": (step.body,)}, force)
         case "lever":
             yield from _moments(step, new, found)
         case "slider":
-            saying = Saying.RUBS_ALONG if _rubs_along(step) else Saying.ALONG
+            saying = SentenceKind.RUBS_ALONG if _rubs_along(step) else SentenceKind.ALONG
             balanced = (*found[:1], *new, *found[1:])
-            yield Passage(saying, balanced, {"point": (step.body,)})
+            yield Paragraph(saying, balanced, {"point": (step.body,)})
         case "pin":
-            yield Passage(Saying.KNEE, (*found, *new), {"point": (step.body,)})
+            yield Paragraph(SentenceKind.KNEE, (*found, *new), {"point": (step.body,)})
         case "straight":
-            yield Passage(Saying.STRAIGHT, (*new, *equations), formulas=_STRAIGHT)
+            yield Paragraph(SentenceKind.STRAIGHT, (*new, *equations), formulas=_STRAIGHT)
         case "efficiency":
-            yield Passage(Saying.EFFICIENT, tuple(equations))
+            yield Paragraph(SentenceKind.EFFICIENT, tuple(equations))
         case "first order":
             yield from _first_order((*new, *found), asked)
         case "iterated":
-            yield Passage(Saying.ITERATED, formulas=_ITERATED)
+            yield Paragraph(SentenceKind.ITERATED, formulas=_ITERATED)
         case _:
             assert_never(step.kind)
 
 
-def _first_order(equations: Sequence[Equation], asked: WithFriction) -> Iterator[Passage]:
+def _first_order(equations: Sequence[Equation], asked: WithFriction) -> Iterator[Paragraph]:
     """Yield how the frictions of first order add up, and what their slips are."""
     less = asked.sense == "releasing"
-    saying = Saying.FIRST_ORDER_LESS if less else Saying.FIRST_ORDER
+    saying = SentenceKind.FIRST_ORDER_LESS if less else SentenceKind.FIRST_ORDER
     left = [e.left.name for e in equations if isinstance(e.left, Symbol)]
     slips = []
     if any(name.startswith("Omega_") for name in left):
-        slips.append(Passage(Saying.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")}))
+        slips.append(Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")}))
     if any(name.startswith("v_") for name in left):
-        slips.append(Passage(Saying.SLIP_OF_FACE, formulas={"speed": Symbol("v")}))
-    told = (Passage(saying, formulas={"force": Symbol("r")}), *slips)
+        slips.append(Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")}))
+    told = (Paragraph(saying, formulas={"force": Symbol("r")}), *slips)
     yield from told[:-1]
     yield replace(told[-1], equations=tuple(equations))
 
 
-def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Passage]:
+def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Paragraph]:
     """Yield the moments about a pivot, and what they give where they had to be squared."""
-    turns = {1: Saying.TURNS_LEFT, -1: Saying.TURNS_RIGHT}
+    turns = {1: SentenceKind.TURNS_LEFT, -1: SentenceKind.TURNS_RIGHT}
     names = {"link": (step.body,), "point": (step.pivot,)}
-    saying = turns.get(step.sense, Saying.MOMENTS)
+    saying = turns.get(step.sense, SentenceKind.MOMENTS)
     moments, rest = found[0], found[1:]
     if not any(isinstance(f, Call) and f.function == "hypot" for f in walk(moments.right)):
-        yield Passage(saying, (moments, *new, *rest), names)
+        yield Paragraph(saying, (moments, *new, *rest), names)
         return
     given = [e for e in new if e.left in _mentioned(moments) and not _rests_on(e, new)]
-    yield Passage(saying, (moments, *given), names)
+    yield Paragraph(saying, (moments, *given), names)
     solved = [e for e in new if e not in given]
     if solved:
-        yield Passage(Saying.SQUARED, (*solved, *rest))
+        yield Paragraph(SentenceKind.SQUARED, (*solved, *rest))
 
 
 def _mentioned(equation: Equation) -> set[Formula]:

@@ -11,7 +11,7 @@ from ...kinematics.forms import parting, projection, spin
 from ...kinematics.graph import Form, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...kinematics.plan import Block
-from ...model.mechanism import Force, Speed, SpeedRatio, Thrust, Torque
+from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque
 from ...power.balance import Balance, Term
 from ...study.analysis import Analysis
 from ..sentences.wording import has_minus, positive_first
@@ -30,8 +30,8 @@ def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
     writer = _Writer(balance)
     steps = tuple(writer.steps())
     terms = tuple(writer.term(t) for t in balance.terms if any(t.power))
-    accounts = (*of_forces(solution), *of_friction(solution))
-    return Derivation(steps, terms, tuple(writer.balances()), tuple(results), accounts)
+    explanations = (*of_forces(solution), *of_friction(solution))
+    return Derivation(steps, terms, tuple(writer.balances()), tuple(results), explanations)
 
 
 class _Writer:
@@ -226,7 +226,7 @@ class _Writer:
             case Force(_, point):
                 assert term.line is not None
                 form, at = projection(self._graph.velocities[point], term.line), point
-            case Thrust(_, first):
+            case ForcePair(_, first):
                 assert term.line is not None
                 form, at = parting(self._graph, load, term.line), first
             case Torque(_, link):
@@ -246,7 +246,7 @@ class _Writer:
         """Yield the step to the speed along a load of a point whose velocity is a sum."""
         if term.line is None or self._plan.mobility != 1 or not any(term.power):
             return
-        if isinstance(term.load, Thrust):
+        if isinstance(term.load, ForcePair):
             yield from self._parting(term.load, term)
         if not isinstance(term.load, Force):
             return
@@ -261,7 +261,7 @@ class _Writer:
         result = Equation(symbol, _times(term.speed[0] * drive.factor, drive))
         yield Step(Rule.COMPONENT, (point, name), (said,), (result,))
 
-    def _parting(self, load: Thrust, term: Term) -> Iterator[Step]:
+    def _parting(self, load: ForcePair, term: Term) -> Iterator[Step]:
         """Yield the step to the rate of the distance between the ends of a pair of forces."""
         assert term.line is not None
         form = parting(self._graph, load, term.line)

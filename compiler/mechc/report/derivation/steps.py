@@ -88,7 +88,7 @@ class PowerTerm:
     speed: Formula
 
 
-class Saying(StrEnum):
+class SentenceKind(StrEnum):
     """What a passage says; the words belong to each language."""
 
     RELEASED = "released"
@@ -168,28 +168,28 @@ class Saying(StrEnum):
 
 
 @frozen
-class Passage:
+class Paragraph:
     """A sentence with the equations that it leads to.
 
     ``names`` are the points, links and loads that the sentence mentions, by the places that
     its words have for them; ``formulas`` what it has of mathematics.
     """
 
-    saying: Saying
+    saying: SentenceKind
     equations: tuple[Equation, ...] = ()
     names: Mapping[str, tuple[str, ...]] = MappingProxyType({})
     formulas: Mapping[str, Formula] = MappingProxyType({})
 
 
 @frozen
-class Account:
+class Explanation:
     """How results were found that are told together, such as the components of one force.
 
     ``where`` is what the equations rest on.
     """
 
     results: tuple[str, ...]
-    passages: tuple[Passage, ...]
+    paragraphs: tuple[Paragraph, ...]
     where: tuple[Definition, ...] = ()
 
 
@@ -204,4 +204,4 @@ class Derivation:
     terms: tuple[PowerTerm, ...]
     balances: tuple[Equation, ...]
     results: tuple[Analysis, ...]
-    accounts: tuple[Account, ...] = ()
+    explanations: tuple[Explanation, ...] = ()

@@ -1,8 +1,8 @@
 """English."""
 
-from .locale import Words
+from .locale import Locale
 
-WORDS = Words(
+WORDS = Locale(
     babel="english",
     title="Force transmission of the mechanism",
     source="Source",

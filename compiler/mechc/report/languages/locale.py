@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 
-class Words(NamedTuple):
+class Locale(NamedTuple):
     """All words of a report in one language.
 
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the

@@ -1,8 +1,8 @@
 """Russian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
-from .locale import Words
+from .locale import Locale
 
-WORDS = Words(
+WORDS = Locale(
     babel="russian",
     title="Определение коэффициента передачи силы",
     source="Источник",

@@ -1,8 +1,8 @@
 """Ukrainian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
-from .locale import Words
+from .locale import Locale
 
-WORDS = Words(
+WORDS = Locale(
     babel="ukrainian",
     title="Визначення коефіцієнта передачі сили",
     source="Джерело",

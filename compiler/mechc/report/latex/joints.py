@@ -2,16 +2,16 @@
 
 from collections.abc import Iterator
 
-from ...model.mechanism import Mechanism, Mesh
-from ..languages.locale import Words
+from ...model.mechanism import Mechanism, WheelPair
+from ..languages.locale import Locale
 from .directions import direction, math
 from .notation import Notation, points
 from .quantity import length_of
 
 
-def joint_sentences(mechanism: Mechanism, words: Words, style: Notation) -> Iterator[str]:
+def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
     """Yield a sentence for each slide, slot, contact, pair of wheels, rack and screw."""
-    say = words.joints
+    say = locale.joints
     for slide in mechanism.slides:
         along = math(direction(slide.along, style))
         yield say["slide"].format(body=math(points(slide.name)), direction=along)
@@ -25,30 +25,30 @@ def joint_sentences(mechanism: Mechanism, words: Words, style: Notation) -> Iter
         point, body = math(points(contact.point)), math(points(contact.link))
         normal = math(direction(contact.normal, style))
         yield say["contact"].format(point=point, body=body, normal=normal)
-    for mesh in mechanism.meshes:
-        yield _mesh(mesh, words, style)
+    for mesh in mechanism.wheel_pairs:
+        yield _mesh(mesh, locale, style)
     for rack in mechanism.racks:
         point, pivot = math(points(rack.point)), math(points(rack.pivot))
         yield say["rack"].format(
-            point=point, pivot=pivot, radius=math(length_of(rack.radius, words, style))
+            point=point, pivot=pivot, radius=math(length_of(rack.radius, locale, style))
         )
     for screw in mechanism.screws:
         link, point = math(points(screw.link)), math(points(screw.point))
         yield say["screw"].format(
-            link=link, point=point, pitch=math(length_of(screw.pitch, words, style))
+            link=link, point=point, pitch=math(length_of(screw.pitch, locale, style))
         )
 
 
-def _mesh(mesh: Mesh, words: Words, style: Notation) -> str:
+def _mesh(mesh: WheelPair, locale: Locale, style: Notation) -> str:
     kinds = {
         ("gear", False): "gear",
         ("gear", True): "inner",
         ("belt", True): "belt",
         ("belt", False): "crossed",
     }
-    return words.joints[kinds[mesh.kind, mesh.same]].format(
+    return locale.joints[kinds[mesh.kind, mesh.same]].format(
         first=math(points(mesh.first)),
         second=math(points(mesh.second)),
-        one=math(length_of(mesh.first_radius, words, style)),
-        two=math(length_of(mesh.second_radius, words, style)),
+        one=math(length_of(mesh.first_radius, locale, style)),
+        two=math(length_of(mesh.second_radius, locale, style)),
     )

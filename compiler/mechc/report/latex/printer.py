@@ -64,10 +64,10 @@ def plain(tex: str, tall: bool = False) -> Box:
     >>> round(plain(r"\cos\alpha").width, 2)
     2.32
     """
-    words = re.sub(r"\\(?:sin|cos|tan|cot|sec|csc|ln|min|max|exp)(?![a-z])", "xxx", tex)
-    words = re.sub(r"\\(?:operatorname|mathrm|mathit|left|right|,)", "", words)
-    words = re.sub(r"\\arc([a-z]+)", r"arc\1", words)
-    glyphs = re.sub(r"[{}_^]", "", re.sub(r"\\[A-Za-z]+", "x", words))
+    locale = re.sub(r"\\(?:sin|cos|tan|cot|sec|csc|ln|min|max|exp)(?![a-z])", "xxx", tex)
+    locale = re.sub(r"\\(?:operatorname|mathrm|mathit|left|right|,)", "", locale)
+    locale = re.sub(r"\\arc([a-z]+)", r"arc\1", locale)
+    glyphs = re.sub(r"[{}_^]", "", re.sub(r"\\[A-Za-z]+", "x", locale))
     return Box(tex, EM_PER_GLYPH * len(glyphs), tall)
 
 
@@ -192,8 +192,8 @@ def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
 
 def _are_words(before: Box, after: Box) -> bool:
     """Tell whether a name of several letters would be read as one with the next letter."""
-    words = (re.match(r"\\math(rm|it)", box.tex) for box in (before, after))
-    return any(words) and before.tex[-1] not in ")]" and after.tex[0] not in "(["
+    locale = (re.match(r"\\math(rm|it)", box.tex) for box in (before, after))
+    return any(locale) and before.tex[-1] not in ")]" and after.tex[0] not in "(["
 
 
 def _is_bare(argument: Formula, angle: bool) -> bool:

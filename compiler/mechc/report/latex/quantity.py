@@ -18,30 +18,32 @@ from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Formula, Number
 from ...formula.walk import evaluate
 from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units
-from ..languages.locale import Words
+from ..languages.locale import Locale
 from .notation import Notation
 from .printer import latex
 
 _DIGITS = 6
 
 
-def quantity(value: Formula, dimension: Dimension, unit: str, words: Words, style: Notation) -> str:
+def quantity(
+    value: Formula, dimension: Dimension, unit: str, locale: Locale, style: Notation
+) -> str:
     """Return a constant, given in SI, in a unit (the SI unit when none was written)."""
     chosen = unit or usual_unit(dimension)
-    return decimal(_in_unit(value, chosen), style) + unit_symbol(chosen, words)
+    return decimal(_in_unit(value, chosen), style) + unit_symbol(chosen, locale)
 
 
-def length_of(formula: Formula, words: Words, style: Notation) -> str:
+def length_of(formula: Formula, locale: Locale, style: Notation) -> str:
     """Return a length; a number with its unit."""
     if isinstance(formula, Number) and formula != ZERO:
-        return quantity(formula, LENGTH, "", words, style)
+        return quantity(formula, LENGTH, "", locale, style)
     return latex(formula, style)
 
 
-def measured(value: float, dimension: Dimension, words: Words, style: Notation) -> str:
+def measured(value: float, dimension: Dimension, locale: Locale, style: Notation) -> str:
     """Return a computed value, given in SI, in the usual unit of its dimension."""
     chosen = usual_unit(dimension)
-    return decimal(value / _factor(chosen), style) + unit_symbol(chosen, words)
+    return decimal(value / _factor(chosen), style) + unit_symbol(chosen, locale)
 
 
 def usual_unit(dimension: Dimension) -> str:
@@ -81,7 +83,7 @@ def decimal(value: Fraction | float, style: Notation) -> str:
     return rf"{digits}\cdot 10^{{{int(exponent)}}}" if exponent else digits
 
 
-def unit_symbol(unit: str, words: Words) -> str:
+def unit_symbol(unit: str, locale: Locale) -> str:
     r"""Return a unit behind its number.
 
     >>> from ..languages.uk import WORDS
@@ -93,5 +95,5 @@ def unit_symbol(unit: str, words: Words) -> str:
     if unit == "deg":
         return r"^\circ"
     unit = re.sub(r"^1/([A-Za-z]+)(?:\^(\d+))?", lambda m: f"{m[1]}^{{-{m[2] or 1}}}", unit)
-    letters = re.sub("[A-Za-z]+", lambda m: rf"\text{{{words.units.get(m[0], m[0])}}}", unit)
+    letters = re.sub("[A-Za-z]+", lambda m: rf"\text{{{locale.units.get(m[0], m[0])}}}", unit)
     return r"\," + letters.replace("*", r"\cdot ")

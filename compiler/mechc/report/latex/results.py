@@ -13,8 +13,8 @@ from ...model.result import Definition
 from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
 from ..definitions import Solved, grouped
-from ..derivation.steps import Equation, Passage
-from ..languages.locale import Words
+from ..derivation.steps import Equation, Paragraph
+from ..languages.locale import Locale
 from ..sections import Section
 from ..sentences.remarks import asked, heading, is_nameless, ratio, remarks, said
 from .display import LINE, Line, balance, display, vanishing
@@ -26,7 +26,7 @@ _WIDE = 9.0
 """Em beyond which a left side is no mere name or ratio of speeds."""
 
 
-class PassageBlock(NamedTuple):
+class ParagraphBlock(NamedTuple):
     """One passage of how results came about: a sentence, and a display or nothing."""
 
     sentence: str
@@ -45,73 +45,73 @@ class SectionBlock(NamedTuple):
     """Results under one heading, ready for LaTeX."""
 
     heading: str
-    passages: tuple[PassageBlock, ...]
+    paragraphs: tuple[ParagraphBlock, ...]
     displays: tuple[str, ...]
     findings: tuple[Findings, ...]
 
 
-def section_block(section: Section, words: Words, style: Notation) -> SectionBlock:
+def section_block(section: Section, locale: Locale, style: Notation) -> SectionBlock:
     """Return everything the report says of the results of one section.
 
     Its parts are written in the order in which they are read: a name is defined where it
     comes first.
     """
-    passages = tuple(_passage(p, words, style) for p in section.passages)
-    units = {n: unit_symbol(unit, words) for n, unit in section.units.items()}
-    main = _together(section.results, style, words)
-    main = main or _main(section.results[0], words, style, units)
+    paragraphs = tuple(_passage(p, locale, style) for p in section.paragraphs)
+    units = {n: unit_symbol(unit, locale) for n, unit in section.units.items()}
+    main = _together(section.results, style, locale)
+    main = main or _main(section.results[0], locale, style, units)
     return SectionBlock(
-        heading(section.results[0], words, Speller(style)),
-        passages,
-        (*main, *_where(section.where, words, style, units)),
-        tuple(_findings(r, words, style) for r in section.results),
+        heading(section.results[0], locale, Speller(style)),
+        paragraphs,
+        (*main, *_where(section.where, locale, style, units)),
+        tuple(_findings(r, locale, style) for r in section.results),
     )
 
 
-def _together(results: Sequence[Analysis], style: Notation, words: Words) -> tuple[str, ...]:
+def _together(results: Sequence[Analysis], style: Notation, locale: Locale) -> tuple[str, ...]:
     """Return the components of one force below each other; nothing for a single result."""
     if len(results) == 1:
         return ()
     lines = tuple(Line(_left(r, style), r.formula) for r in results)
-    return (display(lines, style, words.where),)
+    return (display(lines, style, locale.where),)
 
 
-def _passage(passage: Passage, words: Words, style: Notation) -> PassageBlock:
-    shown = "\n".join(_displays(passage.equations, words, style))
-    return PassageBlock(said(passage, words, Speller(style)), shown)
+def _passage(paragraph: Paragraph, locale: Locale, style: Notation) -> ParagraphBlock:
+    shown = "\n".join(_displays(paragraph.equations, locale, style))
+    return ParagraphBlock(said(paragraph, locale, Speller(style)), shown)
 
 
-def _displays(equations: Iterable[Equation], words: Words, style: Notation) -> Iterator[str]:
+def _displays(equations: Iterable[Equation], locale: Locale, style: Notation) -> Iterator[str]:
     """Yield displays of equations; one with a wide left side stands alone."""
     for _, group in groupby(equations, lambda e: e if _is_wide(e, style) else None):
         part = tuple(group)
         line = Line(box(part[0].left, style), part[0].right)
         if _is_wide(part[0], style) and line.left.width + box(line.right, style).width > LINE:
-            yield _balance(part[0], words, style)
+            yield _balance(part[0], locale, style)
         else:
-            yield _display(part, words, style)
+            yield _display(part, locale, style)
 
 
 def _is_wide(equation: Equation, style: Notation) -> bool:
     return box(equation.left, style).width > _WIDE
 
 
-def _display(equations: Iterable[Equation], words: Words, style: Notation) -> str:
+def _display(equations: Iterable[Equation], locale: Locale, style: Notation) -> str:
     lines = [Line(box(e.left, style), e.right, is_angle(e.right, style.angles)) for e in equations]
-    return display(tuple(lines), style, words.where)
+    return display(tuple(lines), style, locale.where)
 
 
-def _balance(equation: Equation, words: Words, style: Notation) -> str:
+def _balance(equation: Equation, locale: Locale, style: Notation) -> str:
     if equation.right == ZERO:
-        return vanishing(equation.left, style, words.where)
-    return balance(*equation, style, words.where)
+        return vanishing(equation.left, style, locale.where)
+    return balance(*equation, style, locale.where)
 
 
-def _findings(result: Analysis, words: Words, style: Notation) -> Findings:
+def _findings(result: Analysis, locale: Locale, style: Notation) -> Findings:
     return Findings(
-        remarks(result, words, Speller(style)),
-        _derivatives(result, words, style),
-        words.slope if result.where else words.derivatives,
+        remarks(result, locale, Speller(style)),
+        _derivatives(result, locale, style),
+        locale.slope if result.where else locale.derivatives,
     )
 
 
@@ -125,38 +125,38 @@ def _left(result: Analysis, style: Notation) -> Box:
 
 
 def _main(
-    result: Analysis, words: Words, style: Notation, units: Mapping[str, str]
+    result: Analysis, locale: Locale, style: Notation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     left = _left(result, style)
     short = left.width + box(result.formula, style).width <= LINE
     if result.coefficients and not short:
-        return _as_form(left, result.coefficients, words, style)
+        return _as_form(left, result.coefficients, locale, style)
     line = Line(left, result.formula, unit=units.get(result.name, ""))
-    return (display((line,), style, words.where, boxed=True),)
+    return (display((line,), style, locale.where, boxed=True),)
 
 
 def _as_form(
-    left: Box, coefficients: Mapping[str, Formula], words: Words, style: Notation
+    left: Box, coefficients: Mapping[str, Formula], locale: Locale, style: Notation
 ) -> tuple[str, ...]:
     """Return a long linear form with a name for the coefficient of every load."""
     named = {load: Symbol(f"c_{load}") for load in coefficients}
     form = total(product([(named[load], 1), (Symbol(load), 1)]) for load in coefficients)
     lines = tuple(Line(box(named[load], style), f) for load, f in coefficients.items())
-    first = display((Line(left, form),), style, words.where, boxed=True)
-    return first, words.where, display(lines, style, words.where)
+    first = display((Line(left, form),), style, locale.where, boxed=True)
+    return first, locale.where, display(lines, style, locale.where)
 
 
 def _where(
-    where: Iterable[Definition], words: Words, style: Notation, units: Mapping[str, str]
+    where: Iterable[Definition], locale: Locale, style: Notation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     """Return definitions, neighbours in one display; a system's names before its equations."""
     told: list[str] = []
     for solved, groups in groupby(grouped(where), lambda group: isinstance(group, Solved)):
         if solved:
-            told += (part for group in groups for part in _solved(group, words, style))
+            told += (part for group in groups for part in _solved(group, locale, style))
         else:
-            told.append(display(tuple(_line(g, style, units) for g in groups), style, words.where))
-    return (words.where, *told) if told else ()
+            told.append(display(tuple(_line(g, style, units) for g in groups), style, locale.where))
+    return (locale.where, *told) if told else ()
 
 
 def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, str]) -> Line:
@@ -166,14 +166,14 @@ def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, 
     return Line(plain(name(own, style)), definition.formula, own in style.angles, unit)
 
 
-def _solved(group: Definition | Solved, words: Words, style: Notation) -> tuple[str, str]:
+def _solved(group: Definition | Solved, locale: Locale, style: Notation) -> tuple[str, str]:
     assert isinstance(group, Solved)
     names = ", ".join(f"${name(n, style)}$" for n in group.names)
     lines = tuple(Line(plain("0"), zero) for zero in group.zeros)
-    return words.solve.format(names=names), display(lines, style, words.where)
+    return locale.solve.format(names=names), display(lines, style, locale.where)
 
 
-def _derivatives(result: Analysis, words: Words, style: Notation) -> str:
+def _derivatives(result: Analysis, locale: Locale, style: Notation) -> str:
     if isinstance(result.target, SpeedRatio):
         return ""
     symbol = latex(asked(result), style)
@@ -182,7 +182,7 @@ def _derivatives(result: Analysis, words: Words, style: Notation) -> str:
         for parameter, formula in (result.derivatives or {}).items()
         if formula != ZERO
     )
-    return display(lines, style, words.where) if lines else ""
+    return display(lines, style, locale.where) if lines else ""
 
 
 def _slope(symbol: str, parameter: str, style: Notation, total: bool) -> Box:
@@ -222,26 +222,26 @@ class Speller(NamedTuple):
         return f"${points(names)}$"
 
 
-def numbers(results: Iterable[Analysis], words: Words, style: Notation) -> tuple[str, ...]:
+def numbers(results: Iterable[Analysis], locale: Locale, style: Notation) -> tuple[str, ...]:
     """Return the results at the default pose."""
-    return tuple(shown for r in results if (shown := _number(r, words, style)))
+    return tuple(shown for r in results if (shown := _number(r, locale, style)))
 
 
-def _number(result: Analysis, words: Words, style: Notation) -> str:
+def _number(result: Analysis, locale: Locale, style: Notation) -> str:
     symbol = latex(asked(result), style)
     if result.undetermined:
-        return rf"${symbol}$ {words.undetermined} ($0/0$)"
+        return rf"${symbol}$ {locale.undetermined} ($0/0$)"
     if result.default is None or not isfinite(result.default):
         return ""
-    return f"${symbol}={measured(result.default, result.dimension, words, style)}$"
+    return f"${symbol}={measured(result.default, result.dimension, locale, style)}$"
 
 
-def check(verdict: Verdict, words: Words, style: Notation) -> str:
+def check(verdict: Verdict, locale: Locale, style: Notation) -> str:
     """Return the referee's line."""
     if not verdict.trials:
-        return words.pending
+        return locale.pending
     poses = {tuple(sorted(trial.values.items())) for trial in verdict.trials}
-    template = words.agrees if verdict.agrees else words.disagrees
+    template = locale.agrees if verdict.agrees else locale.disagrees
     return template.format(count=len(poses), error=f"${decimal(_rounded(verdict.worst), style)}$")
 
 

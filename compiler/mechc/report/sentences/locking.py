@@ -5,10 +5,10 @@ from fractions import Fraction
 
 from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
-from ...model.locking import Bound, Course, Locking, Range, Reach, Stretch
+from ...model.locking import Bound, EfficiencyRange, Locking, LockingIntervals, Range, Stretch
 from ...study.analysis import Analysis
 from ...units import UNITS
-from ..languages.locale import Words
+from ..languages.locale import Locale
 from .speller import Speller
 from .wording import enumeration, positive_first
 
@@ -18,31 +18,33 @@ DIGITS = 4
 HALF_CIRCLE = 180 / 3.141592653589793
 
 
-def friction_remarks(result: Analysis, words: Words, spell: Speller) -> Iterator[str]:
+def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield where nothing moves, what an efficiency runs through, and whether that is proved."""
     if result.locking:
-        yield from _locking(result.locking, words, spell)
+        yield from _locking(result.locking, locale, spell)
     for course in result.courses:
-        yield _course(result, course, words, spell)
+        yield _course(result, course, locale, spell)
     reaches = result.locking.reaches if result.locking else ()
     told = [s for reach in reaches for s in reach.stretches if _is_told(s, reach)]
     if result.courses or any(stretch.sampled for stretch in told):
-        yield words.sampled
+        yield locale.sampled
 
 
-def _locking(locking: Locking, words: Words, spell: Speller) -> Iterator[str]:
+def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
     drive = spell.relation((Symbol(locking.drive),), (), False)
-    load = spell.relation((Symbol(locking.load),), (), False) if locking.load else words.all_loads
-    said = {s: template.format(drive=drive, load=load) for s, template in words.states.items()}
+    load = spell.relation((Symbol(locking.load),), (), False) if locking.load else locale.all_loads
+    said = {s: template.format(drive=drive, load=load) for s, template in locale.states.items()}
     if locking.state != "free":
-        yield f"{said[locking.state]} {words.as_given}."
+        yield f"{said[locking.state]} {locale.as_given}."
     for reach in locking.reaches:
         for stretch in (s for s in reach.stretches if _is_told(s, reach)):
-            where = words.where_it_holds.format(condition=_condition(stretch, reach, spell, words))
-            yield f"{said[stretch.state]} {where}{_within(stretch, reach, words, spell)}."
+            where = locale.where_it_holds.format(
+                condition=_condition(stretch, reach, spell, locale)
+            )
+            yield f"{said[stretch.state]} {where}{_within(stretch, reach, locale, spell)}."
 
 
-def _is_told(stretch: Stretch, reach: Reach) -> bool:
+def _is_told(stretch: Stretch, reach: LockingIntervals) -> bool:
     """Tell a stretch of interest from a jam near a dead centre outside the range."""
     is_solved = any(b and b.exact for b in (stretch.low, stretch.high))
     return (
@@ -50,11 +52,11 @@ def _is_told(stretch: Stretch, reach: Reach) -> bool:
     )
 
 
-def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> str:
+def _condition(stretch: Stretch, reach: LockingIntervals, spell: Speller, locale: Locale) -> str:
     """Return a stretch as an inequality, with figures behind its formulas."""
     low, high = _told(stretch, reach)
     if not low and not high:
-        return words.any_of.format(name=_name(reach, spell))
+        return locale.any_of.format(name=_name(reach, spell))
     sides: list[Formula] = [Symbol(reach.parameter)]
     signs: list[str] = []
     if low and not high:
@@ -69,8 +71,8 @@ def _condition(stretch: Stretch, reach: Reach, spell: Speller, words: Words) -> 
     said = spell.relation(tuple(sides), tuple(signs), reach.parameter in spell.angles)
     bounds = [b for b in (low, high) if b]
     known = [b.place for b in bounds if b.exact and not _is_figure(b.exact)]
-    figures = [_figure(place, reach, words, spell) for place in known]
-    unit = _unit(reach, words) if any(not b.exact for b in bounds) else ""
+    figures = [_figure(place, reach, locale, spell) for place in known]
+    unit = _unit(reach, locale) if any(not b.exact for b in bounds) else ""
     return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")
 
 
@@ -78,7 +80,7 @@ def _is_figure(formula: Formula) -> bool:
     return isinstance(formula, Number) or in_degrees(formula) is not None
 
 
-def _told(stretch: Stretch, reach: Reach) -> tuple[Bound | None, Bound | None]:
+def _told(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None, Bound | None]:
     """Return the ends of a stretch but for those that the range has, or that lie beyond it.
 
     What the range has and the stretch leaves out is told.
@@ -93,59 +95,61 @@ def _told(stretch: Stretch, reach: Reach) -> tuple[Bound | None, Bound | None]:
     )
 
 
-def _side(bound: Bound, reach: Reach | Course, spell: Speller) -> Formula:
+def _side(bound: Bound, reach: LockingIntervals | EfficiencyRange, spell: Speller) -> Formula:
     if bound.exact is None:
         return _rounded(bound.place, reach, spell)
     terms = getattr(bound.exact, "terms", (bound.exact,))
     return total(positive_first(terms))
 
 
-def _within(stretch: Stretch, reach: Reach, words: Words, spell: Speller) -> str:
+def _within(stretch: Stretch, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
     """Return what of a stretch lies in the parameter's range, unless both ends tell that."""
     if reach.range is None or (stretch.within and all(_told(stretch, reach))):
         return ""
     if stretch.within is None:
-        return f", {words.out_of_range}"
+        return f", {locale.out_of_range}"
     if stretch.within == reach.range:
-        return f", {words.all_of_range}"
-    return f", {words.in_range.format(condition=_span(stretch.within, reach, words, spell))}"
+        return f", {locale.all_of_range}"
+    return f", {locale.in_range.format(condition=_span(stretch.within, reach, locale, spell))}"
 
 
-def _course(result: Analysis, course: Course, words: Words, spell: Speller) -> str:
-    least, greatest = (_share(v, words, spell) for v in (course.least, course.greatest))
-    said = (words.steady if least == greatest else words.course).format(
+def _course(result: Analysis, course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
+    least, greatest = (_share(v, locale, spell) for v in (course.least, course.greatest))
+    said = (locale.steady if least == greatest else locale.course).format(
         result=spell.relation((Symbol(result.name),), (), False),
-        condition=_span(course.range, course, words, spell),
+        condition=_span(course.range, course, locale, spell),
         least=least,
         greatest=greatest,
     )
-    return f"{said}." if least == greatest else f"{said}; {_usual(course, words, spell)}."
+    return f"{said}." if least == greatest else f"{said}; {_usual(course, locale, spell)}."
 
 
-def _usual(course: Course, words: Words, spell: Speller) -> str:
+def _usual(course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
     """Return where an efficiency is what textbooks assume."""
     if course.usual == (course.range,):
-        return words.always_usual
-    spans = [_span(part, course, words, spell) for part in course.usual]
-    return words.usual.format(conditions=enumeration(spans, words)) if spans else words.unusual
+        return locale.always_usual
+    spans = [_span(part, course, locale, spell) for part in course.usual]
+    return locale.usual.format(conditions=enumeration(spans, locale)) if spans else locale.unusual
 
 
 # --------------------------------------------------------------------------- figures
 
 
-def _span(part: Range, reach: Reach | Course, words: Words, spell: Speller) -> str:
+def _span(
+    part: Range, reach: LockingIntervals | EfficiencyRange, locale: Locale, spell: Speller
+) -> str:
     """Return ``1° ≤ α ≤ 45°``."""
     low, high = (_rounded(end, reach, spell) for end in part)
     sides, angle = (low, Symbol(reach.parameter), high), reach.parameter in spell.angles
-    return spell.relation(sides, ("<=", "<="), angle) + _unit(reach, words)
+    return spell.relation(sides, ("<=", "<="), angle) + _unit(reach, locale)
 
 
-def _figure(place: float, reach: Reach, words: Words, spell: Speller) -> str:
+def _figure(place: float, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
     shown = spell.relation((_rounded(place, reach, spell),), (), reach.parameter in spell.angles)
-    return shown + _unit(reach, words)
+    return shown + _unit(reach, locale)
 
 
-def _rounded(place: float, reach: Reach | Course, spell: Speller) -> Formula:
+def _rounded(place: float, reach: LockingIntervals | EfficiencyRange, spell: Speller) -> Formula:
     """Return a place with few digits, an angle in degrees."""
     if reach.parameter in spell.angles:
         return degrees(Fraction(f"{place * HALF_CIRCLE:.{DIGITS}g}"))
@@ -153,14 +157,14 @@ def _rounded(place: float, reach: Reach | Course, spell: Speller) -> Formula:
     return number(Fraction(f"{place / factor:.{DIGITS}g}"))
 
 
-def _share(value: float, words: Words, spell: Speller) -> str:
+def _share(value: float, locale: Locale, spell: Speller) -> str:
     shown = spell.relation((number(Fraction(f"{value:.3f}")),), (), False)
-    return shown if value else words.stuck.format(least=shown)
+    return shown if value else locale.stuck.format(least=shown)
 
 
-def _unit(reach: Reach | Course, words: Words) -> str:
-    return f" {words.units.get(reach.unit, reach.unit)}" if reach.unit else ""
+def _unit(reach: LockingIntervals | EfficiencyRange, locale: Locale) -> str:
+    return f" {locale.units.get(reach.unit, reach.unit)}" if reach.unit else ""
 
 
-def _name(reach: Reach, spell: Speller) -> str:
+def _name(reach: LockingIntervals, spell: Speller) -> str:
     return spell.relation((Symbol(reach.parameter),), (), False)

@@ -19,47 +19,47 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...study.analysis import Analysis, Break, Trend, Vanishing
-from ..derivation.steps import Passage
-from ..languages.locale import Words
+from ..derivation.steps import Paragraph
+from ..languages.locale import Locale
 from .locking import friction_remarks
 from .speller import Speller
 from .wording import enumeration, positive_first
 
 
-def said(passage: Passage, words: Words, spell: Speller) -> str:
+def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
     """Return what a passage says."""
     names = {
-        place: enumeration((spell.point(n) for n in listed), words)
-        for place, listed in passage.names.items()
+        place: enumeration((spell.point(n) for n in listed), locale)
+        for place, listed in paragraph.names.items()
         if listed
     }
     formulas = {
         place: spell.relation((f,), (), place == "direction")
-        for place, f in passage.formulas.items()
+        for place, f in paragraph.formulas.items()
     }
-    held = " " + words.held.format(loads=names["held"]) if "held" in names else ""
-    return words.sayings[passage.saying].format_map({**names, **formulas, "held": held})
+    held = " " + locale.held.format(loads=names["held"]) if "held" in names else ""
+    return locale.sayings[paragraph.saying].format_map({**names, **formulas, "held": held})
 
 
-def heading(result: Analysis, words: Words, spell: Speller) -> str:
+def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
     """Return what kind of thing was found; ``""`` for a formula of the user's own."""
     match result.target:
         case LoadRatio():
-            return words.force_ratio
+            return locale.force_ratio
         case LoadForm():
-            return words.load
+            return locale.load
         case SpeedRatio():
-            return words.speed_ratio
+            return locale.speed_ratio
         case Reaction() | Axial() | Normal():
-            return words.joint_force
+            return locale.joint_force
         case WithFriction(LoadRatio(drive) | LoadForm(drive), sense, order):
-            said = words.with_friction["first" if order == "first" else sense]
+            said = locale.with_friction["first" if order == "first" else sense]
             said = said.format(drive=_spelled(Symbol(drive), spell))
             return f"{said} ({_spelled(asked(result), spell)})"
         case WithFriction():
-            return words.joint_force_with_friction
+            return locale.joint_force_with_friction
         case Efficiency():
-            return words.efficiency
+            return locale.efficiency
         case None:
             return ""
         case _:
@@ -121,48 +121,48 @@ def is_nameless(result: Analysis) -> bool:
     return "_over_" in result.name
 
 
-def remarks(result: Analysis, words: Words, spell: Speller) -> tuple[str, ...]:
+def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:
     """Return what follows from a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
-    said = _holds(result, words, spell)
-    said += [_limit(words.zero, symbol, v, words, spell) for v in result.zeros]
-    said += [_limit(words.pole, symbol, v, words, spell) for v in result.poles]
-    said += [_infinite(symbol, b, words, spell) for b in result.breaks]
-    said += _proportions(result, words, spell)
+    said = _holds(result, locale, spell)
+    said += [_limit(locale.zero, symbol, v, locale, spell) for v in result.zeros]
+    said += [_limit(locale.pole, symbol, v, locale, spell) for v in result.poles]
+    said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
+    said += _proportions(result, locale, spell)
     if result.independent:
-        names = _symbols(result.independent, words, spell)
-        said.append(words.independent.format(result=symbol, names=names))
+        names = _symbols(result.independent, locale, spell)
+        said.append(locale.independent.format(result=symbol, names=names))
     for first, second in result.swaps:
         one, other = (_spelled(Symbol(n), spell) for n in (first, second))
-        said.append(words.swaps.format(result=symbol, first=one, second=other))
-    said += _trends(result, symbol, words, spell)
-    return (*said, *friction_remarks(result, words, spell))
+        said.append(locale.swaps.format(result=symbol, first=one, second=other))
+    said += _trends(result, symbol, locale, spell)
+    return (*said, *friction_remarks(result, locale, spell))
 
 
-def _holds(result: Analysis, words: Words, spell: Speller) -> list[str]:
+def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     held = own_conditions(result)
-    return [words.holds.format(conditions=conditions(held, spell))] if held else []
+    return [locale.holds.format(conditions=conditions(held, spell))] if held else []
 
 
 def _spelled(formula: Formula, spell: Speller) -> str:
     return spell.relation((formula,), (), False)
 
 
-def _limit(template: str, symbol: str, limit: Vanishing, words: Words, spell: Speller) -> str:
+def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: Speller) -> str:
     condition = spell.relation((limit.factor, ZERO), ("=",), False)
     said = template.format(result=symbol, condition=condition)
     if limit.at:
         name, value = limit.at[0], _ordered(limit.at[1])
         place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
-        said += ", " + words.when.format(condition=place)
-    kind = words.centres[limit.kind]
+        said += ", " + locale.when.format(condition=place)
+    kind = locale.centres[limit.kind]
     return f"{said} ({kind})." if kind else f"{said}."
 
 
-def _infinite(symbol: str, found: Break, words: Words, spell: Speller) -> str:
+def _infinite(symbol: str, found: Break, locale: Locale, spell: Speller) -> str:
     condition = spell.relation((found.factor, ZERO), ("=",), False)
     name = _spelled(Symbol(found.name), spell)
-    return words.infinite.format(result=symbol, condition=condition, name=name)
+    return locale.infinite.format(result=symbol, condition=condition, name=name)
 
 
 def _ordered(angle: Formula) -> Formula:
@@ -170,26 +170,26 @@ def _ordered(angle: Formula) -> Formula:
     return total(positive_first(angle.terms)) if isinstance(angle, Sum) else angle
 
 
-def _proportions(result: Analysis, words: Words, spell: Speller) -> list[str]:
+def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
     powers = {n: e for n, e in (result.proportional or {}).items() if e}
     if not powers:
         return []
     simple = product((Symbol(n), e) for n, e in powers.items())
-    return [f"{words.proportional} {spell.relation((asked(result), simple), ('~',), False)}."]
+    return [f"{locale.proportional} {spell.relation((asked(result), simple), ('~',), False)}."]
 
 
-def _symbols(names: Iterable[str], words: Words, spell: Speller) -> str:
-    return enumeration([_spelled(Symbol(n), spell) for n in names], words)
+def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:
+    return enumeration([_spelled(Symbol(n), spell) for n in names], locale)
 
 
-def _trends(result: Analysis, symbol: str, words: Words, spell: Speller) -> list[str]:
+def _trends(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
     groups: dict[Trend, list[str]] = {}
     for parameter, trend in (result.trends or {}).items():
         groups.setdefault(trend, []).append(parameter)
     return [
-        words.trends[trend].format(result=symbol, names=_symbols(names, words, spell))
+        locale.trends[trend].format(result=symbol, names=_symbols(names, locale, spell))
         for trend, names in groups.items()
-        if words.trends[trend]
+        if locale.trends[trend]
     ]
 
 

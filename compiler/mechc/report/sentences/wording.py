@@ -17,25 +17,25 @@ from ...formula.tree import (
 )
 from ...formula.walk import children, rebuild, symbols
 from ..derivation.steps import Equation, Step
-from ..languages.locale import Words
+from ..languages.locale import Locale
 
 
-def sentence(step: Step, words: Words, spell: Callable[[str], str]) -> str:
+def sentence(step: Step, locale: Locale, spell: Callable[[str], str]) -> str:
     """Return the rule of a step in words; ``spell`` writes a name of the drawing."""
     first, *rest = step.subject or ("",)
     together = first if len(first.rstrip("'0123456789")) > 1 else "".join(step.subject)
-    return words.rules[step.rule].format(
+    return locale.rules[step.rule].format(
         first=spell(first),
-        rest=enumeration((spell(s) for s in rest or (first,)), words),
-        all=enumeration((spell(s) for s in step.subject), words),
+        rest=enumeration((spell(s) for s in rest or (first,)), locale),
+        all=enumeration((spell(s) for s in step.subject), locale),
         joined=spell(together),
     )
 
 
-def enumeration(items: Iterable[str], words: Words) -> str:
+def enumeration(items: Iterable[str], locale: Locale) -> str:
     """Return ``A, B and C`` in the table's language."""
     *most, last = items
-    return f"{', '.join(most)} {words.conjunction} {last}" if most else last
+    return f"{', '.join(most)} {locale.conjunction} {last}" if most else last
 
 
 def as_ratio(equation: Equation) -> Equation:

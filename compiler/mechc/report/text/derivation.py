@@ -106,10 +106,10 @@ def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
 
 def _section(section: Section, spell: Speller) -> Iterator[str]:
     yield from ("", heading(section.results[0], WORDS, spell) or WORDS.results)
-    for passage in section.passages:
-        yield from _wrapped(said(passage, WORDS, spell), "     ")
-        yield from _equations(passage.equations, spell)
-    if section.passages:
+    for paragraph in section.paragraphs:
+        yield from _wrapped(said(paragraph, WORDS, spell), "     ")
+        yield from _equations(paragraph.equations, spell)
+    if section.paragraphs:
         yield f"     {WORDS.hence}"
     for result in section.results:
         yield from _result(result, spell, section.units)

@@ -6,17 +6,17 @@ import math
 from collections.abc import Collection, Iterator, Sequence
 
 from ...formula.to_text import text
-from ...model.locking import USUAL, Course
+from ...model.locking import USUAL, EfficiencyRange
 from ...study.stroke.stroke import (
     Branch,
     Column,
     Content,
     Extremum,
+    JammedInterval,
     Row,
     Singular,
     Stretch,
     Stroke,
-    Stuck,
 )
 from ...units import ANGLE, UNITS, Dimension
 
@@ -182,7 +182,7 @@ def _extremum(found: Extremum, stroke: Stroke) -> str:
     return f"{found.result} has a {found.kind} {found.value:.13g} at {_at(found.drive, stroke)}"
 
 
-def _stuck(found: Stuck, stroke: Stroke) -> str:
+def _stuck(found: JammedInterval, stroke: Stroke) -> str:
     says = {
         "free": "",
         "locked": "self-locking, the load alone moves nothing,",
@@ -191,7 +191,7 @@ def _stuck(found: Stuck, stroke: Stroke) -> str:
     return f"{found.result}: {says[found.state]} from {_span(found.low, found.high, stroke)}"
 
 
-def _course(name: str, course: Course, stroke: Stroke) -> str:
+def _course(name: str, course: EfficiencyRange, stroke: Stroke) -> str:
     parts = " and ".join(f"from {_span(*part, stroke)}" for part in course.usual)
     return (
         f"{name} runs from {course.least:.3g} to {course.greatest:.3g}; "

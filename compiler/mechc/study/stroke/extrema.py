@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal
 
 from ...formula.roots import lowest, roots
-from ...study.analysis import Analysis
+from ..analysis import Analysis
 from .along import Along
 from .stroke import Extremum
 

@@ -6,10 +6,10 @@ from ...formula.tree import Implicit
 from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...model.locking import Course
+from ...model.locking import EfficiencyRange
 from ...model.targets import Efficiency, WithFriction
-from ...study.analysis import Analysis
-from .stroke import Extremum, Stuck
+from ..analysis import Analysis
+from .stroke import Extremum, JammedInterval
 
 APART = 12
 """Of so many places one is enough where friction is found by iteration, which takes long."""
@@ -30,14 +30,14 @@ def in_code(result: Analysis, solution: Solution) -> Analysis:
     return replace(result, formula=whole.formula, where=whole.where, guards=whole.guards)
 
 
-def stuck(results: Iterable[Analysis], drive: str) -> Iterator[Stuck]:
+def stuck(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
     """Yield where friction lets nothing move."""
     for result in results:
         for reach in result.locking.reaches if result.locking else ():
             if reach.parameter == drive:
                 for stretch in reach.stretches:
                     if stretch.within:
-                        yield Stuck(result.name, stretch.state, *stretch.within)
+                        yield JammedInterval(result.name, stretch.state, *stretch.within)
 
 
 def is_told(extremum: Extremum, result: Analysis) -> bool:
@@ -45,7 +45,7 @@ def is_told(extremum: Extremum, result: Analysis) -> bool:
     return extremum.value > 0 or not isinstance(result.target, Efficiency)
 
 
-def courses(results: Iterable[Analysis], drive: str) -> Iterator[tuple[str, Course]]:
+def courses(results: Iterable[Analysis], drive: str) -> Iterator[tuple[str, EfficiencyRange]]:
     """Yield each efficiency with what it runs through."""
     for result in results:
         yield from ((result.name, c) for c in result.courses if c.parameter == drive)

@@ -7,7 +7,7 @@ from itertools import pairwise, product
 from typing import NamedTuple
 
 from ...diagnostics import Report
-from ...diagnostics import stroke as words
+from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding
 from ...formula.tree import Formula
@@ -17,8 +17,8 @@ from ...model.mechanism import LoadRatio, Mechanism, Parameter
 from ...model.result import Definition
 from ...model.values import range_of
 from ...pose.pose import Pose
-from ...study.analysis import Analysis
 from ...units import ANGLE, LENGTH, Dimension
+from ..analysis import Analysis
 from .along import EXCLUDED, NOT_ASSEMBLED, Along
 from .branches import branch_points
 from .ends import end_of_branch
@@ -53,11 +53,11 @@ def run(solution: Solution, results: Sequence[Analysis], points: int, report: Re
     drive = pose.mechanism.drive
     if drive is None:
         example = _drivable(pose)
-        raise report.fail(words.no_drive(pose.mechanism.span, pose.free, *example))
+        raise report.fail(messages.no_drive(pose.mechanism.span, pose.free, *example))
     parameter = next(p for p in pose.mechanism.parameters if p.name == drive.parameter)
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
-        raise report.fail(words.no_stroke(drive.span, drive.parameter))
+        raise report.fail(messages.no_stroke(drive.span, drive.parameter))
     runner = _Runner(solution, results, parameter, *ends)
     return runner.stroke(points)
 

@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from itertools import pairwise
 
 from ...diagnostics import Report
-from ...diagnostics import stroke as words
+from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
@@ -35,7 +35,7 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
     found = tuple((low, high) for low, high in parts if high - low > wide)
     if found:
         shown = drive.parameter, found, parameter.dimension, CELLS + 1
-        report.add(words.not_assembled(drive.span, *shown))
+        report.add(messages.not_assembled(drive.span, *shown))
     return found
 
 

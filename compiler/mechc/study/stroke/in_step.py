@@ -8,10 +8,10 @@ import math
 from collections.abc import Iterator, Mapping
 
 from ...diagnostics import Report
-from ...diagnostics import stroke as words
+from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Contact, Force, Link, Mechanism, Slide, Slot, Telescope, Thrust
+from ...model.mechanism import Contact, Force, ForcePair, Link, Mechanism, Slide, Slot, Telescope
 from ...pose.pose import Pose, Vector, evaluate_vector
 from .along import Along
 
@@ -34,7 +34,7 @@ def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
     place = along.defaults.get(drive.parameter)
     found = tuple(_out_of_step(plan, along, place)) if place is not None else ()
     for link in found:
-        report.add(words.direction_stays(link.span, link.name, drive.parameter))
+        report.add(messages.direction_stays(link.span, link.name, drive.parameter))
     return found
 
 
@@ -145,7 +145,7 @@ def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
     for touch in touches:
         yield from (touch.point, touch.tail, touch.head)
     for load in mechanism.loads:
-        if isinstance(load, Thrust):
+        if isinstance(load, ForcePair):
             yield from (load.first, load.second)
         elif isinstance(load, Force):
             yield load.point

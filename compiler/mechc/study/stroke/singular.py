@@ -8,7 +8,7 @@ from typing import Literal
 from ...formula.roots import Function, Jump, Root, jumps, roots
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
-from ...study.analysis import Analysis, Break, Vanishing
+from ..analysis import Analysis, Break, Vanishing
 from .along import Along
 from .stroke import Branch, Kind, Singular, Stretch
 

@@ -5,7 +5,7 @@ from typing import Literal, NamedTuple
 
 from ...formula.tree import Formula
 from ...frozen import frozen
-from ...model.locking import Course, State
+from ...model.locking import EfficiencyRange, State
 from ...units import Dimension
 
 Kind = Literal[
@@ -87,7 +87,7 @@ class Extremum(NamedTuple):
     value: float
 
 
-class Stuck(NamedTuple):
+class JammedInterval(NamedTuple):
     """A part of the stroke on which a result with friction is locked, or jammed."""
 
     result: str
@@ -116,8 +116,8 @@ class Stroke:
     singular: tuple[Singular, ...]
     branches: tuple[Branch, ...]
     extrema: tuple[Extremum, ...]
-    stuck: tuple[Stuck, ...]
-    courses: tuple[tuple[str, Course], ...]
+    stuck: tuple[JammedInterval, ...]
+    courses: tuple[tuple[str, EfficiencyRange], ...]
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
     looked: tuple[tuple[str, int], ...] = ()

@@ -13,7 +13,7 @@ from ...algebra.sums import add, canonical
 from ...formula.tree import Symbol
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Arrow, Force, Load, Thrust, Torque
+from ...model.mechanism import Arrow, Force, ForcePair, Load, Torque
 from ...power.balance import Balance, Term
 from ...units import FREQUENCY, VELOCITY, Dimension
 from .branches import rates_of
@@ -61,7 +61,7 @@ def _of_load(term: Term) -> Velocity:
             return Velocity(f"V_{point}", VELOCITY, term.speed[0])
         case Torque(link=link):
             return Velocity(f"omega_{link}", FREQUENCY, term.speed[0])
-        case Thrust(first=first, second=second):
+        case ForcePair(first=first, second=second):
             # Across the mirror the term has the first point's half of the rate.
             halves = 2 if second == f"{first}'" else 1
             return Velocity(f"V_{first}{second}", VELOCITY, term.speed[0].scaled(halves))
@@ -108,7 +108,7 @@ def _shifted(balance: Balance) -> Velocity | None:
 
 
 def _pair(load: Load) -> set[str]:
-    return {load.first, load.second} if isinstance(load, Thrust) else set()
+    return {load.first, load.second} if isinstance(load, ForcePair) else set()
 
 
 def _own_rate(plan: Plan) -> Velocity | None:

@@ -9,15 +9,15 @@ from collections.abc import Iterator, Mapping
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_angle, to_product
 from ..diagnostics import Report
-from ..diagnostics import pose as words
+from ..diagnostics import pose as messages
 from ..formula.layout import TRIGONOMETRIC
 from ..formula.tree import Call, Formula
 from ..formula.walk import children, rebuild, substitute, symbols
 from ..frozen import replace
 from ..model.forms import Form, form_of
-from ..model.mechanism import Mechanism, Thrust
+from ..model.mechanism import ForcePair, Mechanism
 from ..source import Span
-from .loops.sides import principal
+from .loops.triangle import principal
 from .vectors import Vectors
 
 
@@ -46,7 +46,7 @@ def _formulas(mechanism: Mechanism) -> Iterator[tuple[Formula, Span]]:
     for expect in mechanism.expects:
         yield expect.value, expect.span
     for load in mechanism.loads:
-        if load.tie is not None and not isinstance(load, Thrust):
+        if load.tie is not None and not isinstance(load, ForcePair):
             yield load.tie, load.span
 
 
@@ -54,13 +54,13 @@ def _answer(form: Form, vectors: Vectors, span: Span, report: Report) -> Formula
     tail, head = form.points
     vector = vectors.path(tail, head)
     if vector is None:
-        report.add(words.missing_direction(span, f"{tail}{head}", "the formula"))
+        report.add(messages.missing_direction(span, f"{tail}{head}", "the formula"))
     elif not vector:
-        report.add(words.points_coincide(span, f"{tail}{head}"))
+        report.add(messages.points_coincide(span, f"{tail}{head}"))
     elif vectors.is_open(vector) and form.prefix == "len":
-        report.add(words.length_open(span, f"{tail}{head}"))
+        report.add(messages.length_open(span, f"{tail}{head}"))
     elif len(vector) > 1 and vectors.is_open(vector):
-        report.add(words.no_direction_of_its_own(span, f"{tail}{head}"))
+        report.add(messages.no_direction_of_its_own(span, f"{tail}{head}"))
     else:
         if len(vector) > 1:
             vectors.straighten(tail, head)
@@ -81,7 +81,7 @@ def _with(mechanism: Mechanism, found: Mapping[str, Formula]) -> Mechanism:
     )
     loads = tuple(
         load
-        if load.tie is None or isinstance(load, Thrust)
+        if load.tie is None or isinstance(load, ForcePair)
         else replace(load, tie=_put(load.tie, found))
         for load in mechanism.loads
     )

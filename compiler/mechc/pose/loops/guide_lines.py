@@ -6,14 +6,14 @@ from typing import NamedTuple, assert_never
 from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...frozen import replace
-from ...model.mechanism import Arrow, Geometry, Mechanism, Offset, Thrust, Turn
+from ...model.mechanism import Arrow, ForcePair, Geometry, Mechanism, Offset, Turn
 from ...source import Span
-from ..compass import Compass
+from ..directions import Directions
 from ..pose import Arm
-from .web import Edge
+from .vector_graph import Edge
 
 
-class Rail(NamedTuple):
+class GuideLine(NamedTuple):
     """A line on which a pin slides: where it starts, its direction, the name of the distance.
 
     The distance is counted along the line, so that it is negative behind the start.
@@ -32,22 +32,22 @@ class Rail(NamedTuple):
         return Edge(self.start, self.pin, (arm,), self.span)
 
 
-def rails(mechanism: Mechanism, compass: Compass) -> Iterator[Rail]:
+def rails(mechanism: Mechanism, compass: Directions) -> Iterator[GuideLine]:
     """Yield the guides that pass through a point, then the slots."""
     for slider in mechanism.sliders:
         angle = compass.resolve(slider.along, f"theta_{slider.point}")
         if slider.through and angle is not None:
             name = _length(slider.through, slider.point, mechanism)
-            yield Rail(slider.through, slider.point, angle, name, slider.span)
+            yield GuideLine(slider.through, slider.point, angle, name, slider.span)
     for slot in mechanism.slots:
         if (angle := compass.of(slot.tail, slot.head)) is not None:
             name = _length(slot.tail, slot.point, mechanism)
-            yield Rail(slot.tail, slot.point, angle, name, slot.span)
+            yield GuideLine(slot.tail, slot.point, angle, name, slot.span)
 
 
 def _length(start: str, pin: str, mechanism: Mechanism) -> str:
     """Return a name for the distance; that of a spring's ends means what is never negative."""
-    springs = (t for t in mechanism.loads if isinstance(t, Thrust) and t.spring)
+    springs = (t for t in mechanism.loads if isinstance(t, ForcePair) and t.spring)
     taken = any((t.first, t.second) == (start, pin) for t in springs)
     return f"len_{start}{pin}" + "_" * taken
 

@@ -55,7 +55,7 @@ def loop_name(cycle: Cycle) -> str:
     return "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))
 
 
-class Web:
+class VectorGraph:
     """Edges, and the unknowns that are still sought."""
 
     def __init__(self, edges: Iterable[Edge], sought: Iterable[str]) -> None:

@@ -4,7 +4,7 @@ from collections.abc import Iterator, Mapping
 
 from ..algebra.angle import Angle
 from ..diagnostics import Report
-from ..diagnostics import pose as words
+from ..diagnostics import pose as messages
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Mechanism, Offset, Turn
 from ..source import Span
 from .terms import Terms
@@ -13,7 +13,7 @@ Pair = tuple[str, str]
 HALF_TURN = Angle.constant(180)
 
 
-class Compass:
+class Directions:
     """The direction of every pair of points that has one angle.
 
     Made from the geometry by going round until nothing new follows: a direction that is
@@ -116,7 +116,7 @@ class Compass:
             self._known[tail, head] = angle, span
             self._known[head, tail] = angle + HALF_TURN, span
         elif not _same(known[0], angle):
-            self._report.add(words.directions_disagree(span, f"{tail}{head}", known[1]))
+            self._report.add(messages.directions_disagree(span, f"{tail}{head}", known[1]))
 
 
 def _slid_along(mechanism: Mechanism) -> Iterator[Pair]:

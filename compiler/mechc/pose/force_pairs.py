@@ -8,12 +8,12 @@ from ..algebra.product import Product
 from ..algebra.sums import add
 from ..algebra.trigonometry import sine
 from ..diagnostics import Report
-from ..diagnostics import pose as words
+from ..diagnostics import pose as messages
 from ..diagnostics import power as power_words
-from ..model.mechanism import Mechanism, Thrust
-from .loops.web import mentioned
-from .nearby import is_behind, poses_nearby
+from ..model.mechanism import ForcePair, Mechanism
+from .loops.vector_graph import mentioned
 from .pose import Arm, Definition, Vector, evaluate_vector
+from .samples import is_behind, poses_nearby
 from .terms import Terms
 from .vectors import Vectors
 
@@ -30,7 +30,7 @@ class Pairing(NamedTuple):
     report: Report
 
 
-def thrust_line(thrust: Thrust, pairing: Pairing) -> Angle:
+def thrust_line(thrust: ForcePair, pairing: Pairing) -> Angle:
     """Return the direction in which a pair pushes its second point.
 
     Across the mirror it is the direction in which it pushes the first point away from the
@@ -42,7 +42,7 @@ def thrust_line(thrust: Thrust, pairing: Pairing) -> Angle:
     if not vector:
         pairs = f"{thrust.first}{thrust.second}"
         what = f"the {'spring' if thrust.spring else 'actuator'} {thrust.name}"
-        pairing.report.add(words.missing_direction(thrust.span, pairs, what))
+        pairing.report.add(messages.missing_direction(thrust.span, pairs, what))
         return Angle()
     if _lacks_length(thrust, vector, pairing):
         return Angle()
@@ -50,12 +50,12 @@ def thrust_line(thrust: Thrust, pairing: Pairing) -> Angle:
         return _along(thrust, vector[0], pairing)
     if pairing.vectors.is_open(vector):
         pairs = f"{thrust.first}{thrust.second}"
-        pairing.report.add(words.no_direction_of_its_own(thrust.span, pairs))
+        pairing.report.add(messages.no_direction_of_its_own(thrust.span, pairs))
         return Angle()
     return pairing.vectors.straighten(thrust.first, thrust.second)
 
 
-def _lacks_length(thrust: Thrust, vector: Vector, pairing: Pairing) -> bool:
+def _lacks_length(thrust: ForcePair, vector: Vector, pairing: Pairing) -> bool:
     """Report a spring whose points are at a distance that is not given."""
     if not thrust.spring or not pairing.vectors.is_open(vector):
         return False
@@ -65,7 +65,7 @@ def _lacks_length(thrust: Thrust, vector: Vector, pairing: Pairing) -> bool:
     return True
 
 
-def _along(thrust: Thrust, arm: Arm, pairing: Pairing) -> Angle:
+def _along(thrust: ForcePair, arm: Arm, pairing: Pairing) -> Angle:
     """Return the direction of the arm between the points, turned if it ends behind its start."""
     poses = poses_nearby(pairing.mechanism, pairing.terms.definitions)
     behind = is_behind(arm.length, poses)
@@ -73,26 +73,26 @@ def _along(thrust: Thrust, arm: Arm, pairing: Pairing) -> Angle:
     return arm.angle + Angle.constant(180) if behind else arm.angle
 
 
-def _define_length(thrust: Thrust, length: Product, pairing: Pairing) -> None:
+def _define_length(thrust: ForcePair, length: Product, pairing: Pairing) -> None:
     name = f"len_{thrust.first}{thrust.second}"
     known = {*pairing.vectors.placeholders, *(d.name for d in pairing.terms.definitions)}
     if thrust.spring and name not in known:
         pairing.terms.definitions.append(Definition(name, length.formula()))
 
 
-def _across(thrust: Thrust, pairing: Pairing, axis: Angle) -> Angle:
+def _across(thrust: ForcePair, pairing: Pairing, axis: Angle) -> Angle:
     """Return the normal of the mirror line on the side of the first point."""
     mirror = pairing.mechanism.mirror
     shared = mirror.sharing if mirror else ()
     paths = (pairing.vectors.path(point, thrust.first) for point in shared)
     vector = next((v for v in paths if v), None)
     if vector is None and not shared:
-        pairing.report.add(words.side_of_the_mirror(thrust.span, thrust.first, thrust.name))
+        pairing.report.add(messages.side_of_the_mirror(thrust.span, thrust.first, thrust.name))
         return axis + QUARTER
     if vector is None:
         what = f"the side of {thrust.first} on which {thrust.name} pushes it"
         pairs = f"{shared[0]}{thrust.first}"
-        pairing.report.add(words.missing_direction(thrust.span, pairs, what))
+        pairing.report.add(messages.missing_direction(thrust.span, pairs, what))
         return axis + QUARTER
     if _lacks_length(thrust, vector, pairing):
         return axis + QUARTER

@@ -11,7 +11,7 @@ from .targets import Sense
 
 
 @frozen
-class RubbingPin:
+class PinFriction:
     """A pin whose friction gives the couple ``radius · |R|`` against the relative rotation.
 
     ``radius`` is that of the friction circle: f·d/2 where f is the journal coefficient,
@@ -28,7 +28,7 @@ class RubbingPin:
 
 
 @frozen
-class RubbingGuide:
+class GuideFriction:
     """A guide, or a roller on it, that resists with ``factor · |N|`` along itself."""
 
     point: str
@@ -37,7 +37,7 @@ class RubbingGuide:
 
 
 @frozen
-class RubbingFace:
+class FaceFriction:
     """A slot or a contact that resists with ``factor · |N|`` along the face."""
 
     point: str
@@ -46,7 +46,7 @@ class RubbingFace:
 
 
 @frozen
-class RubbingMesh:
+class WheelFriction:
     """A pair of gears, a belt or a rack that loses ``factor`` of the force it passes on.
 
     The loss resists the rim of the first wheel, or the rack: ``point`` is its pivot, or the
@@ -60,7 +60,7 @@ class RubbingMesh:
 
 
 @frozen
-class RubbingThread:
+class ThreadFriction:
     """A screw on whose thread, of mean diameter ``thread``, Coulomb's friction acts."""
 
     point: str
@@ -69,7 +69,7 @@ class RubbingThread:
     span: Span
 
 
-Rubbing = RubbingPin | RubbingGuide | RubbingFace | RubbingMesh | RubbingThread
+JointFriction = PinFriction | GuideFriction | FaceFriction | WheelFriction | ThreadFriction
 
 
 @frozen
@@ -80,7 +80,7 @@ class Friction:
     ``everywhere`` tells that every pin was said to have friction.
     """
 
-    rubbing: tuple[Rubbing, ...] = ()
+    rubbing: tuple[JointFriction, ...] = ()
     sense: Sense = "tightening"
     efficiency: Formula | None = None
     everywhere: bool = False
@@ -99,6 +99,6 @@ class Friction:
         if self.efficiency is not None:
             yield self.efficiency
         for rub in self.rubbing:
-            yield rub.radius if isinstance(rub, RubbingPin) else rub.factor
-            if isinstance(rub, RubbingThread):
+            yield rub.radius if isinstance(rub, PinFriction) else rub.factor
+            if isinstance(rub, ThreadFriction):
                 yield rub.thread

@@ -3,7 +3,7 @@
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 
-from ..diagnostics.model import loads as words
+from ..diagnostics.model import loads as messages
 from ..diagnostics.model import names
 from ..formula.tree import Symbol, negative, product, total
 from ..frozen import replace
@@ -11,13 +11,13 @@ from ..syntax import ast
 from ..units import LENGTH, STIFFNESS
 from .directions import check_sign
 from .expressions import Reader
-from .mechanism import Load, Mechanism, RubbingPin, Thrust
+from .mechanism import ForcePair, Load, Mechanism, PinFriction
 from .scope import DESCRIPTION, Scope
 
 
 def read_thrust(
     statement: ast.Actuator | ast.Spring, is_mirrored: bool, times: Fraction, scope: Scope
-) -> Thrust | None:
+) -> ForcePair | None:
     """Return a pair of forces between two points, or between a point and its twin.
 
     A spring's force is c·(l0 − len_AB): positive where it is pressed together.
@@ -31,14 +31,14 @@ def read_thrust(
         scope.report.add(names.repeated_point(both, first + second, first))
         return None
     if (_is_twin(second, scope) and second != f"{first}'") or _is_twin(first, scope):
-        scope.report.add(words.pair_across_the_mirror(statement.span, first, second))
+        scope.report.add(messages.pair_across_the_mirror(statement.span, first, second))
         return None
     links = _links(statement, scope)
     if links is None:
         return None
     if isinstance(statement, ast.Actuator):
         name = statement.name.text
-        return Thrust(name, first, second, statement.span, None, times, False, *links)
+        return ForcePair(name, first, second, statement.span, None, times, False, *links)
     reader = Reader(scope, DESCRIPTION)
     rate = reader.wanted(statement.rate, STIFFNESS, "the rate of a spring")
     free = reader.wanted(statement.free, LENGTH, "the free length of a spring")
@@ -48,7 +48,9 @@ def read_thrust(
         return None
     stretch = total([free, negative(Symbol(f"len_{first}{second}"))])
     force = product([(rate, 1), (stretch, 1)])
-    return Thrust(spring_name(statement), first, second, statement.span, force, times, True, *links)
+    return ForcePair(
+        spring_name(statement), first, second, statement.span, force, times, True, *links
+    )
 
 
 def _links(statement: ast.Actuator | ast.Spring, scope: Scope) -> tuple[str, str] | None:
@@ -66,24 +68,24 @@ def carrying(name: ast.Name | None, point: ast.Name, scope: Scope) -> str | None
     if link is None:
         return None
     if point.text not in link.points:
-        scope.report.add(words.load_on_another_link(name.span, point.text, link.name))
+        scope.report.add(messages.load_on_another_link(name.span, point.text, link.name))
         return None
     return link.name
 
 
 def inside_telescopes(loads: Sequence[Load], built: Mechanism, scope: Scope) -> tuple[Load, ...]:
     """Return loads with those that act in a telescope with rubbing ends put on its two parts."""
-    rough = {r.point for r in built.friction.rubbing if isinstance(r, RubbingPin)}
+    rough = {r.point for r in built.friction.rubbing if isinstance(r, PinFriction)}
     bent = {frozenset(t.points): t.name for t in built.telescopes if rough & {*t.points}}
     return tuple(_inside(load, bent, scope) for load in loads)
 
 
 def _inside(load: Load, bent: Mapping[frozenset[str], str], scope: Scope) -> Load:
-    if not isinstance(load, Thrust):
+    if not isinstance(load, ForcePair):
         return load
     name = bent.get(frozenset((load.first, load.second)), "")
     if name and (load.first_link or load.second_link):
-        scope.report.add(words.load_inside_telescope(load.span, load.name, name))
+        scope.report.add(messages.load_inside_telescope(load.span, load.name, name))
     return replace(load, first_link=name, second_link=name) if name else load
 
 
