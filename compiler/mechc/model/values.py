@@ -163,14 +163,17 @@ def holds(condition: Require, values: Values) -> bool:
 def standing(result: Result, values: Values) -> Result | None:
     """Return the form of a result that has a value: itself, or the one for elsewhere.
 
-    None where a condition of either is broken. What cannot be judged stands.
+    None where a condition of either is broken. What cannot be judged stands. Definitions that
+    have a value keep it: what loops find may have been followed there from another pose.
     """
-    known = completed(values, result.where)
-    if all(holds(guard, known) for guard in result.guards):
-        known_all = symbols(result.formula) <= known.keys()
-        if not known_all or not math.isnan(evaluate(result.formula, known)):
-            return result
-    return standing(result.elsewhere, values) if result.elsewhere else None
+    known = completed(values, (d for d in result.where if d.name not in values))
+    sound = all(holds(guard, known) for guard in result.guards)
+    if result.elsewhere is None:
+        return result if sound else None
+    judged = sound and symbols(result.formula) <= known.keys()
+    if sound and not (judged and math.isnan(evaluate(result.formula, known))):
+        return result
+    return standing(result.elsewhere, values)
 
 
 def compare(left: float, relation: str, right: float) -> bool:
