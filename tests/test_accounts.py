@@ -63,9 +63,9 @@ def test_the_power_of_a_released_bond(name):
     """The ratios of speeds, put into the power equation, give the force that was found."""
     compilation = compiled(name)
     checked = 0
-    for account in compilation.derivation.accounts:
+    for account in compilation.derivation.explanations:
         values = numbers(compilation, account)
-        for passage in account.passages:
+        for passage in account.paragraphs:
             if "speed" not in passage.formulas:
                 continue
             values[passage.formulas["speed"].name] = 1.0
@@ -100,15 +100,15 @@ def test_a_force_is_told_under_one_heading_with_its_direction():
 
 def test_a_rod_without_loads_is_let_go_along_its_line_once():
     compilation = compiled("knee")
-    accounts = {a.results[0]: a for a in compilation.derivation.accounts}
+    accounts = {a.results[0]: a for a in compilation.derivation.explanations}
     on_rod = accounts["R_B_on_BC_x"]
-    assert [p.saying for p in on_rod.passages] == [SentenceKind.ROD]
+    assert [p.saying for p in on_rod.paragraphs] == [SentenceKind.ROD]
 
 
 def test_a_guide_presses_across_itself():
-    accounts = compiled("knee").derivation.accounts
+    accounts = compiled("knee").derivation.explanations
     sideways = next(a for a in accounts if a.results[0] == "R_C_x")
-    assert sideways.passages[0].saying is SentenceKind.SMOOTH
+    assert sideways.paragraphs[0].saying is SentenceKind.SMOOTH
 
 
 def test_results_mention_nothing_that_is_not_told():
@@ -134,10 +134,10 @@ def test_what_is_told_of_friction_is_true(case):
     results = {r.name: r for r in compilation.results}
     values |= {name: r.default for name, r in results.items() if r.default is not None}
     told = 0
-    for account in compilation.derivation.accounts:
+    for account in compilation.derivation.explanations:
         of = results[account.results[0]].target.of
         values[of.above] = results[account.results[0]].default
-        equations = [e for passage in account.passages for e in passage.equations]
+        equations = [e for passage in account.paragraphs for e in passage.equations]
         for definition in (d for name in account.results for d in results[name].where):
             values[definition.name] = evaluate(definition.formula, values)
         defined = [e for e in equations if isinstance(e.left, Symbol)]
@@ -149,7 +149,7 @@ def test_what_is_told_of_friction_is_true(case):
             found = evaluate(results[name].formula, values)
             assert found == pytest.approx(results[name].default, rel=1e-9)
         told += len(equations)
-    assert told or not compilation.derivation.accounts
+    assert told or not compilation.derivation.explanations
 
 
 @pytest.mark.parametrize("case", CASES)

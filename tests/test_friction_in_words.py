@@ -100,9 +100,19 @@ def test_friction_is_among_what_is_given(name, said):
 @pytest.mark.parametrize(
     ("language", "tightening", "releasing", "first"),
     [
-        ("en", "$P$ drives", "$P$ yields", "to first order"),
-        ("uk", "$P$ рушійне", "$P$ долається", "перше наближення"),
-        ("ru", "$P$ движущее", "$P$ преодолевается", "первое приближение"),
+        ("en", "$P$ drives", "$P$ is back-driven", "to first order"),
+        (
+            "uk",
+            "прямий хід (рушійне навантаження $P$)",
+            "зворотний хід (навантаження $P$ утримує)",
+            "перше наближення",
+        ),
+        (
+            "ru",
+            "прямой ход (движущая нагрузка $P$)",
+            "обратный ход (нагрузка $P$ удерживает)",
+            "первое приближение",
+        ),
     ],
 )
 def test_headings_tell_results_with_friction_apart(language, tightening, releasing, first):
@@ -120,7 +130,7 @@ def derived(name):
 def test_the_force_in_a_pulled_rod_is_a_pull():
     """Table 1 row 2: the rod pulls the jaws together with k_f/2 over the cosine of its line."""
     shown = derived("karpenko_fig2_with_friction")
-    assert "The rod AB is pulled." in shown
+    assert "The rod AB is in tension." in shown
     assert "k_f = 2 · S_AB · cos(α − δ_AB)" in shown
     assert "−2" not in shown
 

@@ -17,7 +17,7 @@ from mechc.emit.target import Options
 from mechc.formula.tree import Call, Sum, Symbol
 from mechc.report.derivation.steps import Rule
 from mechc.report.languages import en, ru, uk
-from mechc.report.languages.locale import Words
+from mechc.report.languages.locale import Locale
 from mechc.report.latex.display import vanishing
 from mechc.report.latex.notation import notation
 from report_samples import packet_clamp, six_bar
@@ -155,7 +155,7 @@ def test_a_name_made_up_for_a_sum_is_defined_once(name: str) -> None:
 # --------------------------------------------------------------------------- words
 
 
-def entries(words: Words) -> dict[str, str]:
+def entries(words: Locale) -> dict[str, str]:
     flat: dict[str, str] = {}
     for field, value in words._asdict().items():
         if field == "units":

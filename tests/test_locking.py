@@ -275,14 +275,16 @@ def told(description: str, tmp_path, capsys, *command: str) -> str:
 
 def test_check_tells_the_condition(tmp_path, capsys):
     out = told(KNEE.format(low=0.1, more=""), tmp_path, capsys, "check")
-    assert "Self-locking: F alone moves nothing for alpha <= delta_OB (0.573 deg)" in out
+    assert (
+        "Self-locking: F alone cannot move the mechanism for alpha <= delta_OB (0.573 deg)" in out
+    )
     assert "in the range given for 0.1 deg <= alpha <= 0.573 deg" in out
     assert "eta_k runs from 0.149 to 0.98; it is between 0.9 and 0.95 for 5.19 deg" in out
 
 
 def test_check_tells_what_is_locked_as_given(tmp_path, capsys):
     out = told(WEDGE, tmp_path, capsys, "check")
-    assert "Self-locking: F alone moves nothing at the values given." in out
+    assert "Self-locking: F alone cannot move the mechanism at the values given." in out
 
 
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
@@ -655,7 +657,9 @@ def test_a_face_steep_against_its_friction_is_judged(mu, tmp_path, capsys):
 def test_a_wedge_is_judged_by_the_force_that_it_gives(tmp_path, capsys):
     description = WEDGE.replace("k = P / F", "n = F / P").replace(" in 2 deg .. 30 deg", "")
     out = told(description, tmp_path, capsys, "check")
-    assert "Jammed: no force F moves anything for beta <= phi_A + atan(mu) (11.42 deg)." in out
+    assert (
+        "Jammed: no force F can move the mechanism for beta <= phi_A + atan(mu) (11.42 deg)." in out
+    )
     assert "equilibrium of the free bodies agrees" in out
 
 

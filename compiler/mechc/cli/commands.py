@@ -22,7 +22,7 @@ COMMANDS = {
     "derive": Entry("derive", "Print the derivation of k step by step."),
     "stroke": Entry("stroke", "Print k along the stroke, dead centres and extrema."),
     "show": Entry("show", "Print what a stage of the compiler made of a description."),
-    "list": Entry("shelf", "List the mechanisms of the library."),
+    "list": Entry("list", "List the mechanisms of the library."),
     "new": Entry("new", "Start a description from a commented example."),
     "fmt": Entry("fmt", "Lay out descriptions; turn one notation into the other."),
     "explain": Entry("explain", "Explain an error or a warning by its code."),

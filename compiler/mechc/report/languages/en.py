@@ -66,7 +66,7 @@ WORDS = Locale(
     length="Length or coordinates",
     direction="Direction",
     velocities="Velocities",
-    magnitudes="Velocities are given by their magnitudes in the motion considered.",
+    magnitudes="Velocities are positive as the points and links move in the motion considered.",
     signed="Velocities along guides are positive in the guide's direction, angular velocities "
     "counter-clockwise.",
     rules={
@@ -74,8 +74,8 @@ WORDS = Locale(
         "to their arms.",
         "arm": "The link turns about the pivot {first}: the velocity of {rest} is the angular "
         "velocity times the arm.",
-        "projection": "Theorem on the projections of the velocities of two points of a rigid "
-        "body: on the line {joined} the velocities of {all} have equal projections.",
+        "projection": "Equal-projection theorem (velocities of two points of a rigid body): on the "
+        "line {joined} the velocities of {all} have equal projections.",
         "rotation": "Angular velocity of the link {joined} from the velocities of its points.",
         "body": "Plane motion of the link {first}: the velocity of one point and the rotation "
         "about it give the velocity of another ({rest}).",
@@ -97,7 +97,7 @@ WORDS = Locale(
         "component": "Component of the velocity of {first} in the direction of the load {rest}.",
     },
     sayings={
-        "released": "Principle of released constraints: a bond is taken away, its force becomes a "
+        "released": "Release of constraints: a constraint is taken away, its reaction becomes a "
         "load, and the powers of all loads add up to zero in the motion that is left.{held}",
         "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "
         "{speed}.",
@@ -107,11 +107,11 @@ WORDS = Locale(
         "the velocity {speed}.",
         "touch": "Let {point} part from the surface that it touches in the direction {direction} "
         "with the velocity {speed}.",
-        "idle": "Let the bond at {point} go in the direction {direction}: no load does work then, "
-        "and this component is zero.",
+        "idle": "Let the constraint at {point} be released in the direction {direction}: no load "
+        "does work then, and this component is zero.",
         "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
         "line.",
-        "smooth": "The guide of {point} presses across itself only.",
+        "smooth": "The guide of {point} acts across itself only.",
         "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
         "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
         "releasing": "The motion is against the arrow of {drive}; friction acts against every "
@@ -119,18 +119,18 @@ WORDS = Locale(
         "pins rub": "The friction of a pin is a couple: the force on the pin times the radius "
         "{radius} of the friction circle.",
         "guides rub": "The friction of a guide is its coefficient times the force across it.",
-        "rod forces": "{force} is the force in a rod: the thrust of one that is pressed, the pull "
-        "of one that is pulled.",
+        "rod forces": "{force} is the size of the force in a rod, whether in compression or in "
+        "tension.",
         "part": "By symmetry one of the equal parts is considered.",
         "unit": "Forces are given per unit of {load}.",
-        "pressed": "The rod {link} is pressed.",
-        "pulled": "The rod {link} is pulled.",
-        "crossed": "The force in {link} acts along the crossed tangent of the friction circles at "
-        "its ends, as it turns the same way on both pins.",
-        "outer": "The force in {link} acts along an outer tangent of the friction circles at its "
-        "ends, as it turns on its pins in opposite ways.",
-        "parallel": "The force in {link} keeps its direction: the outer tangent of equal friction "
-        "circles is parallel to it.",
+        "pressed": "The rod {link} is in compression.",
+        "pulled": "The rod {link} is in tension.",
+        "crossed": "The force in {link} acts along the internal common tangent of the friction "
+        "circles at its ends, as it turns the same way on both pins.",
+        "outer": "The force in {link} acts along an external common tangent of the friction "
+        "circles at its ends, as it turns on its pins in opposite ways.",
+        "parallel": "The force in {link} keeps its direction: the external common tangent of equal "
+        "friction circles is parallel to it.",
         "single": "The force in {link} goes through the pin at one end and touches the friction "
         "circle at the other.",
         "face": "The whole force {force} of the face on {point}, the normal force with friction, "
@@ -144,10 +144,10 @@ WORDS = Locale(
         "along": "Forces on {point} along its guide:",
         "rubs along": "Forces on {point} along its guide, on the right its friction:",
         "knee": "Forces on the pin {point}, across each of the rods:",
-        "first order": "To first order the joints are pressed as without friction. Each friction "
+        "first order": "To first order the joints are loaded as without friction. Each friction "
         "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
         "velocity.",
-        "first order, less": "To first order the joints are pressed as without friction. Each "
+        "first order, less": "To first order the joints are loaded as without friction. Each "
         "friction takes away its coefficient times the force {force} times the slip, per unit of "
         "the drive’s velocity.",
         "slip of pin": "The slip of a pin is its rotation {turn}, with the radius of the friction "
@@ -156,8 +156,9 @@ WORDS = Locale(
         "straight": "Each friction is its coefficient times the force {force} that presses the "
         "surfaces; the frictions themselves change these forces. The power of each is this times "
         "the speed {speed} of the slip, per unit of the drive’s velocity:",
-        "efficient": "The efficiency is given: of the power that drives, this part arrives.",
-        "iterated": "Here each friction depends on the others. With {sizes} the forces that press "
+        "efficient": "The efficiency is given: the part of the driving power that reaches the "
+        "load.",
+        "iterated": "Here each friction depends on the others. With {sizes} the forces at "
         "the joints, {parts} their components without friction and {changes} what all frictions "
         "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
     },
@@ -175,12 +176,12 @@ WORDS = Locale(
     joint_force_with_friction="Force at a joint, with friction",
     with_friction={
         "tightening": "With friction, {drive} drives",
-        "releasing": "With friction, {drive} yields",
+        "releasing": "With friction, {drive} is back-driven",
         "first": "With friction, to first order",
     },
     efficiency="Efficiency",
     where="where",
-    solve="{names}: the solution, on the branch of the values given, of",
+    solve="{names}: the solution of the equations (on the branch of the values given)",
     proportional="Proportionality:",
     independent="{result} does not depend on {names}.",
     swaps="{result} does not change when {first} and {second} change places.",
@@ -207,8 +208,8 @@ WORDS = Locale(
         "other": "",
     },
     states={
-        "locked": "Self-locking: {load} alone moves nothing",
-        "jammed": "Jammed: no force {drive} moves anything",
+        "locked": "Self-locking: {load} alone cannot move the mechanism",
+        "jammed": "Jammed: no force {drive} can move the mechanism",
     },
     all_loads="the load",
     as_given="at the values given",
@@ -225,7 +226,7 @@ WORDS = Locale(
     unusual="it is nowhere between 0.9 and 0.95",
     sampled="These bounds are found by sampling and refined, not proved.",
     derivatives="Sensitivities (partial derivatives)",
-    slope="Derivative along the stroke",
+    slope="Derivative with respect to the driving coordinate",
     holds="This holds while {conditions}.",
     requirements="The result holds for",
     numbers="Numerical values",
