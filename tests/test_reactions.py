@@ -226,3 +226,37 @@ def test_a_load_that_a_reaction_shows_has_an_influence():
     assert not mechc.loads(FRAME).warnings
     (warning,) = mechc.loads(FRAME.replace("N_F, ", "").replace("expect N_F", "#")).warnings
     assert warning.code == "W501"
+
+
+TOGGLE = """\
+param l = 200 mm
+param alpha = 10 deg
+pivot O
+slider K along {guide}
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+force P at B along 0 deg
+force F at K along -90 deg
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize("friction", ["", "friction slider K 0.1\nfriction pins 0.1 diameter 2 cm"])
+def test_a_component_that_is_exactly_zero_is_no_disagreement(friction):
+    """Its weight in equilibrium is the rounded cosine of 90°."""
+    text = TOGGLE.format(guide="90 deg") + "find R_K, N_K, R_K on BK\n" + friction
+    assert mechc.loads(text).evaluate(F=1.0)["R_K_y"] == 0
+
+
+def test_two_points_of_a_link_in_one_place_move_alike():
+    """Two rods on the ground press on one point of a body, once with two names for it."""
+    body = "link DE{}\nDE = 100 mm @ 45 deg\n{}link BE\nBE = 80 mm @ 0 deg\n"
+    given = "pivot A\npivot C\nlink AD\nAD = 60 mm @ 135 deg\nlink C{}\nC{} = 70 mm @ 90 deg\n"
+    loads = "slider B along 20 deg\nforce P at B along 20 deg\nforce F at E along {}\nfind k = P/F"
+    apart = body.format("G", "DG = 100 mm @ 45 deg\n") + given.format("G", "G")
+    once = body.format("", "") + given.format("E", "E")
+    for along in ("90 deg", "10 deg"):
+        one, two = (mechc.loads(t + loads.format(along)).evaluate()["k"] for t in (once, apart))
+        assert one == pytest.approx(two, rel=1e-12)

@@ -236,10 +236,14 @@ class Builder:
     def _both_directions(
         self, link: Link, base: str, point: str, velocity: Velocity
     ) -> Iterator[Angle]:
-        """Yield the line of the link, in which its spin has no part, and the normal to it."""
-        along = velocity[-1].direction - QUARTER
-        if base:
-            along = self._pose.vector(link.name, base, point)[0].angle
+        """Yield the line of the link, in which its spin has no part, and the normal to it.
+
+        Two points of a link may lie in one place: then any two directions do.
+        """
+        arms = self._pose.vector(link.name, base, point) if base else ()
+        along = velocity[-1].direction - QUARTER if velocity else Angle()
+        if arms:
+            along = arms[0].angle
         yield along
         yield along + QUARTER
 

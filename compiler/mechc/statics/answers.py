@@ -108,7 +108,11 @@ def combination(
     weights: Mapping[int, float],
     wanted: str = "the force",
 ) -> Answer:
-    """Solve for the reactions and the unknown loads, and return a combination of them."""
+    """Solve for the reactions and the unknown loads, and return a combination of them.
+
+    The weights of reactions are components of unit vectors, so rounded ones of directions:
+    the cosine of 90° is 6e-17, and a force that has no part along x shows one of that size.
+    """
     found = factors.solve(right)
     if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
         return Answer(math.nan, math.inf, UNBALANCED)
@@ -116,8 +120,9 @@ def combination(
         return Answer(math.nan, math.inf, f"equilibrium leaves {wanted} open")
     value = sum(weight * found[column] for column, weight in weights.items())
     sizes = factors.weights(found, right)
-    forces = sum(abs(w) for column, w in weights.items() if column < len(system.unknowns))
-    influence = ROUNDED * max(sizes, default=0.0) * forces
+    forces = [column for column in weights if column < len(system.unknowns)]
+    influence = ROUNDED * max(sizes, default=0.0) * len(forces)
+    influence += sum(abs(found[column]) for column in forces)
     for column, weight in weights.items():
         terms = zip(factors.adjoint(column), sizes, strict=True)
         influence += abs(weight) * sum(abs(share) * size for share, size in terms)

@@ -172,7 +172,8 @@ def _answer(question: Question, weights: Weights, parts: Sequence[tuple[Row, flo
         rounding = ROUNDED * max(sizes, default=0.0)
         for column, weight in weights.items():
             value += weight * size * found[column]
-            influence += 0.0 if column == question.drive else abs(weight * size) * rounding
+            if column != question.drive:  # the weight is rounded: a component of a direction
+                influence += abs(size) * (rounding + abs(found[column]))
             shares = zip(question.factors.adjoint(column), sizes, strict=True)
             influence += abs(weight * size) * sum(abs(share) * s for share, s in shares)
     return Answer(value, influence)
