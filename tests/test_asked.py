@@ -234,3 +234,25 @@ def test_directions_add_up_within_a_formula(asked, shown):
     """
     four_bar = mechc.loads(f"{loop}let c = {asked}\n")
     assert text(four_bar.results["c"].formula) == shown
+
+
+LEVER = """\
+param a = 100 mm
+param b = 50 mm
+pivot O
+link AOB
+OA = a @ 0 deg
+OB = b @ 180 deg
+force P at A along -90 deg
+force F at B along -90 deg
+find P
+find F
+"""
+
+
+def test_a_formula_of_one_of_two_loads_that_are_found_rests_on_the_other() -> None:
+    """Each find is a form in the other load; what uses one of them is a form in that load too."""
+    found = mechc.loads(f"{LEVER}let q = 2*P\nlet s = q + 1 N\nlet t = 3*F")
+    values = found.evaluate(P=5.0, F=10.0)
+    assert {n: values[n] for n in "qst"} == pytest.approx({"q": 10.0, "s": 11.0, "t": 30.0})
+    assert "def q(" in found.emit("python")

@@ -198,6 +198,28 @@ def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
     return Message(at, message, hint)
 
 
+@coded("E515")
+def found_from_itself(at: Span, name: str, load: str, through: Sequence[str]) -> Message:
+    """A formula rests on loads each of which is found from the other.
+
+    ``find P`` says what P is for a given F, and ``find F`` what F is for a given P. Nothing
+    gives either a value, so neither has a formula that rests on both. The same goes for a load
+    whose value is written with the load that is to be found from it::
+
+        find P
+        find F
+        let q = P + F      # wrong: neither P nor F is given
+        let q = 2*P        # right: a formula in F
+        let F = 2 kN       # … or a number
+    """
+    by = listed(through, "and")
+    return Message(
+        at,
+        f"'{name}' has no value: {load} is found from {by}, and {by} from {load}",
+        f"leave out `find {load}`, so that {load} is given",
+    )
+
+
 @coded("W501")
 def load_does_no_work(at: Span, load: str) -> Message:
     """A load does no work in any motion: it stands on a fixed point or across the motion.

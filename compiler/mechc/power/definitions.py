@@ -4,12 +4,12 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 
 from ..algebra.product import Bound, Product, Sum
 from ..diagnostics import Report
-from ..diagnostics.power import too_many_lets
+from ..diagnostics.power import found_from_itself, too_many_lets
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.plan import Plan
-from ..model.mechanism import Let
+from ..model.mechanism import Let, LoadForm
 from ..model.result import Definition, Result
 from ..model.values import Chain
 
@@ -71,7 +71,8 @@ def bound_names(value: Product) -> Iterator[str]:
 def let_results(plan: Plan, results: Sequence[Result], report: Report) -> Iterator[Result]:
     """Yield the formulas of the user's own, with what they use as definitions.
 
-    E831 where so many of them rest on one another that nothing can be done with them.
+    E831 where so many of them rest on one another that nothing can be done with them, E515
+    where one rests on loads each of which is found from the other.
     """
     mechanism = plan.graph.pose.mechanism
     lets = {let.name: let.value for let in mechanism.lets}
@@ -79,6 +80,7 @@ def let_results(plan: Plan, results: Sequence[Result], report: Report) -> Iterat
     if sum(map(len, needs.values())) > MOST_STEPS:
         longest = max(mechanism.lets, key=lambda let: len(needs[let.name]))
         raise report.fail(too_many_lets(longest.span, longest.name, len(needs[longest.name])))
+    _refuse_circles(mechanism.lets, needs, results, report)
     other = _needs([r.elsewhere or r for r in results], lets)
     for let in mechanism.lets:
         used = [r for r in results if r.name in needs[let.name]]
@@ -87,6 +89,37 @@ def let_results(plan: Plan, results: Sequence[Result], report: Report) -> Iterat
             changed = _let(let, plan, other[let.name], [r.elsewhere or r for r in used])
             found = replace(found, elsewhere=changed)
         yield found
+
+
+def _refuse_circles(
+    lets: Sequence[Let], needs: Mapping[str, Needed], results: Sequence[Result], report: Report
+) -> None:
+    """Report every formula that rests on a load which is found from what is found from it."""
+    loads = [r.name for r in results if isinstance(r.target, LoadForm)]
+    for let in lets:
+        defined = {**needs[let.name], let.name: let.value}
+        for load in (name for name in loads if name in defined):
+            if through := _back_to(load, defined):
+                report.add(found_from_itself(let.span, let.name, load, through))
+                break
+    report.stop_on_errors()
+
+
+def _back_to(name: str, defined: Needed) -> list[str]:
+    """Return what a definition mentions that rests on the definition itself."""
+    first = sorted(symbols(defined[name]) & defined.keys())
+    return [other for other in first if name in _reached(other, defined)]
+
+
+def _reached(name: str, defined: Needed) -> set[str]:
+    """Return a definition and all that it rests on."""
+    found, waiting = set[str](), [name]
+    while waiting:
+        one = waiting.pop()
+        if one not in found:
+            found.add(one)
+            waiting += symbols(defined[one]) & defined.keys()
+    return found
 
 
 def _let(let: Let, plan: Plan, where: Needed, used: Sequence[Result]) -> Result:

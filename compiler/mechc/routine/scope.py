@@ -64,16 +64,21 @@ class Scope:
             return Key("", name)
         if name in self._free:
             return None
-        if name in self.results and name != owner and not self._both_finds(owner, name):
+        if name in self.results and name != owner and not self._is_load(owner, name):
             return Key(name, "")
         if name in self._anywhere and name not in self._loads:
             return Key(self._anywhere[name], name)
         return None
 
-    def _both_finds(self, owner: str, name: str) -> bool:
-        """Return whether a find's name is, in another find, the load and not its solution."""
-        find = self.results.get(owner)
-        return find is not None and None not in (find.target, self.results[name].target)
+    def _is_load(self, owner: str, name: str) -> bool:
+        """Return whether a find's name is, in another result, the load and not its solution.
+
+        It is in a find, and in those that a let uses; what a let itself names is in its ``where``.
+        """
+        result = self.results.get(owner)
+        if result is None or self.results[name].target is None:
+            return False
+        return result.target is not None or bool(self._where[owner])
 
     def formula(self, key: Key) -> Formula:
         """Return the formula of a definition."""
