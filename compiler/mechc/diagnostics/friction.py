@@ -109,10 +109,11 @@ def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[st
 
         force F at P along -y             # warned of where the pin at P rubs
         force F at P on NP along -y       # right
+        spring c between O and P on NP    # right
     """
-    others = " or ".join(f"'on {other}'" for other in links if other != link)
+    others = " or ".join(f"'{point} on {other}'" for other in links if other != link)
     message = f"{load} acts on the pin at {point}, which is taken to be fast in {link}"
-    return Message(at, message, f"write 'at {point} on {link}' behind {load}, or {others}")
+    return Message(at, message, f"say so: '{point} on {link}', or {others}")
 
 
 @coded("W541")
