@@ -120,6 +120,23 @@ def test_kinds_of_mistakes_are_named(name, meant, written, code, notation):
     assert code in codes(source)
 
 
+ANY_SIZE = """param L = 1.2 m
+param e = 4 mm
+param m = 0 kg in 0 kg .. 10 kg
+pivot O
+link OAB
+OA = L @ 20 deg
+OB = (-100 mm, e)
+weight W mass m at A
+force F at B along -y
+find F
+"""
+
+
+def test_a_right_description_is_not_doubted():
+    assert not codes(Source("a.mech", ANY_SIZE))
+
+
 def codes(source: Source) -> list[str]:
     compilation = Compilation(source)
     try:

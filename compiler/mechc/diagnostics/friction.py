@@ -94,9 +94,13 @@ def drive_jams(span: Span, name: str, drive: str) -> Message:
     The drive's line of force passes the friction circle of a pivot, or stands within the
     angle of friction: with the drive grows friction, and faster. There is no balance, so
     the result has no value there, and the code gives NaN.
+
+    Of a ratio P/F the drive is P. A screw that does not yield to its load jams where F/P is
+    asked for, for then the load drives.
     """
     message = f"{name} has no value at the default pose: no force {drive} overcomes the friction"
-    return Message(span, message, "move the default values away from the dead centre")
+    hint = "move the default values from the dead centre, or let the other load drive"
+    return Message(span, message, hint)
 
 
 @coded("W540")
@@ -111,9 +115,9 @@ def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[st
         force F at P on NP along -y       # right
         spring c between O and P on NP    # right
     """
-    others = " or ".join(f"'{point} on {other}'" for other in links if other != link)
+    named = [f"'{point} on {each}'" for each in dict.fromkeys((link, *links))]
     message = f"{load} acts on the pin at {point}, which is taken to be fast in {link}"
-    return Message(at, message, f"say so: '{point} on {link}', or {others}")
+    return Message(at, message, f"say so: {', or '.join(named)}")
 
 
 @coded("W541")

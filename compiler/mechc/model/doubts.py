@@ -160,8 +160,13 @@ def _reach(
 
 
 def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
-    """Yield the largest length that is in another unit than the rest, and far from it."""
-    used = {name for g in mechanism.geometry for f in _lengths(g) for name in symbols(f)}
+    """Yield the largest length that is in another unit than the rest, and far from it.
+
+    Those written in place, as in ``OA = 100 mm @ x``, tell how large a mechanism is, too.
+    """
+    written = [f for g in mechanism.geometry for f in _lengths(g)]
+    used = {name for f in written for name in symbols(f)}
+    plain = [abs(evaluate(f, {})) for f in written if not symbols(f) and evaluate(f, {})]
     known = [
         (abs(values[p.name]), p)
         for p in mechanism.parameters
@@ -170,7 +175,7 @@ def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     units = Counter(p.unit for _, p in known)
     alone = [pair for pair in known if len(units) == 2 and units[pair[1].unit] == 1]
     for size, parameter in sorted(alone, key=lambda pair: -pair[0]):
-        sizes = [s for s, p in known if p is not parameter]
+        sizes = [*plain, *(s for s, p in known if p is not parameter)]
         if size > FAR * max(sizes) or size * FAR < min(sizes):
             (other,) = units.keys() - {parameter.unit}
             yield messages.length_far_off(parameter.span, parameter.name, parameter.unit, other)
@@ -242,10 +247,13 @@ def body_through(points: Iterable[str], mechanism: Mechanism) -> str:
 
 
 def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
+    """Yield the first result of each line that an earlier line asks for, not what it brings on."""
     first: dict[object, Find] = {}
+    told: set[Span] = set()
     for find in finds:
         other = first.setdefault(find.target, find)
-        if other.name != find.name:
+        if other.name != find.name and find.span not in told:
+            told.add(find.span)
             yield messages.asked_twice(find.span, find.name, other.name, other.span)
 
 
@@ -257,8 +265,10 @@ def _without_value(lets: Iterable[Let], values: Values) -> Iterator[Diagnostic]:
 
 
 def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
-    """Yield the loads that are given as zero."""
+    """Yield the loads that are given as zero, and not by what has a range to go through."""
     names = {load.name for load in mechanism.loads}
+    ranged = {p.name for p in mechanism.parameters if p.range}
+    values = {name: value for name, value in values.items() if name not in ranged}
     for let in mechanism.lets:
         if let.name in names and _is_zero(let.value, values):
             yield messages.of_no_size(let.span, f"load '{let.name}'")

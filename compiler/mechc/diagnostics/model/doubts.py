@@ -1,4 +1,4 @@
-"""Words for what can be meant, and hardly ever is (W245 to W256)."""
+"""Words for what can be meant, and hardly ever is (W245 to W257)."""
 
 from collections.abc import Sequence
 
@@ -152,6 +152,8 @@ def of_no_size(span: Span, what: str) -> Message:
 
     let F = 0 N              # warned of
     weight W mass 0 kg at G  # warned of
+
+    Where a parameter with a range makes it zero, nothing is said.
     """
     return Message(
         span, f"{what} is zero, so it has no influence", "give its size, or leave it out"
