@@ -176,6 +176,28 @@ def which_load_follows(at: Span, result: str, loads: Sequence[str], number: int)
     )
 
 
+@coded("E596")
+def nothing_holds(at: Span, result: str, needed: int, found: int) -> Message:
+    """A force at a joint is asked for, and no load is left to hold a mechanism that can move.
+
+    A load whose size is given, by `let` or by a mass, holds nothing: the mechanism would move
+    under it. As many loads as it has freedoms are left open, and follow from the others::
+
+        link OG
+        weight W mass 2 kg at G
+        find R_O               # wrong: what holds the lever?
+
+        torque M on OG         # right
+        find R_O
+    """
+    return Message(
+        at,
+        f"{result} is not determined: {needed} of the loads must be open to hold the mechanism, "
+        f"found {found}",
+        "add the load that holds it, or leave out its size",
+    )
+
+
 @coded("E512")
 def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
     """The force on the pivot of a gear, a pulley or a screw is asked for, or its friction.

@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, assert_never
 
 from ..algebra.product import Product
 from ..algebra.sums import canonical
-from ..diagnostics import Report
+from ..diagnostics import Diagnostic, Report
 from ..diagnostics import power as messages
 from ..formula.tree import Formula, Symbol, product, total
 from ..formula.walk import symbols
@@ -201,7 +201,7 @@ class _Asked:
             return None
         found = find_force(target, self._plan.graph.pose, self._reactions)
         if found is None:
-            self._report.add(messages.reaction_undetermined(find.span, called(target)))
+            self._report.add(self._open(find.span, called(target)))
             return None
         where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
         loads = (*self._equations.columns, *self._equations.idle_loads)
@@ -221,6 +221,13 @@ class _Asked:
             None if coefficients is None else {n: c.formula() for n, c in coefficients.items()},
         )
         return Solved(result, releases=found.releases)
+
+    def _open(self, at: Span, force: str) -> Diagnostic:
+        """Return why a force at a joint is open: no load holds the mechanism, or too much does."""
+        needed, holding = self._equations.number, len(self._driving())
+        if holding < needed:
+            return messages.nothing_holds(at, force, needed, holding)
+        return messages.reaction_undetermined(at, force)
 
     @cached_property
     def _reactions(self) -> "Reactions":
