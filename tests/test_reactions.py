@@ -260,3 +260,22 @@ def test_two_points_of_a_link_in_one_place_move_alike():
     for along in ("90 deg", "10 deg"):
         one, two = (mechc.loads(t + loads.format(along)).evaluate()["k"] for t in (once, apart))
         assert one == pytest.approx(two, rel=1e-12)
+
+
+def test_sizes_of_forces_and_speeds_are_positive_for_whatever_lengths():
+    lever = mechc.loads("""param a = 30 mm
+param b = 80 mm
+pivot O
+link OAB
+OA = a @ 20 deg
+AB = b @ 200 deg
+force P at A along y
+force F at B along y
+find k = F/P
+find R_O
+find V_B/V_A
+""")
+    a, b = np.array([0.03, 0.08, 0.1]), 0.08
+    found = lever.evaluate(a=a, b=b, P=1.0)
+    assert found["R_O"] == pytest.approx(np.abs(found["R_O_y"]))
+    assert found["V_B_over_V_A"] == pytest.approx(np.abs(b - a) / a)

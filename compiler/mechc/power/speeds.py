@@ -14,7 +14,7 @@ from ..algebra.sums import add
 from ..algebra.trigonometry import cosine
 from ..formula.tree import Call
 from ..kinematics.plan import Plan, Speeds
-from ..model.boxes import range_box
+from ..model.boxes import allowed_box
 from ..model.mechanism import Mechanism, Speed
 from ..pose.pose import Arm, Vector, gathered
 
@@ -54,10 +54,12 @@ def _about_pivot(plan: Plan, point: str) -> Rate | None:
 def magnitude(value: Product, mechanism: Mechanism) -> Product:
     """Return the absolute value of a product.
 
-    A length, or a sum of lengths, keeps the sign that it has over the ranges given; what
-    depends on angles changes sign beyond a dead centre and is put between bars.
+    A length, or a sum of lengths, keeps the sign that it has over the ranges given, and
+    without ranges for whatever the lengths may be; what else changes its sign, such as the
+    difference of two lengths, or what depends on angles beyond a dead centre, is put
+    between bars.
     """
-    box, barred = range_box(mechanism), Product(1)
+    box, barred = allowed_box(mechanism), Product(1)
     result = Product(value.coefficient).scaled(1 if value.coefficient > 0 else -1)
     for factor, exponent in value.factors.items():
         part = Product.of(factor, exponent)
