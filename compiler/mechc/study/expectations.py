@@ -22,7 +22,7 @@ from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
-from ..model.mechanism import Expect, Mechanism
+from ..model.mechanism import Expect, Mechanism, Torque
 from ..model.result import Definition, Result
 from ..model.values import Chain, Values, completed, dependent
 from ..units import UNITS
@@ -195,8 +195,7 @@ def _remark(finding: Finding, mechanism: Mechanism) -> Diagnostic | None:
     span, subject = finding.expect.span, finding.expect.subject
     match finding.outcome:
         case "refuted":
-            units = {p.name: p.unit for p in mechanism.parameters}
-            at = {name: in_unit(value, units.get(name, "")) for name, value in finding.at.items()}
+            at = _in_units(finding.at, mechanism)
             found, expected = _figures(finding)
             return messages.expectation_refuted(span, subject, found, expected, at)
         case "undecided" if finding.missing:
@@ -221,8 +220,16 @@ def _shown_at(expect: Expect, result: Result, mechanism: Mechanism, values: Valu
     """Return the values that either formula depends on, in declared order."""
     wanted = symbols(expect.value) | symbols(result.formula) | expect.at.keys()
     wanted |= {s for d in result.where for s in symbols(d.formula)}
-    declared = [p.name for p in mechanism.parameters if p.name in wanted and not p.dependent]
-    return {name: values[name] for name in declared if name in values}
+    declared = [p.name for p in mechanism.parameters if not p.dependent]
+    declared += [load.name for load in mechanism.loads]
+    return {name: values[name] for name in declared if name in wanted and name in values}
+
+
+def _in_units(at: Values, mechanism: Mechanism) -> dict[str, str]:
+    """Return values as text: of parameters in the units written, of loads in those of the SI."""
+    units = {p.name: p.unit for p in mechanism.parameters}
+    units |= {k.name: "N*m" if isinstance(k, Torque) else "N" for k in mechanism.loads}
+    return {name: in_unit(value, units.get(name, "")) for name, value in at.items()}
 
 
 def in_unit(value: float, unit: str) -> str:
