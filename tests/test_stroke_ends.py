@@ -6,6 +6,7 @@ from pathlib import Path
 import pytest
 
 import mechc
+from grown import Grown
 from mechc.driver import Compilation, checked, warnings
 from mechc.formula.roots import roots
 from mechc.frozen import replace
@@ -203,3 +204,13 @@ def test_a_stroke_says_at_how_many_places_it_was_looked_at() -> None:
     found = mechc.load("crank_rocker").stroke(3)
     iterated = replace(found, looked=(("k", 721), ("k_f", 62), ("k_hold", 62)))
     assert "Looked at 721 places; k_f, k_hold at 62: zeros" in to_table(iterated)
+
+
+def test_where_iteration_finds_nothing_there_may_be_a_pose():
+    """This triad passes close by a branch point and goes on; code loses it there."""
+    lines = [line for line in Grown(70119).text().split("\n") if not line.startswith("drive ")]
+    text = "\n".join([*lines, "drive phi from -0.9 rad to 0.9 rad"])
+    compilation = Compilation(Source("triad.mech", text))
+    assert compilation.gaps
+    (warning,) = [w for w in warnings(compilation) if w.code == "W594"]
+    assert warning.message.startswith("iteration finds no pose for phi from -51.56")

@@ -11,6 +11,8 @@ from typing import Any
 import numpy as np
 import pytest
 
+from grown import Grown
+from mechc.driver import compile_source
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.latex.to_latex import TARGET as LATEX
 from mechc.emit.python.to_python import TARGET as PYTHON
@@ -18,8 +20,10 @@ from mechc.emit.target import Compiled, Options
 from mechc.formula.walk import solution
 from mechc.report.text.derivation import render
 from mechc.routine.check import broken_promises
+from mechc.routine.evaluate import evaluate
 from mechc.routine.evaluate import pose as interpreted
 from mechc.routine.steps import Pose, Solve
+from mechc.source import Source
 from routine_samples import solved
 from systems import TRIAD_UNKNOWNS, triad
 
@@ -173,3 +177,13 @@ def test_people_are_told_the_equations() -> None:
         text = LATEX.emit(found, Options("triple", language=language))[0].text  # type: ignore[arg-type]
         assert rf"$\theta$, $\beta$, $\gamma$, $\delta$: {word}" in text
         assert r"+b\cos\beta+d\cos\theta-c\cos\gamma-x_2" in text
+
+
+@pytest.mark.parametrize(("seed", "place"), [(70873, -1.1540780051241954), (70146, 1.2295)])
+def test_no_step_passes_over_the_end_of_a_branch(seed: int, place: float) -> None:
+    """Beyond it the links can be put together in another way, with a determinant of one sign."""
+    found = compile_source(Source("grown.mech", Grown(seed).text()))
+    (k,) = found.routine.functions
+    values = {i.name: i.default for i in k.inputs if i.default is not None}
+    assert math.isfinite(float(evaluate(k, values)))
+    assert math.isnan(float(evaluate(k, {**values, "phi": place})))

@@ -5,13 +5,15 @@ from collections.abc import Iterable, Mapping, Sequence
 
 from ...algebra.product import Product
 from ...formula.rounding import EPS, Rounded, Rounding
-from ...formula.tree import Formula
-from ...formula.walk import evaluate, symbols
+from ...formula.tree import Formula, Implicit
+from ...formula.walk import evaluate, status, symbols
 from ...kinematics.plan import Plan
 from ...model.result import Result
 from ...model.values import Chain, Values, allowed, completed, defaults, dependent, standing
 
 NOT_ASSEMBLED = "cannot be assembled"
+NOT_FOUND = "iteration finds no pose"
+NO_POSE = (NOT_ASSEMBLED, NOT_FOUND)
 EXCLUDED = "excluded by a condition of use"
 
 
@@ -32,6 +34,7 @@ class Along:
         self._near = 2 * EPS * max(map(abs, ends), default=0.0)
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}
+        self._troubles: dict[float, str] = {}
 
     @property
     def closing(self) -> Iterable[str]:
@@ -85,7 +88,15 @@ class Along:
 
     def trouble(self, place: float) -> str:
         """Return why there is no pose at a place, '' where there is one."""
-        values = self.values(place)
-        if not all(math.isfinite(values[name]) for name in self._definitions if name in values):
+        if place not in self._troubles:
+            self._troubles[place] = self._trouble(self.values(place))
+        return self._troubles[place]
+
+    def _trouble(self, values: Values) -> str:
+        named = ((n, f) for n, f in self._definitions.items() if n in values)
+        broken = next((f for n, f in named if not math.isfinite(values[n])), None)
+        if isinstance(broken, Implicit) and status(broken, values) == 2:
+            return NOT_FOUND
+        if broken is not None:
             return NOT_ASSEMBLED
         return "" if allowed(self._mechanism, values) else EXCLUDED

@@ -19,7 +19,7 @@ from ...model.values import range_of
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH, Dimension
 from ..analysis import Analysis
-from .along import EXCLUDED, NOT_ASSEMBLED, Along
+from .along import EXCLUDED, NO_POSE, Along
 from .branches import branch_points
 from .ends import end_of_branch
 from .extrema import extrema, turns_between
@@ -181,7 +181,7 @@ class _Runner:
     def _row(self, place: float, filled: Sequence[_Filled], stretches: Sequence[Stretch]) -> Row:
         trouble = self._trouble(place)
         if self._along.trouble(place):
-            why = _beyond(place, stretches) if trouble == NOT_ASSEMBLED else ""
+            why = _beyond(place, stretches) if trouble in NO_POSE else ""
             return Row(place, (math.nan,) * len(filled), why or trouble)
         rounding = self._along.rounding(place)
         sizes = [beyond_rounding(f.at(place), f.formula, f.where, rounding) for f in filled]
@@ -199,7 +199,7 @@ class _Runner:
         trouble = self._along.trouble(place)
         near = BESIDE * (self._high - self._low)
         gaps = [abs(place - branch.drive) for branch in self._branches]
-        if trouble == NOT_ASSEMBLED and any(gap <= near for gap in gaps):
+        if trouble in NO_POSE and any(gap <= near for gap in gaps):
             return FLAT
         return trouble or (FLAT if any(gap <= near * 1e-3 for gap in gaps) else "")
 
@@ -223,7 +223,7 @@ class _Runner:
     def _ended(self, bad: float, good: float) -> tuple[float, str]:
         """Return the last place before a bad one, and what ends there."""
         edge, range_, why = self._halved(bad, good), self._high - self._low, self._trouble(bad)
-        if why != NOT_ASSEMBLED:
+        if why not in NO_POSE:
             return edge, why
         end = end_of_branch(self._pose, self._along, edge, math.copysign(range_, bad - good))
         if end.crossed:

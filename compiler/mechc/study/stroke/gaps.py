@@ -8,7 +8,7 @@ from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
-from .along import NOT_ASSEMBLED, Along
+from .along import NO_POSE, NOT_FOUND, Along
 
 CELLS = 120
 """Cells of a stroke whose ends are looked at."""
@@ -31,16 +31,18 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
         return ()
     parameter = next(p for p in mechanism.parameters if p.name == drive.parameter)
     wide = FLAT * (ends[1] - ends[0])
-    parts = _parts(Along(plan, {}), spaced(*ends, CELLS))
+    along, places = Along(plan, {}), spaced(*ends, CELLS)
+    parts = _parts(along, places)
     found = tuple((low, high) for low, high in parts if high - low > wide)
     if found:
-        shown = drive.parameter, found, parameter.dimension, CELLS + 1
+        is_known = all(along.trouble(x) != NOT_FOUND for x in places)
+        shown = drive.parameter, found, parameter.dimension, CELLS + 1, is_known
         report.add(messages.not_assembled(drive.span, *shown))
     return found
 
 
 def _parts(along: Along, places: list[float]) -> Iterator[Part]:
-    closed = [along.trouble(x) != NOT_ASSEMBLED for x in places]
+    closed = [along.trouble(x) not in NO_POSE for x in places]
     start = None if closed[0] else places[0]
     for (a, b), (before, after) in zip(pairwise(places), pairwise(closed), strict=True):
         if before and not after:
@@ -56,7 +58,7 @@ def _edge(along: Along, good: float, bad: float) -> float:
     """Return the last place that closes between one that does and one that does not."""
     for _ in range(HALVINGS):
         middle = (good + bad) / 2
-        if along.trouble(middle) == NOT_ASSEMBLED:
+        if along.trouble(middle) in NO_POSE:
             bad = middle
         else:
             good = middle
