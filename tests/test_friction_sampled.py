@@ -13,6 +13,7 @@ from friction_statements import refuted
 from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
+from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from test_friction_ranges import chain
 
@@ -72,6 +73,21 @@ def test_beside_the_end_of_a_loop_friction_is_looked_at(seed):
 
 def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
     assert hold(closed(70081)) == 1
+
+
+def test_a_slip_that_is_zero_at_any_pose_has_no_sign():
+    """Three rods make one rigid body: no pin in it slips, and nothing is told by rounding."""
+    (text,) = closed(70038)
+    compilation = Compilation(Source("triangle.mech", text))
+    stroke = compilation.stroke(60)
+    (code,) = (f for f in compilation.routine.functions if f.name == "k_f")
+    given = {i.name: i.default for i in code.inputs}
+    column = [c.name for c in stroke.columns].index("k_f")
+    told = [(row.drive, row.values[column]) for row in stroke.rows if not row.trouble]
+    assert len(told) > 10
+    for phi, value in told:
+        found = evaluate(code, {**given, "phi": phi})
+        assert found == pytest.approx(value, rel=1e-9, nan_ok=True)
 
 
 def test_what_is_said_of_closed_mechanisms_with_friction():

@@ -15,6 +15,7 @@ from ..model.mechanism import Torque
 from ..power.balance import Equations, Term
 from ..power.reactions import ForceTerm, Reactions
 from .pairs import FrictionPair
+from .standing import without_standing
 
 Given = Mapping[str, Product]
 """The size of each given load."""
@@ -80,7 +81,7 @@ def loaded_pairs(
     reactions = Reactions(
         pose, (driving,), lambda loose: [term_of(pair, loose) for pair in pairs], (plan,)
     )
-    slips = [_slip(pair, plan, equations, driving) for pair in pairs]
+    slips = without_standing([_slip(pair, plan, equations, driving) for pair in pairs], plan)
     pressed = []
     for pair, slip in zip(pairs, slips, strict=True):
         transmitted = reactions.of(pair.joint)
