@@ -87,13 +87,13 @@ def refused(monkeypatch):
     def run(text):
         seen = []
         for module in (choosing, closing):
-            words = module.words.cannot_assemble
+            words = module.messages.cannot_assemble
 
             def spy(at, loop, drive, stretches, words=words):
                 seen.extend(stretches)
                 return words(at, loop, drive, stretches)
 
-            monkeypatch.setattr(module.words, "cannot_assemble", spy)
+            monkeypatch.setattr(module.messages, "cannot_assemble", spy)
         with pytest.raises(mechc.MechcError) as caught:
             mechc.loads(text, "test.mech")
         (told,) = [d for d in caught.value.diagnostics if d.code == "E309"]

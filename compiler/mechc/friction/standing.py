@@ -11,7 +11,7 @@ from random import Random
 from ..algebra.product import Product
 from ..formula.rounding import Rounding
 from ..kinematics.plan import Plan
-from ..model.values import SequentialSolver, completed, defaults, dependent, independent
+from ..model.values import Chain, completed, defaults, dependent, independent
 from ..power.numbers import NIL, default_values
 from ..units import ANGLE
 
@@ -55,7 +55,7 @@ def _poses(plan: Plan) -> Iterator[Rounding]:
     given = {**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)}
     moved = sorted(p.name for p in independent(pose.mechanism) if p.name in given)
     angles = {p.name for p in pose.mechanism.parameters if p.dimension == ANGLE}
-    chain = SequentialSolver({**dependent(pose.mechanism), **dict(pose.definitions)})
+    chain = Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
     for i in range(TRIES):
         shifts = {n: chance.uniform(-SPREAD, SPREAD) * bool(i) for n in moved}
         there = {n: given[n] + s if n in angles else given[n] * (1 + s) for n, s in shifts.items()}
