@@ -15,6 +15,7 @@ class Study:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
+        self._places: dict[tuple[str, frozenset[str]], Sweep] = {}
 
     def ideal(self, of: LoadRatio | LoadForm) -> Result:
         """Return the ratio without friction."""
@@ -33,9 +34,15 @@ class Study:
         if loads is None:
             return None
         if key not in self._moving:
-            places = Sweep(self.solution.plan, parameter, loads)
-            self._moving[key] = Moving(places, ideal, real, sense)
+            self._moving[key] = Moving(self._along(parameter, loads), ideal, real, sense)
         return self._moving[key]
+
+    def _along(self, parameter: str, loads: dict[str, float]) -> Sweep:
+        """Return the places along a parameter: poses are the same in both senses of motion."""
+        key = parameter, frozenset(loads)
+        if key not in self._places:
+            self._places[key] = Sweep(self.solution.plan, parameter, loads)
+        return self._places[key]
 
 
 def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:

@@ -46,7 +46,6 @@ class Moving:
         self.places, self.ideal, self.real = places, ideal, real
         self._sign = SIGNS[sense]
         self._known: dict[float, Found] = {}
-        self._ideal_ratios: dict[float, float] = {}
 
     @cached_property
     def is_iterated(self) -> bool:
@@ -71,9 +70,7 @@ class Moving:
 
     def without(self, place: float) -> float:
         """Return the ratio without friction."""
-        if place not in self._ideal_ratios:
-            self._ideal_ratios[place] = self.places.of(self.ideal, place)
-        return self._ideal_ratios[place]
+        return self.places.of(self.ideal, place)
 
     def signs(self, place: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""

@@ -26,6 +26,7 @@ class Sweep:
         self._chain = Chain(self._formulas)
         self._known: dict[float, dict[str, float]] = {}
         self._chains: dict[int, tuple[Result, Chain]] = {}
+        self._found: dict[tuple[int, float], float] = {}
         self._last: tuple[Result, float, dict[str, float]] | None = None
 
     def values(self, place: float) -> dict[str, float]:
@@ -47,7 +48,10 @@ class Sweep:
 
     def of(self, result: Result, place: float) -> float:
         """Return a result's value, NaN where it has none."""
-        return self.named(result, place).get(VALUE, math.nan)
+        key = id(result), place
+        if key not in self._found:
+            self._found[key] = self.named(result, place).get(VALUE, math.nan)
+        return self._found[key]
 
     def resting_on(
         self, known: Mapping[str, float], result: Result, place: float
