@@ -1,4 +1,4 @@
-"""Words for expectations that do not hold (E58x, W58x)."""
+"""Messages for expectations that do not hold (E58x, W58x)."""
 
 from collections.abc import Mapping
 

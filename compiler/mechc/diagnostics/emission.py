@@ -1,4 +1,4 @@
-"""Words for what can go wrong when files are written (E7xx, W7xx)."""
+"""Messages for what can go wrong when files are written (E7xx, W7xx)."""
 
 from .diagnostic import Message, coded
 

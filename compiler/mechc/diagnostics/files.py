@@ -1,4 +1,4 @@
-"""Words for what goes wrong with files (E9xx): exit status 3."""
+"""Messages for what goes wrong with files (E9xx): exit status 3."""
 
 from .diagnostic import Message, coded
 

@@ -1,4 +1,4 @@
-"""Words for friction in the balance of power (E510 … E514, E540, W511 … W541)."""
+"""Messages for friction in the balance of power (E510 … E514, E540, W511 … W541)."""
 
 from collections.abc import Sequence
 

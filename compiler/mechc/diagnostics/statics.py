@@ -1,4 +1,4 @@
-"""Words for what the referee finds: equilibrium of the free bodies against virtual power."""
+"""Messages for what the referee finds: equilibrium of the free bodies against virtual power."""
 
 import math
 from collections.abc import Mapping

@@ -1,4 +1,4 @@
-"""Words for strokes (E59x)."""
+"""Messages for strokes (E59x)."""
 
 import math
 from collections.abc import Iterable

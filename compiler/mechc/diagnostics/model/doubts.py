@@ -1,4 +1,4 @@
-"""Words for what can be meant, and hardly ever is (W245 to W257)."""
+"""Messages for what can be meant, and hardly ever is (W245 to W257)."""
 
 from collections.abc import Sequence
 

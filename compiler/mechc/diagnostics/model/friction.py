@@ -1,4 +1,4 @@
-"""Words for friction (E27x)."""
+"""Messages for friction (E27x)."""
 
 from collections.abc import Sequence
 from fractions import Fraction

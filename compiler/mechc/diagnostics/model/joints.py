@@ -1,4 +1,4 @@
-"""Words for links, joints and geometry (E24x)."""
+"""Messages for links, joints and geometry (E24x)."""
 
 from collections.abc import Iterable
 

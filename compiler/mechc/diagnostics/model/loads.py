@@ -1,4 +1,4 @@
-"""Words for forces, torques and weights (E26x)."""
+"""Messages for forces, torques and weights (E26x)."""
 
 from ...source import Span
 from ..diagnostic import Message, Related, coded

@@ -1,4 +1,4 @@
-"""Words for names: unknown, taken twice, out of place, in a circle (E20x)."""
+"""Messages for names: unknown, taken twice, out of place, in a circle (E20x)."""
 
 from collections.abc import Collection, Iterable
 

@@ -1,4 +1,4 @@
-"""Words for quantities: dimensions, bare numbers, ranges, values (E220 to E230)."""
+"""Messages for quantities: dimensions, bare numbers, ranges, values (E220 to E230)."""
 
 from collections.abc import Iterable
 

@@ -1,4 +1,4 @@
-"""Words for forces at joints that are asked for (E25x)."""
+"""Messages for forces at joints that are asked for (E25x)."""
 
 from collections.abc import Sequence
 

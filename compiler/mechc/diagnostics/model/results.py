@@ -1,4 +1,4 @@
-"""Words for what is asked for: find, let, expect (E28x)."""
+"""Messages for what is asked for: find, let, expect (E28x)."""
 
 from collections.abc import Collection
 

@@ -1,4 +1,4 @@
-"""Words for halves and branches that have nothing in common (W203, W242)."""
+"""Messages for halves and branches that have nothing in common (W203, W242)."""
 
 from ...source import Span
 from ..diagnostic import Message, coded
