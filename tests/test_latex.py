@@ -27,7 +27,7 @@ NASTY += (
     "Ħal Tarxien ŧoggle ấ Ợ ử q̃ Μηχανισμός ἀ Ə ẞ Đ ŋ ſ ĸ ﬁ H₂O 10⁻⁴ ⅓ а́ Ѣ Қ م 😀 ⌀20 ″ ∠ € ‰ ‚›"
 )
 LANGUAGES = ("en", "uk", "ru")
-TABLES = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
+TABLES = {"en": en.LOCALE, "uk": uk.LOCALE, "ru": ru.LOCALE}
 
 
 def report(language: str = "en", fragment: bool = False, title: str = "") -> str:
@@ -131,8 +131,8 @@ def test_a_direction_is_in_degrees_and_a_radius_has_its_unit() -> None:
 
 def test_signed_speeds_are_not_called_magnitudes() -> None:
     clamp = mechc.load("equalising_clamp").emit("latex")
-    assert en.WORDS.signed in clamp
-    assert en.WORDS.magnitudes not in clamp
+    assert en.LOCALE.signed in clamp
+    assert en.LOCALE.magnitudes not in clamp
 
 
 def test_a_long_power_equation_is_broken() -> None:
@@ -173,7 +173,7 @@ def placeholders(text: str) -> set[str]:
 
 @pytest.mark.parametrize("language", ["uk", "ru"])
 def test_every_language_says_the_same(language: str) -> None:
-    english, other = entries(en.WORDS), entries(TABLES[language])
+    english, other = entries(en.LOCALE), entries(TABLES[language])
     assert other.keys() == english.keys()
     for key, text in other.items():
         assert bool(text) == bool(english[key]), key
@@ -187,7 +187,7 @@ def test_every_rule_has_words(language: str) -> None:
 
 
 def test_ukrainian_and_russian_name_the_same_units() -> None:
-    assert uk.WORDS.units.keys() == ru.WORDS.units.keys()
+    assert uk.LOCALE.units.keys() == ru.LOCALE.units.keys()
 
 
 # ------------------------------------------------------------------------- engines

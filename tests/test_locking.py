@@ -13,12 +13,12 @@ from mechc.cli.main import main
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
 from mechc.model.locking import EfficiencyRange, Locking, LockingIntervals, Stretch
-from mechc.report.languages.en import WORDS
+from mechc.report.languages.en import LOCALE
 from mechc.source import Source
 from mechc.study.analysis import Analysis
 from test_friction_ranges import COUPLED
 
-SAMPLED = WORDS.sampled
+SAMPLED = LOCALE.sampled
 
 KNEE = """
 param l = 100 mm

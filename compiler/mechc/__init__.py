@@ -12,11 +12,13 @@ with the first :func:`load`, sympy with the first expression, NumPy with the fir
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from .version import VERSION
+
 if TYPE_CHECKING:
     from .api import SolvedMechanism, load, loads
     from .diagnostics import MechcError
 
-__version__ = "0.1.0"
+__version__ = VERSION
 
 __all__ = ["MechcError", "SolvedMechanism", "__version__", "load", "loads"]
 

@@ -8,7 +8,6 @@ the pose. A stage that finds errors ends the compilation with :class:`MechcError
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, TypeVar
 
-from . import __version__
 from .diagnostics import Diagnostic, Report
 from .emit.target import Emitted, Options, Target
 from .friction.from_balance import solve
@@ -34,6 +33,7 @@ from .study.stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, put_in
+from .version import VERSION
 from .work import Allowance
 
 if TYPE_CHECKING:
@@ -69,7 +69,7 @@ SECOND_OPINIONS = ("verdict", "constant_efficiency", "findings", "out_of_step", 
 class Compilation:
     """One description on its way through the compiler; each stage runs when first asked for."""
 
-    version = __version__
+    version = VERSION
 
     def __init__(self, source: Source, settings: Settings | None = None) -> None:
         self.source = source

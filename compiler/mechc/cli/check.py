@@ -13,7 +13,7 @@ from ..formula.walk import symbols
 from ..model.mechanism import GRAVITY
 from ..model.result import Definition
 from ..report.definitions import Solved, grouped, lettered, literal_sizes, usual_weights
-from ..report.languages.en import WORDS
+from ..report.languages.en import LOCALE
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import own_conditions, reaction
@@ -77,7 +77,7 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
         where = [d for d in told.of(result) if d.name not in given]
         yield from _of_result(in_short(result, compilation.results), where, usual, units, before)
         before = result
-        yield from (f"    {line}" for line in friction_remarks(result, WORDS, spell))
+        yield from (f"    {line}" for line in friction_remarks(result, LOCALE, spell))
     for finding in compilation.findings:
         yield f"  {_of_finding(finding, compilation.source)}"
     yield from _of_verdict(compilation.verdict, verbose)
@@ -110,7 +110,7 @@ def _of_result(
         unit = si_unit(result.dimension)
         yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
     elif result.undetermined:
-        yield f"    {WORDS.undetermined} (0/0) at the default pose"
+        yield f"    {LOCALE.undetermined} (0/0) at the default pose"
     held = own_conditions(result)
     if held and not (before and reaction(before) and held == own_conditions(before)):
         holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)

@@ -5,7 +5,7 @@ from typing import NamedTuple, cast
 
 import click
 
-from .. import __version__
+from ..version import VERSION
 from .session import session_options
 
 
@@ -57,7 +57,7 @@ class LazyGroup(click.Group):
     epilog="`mechc COMMAND --help` tells more, with an example. Exit status: 0 done, 1 the "
     "description is wrong, 2 the command line is, 3 a file, 4 a limit, 70 mechc itself.",
 )
-@click.version_option(__version__, "-V", "--version", message="mechc %(version)s")
+@click.version_option(VERSION, "-V", "--version", message="mechc %(version)s")
 @session_options
 def mechc() -> None:
     """Compile a planar mechanism into its force transmission k = P/F.

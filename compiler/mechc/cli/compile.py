@@ -1,7 +1,6 @@
 """``mechc compile``: one description, any number of outputs."""
 
 from pathlib import Path
-from typing import Literal
 
 import click
 
@@ -9,6 +8,7 @@ from ..driver import Compilation, checked, emit, warnings
 from ..emit import registry
 from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
+from ..report.languages.registry import LANGUAGES
 from ..syntax.settings import Settings
 from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, path_of, settings_option, stdin_option
@@ -48,7 +48,7 @@ def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> 
 @click.option(
     "--lang",
     "language",
-    type=click.Choice(["en", "uk", "ru"]),
+    type=click.Choice(list(LANGUAGES)),
     default="en",
     help="The language of LaTeX output.",
 )
@@ -65,7 +65,7 @@ def command(
     target: str | None,
     paths: tuple[str, ...],
     fragment: bool,
-    language: Literal["en", "uk", "ru"],
+    language: str,
     settings: Settings,
     deps: str | None,
     stdin_name: str,

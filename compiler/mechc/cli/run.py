@@ -8,8 +8,8 @@ from contextlib import suppress
 
 import click
 
-from .. import __version__
 from ..files import reason
+from ..version import VERSION
 from . import terminal
 from .commands import mechc
 from .session import ENVIRONMENT, INTERNAL
@@ -59,7 +59,7 @@ def _refused(error: OSError) -> int:
 def _apologise(error: Exception) -> int:
     if os.environ.get("MECHC_TRACEBACK"):
         sys.excepthook(type(error), error, error.__traceback__)
-    version = f"mechc {__version__}, Python {sys.version.split()[0]}, {sys.platform}"
+    version = f"mechc {VERSION}, Python {sys.version.split()[0]}, {sys.platform}"
     terminal.warn(
         f"mechc: internal error: {type(error).__name__}: {error}\n"
         "This is a fault of mechc, not of the description. Nothing was written. Please report it\n"

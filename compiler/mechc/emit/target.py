@@ -4,7 +4,7 @@ Targets are found by name; third parties add theirs through the entry-point grou
 ``mechc.targets``, whose values are :class:`Target` objects.
 """
 
-from typing import TYPE_CHECKING, Literal, NamedTuple, Protocol
+from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ..model.mechanism import Mechanism
 from ..report.derivation.steps import Derivation
@@ -64,7 +64,8 @@ class Options(NamedTuple):
     stem: str
     """Name of the files without suffix (``clamp`` for ``clamp.c``, ``clamp.h``)."""
     fragment: bool = False
-    language: Literal["en", "uk", "ru"] = "en"
+    language: str = "en"
+    """One of :data:`~mechc.report.languages.registry.LANGUAGES`."""
     single: bool = False
     """One self-contained file (for standard output)."""
     named: bool = True

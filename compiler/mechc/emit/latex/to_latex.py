@@ -15,7 +15,7 @@ from ...formula.walk import symbols
 from ...frozen import replace
 from ...model.mechanism import Geometry, Parameter, WithFriction
 from ...report.derivation.steps import Derivation, Equation, Step
-from ...report.languages import en, ru, uk
+from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
 from ...report.latex.given import (
@@ -35,8 +35,6 @@ from ...report.sentences.remarks import called, conditions, reaction
 from ...report.sentences.wording import Sides, lines, sentence
 from ...units import ANGLE
 from ..target import Compiled, Emitted, Options
-
-_WORDS = {"en": en.WORDS, "uk": uk.WORDS, "ru": ru.WORDS}
 
 
 class StepBlock(NamedTuple):
@@ -78,11 +76,11 @@ class Latex:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return one ``.tex`` file."""
-        locale = _WORDS[options.language]
+        locale = registry.locale(options.language)
         style = _style(compiled, notation(options.language))
         report = _report(compiled, locale, style, options.fragment)
         body = _TEMPLATES.get_template("body.jinja").render(report._asdict())
-        text = body if options.fragment else _document(body, locale, options)
+        text = body if options.fragment else _document(body, locale)
         return (Emitted(f"{options.stem}.tex", text),)
 
 
@@ -104,9 +102,9 @@ _TEMPLATES = Environment(
 )
 
 
-def _document(body: str, locale: Locale, options: Options) -> str:
+def _document(body: str, locale: Locale) -> str:
     """Return the body within a preamble that loads no more than it needs."""
-    eastern = options.language != "en"
+    eastern = locale.cyrillic
     return _TEMPLATES.get_template("report.jinja").render(
         body=body, babel=locale.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
     )

@@ -2,8 +2,12 @@
 
 from .locale import Locale
 
-WORDS = Locale(
+LOCALE = Locale(
     babel="english",
+    functions={"tan": r"\tan", "cot": r"\cot", "atan": r"\arctan"},
+    decimal=".",
+    phi=r"\phi",
+    cyrillic=False,
     title="Force transmission of the mechanism",
     source="Source",
     made_by="Derived by mechc {version}",

@@ -1,4 +1,4 @@
-"""What a language must say."""
+"""What a language must say, and how its books write formulas."""
 
 from collections.abc import Mapping
 from typing import NamedTuple
@@ -7,6 +7,9 @@ from typing import NamedTuple
 class Locale(NamedTuple):
     """All words of a report in one language.
 
+    ``functions`` maps those functions to LaTeX that languages write differently, ``decimal``
+    is the sign between units and tenths, ``phi`` the shape of that letter; ``cyrillic`` says
+    that the words take other fonts.
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
@@ -17,6 +20,10 @@ class Locale(NamedTuple):
     """
 
     babel: str
+    functions: Mapping[str, str]
+    decimal: str
+    phi: str
+    cyrillic: bool
     title: str
     source: str
     made_by: str

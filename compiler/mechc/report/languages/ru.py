@@ -2,8 +2,18 @@
 
 from .locale import Locale
 
-WORDS = Locale(
+LOCALE = Locale(
     babel="russian",
+    functions={
+        "tan": r"\operatorname{tg}",
+        "cot": r"\operatorname{ctg}",
+        "csc": r"\operatorname{cosec}",
+        "atan": r"\operatorname{arctg}",
+        "atan2": r"\operatorname{arctg2}",
+    },
+    decimal="{,}",
+    phi=r"\varphi",
+    cyrillic=True,
     title="Определение коэффициента передачи силы",
     source="Источник",
     made_by="Выведено программой mechc {version}",

@@ -2,8 +2,18 @@
 
 from .locale import Locale
 
-WORDS = Locale(
+LOCALE = Locale(
     babel="ukrainian",
+    functions={
+        "tan": r"\operatorname{tg}",
+        "cot": r"\operatorname{ctg}",
+        "csc": r"\operatorname{cosec}",
+        "atan": r"\operatorname{arctg}",
+        "atan2": r"\operatorname{arctg2}",
+    },
+    decimal="{,}",
+    phi=r"\varphi",
+    cyrillic=True,
     title="Визначення коефіцієнта силової передачі",
     source="Джерело",
     made_by="Виведено програмою mechc {version}",

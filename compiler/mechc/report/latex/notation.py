@@ -7,14 +7,12 @@ ctg and a decimal comma; φ is ``\phi`` in the first and ``\varphi`` in the othe
 from collections.abc import Iterable, Mapping
 from itertools import count
 from types import MappingProxyType
-from typing import Literal
 
 from ...formula.names import GREEK, Point, split_name, split_points
 from ...formula.tree import Formula, Symbol
 from ...frozen import frozen
 from ...model.mechanism import Reaction
-
-Language = Literal["en", "uk", "ru"]
+from ..languages.registry import locale
 
 _COMMON = {
     "sin": r"\sin",
@@ -29,14 +27,6 @@ _COMMON = {
     "exp": r"\exp",
     "sign": r"\operatorname{sgn}",
     "log": r"\ln",
-}
-_WESTERN = _COMMON | {"tan": r"\tan", "cot": r"\cot", "atan": r"\arctan"}
-_EASTERN = _COMMON | {
-    "tan": r"\operatorname{tg}",
-    "cot": r"\operatorname{ctg}",
-    "csc": r"\operatorname{cosec}",
-    "atan": r"\operatorname{arctg}",
-    "atan2": r"\operatorname{arctg2}",
 }
 
 
@@ -78,11 +68,10 @@ class Notation:
     spellings: Mapping[str, str] = MappingProxyType({})
 
 
-def notation(language: Language) -> Notation:
+def notation(language: str) -> Notation:
     """Return the notation of a language's books, for one document."""
-    if language == "en":
-        return Notation(_WESTERN, ".", r"\phi", SumNames())
-    return Notation(_EASTERN, "{,}", r"\varphi", SumNames())
+    known = locale(language)
+    return Notation({**_COMMON, **known.functions}, known.decimal, known.phi, SumNames())
 
 
 def name(symbol: str, style: Notation) -> str:

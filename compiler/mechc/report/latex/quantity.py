@@ -2,11 +2,11 @@ r"""Numbers and quantities with the user's unit, as LaTeX.
 
 >>> from ...formula.tree import degrees, number
 >>> from ...units import ANGLE, LENGTH
->>> from ..languages.en import WORDS
+>>> from ..languages.en import LOCALE
 >>> from .notation import notation
->>> quantity(number(Fraction(1, 10)), LENGTH, "mm", WORDS, notation("en"))
+>>> quantity(number(Fraction(1, 10)), LENGTH, "mm", LOCALE, notation("en"))
 '100\\,\\text{mm}'
->>> quantity(degrees(Fraction(25, 2)), ANGLE, "deg", WORDS, notation("ru"))
+>>> quantity(degrees(Fraction(25, 2)), ANGLE, "deg", LOCALE, notation("ru"))
 '12{,}5^\\circ'
 """
 
@@ -86,8 +86,8 @@ def decimal(value: Fraction | float, style: Notation) -> str:
 def unit_symbol(unit: str, locale: Locale) -> str:
     r"""Return a unit behind its number.
 
-    >>> from ..languages.uk import WORDS
-    >>> unit_symbol("m/s^2", WORDS), unit_symbol("1/m", WORDS)
+    >>> from ..languages.uk import LOCALE
+    >>> unit_symbol("m/s^2", LOCALE), unit_symbol("1/m", LOCALE)
     ('\\,\\text{м}/\\text{с}^2', '\\,\\text{м}^{-1}')
     """
     if not unit:

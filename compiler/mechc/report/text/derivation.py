@@ -14,7 +14,7 @@ from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..definitions import Solved, grouped
 from ..derivation.steps import Derivation, Step
-from ..languages.en import WORDS
+from ..languages.en import LOCALE
 from ..sections import Section, sections
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, lines, sentence
@@ -64,7 +64,7 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     if mechanism.requires:
         lines += [
             "",
-            *_wrapped(f"{WORDS.requirements} {conditions(mechanism.requires, spell)}.", ""),
+            *_wrapped(f"{LOCALE.requirements} {conditions(mechanism.requires, spell)}.", ""),
         ]
     return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
 
@@ -86,41 +86,41 @@ def _title(mechanism: Mechanism) -> list[str]:
 def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
     if not derivation.steps:
         return
-    yield from ("", WORDS.velocities)
+    yield from ("", LOCALE.velocities)
     for number, step in enumerate(derivation.steps, 1):
         yield from _step(number, step, spell)
 
 
 def _step(number: int, step: Step, spell: Speller) -> Iterator[str]:
-    yield from _wrapped(sentence(step, WORDS, spell.point), f"{number:>3}. ")
+    yield from _wrapped(sentence(step, LOCALE, spell.point), f"{number:>3}. ")
     said, hence = lines(step)
     yield from _equations((*said, *hence), spell)
 
 
 def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
     if derivation.balances:
-        yield from ("", WORDS.power)
-        yield from _wrapped(WORDS.power_rule, "     ")
+        yield from ("", LOCALE.power)
+        yield from _wrapped(LOCALE.power_rule, "     ")
         yield from _equations(derivation.balances, spell)
 
 
 def _section(section: Section, spell: Speller) -> Iterator[str]:
-    yield from ("", heading(section.results[0], WORDS, spell) or WORDS.results)
+    yield from ("", heading(section.results[0], LOCALE, spell) or LOCALE.results)
     for paragraph in section.paragraphs:
-        yield from _wrapped(said(paragraph, WORDS, spell), "     ")
+        yield from _wrapped(said(paragraph, LOCALE, spell), "     ")
         yield from _equations(paragraph.equations, spell)
     if section.paragraphs:
-        yield f"     {WORDS.hence}"
+        yield f"     {LOCALE.hence}"
     for result in section.results:
         yield from _result(result, spell, section.units)
     if section.where:
-        yield f"     {WORDS.where}"
+        yield f"     {LOCALE.where}"
         for group in grouped(section.where):
             yield from _group(group, spell, section.units)
     if section.has_usual_g:
         yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
     for result in section.results:
-        for remark in remarks(result, WORDS, spell):
+        for remark in remarks(result, LOCALE, spell):
             yield from _wrapped(remark, "   - ")
 
 
@@ -145,7 +145,7 @@ def _group(group: Definition | Solved, spell: Speller, units: Mapping[str, str])
         yield from _broken(f"{left} = {right}{_unit(group.name, units, spell)}")
     else:
         names = ", ".join(spell.relation((Symbol(n),), (), False) for n in group.names)
-        yield from _wrapped(WORDS.solve.format(names=names), _DEEP)
+        yield from _wrapped(LOCALE.solve.format(names=names), _DEEP)
         for zero in group.zeros:
             yield from _broken(spell.relation((zero, ZERO), ("=",), False))
 

@@ -1,0 +1,3 @@
+"""The version of mechc."""
+
+VERSION = "0.1.0"
