@@ -130,7 +130,9 @@ def degrees(*angles: float) -> list[float]:
 def test_a_knee_locks_up_to_the_turn_of_its_rods():
     (stretch,) = stretches(KNEE.format(low=0.1, more=""), "k_hold")
     assert stretch.state == "locked"
-    assert stretch.low is None
+    assert stretch.low is not None
+    assert stretch.low.is_dead_centre
+    assert stretch.low.place == 0
     assert stretch.high is not None
     assert stretch.high.exact is not None
     assert text(stretch.high.exact) == "delta_OB"

@@ -171,7 +171,7 @@ def test_nonsense_has_a_status_too(library: SimpleNamespace) -> None:
 
 def test_people_are_told_the_equations() -> None:
     found = solved("triple")
-    line = "θ, β, γ, δ: the solution, on the branch of the values given, of"
+    line = "θ, β, γ, δ: the solution of the equations"
     assert line in render(found.derivation, found.mechanism)
     for language, word in (("en", "the solution"), ("uk", "розв’язок"), ("ru", "решение")):
         text = LATEX.emit(found, Options("triple", language=language))[0].text  # type: ignore[arg-type]

@@ -17,6 +17,8 @@ def range_box(mechanism: Mechanism) -> Box:
 POSITIVE = Interval(1e-150, 1e150)
 """What a length may be, away from where bounds would be lost in rounding."""
 
+NEGATIVE = Interval(-POSITIVE.high, -POSITIVE.low)
+
 
 def allowed_box(mechanism: Mechanism) -> Box:
     """Return the box of all values that parameters may take, beyond the default pose."""
@@ -28,8 +30,10 @@ def _allowed(parameter: Parameter) -> Interval | None:
     """Return the range of a parameter; without one, lengths and the like keep their sign."""
     if parameter.range is not None:
         return _range(parameter)
-    is_positive = parameter.value is None or evaluate(parameter.value, {}) > 0
-    return POSITIVE if is_positive and parameter.dimension != ANGLE else None
+    if parameter.dimension == ANGLE:
+        return None
+    value = 1.0 if parameter.value is None else evaluate(parameter.value, {})
+    return POSITIVE if value > 0 else NEGATIVE if value < 0 else None
 
 
 def _range(parameter: Parameter) -> Interval | None:

@@ -113,7 +113,9 @@ class _Stretches:
         low, high = self._end(places, first, -1), self._end(places, last, 1)
         begins = places[first] if low is None else low.place
         ends = places[last] if high is None else high.place
-        return Stretch(state, low, high, self._within(begins, ends), self._is_sampled(low, high))
+        sampled, within = self._is_sampled(low, high), self._within(begins, ends)
+        low, high = low or self._end_of_window(begins), high or self._end_of_window(ends)
+        return Stretch(state, low, high, within, sampled)
 
     def _is_sampled(self, *ends: Bound | None) -> bool:
         """Tell a stretch that was found by looking from one between ends that are solved for."""
@@ -137,6 +139,12 @@ class _Stretches:
         width = NEARLY if self.moving.is_slow else EXACT
         place = last(lambda x: self.moving.at(x).state == state, a, b, width)
         return self._bound(place, self.printed, (zeros if state == "locked" else poles,))
+
+    def _end_of_window(self, place: float) -> Bound | None:
+        """Return the end of what was looked at beyond the range; the range ends as it is given."""
+        if self.range is None or self.range[0] <= place <= self.range[1]:
+            return None
+        return self._bound(place, self.moving.ideal, (zeros, poles), True)
 
     def _within(self, low: float, high: float) -> Range | None:
         if self.range is None:
