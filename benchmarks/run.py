@@ -29,7 +29,7 @@ from mechc.frozen import replace
 from mechc.kinematics.from_pose import plan_velocities
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import Mechanism
-from mechc.pose.from_model import settle
+from mechc.pose.from_model import solve_pose
 from mechc.power.balance import Balance
 from mechc.power.from_plan import balance
 from mechc.source import Source
@@ -122,7 +122,7 @@ def _against(name: str, peer: Callable[[], sympy.Expr], rounds: int) -> tuple[ob
 def solve(mechanism: Mechanism, source: Source) -> Balance:
     """Return the solved power equation of a mechanism."""
     report = Report(source)
-    return balance(plan_velocities(settle(mechanism, report), report), report)
+    return balance(plan_velocities(solve_pose(mechanism, report), report), report)
 
 
 def _agree(own: sympy.Expr, other: sympy.Expr) -> None:
