@@ -175,3 +175,8 @@ def unchecked(mechanism: Mechanism, functions: Iterable[Function]) -> list[str]:
 def heading(mechanism: Mechanism) -> str:
     """Return the title of a mechanism, its name where it has none."""
     return one_line(mechanism.title) or one_line(mechanism.name)
+
+
+def call(function: Function, names: Mapping[str, str], own: Mapping[str, str]) -> str:
+    """Return a call of a function with arguments of these names."""
+    return f"{names[function.name]}({', '.join(own[i.name] for i in function.inputs)})"

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 
 from ..algebra.factors import Factor, Trig
 from ..algebra.product import Product, Sum
@@ -28,8 +29,16 @@ class DefaultNumbers:
     """The results' numbers at the default pose, without what is nothing but rounding."""
 
     def __init__(self, plan: Plan) -> None:
-        self.values = default_values(plan)
-        self._rounding = default_rounding(plan.graph.pose)
+        self._plan = plan
+
+    @cached_property
+    def values(self) -> dict[str, float]:
+        """The values of parameters, intermediates and bound sums."""
+        return default_values(self._plan)
+
+    @cached_property
+    def _rounding(self) -> Rounding:
+        return default_rounding(self._plan.graph.pose)
 
     def of(self, result: Result) -> Size:
         """Return what a result comes to there; no number where something it needs has none.

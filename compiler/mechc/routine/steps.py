@@ -122,6 +122,11 @@ class Status:
     steps: tuple[Statement, ...]
     guards: tuple[Guard, ...]
 
+    @property
+    def stuck(self) -> tuple[int, int]:
+        """Return what it is where nothing moves: with the ideal result positive, and negative."""
+        return (4, 3) if self.sense > 0 else (3, 4)
+
 
 STATUSES = (
     "it moves: the result is a number",

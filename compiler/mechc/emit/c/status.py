@@ -58,22 +58,17 @@ def status_context(
         [harmless(line) for line in _remarks(function, own)],
         wrapped(f"int {single}(", [f"double {a}" for a in inputs] or ["void"]),
         wrapped(f"void {batch}(", listed),
-        call(function, names, own),
-        call(functions[asked.ideal], names, own),
+        describe.call(function, names, own),
+        describe.call(functions[asked.ideal], names, own),
         body,
         [printer.condition(g) for g in asked.guards],
         statuses[:-1],
         statuses[-1] if statuses else "2",
-        (4, 3) if asked.sense > 0 else (3, 4),
+        asked.stuck,
         f"{single}({', '.join(f'{a}[i]' for a in inputs)})",
         "n",
         "i",
     )
-
-
-def call(function: Function, names: Mapping[str, str], own: Mapping[str, str]) -> str:
-    """Return a call of a function with arguments of these names."""
-    return f"{names[function.name]}({', '.join(own[i.name] for i in function.inputs)})"
 
 
 def _remarks(function: Function, own: Mapping[str, str]) -> list[str]:

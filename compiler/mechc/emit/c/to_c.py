@@ -37,7 +37,7 @@ from .solvers import (
     solver_context,
     solvers_of,
 )
-from .status import StatusContext, call, status_context
+from .status import StatusContext, status_context
 
 _CHOICES = {"min": "<", "max": ">"}
 
@@ -262,7 +262,7 @@ def _function(
         start=outer.claim("start"),
         stop=outer.claim("stop"),
         result=inner.claim(function.name),
-        otherwise=call(other, singles, own) if other else "",
+        otherwise=describe.call(other, singles, own) if other else "",
         status=status_context(
             function, {f.name: f for f in listed}, singles, symbols[asked.name].batch, solvers
         )

@@ -58,15 +58,11 @@ def status_context(
         list(own.values()),
         [Line(own[i.name], describe.input_words(i, own[i.name])) for i in asked.inputs],
         list(describe.numbered(STATUSES)),
-        _call(function, names, own),
-        _call(functions[asked.ideal], names, own),
+        describe.call(function, names, own),
+        describe.call(functions[asked.ideal], names, own),
         body,
         [printer.condition(g) for g in asked.guards],
         statuses[:-1],
         statuses[-1] if statuses else "2",
-        (4, 3) if asked.sense > 0 else (3, 4),
+        asked.stuck,
     )
-
-
-def _call(function: Function, names: Mapping[str, str], own: Mapping[str, str]) -> str:
-    return f"{names[function.name]}({', '.join(own[i.name] for i in function.inputs)})"

@@ -1,16 +1,11 @@
 """Russian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
+from .eastern import FUNCTIONS, UNITS
 from .locale import Locale
 
 LOCALE = Locale(
     babel="russian",
-    functions={
-        "tan": r"\operatorname{tg}",
-        "cot": r"\operatorname{ctg}",
-        "csc": r"\operatorname{cosec}",
-        "atan": r"\operatorname{arctg}",
-        "atan2": r"\operatorname{arctg2}",
-    },
+    functions=FUNCTIONS,
     decimal="{,}",
     phi=r"\varphi",
     cyrillic=True,
@@ -252,34 +247,5 @@ LOCALE = Locale(
     "(относительное расхождение {error}).",
     pending="Сравнение с уравнениями равновесия отдельных звеньев не выполнено.",
     conjunction="и",
-    units={
-        "mm": "мм",
-        "cm": "см",
-        "dm": "дм",
-        "m": "м",
-        "km": "км",
-        "um": "мкм",
-        "rad": "рад",
-        "mrad": "мрад",
-        "N": "Н",
-        "kN": "кН",
-        "MN": "МН",
-        "kgf": "кгс",
-        "g": "г",
-        "kg": "кг",
-        "t": "т",
-        "Pa": "Па",
-        "kPa": "кПа",
-        "MPa": "МПа",
-        "GPa": "ГПа",
-        "bar": "бар",
-        "s": "с",
-        "ms": "мс",
-        "min": "мин",
-        "rpm": "об/мин",
-        "Hz": "Гц",
-        "W": "Вт",
-        "kW": "кВт",
-        "J": "Дж",
-    },
+    units=UNITS | {"min": "мин", "rpm": "об/мин"},
 )

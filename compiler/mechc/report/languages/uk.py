@@ -1,16 +1,11 @@
 """Ukrainian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
+from .eastern import FUNCTIONS, UNITS
 from .locale import Locale
 
 LOCALE = Locale(
     babel="ukrainian",
-    functions={
-        "tan": r"\operatorname{tg}",
-        "cot": r"\operatorname{ctg}",
-        "csc": r"\operatorname{cosec}",
-        "atan": r"\operatorname{arctg}",
-        "atan2": r"\operatorname{arctg2}",
-    },
+    functions=FUNCTIONS,
     decimal="{,}",
     phi=r"\varphi",
     cyrillic=True,
@@ -249,34 +244,5 @@ LOCALE = Locale(
     "(відносна розбіжність {error}).",
     pending="Порівняння з рівняннями рівноваги окремих ланок не виконано.",
     conjunction="та",
-    units={
-        "mm": "мм",
-        "cm": "см",
-        "dm": "дм",
-        "m": "м",
-        "km": "км",
-        "um": "мкм",
-        "rad": "рад",
-        "mrad": "мрад",
-        "N": "Н",
-        "kN": "кН",
-        "MN": "МН",
-        "kgf": "кгс",
-        "g": "г",
-        "kg": "кг",
-        "t": "т",
-        "Pa": "Па",
-        "kPa": "кПа",
-        "MPa": "МПа",
-        "GPa": "ГПа",
-        "bar": "бар",
-        "s": "с",
-        "ms": "мс",
-        "min": "хв",
-        "rpm": "об/хв",
-        "Hz": "Гц",
-        "W": "Вт",
-        "kW": "кВт",
-        "J": "Дж",
-    },
+    units=UNITS | {"min": "хв", "rpm": "об/хв"},
 )
