@@ -48,8 +48,10 @@ def build(points, bodies, pivots, guides, loads, lines, **more):
         title="",
         source="",
         span=HERE,
-        pivots=tuple(model.Pivot(p, HERE) for p in pivots),
-        sliders=tuple(more.pop("sliders", [model.Slider(p, along, HERE) for p in guides])),
+        joints=(
+            *(model.Pivot(p, HERE) for p in pivots),
+            *more.pop("sliders", [model.Slider(p, along, HERE) for p in guides]),
+        ),
         links=links,
         loads=tuple(loads),
         mirror=model.Mirror(along, tuple(mirror), HERE) if mirror is not None else None,

@@ -10,6 +10,7 @@ import math
 import numpy as np
 
 from mechc.formula.walk import evaluate as number
+from mechc.model.mechanism import Slot
 from mechc.pose.places import placed
 from mechc.statics import closure
 from mechc.syntax import ast
@@ -197,6 +198,6 @@ def places(compilation, values):
     edges = [*closure._links(pose, full), *closure._vectors(pose, full)]
     found = placed(edges)
     starts = {p: tuple(place.at) for p, place in found.items() if p}
-    for slot in pose.mechanism.slots:
+    for slot in pose.mechanism.each(Slot):
         starts.setdefault(slot.head, starts[slot.point])
     return starts

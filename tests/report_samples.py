@@ -165,8 +165,7 @@ def packet_clamp(title: str = "", source: str = "") -> Compiled:
             angle("alpha", "12", 2, 40),
             angle("beta", "7.5", 2, 40, "inclination of the rod BK"),
         ),
-        pivots=(Pivot("O", HERE),),
-        sliders=(Slider("K", along("deg(90)"), HERE),),
+        joints=(Pivot("O", HERE), Slider("K", along("deg(90)"), HERE)),
         links=(Link("OBA", ("O", "B", "A"), HERE), Link("BK", ("B", "K"), HERE)),
         geometry=(
             Arrow("O", "B", formula("a"), along("alpha - deg(90)"), HERE),
@@ -209,8 +208,11 @@ def six_bar() -> Compiled:
             Parameter("alpha1", ANGLE, HERE),
             Parameter("alpha_1", ANGLE, HERE),
         ),
-        pivots=(Pivot("O1", HERE), Pivot("O2", HERE)),
-        sliders=(Slider("B'", Along("O1", "A", 1, HERE), HERE),),
+        joints=(
+            Pivot("O1", HERE),
+            Pivot("O2", HERE),
+            Slider("B'", Along("O1", "A", 1, HERE), HERE),
+        ),
         links=(
             Link("O1A", ("O1", "A"), HERE),
             Link("AB'", ("A", "B'"), HERE),

@@ -15,7 +15,7 @@ from mechc.emit.json.figure import PARTS
 from mechc.emit.json.to_json import TARGET
 from mechc.emit.target import Options
 from mechc.figure import figure as drawn
-from mechc.figure.parts import bodies, joints
+from mechc.figure.parts import joints
 from mechc.formula.walk import evaluate
 from mechc.model import parts as kinds
 from mechc.source import Source
@@ -115,8 +115,8 @@ def test_what_is_off_the_line_has_a_twin(name):
     shared = set(mechanism.mirror.sharing)
     alone = [k for k in mechanism.links if not shared.issuperset(k.points)]
     assert len(parts(figure, drawn.Link)) == len(mechanism.links) + len(alone)
-    off = [p for p in mechanism.pivots if p.point not in shared]
-    assert len(parts(figure, drawn.Pivot)) == len(mechanism.pivots) + len(off)
+    off = [p for p in mechanism.each(kinds.Pivot) if p.point not in shared]
+    assert len(parts(figure, drawn.Pivot)) == len(mechanism.each(kinds.Pivot)) + len(off)
 
 
 def test_twins_turn_the_other_way():
@@ -390,7 +390,7 @@ def test_no_joint_of_the_model_is_forgotten():
     found = set()
     for name in ALL:
         mechanism = compiled(name).mechanism
-        found |= {type(part) for part in (*bodies(mechanism), *joints(mechanism))}
+        found |= {type(part) for part in (*mechanism.bodies, *joints(mechanism))}
     assert found == known - not_drawn
 
 

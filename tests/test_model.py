@@ -20,6 +20,7 @@ from mechc.model.mechanism import (
     Mechanism,
     Offset,
     Pivot,
+    Slider,
     Speed,
     SpeedRatio,
     Torque,
@@ -146,9 +147,9 @@ def test_pivot_with_a_place() -> None:
 
 def test_a_guide_through_a_place_gets_a_fixed_point() -> None:
     mechanism = model("slider L along x through (0, 5 mm)", "link BL")
-    assert mechanism.sliders[-1].through == "L_0"
-    assert mechanism.pivots[-1].point == "L_0"
-    assert isinstance(mechanism.pivots[-1], Pivot)
+    assert mechanism.each(Slider)[-1].through == "L_0"
+    assert mechanism.each(Pivot)[-1].point == "L_0"
+    assert isinstance(mechanism.each(Pivot)[-1], Pivot)
     place = mechanism.geometry[0]
     assert isinstance(place, Offset)
     assert (place.head, place.x, place.y) == ("L_0", ZERO, Number(Fraction(5, 1000)))

@@ -5,11 +5,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ..frozen import frozen
-from ..model.mechanism import Force, Mechanism
+from ..model.mechanism import Force, Mechanism, Pivot, Slider
 from ..pose.places import NOWHERE, Edge, Plane, between, placed
 from .figure import MirrorLine
 from .lengths import choose
-from .parts import bodies
 from .ways import Ways, usual
 
 ORIGIN = ""
@@ -63,12 +62,12 @@ def _span(edge: Edge, points: Points) -> Plane:
 
 def points_of(mechanism: Mechanism) -> Iterable[str]:
     """Yield the points of a mechanism, those on the ground first, some of them repeatedly."""
-    yield from (pivot.point for pivot in mechanism.pivots)
-    yield from (slider.point for slider in mechanism.sliders)
-    for body in bodies(mechanism):
+    yield from (pivot.point for pivot in mechanism.each(Pivot))
+    yield from (slider.point for slider in mechanism.each(Slider))
+    for body in mechanism.bodies:
         yield from body.points
-    yield from (slot.point for slot in mechanism.slots)
-    yield from (contact.point for contact in mechanism.contacts)
+    for joint in mechanism.joints:
+        yield from joint.points
     yield from (load.point for load in mechanism.loads if isinstance(load, Force))
 
 

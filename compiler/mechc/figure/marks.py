@@ -8,7 +8,18 @@ from ..algebra.from_formula import to_angle
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
-from ..model.mechanism import Absolute, Arrow, Direction, Force, Geometry, Mechanism, Offset, Turn
+from ..model.mechanism import (
+    Absolute,
+    Arrow,
+    Contact,
+    Direction,
+    Force,
+    Geometry,
+    Mechanism,
+    Offset,
+    Slider,
+    Turn,
+)
 from ..pose.places import Plane
 from .figure import AngleMark, Dimension, Measure
 from .parts import Half
@@ -27,9 +38,9 @@ def marks(half: Half) -> Iterator[Measure]:
 
 def _lines(mechanism: Mechanism) -> Iterator[tuple[str, Direction]]:
     """Yield the directions of joints and loads, with the points at which they are."""
-    yield from ((slider.point, slider.along) for slider in mechanism.sliders)
+    yield from ((slider.point, slider.along) for slider in mechanism.each(Slider))
     yield from ((slide.points[0], slide.along) for slide in mechanism.slides)
-    yield from ((contact.point, contact.normal) for contact in mechanism.contacts)
+    yield from ((contact.point, contact.normal) for contact in mechanism.each(Contact))
     yield from ((f.point, f.along) for f in mechanism.loads if isinstance(f, Force))
 
 

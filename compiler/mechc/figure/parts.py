@@ -21,17 +21,6 @@ DOWN = Plane(0.0, -1.0)
 REACH = 0.4
 """How far a guide or a face is drawn to either side of its pin, in usual lengths."""
 
-Body = model.Link | model.Slide | model.Telescope
-Joint = (
-    model.Pivot
-    | model.Slider
-    | model.Slot
-    | model.Contact
-    | model.WheelPair
-    | model.Rack
-    | model.Screw
-)  # fmt: skip
-
 
 @frozen
 class Half:
@@ -51,7 +40,7 @@ class Half:
     def parts(self) -> Iterator[Part]:
         """Yield what is drawn of every body, joint and load."""
         mechanism = self.ways.pose.mechanism
-        for body in bodies(mechanism):
+        for body in mechanism.bodies:
             yield self.body(body)
         for joint in joints(mechanism):
             yield self.joint(joint)
@@ -89,7 +78,7 @@ class Half:
 
     # --------------------------------------------------------------------- bodies
 
-    def body(self, body: Body) -> Part:
+    def body(self, body: model.Body) -> Part:
         """Return what is drawn of a body."""
         points = tuple(map(self.point, body.points))
         match body:
@@ -111,7 +100,7 @@ class Half:
 
     # --------------------------------------------------------------------- joints
 
-    def joint(self, joint: Joint) -> Part:
+    def joint(self, joint: model.Joint) -> Part:
         """Return what is drawn of a joint."""
         match joint:
             case model.Pivot(point):
@@ -221,7 +210,7 @@ class Half:
         """Return the place of a couple: the link's pivot, or its middle."""
         mechanism = self.ways.pose.mechanism
         points = tuple(self.ways.pose.frames[link])
-        fixed = [p.point for p in mechanism.pivots if p.point in points]
+        fixed = [p.point for p in mechanism.each(model.Pivot) if p.point in points]
         chosen = [self.at(p) for p in (fixed[:1] or points)]
         total = NOWHERE
         for at in chosen:
@@ -242,20 +231,9 @@ class Half:
         return Segment(first.plus(start), first.plus(end))
 
 
-def bodies(mechanism: model.Mechanism) -> Iterator[Body]:
-    """Yield the bodies of a mechanism."""
-    yield from mechanism.links
-    yield from mechanism.slides
-    yield from mechanism.telescopes
-
-
-def joints(mechanism: model.Mechanism) -> Iterator[Joint]:
+def joints(mechanism: model.Mechanism) -> Iterator[model.Joint]:
     """Yield the joints of a mechanism; a place that a guide goes through is no pivot."""
-    places = {s.through for s in mechanism.sliders} - mechanism.spans.keys()
-    yield from (pivot for pivot in mechanism.pivots if pivot.point not in places)
-    yield from mechanism.sliders
-    yield from mechanism.slots
-    yield from mechanism.contacts
-    yield from mechanism.wheel_pairs
-    yield from mechanism.racks
-    yield from mechanism.screws
+    places = {s.through for s in mechanism.each(model.Slider)} - mechanism.spans.keys()
+    for joint in mechanism.joints:
+        if not isinstance(joint, model.Pivot) or joint.point not in places:
+            yield joint

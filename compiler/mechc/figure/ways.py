@@ -6,12 +6,12 @@ guide. Firm ways must hold; loose ones only say where to draw what nothing else 
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.mechanism import Rack, WheelPair
+from ..model.mechanism import Contact, Pivot, Rack, Screw, Slider, Slot, WheelPair
 from ..pose.places import NOWHERE, Plane, direction
 from ..pose.pose import PointContact, Pose, Vector, evaluate_vector
 
@@ -72,7 +72,7 @@ class Ways:
         for (tail, head), vector in self.pose.vectors.items():
             yield self._way(tail, head, vector)
         yield from self._touching()
-        for slider in self.pose.mechanism.sliders:
+        for slider in self.pose.mechanism.each(Slider):
             if slider.through:
                 yield along(slider.through, slider.point, self.guide(slider.point))
         yield from self._on_the_mirror()
@@ -83,19 +83,30 @@ class Ways:
         for touch in self.pose.touches:
             if touch.kind == "contact" and not touch.reach:
                 yield along(touch.tail, touch.point, self._beside(touch))
-        for mesh in mechanism.wheel_pairs:
-            step = self._away(mesh).times(self._apart(mesh))
-            yield Way(mesh.first, mesh.second, Linear(step))
-        for rack in mechanism.racks:
-            yield Way(rack.pivot, rack.point, Linear(self.right(rack)))
-        for number, screw in enumerate(mechanism.screws, 1):
-            link = next(k for k in mechanism.links if k.name == screw.link)
-            line = self.guide(screw.point).times(number)  # nuts on one screw stand in a row
-            yield along(link.points[0], screw.point, line)
+        for joint in mechanism.joints:
+            match joint:
+                case WheelPair(first=first, second=second):
+                    step = self._away(joint).times(self._apart(joint))
+                    yield Way(first, second, Linear(step))
+                case Rack(point, pivot):
+                    yield Way(pivot, point, Linear(self.right(joint)))
+                case Screw():
+                    yield self._beside_screw(joint)
+                case Pivot() | Slider() | Slot() | Contact():
+                    pass
+                case _:
+                    assert_never(joint)
         for slide in mechanism.slides:
             first, *others = slide.points
             line = self.unit(slides[slide.name])
             yield from (along(first, p, line.times(i)) for i, p in enumerate(others, 1))
+
+    def _beside_screw(self, screw: Screw) -> Way:
+        """Return where to draw a nut: nuts on one screw stand in a row."""
+        mechanism = self.pose.mechanism
+        link = next(k for k in mechanism.links if k.name == screw.link)
+        number = mechanism.each(Screw).index(screw) + 1
+        return along(link.points[0], screw.point, self.guide(screw.point).times(number))
 
     def unit(self, angle: Angle) -> Plane:
         """Return the unit vector at an angle."""
@@ -138,7 +149,7 @@ class Ways:
 
     def _away(self, mesh: WheelPair) -> Plane:
         """Return in which direction wheels stand in a row: away from a rack, if there is one."""
-        racks = self.pose.mechanism.racks
+        racks = self.pose.mechanism.each(Rack)
         driven = [self.right(r).unit() for r in racks if r.pivot in (mesh.first, mesh.second)]
         right = (driven[0] if driven else None) or Plane(-1.0, 0.0)
         on_first = any(r.pivot == mesh.first for r in racks) or not driven

@@ -13,7 +13,17 @@ from ..algebra.sums import add
 from ..algebra.trigonometry import cosine, sine
 from ..frozen import frozen
 from ..kinematics.release import JointRef, held_end
-from ..model.mechanism import Force, ForcePair, Link, Load, PinFriction, Torque
+from ..model.mechanism import (
+    Force,
+    ForcePair,
+    Link,
+    Load,
+    PinFriction,
+    Rack,
+    Screw,
+    Torque,
+    WheelPair,
+)
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.definitions import bound_names
 from ..power.loads import occurrences
@@ -87,7 +97,7 @@ class Bodies:
         rubbing = self._mechanism.friction.rubbing
         self._carriers = {r.point: r.carrier for r in rubbing if isinstance(r, PinFriction)}
         self._reactions = Reactions(task.pose, (task.driving,))
-        self._fixed = {p.point for p in self._mechanism.pivots}
+        self._fixed = self._mechanism.fixed
         self._guides = dict(task.pose.guides)
         if self._mechanism.mirror and task.pose.axis is not None:
             for point in self._mechanism.mirror.sharing:
@@ -113,7 +123,8 @@ class Bodies:
         afloat = any(t.body not in held for t in self._pose.touches)
         named = {t.point for t in self._pose.touches}
         twice = len(named) < len(self._pose.touches)
-        if bodies or afloat or twice or m.wheel_pairs or m.racks or m.screws:
+        meshes = any(isinstance(joint, WheelPair | Rack | Screw) for joint in m.joints)
+        if bodies or afloat or twice or meshes:
             raise EquationsCoupled
         turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
         carried = [*turning, *(p for s in m.slides for p in s.points)]
@@ -248,7 +259,7 @@ class Bodies:
 
         Then two links press one another at the pin with other forces than it has from them.
         """
-        slides = any(point in s.points for s in self._mechanism.slides)
+        slides = bool(self._mechanism.slides_at(point))
         turning = any(point in k.points for k in self._levers.values())
         touching = any(touch.point == point for touch in self._pose.touches)
         return point in self._guides or slides or (turning and touching)

@@ -5,7 +5,7 @@ A pin of several links rubs in each of them but the one that carries it.
 
 from collections.abc import Iterable, Iterator
 from fractions import Fraction
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
@@ -14,14 +14,16 @@ from ..formula.tree import PI
 from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
 from ..kinematics.plan import Plan, Speeds
-from ..kinematics.release import JointRef, Measure, members
+from ..kinematics.release import JointRef, Measure, members, mesh_ref
 from ..model.mechanism import (
     FaceFriction,
     GuideFriction,
     JointFriction,
     PinFriction,
+    Rack,
     ThreadFriction,
     WheelFriction,
+    WheelPair,
 )
 from ..pose.pose import PointContact, Pose
 from ..power.joint_forces import guiding
@@ -72,18 +74,19 @@ def _of(rubbing: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
                     to_product(factor),
                     lambda graph: projection(graph.velocities[point], along),
                 )
-        case WheelFriction(kind, point, factor):
-            yield FrictionPair(
-                f"{point}_{kind}", JointRef(kind, point), to_product(factor), _rim(rubbing, pose)
-            )
-        case ThreadFriction(point, factor):
-            slip = _along_thread(rubbing, pose)
-            yield FrictionPair(f"{point}_screw", JointRef("screw", point), to_product(factor), slip)
+        case WheelFriction(wheels, factor):
+            name, joint = f"{rubbing.point}_{rubbing.kind}", mesh_ref(wheels)
+            yield FrictionPair(name, joint, to_product(factor), _rim(wheels, pose))
+        case ThreadFriction(screw, factor):
+            name, joint = f"{screw.point}_screw", mesh_ref(screw)
+            yield FrictionPair(name, joint, to_product(factor), _along_thread(rubbing, pose))
         case FaceFriction(point, factor):
             touch = next(t for t in pose.touches if t.point == point)
             yield FrictionPair(
                 f"{point}_face", JointRef("touch", point), to_product(factor), _sliding(touch)
             )
+        case _:
+            assert_never(rubbing)
 
 
 def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
@@ -113,14 +116,15 @@ def _sliding(touch: PointContact) -> Measure:
     return slip
 
 
-def _rim(mesh: WheelFriction, pose: Pose) -> Measure:
+def _rim(joint: WheelPair | Rack, pose: Pose) -> Measure:
     """Return the speed of the first wheel's rim, or of a rack."""
-    if mesh.kind == "rack":
-        return lambda graph: projection(graph.velocities[mesh.point], _guide(mesh.point, pose))
-    pair = next(
-        m for m in pose.mechanism.wheel_pairs if (m.kind, m.first) == (mesh.kind, mesh.point)
-    )
-    return lambda graph: scaled(spin(graph, pair.first_link), pose.radii[pair.first_radius])
+    match joint:
+        case Rack(point):
+            return lambda graph: projection(graph.velocities[point], _guide(point, pose))
+        case WheelPair(first_link=link, first_radius=radius):
+            return lambda graph: scaled(spin(graph, link), pose.radii[radius])
+        case _:
+            assert_never(joint)
 
 
 def _along_thread(thread: ThreadFriction, pose: Pose) -> Measure:
@@ -129,12 +133,11 @@ def _along_thread(thread: ThreadFriction, pose: Pose) -> Measure:
     With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
     force F presses with F/cos ψ.
     """
-    screw = next(s for s in pose.mechanism.screws if s.point == thread.point)
-    diameter = to_product(thread.thread)
+    screw, diameter = thread.joint, to_product(thread.thread)
     slope = pose.radii[screw.pitch] / (to_product(PI) * diameter)
 
     def slip(graph: Graph) -> Form:
-        ahead = projection(graph.velocities[thread.point], _guide(thread.point, pose))
+        ahead = projection(graph.velocities[screw.point], _guide(screw.point, pose))
         round_ = scaled(spin(graph, screw.link), -diameter.scaled(Fraction(1, 2)))
         return subtract(scaled(ahead, slope), round_)
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from ..algebra.angle import Angle
 from ..algebra.product import ONE, Product
 from ..algebra.trigonometry import sine
-from ..model.mechanism import Link
+from ..model.mechanism import Link, Pivot, Slider
 from ..pose.pose import Pose, Vector
 from ..source import Span
 from .contacts import relations, spinning
@@ -69,11 +69,11 @@ class Builder:
     # ------------------------------------------------------------------- carriers
 
     def _rest_pivots(self) -> None:
-        for pivot in self._mechanism.pivots:
+        for pivot in self._mechanism.each(Pivot):
             self._velocities[pivot.point] = ()
 
     def _split_links(self) -> tuple[list[Link], list[Link]]:
-        at_rest = {p.point for p in self._mechanism.pivots}
+        at_rest = self._mechanism.fixed
         pivoted = [k for k in self._mechanism.links if not at_rest.isdisjoint(k.points)]
         return pivoted, [k for k in self._mechanism.links if at_rest.isdisjoint(k.points)]
 
@@ -254,7 +254,7 @@ class Builder:
         self._relations.append(Relation(Rule.GUIDE, "", (point,), across, form, span))
 
     def _span_of_guide(self, point: str) -> Span:
-        spans = {s.point: s.span for s in self._mechanism.sliders}
+        spans = {s.point: s.span for s in self._mechanism.each(Slider)}
         return spans.get(
             point, self._mechanism.mirror.span if self._mechanism.mirror else Span(0, 0)
         )

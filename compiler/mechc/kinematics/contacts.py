@@ -1,12 +1,13 @@
 """What slots, contacts, wheels and screws demand of velocities that others carry."""
 
 from collections.abc import Iterator, Mapping
+from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..formula.tree import PI
-from ..model.mechanism import Rack, Screw, WheelPair
+from ..model.mechanism import Contact, Pivot, Rack, Screw, Slider, Slot, WheelPair
 from ..pose.pose import PointContact, Pose
 from .forms import projection, scaled, subtract, turned
 from .graph import Form, Relation, Rule, Velocity
@@ -19,21 +20,24 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
     """Yield the relation of every joint that holds no pin."""
     for touch in pose.touches:
         yield _touch(touch, velocities, spins)
-    mechanism = pose.mechanism
-    for mesh in mechanism.wheel_pairs:
-        yield _mesh(mesh, pose, spins)
-    for rack in mechanism.racks:
-        yield _rack(rack, pose, velocities, spins)
-    for screw in mechanism.screws:
-        yield _screw(screw, pose, velocities, spins)
+    for joint in pose.mechanism.joints:
+        match joint:
+            case WheelPair():
+                yield _mesh(joint, pose, spins)
+            case Rack():
+                yield _rack(joint, pose, velocities, spins)
+            case Screw():
+                yield _screw(joint, pose, velocities, spins)
+            case Pivot() | Slider() | Slot() | Contact():
+                pass  # the builder carries their points; slots and contacts are touches
+            case _:
+                assert_never(joint)
 
 
 def spinning(pose: Pose) -> set[str]:
     """Return the links whose angular velocity such a joint asks for."""
-    mechanism = pose.mechanism
-    meshed = {link for m in mechanism.wheel_pairs for link in (m.first_link, m.second_link)}
-    racked, screwed = {r.link for r in mechanism.racks}, {s.link for s in mechanism.screws}
-    return meshed | racked | screwed | {touch.body for touch in pose.touches}
+    meshes = (j for j in pose.mechanism.joints if isinstance(j, WheelPair | Rack | Screw))
+    return {link for mesh in meshes for link in mesh.bodies} | {t.body for t in pose.touches}
 
 
 def _touch(touch: PointContact, velocities: Velocities, spins: Spins) -> Relation:

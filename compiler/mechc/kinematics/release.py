@@ -10,7 +10,7 @@ a pin does not part across it, a pivot moves along it only.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from typing import NamedTuple, assert_never
+from typing import Literal, NamedTuple, assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
@@ -18,7 +18,22 @@ from ..algebra.product import Product
 from ..diagnostics import MechcError, Report
 from ..formula.tree import PI
 from ..frozen import frozen, replace
-from ..model.mechanism import Force, ForcePair, Link, Load, Mechanism, Telescope, Torque
+from ..model.mechanism import (
+    Contact,
+    Force,
+    ForcePair,
+    Link,
+    Load,
+    Mechanism,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    Telescope,
+    Torque,
+    WheelPair,
+)
 from ..pose.pose import PointContact, Pose
 from ..source import Source, Span
 from .builder import Builder
@@ -29,13 +44,13 @@ from .planning import plan_of
 
 
 class JointRef(NamedTuple):
-    """What is let go at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
+    """What is released at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
 
-    ``of`` is the name of the link or slide. A ``gear`` or ``belt`` has the pivot of its first
-    wheel for a point, a ``rack`` or ``screw`` its slider.
+    ``of`` is the name of the link or slide. A ``mesh`` is that of wheels, a rack or a thread:
+    it has the joint's first point, and ``of`` is the joint's id.
     """
 
-    kind: str
+    kind: Literal["pin", "ground", "slide", "touch", "mesh"]
     point: str
     of: str = ""
 
@@ -43,6 +58,14 @@ class JointRef(NamedTuple):
     def loose(self) -> str:
         """Return the name of the link's own point, once it has left the pin."""
         return f"{self.point} of {self.of}" if self.kind == "pin" else self.point
+
+
+Mesh = WheelPair | Rack | Screw
+
+
+def mesh_ref(joint: Mesh) -> JointRef:
+    """Return the reference to the teeth of wheels or a rack, to a belt, or to a thread."""
+    return JointRef("mesh", joint.points[0], joint.id)
 
 
 def held_end(mechanism: Mechanism, link: Link) -> str:
@@ -59,12 +82,21 @@ def held_end(mechanism: Mechanism, link: Link) -> str:
         if point in loaded:
             return False
         others = sum(point in k.points for k in mechanism.links) > 1
-        joints = {p.point for p in mechanism.pivots} | {s.point for s in mechanism.sliders}
-        touching = {s.point for s in mechanism.slots} | {c.point for c in mechanism.contacts}
-        slides = any(point in s.points for s in mechanism.slides)
-        return others or slides or point in joints | touching
+        return others or bool(mechanism.slides_at(point)) or point in _held(mechanism)
 
     return next((p for p in reversed(link.points) if is_held(p)), link.points[-1])
+
+
+def _held(mechanism: Mechanism) -> Iterator[str]:
+    """Yield the points that a joint holds by itself, without a link."""
+    for joint in mechanism.joints:
+        match joint:
+            case Pivot(point) | Slider(point) | Slot(point) | Contact(point):
+                yield point
+            case WheelPair() | Rack() | Screw():
+                pass
+            case _:
+                assert_never(joint)
 
 
 Measure = Callable[[Graph], Form]
@@ -151,10 +183,12 @@ def _released(pose: Pose, joint: JointRef, along: Angle) -> Released:
             return _without_ground(pose, joint.point, along)
         case "slide":
             return _without_slide(pose, joint, along)
-        case "gear" | "belt" | "rack" | "screw":
-            return _without_transmission(pose, joint)
-        case _:
+        case "mesh":
+            return _without_mesh(pose, joint)
+        case "touch":
             return _without_touch(pose, joint.point)
+        case _:
+            assert_never(joint.kind)
 
 
 def _without_pin(pose: Pose, joint: JointRef, along: Angle) -> Released:
@@ -170,14 +204,16 @@ def _without_pin(pose: Pose, joint: JointRef, along: Angle) -> Released:
     touches = tuple(
         t._replace(tail=own) if t.body == joint.of and t.tail == point else t for t in pose.touches
     )
-    racks = tuple(
-        replace(r, pivot=own) if (r.link, r.pivot) == (joint.of, point) else r
-        for r in mechanism.racks
+    joints = tuple(
+        replace(j, pivot=own)
+        if isinstance(j, Rack) and (j.link, j.pivot) == (joint.of, point)
+        else j
+        for j in mechanism.joints
     )
     apart = replace(
         pose,
         mechanism=replace(
-            _sharing(mechanism, joint), links=links, racks=racks, loads=_carried(mechanism, joint)
+            _sharing(mechanism, joint), links=links, joints=joints, loads=_carried(mechanism, joint)
         ),
         frames=frames,
         touches=touches,
@@ -222,7 +258,7 @@ def _with_pin(pose: Pose, point: str) -> Pose:
 def _holding(pose: Pose) -> Iterator[Collection[str]]:
     """Yield the points of whatever gives a point its velocity."""
     mechanism = pose.mechanism
-    yield {pivot.point for pivot in mechanism.pivots}
+    yield mechanism.fixed
     yield pose.guides.keys()
     yield from (link.points for link in mechanism.links)
     yield from (slide.points for slide in mechanism.slides)
@@ -245,13 +281,14 @@ def _sharing(mechanism: Mechanism, joint: JointRef) -> Mechanism:
 def _without_ground(pose: Pose, point: str, along: Angle) -> Released:
     """Let a pivot move along one direction, or a slider leave its guide."""
     mechanism = pose.mechanism
-    pivots = tuple(p for p in mechanism.pivots if p.point != point)
-    sliders = tuple(s for s in mechanism.sliders if s.point != point)
+    joints = tuple(
+        j for j in mechanism.joints if not (isinstance(j, Pivot | Slider) and j.point == point)
+    )
     guides = {p: direction for p, direction in pose.guides.items() if p != point}
     left = {p: direction for p, direction in pose.guides.items() if p not in guides}
-    if len(pivots) < len(mechanism.pivots):
+    if point in mechanism.fixed:
         guides[point] = along
-    free = replace(mechanism, pivots=pivots, sliders=sliders)
+    free = replace(mechanism, joints=joints)
     return Released(
         _with_pin(replace(pose, mechanism=free, guides=guides, left=left), point),
         lambda graph: projection(graph.velocities[point], along),
@@ -273,38 +310,40 @@ def _without_slide(pose: Pose, joint: JointRef, along: Angle) -> Released:
     )
 
 
-def _without_transmission(pose: Pose, joint: JointRef) -> Released:
+def _without_mesh(pose: Pose, joint: JointRef) -> Released:
     """Let the teeth of a pair, a rack or a thread lose each other."""
-    m = pose.mechanism
-    free = replace(
-        m,
-        wheel_pairs=tuple(
-            x for x in m.wheel_pairs if (x.kind, x.first) != (joint.kind, joint.point)
-        ),
-        racks=tuple(r for r in m.racks if (joint.kind, joint.point) != ("rack", r.point)),
-        screws=tuple(s for s in m.screws if (joint.kind, joint.point) != ("screw", s.point)),
-    )
-    return Released(replace(pose, mechanism=free), lambda graph: slipping(graph, pose, joint))
+    joints = tuple(j for j in pose.mechanism.joints if j.id != joint.of)
+    free = replace(pose, mechanism=replace(pose.mechanism, joints=joints))
+    mesh = mesh_of(pose, joint)
+    return Released(free, lambda graph: _slipping(graph, pose, mesh))
 
 
-def slipping(graph: Graph, pose: Pose, joint: JointRef) -> Form:
+def mesh_of(pose: Pose, joint: JointRef) -> Mesh:
+    """Return the wheels, the rack or the screw that a reference names."""
+    mesh = pose.mechanism.joint(joint.of)
+    assert isinstance(mesh, WheelPair | Rack | Screw), "a mesh is referred to by mesh_ref"
+    return mesh
+
+
+def _slipping(graph: Graph, pose: Pose, mesh: Mesh) -> Form:
     """Return the speed at which rims, a rack and its wheel, or nut and thread, part."""
-    for mesh in pose.mechanism.wheel_pairs:
-        if (mesh.kind, mesh.first) == (joint.kind, joint.point):
+    match mesh:
+        case WheelPair():
             sign = -1 if mesh.same else 1
             first = scaled(spin(graph, mesh.first_link), pose.radii[mesh.first_radius])
             second = scaled(spin(graph, mesh.second_link), pose.radii[mesh.second_radius])
             return subtract(first, scaled(second, Product(-sign)))
-    moved, guide = joint.point, pose.guide_of(joint.point) or Angle()
-    ahead = projection(graph.velocities[moved], guide)
-    racks = {r.point: r for r in (*pose.mechanism.racks, *graph.pose.mechanism.racks)}
-    if joint.kind == "rack":
-        rack = racks[moved]
-        rim = scaled(spin(graph, rack.link), pose.radii[rack.radius])
-        return subtract(subtract(ahead, rim), projection(graph.velocities[rack.pivot], guide))
-    screw = next(s for s in pose.mechanism.screws if s.point == moved)
-    lead = pose.radii[screw.pitch] / to_product(PI).scaled(2)
-    return subtract(ahead, scaled(spin(graph, screw.link), lead))
+        case Rack(point, pivot, link):
+            guide = pose.guide_of(point) or Angle()
+            ahead = projection(graph.velocities[point], guide)
+            rim = scaled(spin(graph, link), pose.radii[mesh.radius])
+            return subtract(subtract(ahead, rim), projection(graph.velocities[pivot], guide))
+        case Screw(point, pitch, link):
+            ahead = projection(graph.velocities[point], pose.guide_of(point) or Angle())
+            lead = pose.radii[pitch] / to_product(PI).scaled(2)
+            return subtract(ahead, scaled(spin(graph, link), lead))
+        case _:
+            assert_never(mesh)
 
 
 def _without_touch(pose: Pose, point: str) -> Released:
@@ -322,24 +361,19 @@ def unclear(mechanism: Mechanism) -> frozenset[str]:
     Teeth press across the line of centres, belts are tightened beforehand, and a screw's
     thrust is out of the plane. A rack presses along its guide.
     """
-    turning = {link for m in mechanism.wheel_pairs for link in (m.first_link, m.second_link)}
-    turning |= {screw.link for screw in mechanism.screws}
-    fixed = {pivot.point for pivot in mechanism.pivots}
+    pressing = (j for j in mechanism.joints if isinstance(j, WheelPair | Screw))
+    turning = {link for joint in pressing for link in joint.bodies}
     held = (p for k in mechanism.links if k.name in turning for p in k.points)
-    return frozenset(p for p in held if p in fixed)
+    return mechanism.fixed.intersection(held)
 
 
 def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:
     """Return the points of all that a bond joins; it is shared by halves where they all are."""
     if joint.kind == "touch":
         return (joint.point, *pose.frames[touch_at(pose, joint.point).body])
-    if joint.kind in ("gear", "belt"):
-        mesh = next(m for m in pose.mechanism.wheel_pairs if (m.kind, m.first) == joint[:2])
-        return (*pose.frames[mesh.first_link], *pose.frames[mesh.second_link])
-    if joint.kind in ("rack", "screw"):
-        links = {r.point: r.link for r in pose.mechanism.racks}
-        links |= {s.point: s.link for s in pose.mechanism.screws}
-        return (joint.point, *pose.frames[links[joint.point]])
+    if joint.kind == "mesh":
+        bodies = pose.mechanism.joint(joint.of).bodies
+        return (joint.point, *(p for body in bodies for p in pose.frames[body]))
     return tuple(pose.frames[joint.of]) if joint.of else (joint.point,)
 
 

@@ -16,7 +16,7 @@ So a load at the end of a crank acts on the crank, and the coupler stays a rod.
 import math
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
-from typing import Any
+from typing import Any, assert_never
 
 from ..formula.tree import Call
 from ..formula.walk import evaluate, symbols
@@ -32,11 +32,14 @@ from .mechanism import (
     LoadRatio,
     Mechanism,
     Offset,
+    Pivot,
     Rack,
     Screw,
+    Slider,
     Slot,
     Telescope,
     Torque,
+    WheelPair,
 )
 
 FAR = 10**6
@@ -55,9 +58,8 @@ def is_held(point: str, mechanism: Mechanism) -> bool:
     """Tell whether a pin is fast in the ground, a slider, a slide, or stands by symmetry."""
     groups = (mechanism.mirror, mechanism.copies)
     return (
-        any(pivot.point == point for pivot in mechanism.pivots)
-        or any(slider.point == point for slider in mechanism.sliders)
-        or any(point in slide.points for slide in mechanism.slides)
+        any(isinstance(j, Pivot | Slider) and j.point == point for j in mechanism.joints)
+        or bool(mechanism.slides_at(point))
         or any(group is not None and point in group.sharing for group in groups)
     )
 
@@ -81,8 +83,8 @@ class Carriers:
         """Return what links are compared by, the least being the first choice."""
         if not self._ranks:
             m = self._mechanism
-            pivots = self._distances({p.point for p in m.pivots})
-            guides = self._distances({s.point for s in m.sliders} | _all(m.slides))
+            pivots = self._distances(set(m.fixed))
+            guides = self._distances({s.point for s in m.each(Slider)} | _all(m.slides))
             bent = {*_bent(m)}
             nodes = self._labels()
             structure = refined(nodes, list(self._edges()))
@@ -120,7 +122,7 @@ class Carriers:
         for body in (*self._bodies, *m.slides):
             on = [self._role(k) for k in m.loads if getattr(k, "link", "") == body.name]
             labels["body", body.name] = (type(body).__name__, len(body.points), _counted(on))
-        for pivot in m.pivots:
+        for pivot in m.each(Pivot):
             labels["point", pivot.point] = ("pivot", labels.get(("point", pivot.point)))
         return labels
 
@@ -140,15 +142,20 @@ class Carriers:
         m = self._mechanism
         for body in (*self._bodies, *m.slides):
             yield from ((("point", p), ("body", body.name), "on") for p in body.points)
-        touches: list[Slot | Contact] = [*m.slots, *m.contacts]
-        for touch in touches:
-            yield ("point", touch.point), ("body", touch.link), type(touch).__name__
-        for mesh in m.wheel_pairs:
-            yield ("body", mesh.first_link), ("body", mesh.second_link), mesh.kind
-        for rack in m.racks:
-            yield ("point", rack.point), ("body", rack.link), "rack"
-        for screw in m.screws:
-            yield ("point", screw.point), ("body", screw.link), "screw"
+        for joint in m.joints:
+            match joint:
+                case Pivot() | Slider():
+                    pass
+                case Slot(point, link) | Contact(point, link):
+                    yield ("point", point), ("body", link), type(joint).__name__
+                case WheelPair(kind, first_link=first, second_link=second):
+                    yield ("body", first), ("body", second), kind
+                case Rack(point, link=link):
+                    yield ("point", point), ("body", link), "rack"
+                case Screw(point, link=link):
+                    yield ("point", point), ("body", link), "screw"
+                case _:
+                    assert_never(joint)
         for load in m.loads:
             if isinstance(load, ForcePair) and load.second != f"{load.first}'":
                 yield ("point", load.first), ("point", load.second), self._role(load)
@@ -204,9 +211,7 @@ def _bent(mechanism: Mechanism) -> Iterator[str]:
     yield from (k.link for k in m.loads if isinstance(k, Torque | Force) and k.link)
     pairs = [k for k in m.loads if isinstance(k, ForcePair)]
     yield from (name for k in pairs for name in (k.first_link, k.second_link))
-    yield from (name for k in m.wheel_pairs for name in (k.first_link, k.second_link))
-    joints: list[Slot | Contact | Rack | Screw] = [*m.slots, *m.contacts, *m.racks, *m.screws]
-    yield from (joint.link for joint in joints)
+    yield from (name for joint in m.joints for name in joint.bodies)
 
 
 def refined(labels: Mapping[Node, Hashable], edges: Sequence[Edge]) -> Mapping[Node, int]:

@@ -13,6 +13,7 @@ from ..units import ANGLE, LENGTH
 from .mechanism import (
     Absolute,
     Arrow,
+    Contact,
     Direction,
     Find,
     Force,
@@ -21,7 +22,11 @@ from .mechanism import (
     Mechanism,
     Offset,
     Parameter,
-    Slide,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    WheelPair,
 )
 from .values import Chain, Values, defaults, dependent
 
@@ -41,7 +46,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield a remark on each thing that is hardly meant."""
     chain = Chain(dependent(mechanism))
     values = chain.complete(defaults(mechanism))
-    if not (mechanism.wheel_pairs or mechanism.racks or mechanism.screws):
+    if not any(isinstance(joint, WheelPair | Rack | Screw) for joint in mechanism.joints):
         yield from _turns(mechanism)
     yield from _vanishing(mechanism, chain, values)
     yield from _far_off(mechanism, values)
@@ -91,9 +96,9 @@ def _beyond(span: Span, what: str, angles: Iterable[Formula | None]) -> Iterator
 def directions(mechanism: Mechanism) -> Iterator[Direction]:
     """Yield every direction that is written down, of vectors, guides, faces and forces."""
     yield from (g.direction for g in mechanism.geometry if isinstance(g, Arrow) and g.direction)
-    yield from (s.along for s in mechanism.sliders)
+    yield from (s.along for s in mechanism.each(Slider))
     yield from (s.along for s in mechanism.slides)
-    yield from (c.normal for c in mechanism.contacts)
+    yield from (c.normal for c in mechanism.each(Contact))
     yield from (k.along for k in mechanism.loads if isinstance(k, Force) and not k.weight)
 
 
@@ -197,9 +202,8 @@ def _lengths(entry: object) -> tuple[Formula, ...]:
 
 def _coinciding(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     """Yield the pivots at the place of an earlier one, but for those of wheels."""
-    wheels = {p for m in mechanism.wheel_pairs for p in (m.first, m.second)}
-    wheels |= {r.pivot for r in mechanism.racks}
-    spans = {p.point: p.span for p in mechanism.pivots}
+    wheels = {p for j in mechanism.joints if isinstance(j, WheelPair | Rack) for p in j.points}
+    spans = {p.point: p.span for p in mechanism.each(Pivot)}
     first: dict[tuple[float, float], str] = {}
     for entry in mechanism.geometry:
         if not isinstance(entry, Offset) or entry.tail or entry.head not in spans:
@@ -236,10 +240,9 @@ def _held(mechanism: Mechanism) -> Iterator[Diagnostic]:
 def body_through(points: Iterable[str], mechanism: Mechanism) -> str:
     """Return the rigid body that two points are fast in: a link, a slide, the ground, or ''."""
     pair = set(points)
-    if pair <= {"", *(p.point for p in mechanism.pivots)}:
+    if pair <= {"", *mechanism.fixed}:
         return "the ground"
-    bodies: list[Link | Slide] = [*mechanism.links, *mechanism.slides]
-    found = next((body for body in bodies if pair <= set(body.points)), None)
+    found = next((body for body in mechanism.rigid_bodies if pair <= set(body.points)), None)
     return f"{'link' if isinstance(found, Link) else 'slide'} {found.name}" if found else ""
 
 

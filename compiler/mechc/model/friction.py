@@ -1,8 +1,8 @@
 """Friction: ``friction …``, ``motion …``, ``efficiency …``."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from fractions import Fraction
-from typing import Literal
+from typing import assert_never
 
 from ..diagnostics.model import friction as messages
 from ..diagnostics.model.reactions import several_touch
@@ -19,7 +19,7 @@ from .joint_friction import (
     ThreadFriction,
     WheelFriction,
 )
-from .mechanism import Force, Load, Mechanism
+from .mechanism import Force, Load, Mechanism, Rack, Screw, Slot, WheelPair
 from .pins import Pins, remark_on_pairs
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
@@ -54,7 +54,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
 def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None:
     """Say which pins slide in slots without friction, though every pin is said to have it."""
     rough = {rub.point for rub in friction.rubbing if isinstance(rub, FaceFriction)}
-    for slot in built.slots:
+    for slot in built.each(Slot):
         if slot.point not in rough:
             scope.report.add(messages.slot_without_friction(slot.span, slot.point))
 
@@ -74,7 +74,7 @@ def _judge_half(rub: GuideFriction, built: Mechanism, scope: Scope) -> None:
 
     A guide with the load that counts most is the half's own. One without a load is open.
     """
-    body = next((s.points for s in built.slides if rub.point in s.points), (rub.point,))
+    body = next((slide.points for slide in built.slides_at(rub.point)), (rub.point,))
     own = [k for k in built.loads if isinstance(k, Force) and k.point in body]
     counted = [k for k in built.loads if k.times != 1]
     if not own and counted:
@@ -188,41 +188,43 @@ def _transmission(
     point, span = statement.point, statement.span
     if not scope.points.acting(point) or f is None:
         return
-    kind: Literal["gear", "belt", "rack", "screw"]
-    match statement:
-        case ast.GearFriction():
-            kind, there = "gear", [m.first for m in built.wheel_pairs if m.kind == "gear"]
-        case ast.BeltFriction():
-            kind, there = "belt", [m.first for m in built.wheel_pairs if m.kind == "belt"]
-        case ast.RackFriction():
-            kind, there = "rack", [r.point for r in built.racks]
-        case _:
-            kind, there = "screw", [s.point for s in built.screws]
-    if point.text not in there and point.text in _begun(kind, file):
+    kind, begun, joints = _transmissions(statement, file, built)
+    here = [joint for joint in joints if joint.points[0] == point.text]
+    if not here and point.text in begun:
         return  # what is wrong with that line was reported
-    if point.text not in there:
-        scope.report.add(messages.no_transmission(point.span, kind, point.text, sorted(there)))
-    elif there.count(point.text) > 1:
+    if not here:
+        there = sorted(joint.points[0] for joint in joints)
+        scope.report.add(messages.no_transmission(point.span, kind, point.text, there))
+    elif len(here) > 1:
         scope.report.add(messages.several_transmissions(point.span, kind, point.text))
+    elif not isinstance(here[0], Screw):
+        yield WheelFriction(here[0], f, span)
     elif isinstance(statement, ast.ScrewFriction):
         thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:
-            yield ThreadFriction(point.text, f, thread, span)
-    elif kind != "screw":
-        yield WheelFriction(kind, point.text, f, span)
+            yield ThreadFriction(here[0], f, thread, span)
 
 
-def _begun(kind: str, file: ast.File) -> set[str]:
-    """Return the points at which lines of a kind begin, sound or not."""
-    match kind:
-        case "gear":
-            return {s.first.text for s in every(file, ast.Gear)}
-        case "belt":
-            return {s.first.text for s in every(file, ast.Belt)}
-        case "rack":
-            return {s.point.text for s in every(file, ast.Rack)}
+def _transmissions(
+    statement: ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction,
+    file: ast.File,
+    built: Mechanism,
+) -> tuple[str, set[str], Sequence[WheelPair | Rack | Screw]]:
+    """Return the word for a kind, the points at which its lines begin, and the sound ones."""
+    pairs = built.each(WheelPair)
+    match statement:
+        case ast.GearFriction():
+            begun = {s.first.text for s in every(file, ast.Gear)}
+            return "gear", begun, [pair for pair in pairs if pair.kind == "gear"]
+        case ast.BeltFriction():
+            begun = {s.first.text for s in every(file, ast.Belt)}
+            return "belt", begun, [pair for pair in pairs if pair.kind == "belt"]
+        case ast.RackFriction():
+            return "rack", {s.point.text for s in every(file, ast.Rack)}, built.each(Rack)
+        case ast.ScrewFriction():
+            return "screw", {s.point.text for s in every(file, ast.Screw)}, built.each(Screw)
         case _:
-            return {s.point.text for s in every(file, ast.Screw)}
+            assert_never(statement)
 
 
 def _is_guided(point: ast.Name, scope: Scope) -> bool:

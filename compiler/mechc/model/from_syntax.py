@@ -21,7 +21,7 @@ from .friction import read_friction
 from .geometry import read_geometry
 from .joints import declare_points, read_pivots, read_sliders, warn_idle
 from .loads import read_loads
-from .mechanism import Find, LoadForm, Mechanism
+from .mechanism import Find, LoadForm, Mechanism, Slider
 from .motion import check_drive, read_assemblies, read_drive
 from .parameters import warn_unused
 from .points import Points
@@ -30,7 +30,7 @@ from .results import read_expects, read_requires
 from .scope import Scope
 from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
-from .transmissions import check_belts, read_joints
+from .transmissions import check_belts, read_joints, read_slides, read_telescopes
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:
@@ -55,7 +55,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
-    warn_idle(mechanism.pivots, mechanism.sliders, points)
+    warn_idle(mechanism.joints, points)
     _warn_lonely(points)
     for doubt in doubts(mechanism):
         report.add(doubt)
@@ -77,23 +77,18 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     """Add bodies, joints, and where they are."""
     pivots, places = read_pivots(file, scope)
     sliders, guides, guide_places = read_sliders(file, scope)
-    joints = read_joints(file, scope)
-    check_belts(joints.wheel_pairs, places, scope)
+    slides, telescopes = read_slides(file, scope), read_telescopes(file, scope)
+    joints = read_joints(file, slides, scope)
+    check_belts(joints, places, scope)
     geometry = read_geometry(file, scope)
     drive = read_drive(file, scope)
     assemblies = read_assemblies(file, scope)
     return replace(
         mechanism,
-        pivots=(*pivots, *guides),
-        sliders=tuple(sliders),
         links=tuple(scope.points.links.values()),
-        slides=joints.slides,
-        telescopes=joints.telescopes,
-        slots=joints.slots,
-        contacts=joints.contacts,
-        wheel_pairs=joints.wheel_pairs,
-        racks=joints.racks,
-        screws=joints.screws,
+        slides=slides,
+        telescopes=telescopes,
+        joints=(*pivots, *guides, *sliders, *joints),
         drive=drive,
         assemblies=tuple(assemblies),
         geometry=(*places, *guide_places, *geometry),
@@ -103,7 +98,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
 def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     """Add the loads, and the halves or branches that they count on."""
     loads = read_loads(file, scope)
-    mirror = read_mirror(file, (*mechanism.sliders, *mechanism.slides), loads, scope)
+    mirror = read_mirror(file, (*mechanism.each(Slider), *mechanism.slides), loads, scope)
     check_shared_vectors(mirror, mechanism.geometry, scope)
     copies = read_copies(file, scope)
     return replace(mechanism, loads=tuple(loads), mirror=mirror, copies=copies)

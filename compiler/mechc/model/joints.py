@@ -1,12 +1,12 @@
 """Pivots, sliders and links, and the points that they declare."""
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 from ..diagnostics.model import joints as messages
 from ..source import Span
 from ..syntax import ast
 from .directions import read_direction, read_place
-from .mechanism import Geometry, Link, Offset, Pivot, Slider
+from .mechanism import Geometry, Joint, Link, Offset, Pivot, Slider
 from .points import Points
 from .scope import Scope
 from .statements import every
@@ -116,11 +116,11 @@ def _through(statement: ast.Slider, scope: Scope) -> str | Offset | None:
             return name.text
 
 
-def warn_idle(pivots: Sequence[Pivot], sliders: Sequence[Slider], points: Points) -> None:
-    """Warn of joints that hold no link and that nothing uses."""
-    joints: list[tuple[Pivot | Slider, str]] = [(p, "pivot") for p in pivots]
-    joints += [(s, "slider") for s in sliders]
-    for joint, what in joints:
-        point = joint.point
+def warn_idle(joints: Iterable[Joint], points: Points) -> None:
+    """Warn of pivots and sliders that hold no link and that nothing uses."""
+    for joint in joints:
+        if not isinstance(joint, Pivot | Slider):
+            continue
+        point, what = joint.point, type(joint).__name__.lower()
         if point in points.places and point not in points.carried and not points.used[point]:
             points.report.add(messages.idle_joint(joint.span, what, point))

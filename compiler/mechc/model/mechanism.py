@@ -8,7 +8,7 @@ points are in the order the user named them.
 from collections.abc import Mapping
 from fractions import Fraction
 from types import MappingProxyType
-from typing import Literal, NamedTuple
+from typing import Literal, NamedTuple, TypeVar
 
 from ..formula.tree import Formula, Number
 from ..frozen import frozen
@@ -24,9 +24,11 @@ from .joint_friction import WheelFriction as WheelFriction
 from .parts import Absolute as Absolute
 from .parts import Along as Along
 from .parts import Assembly as Assembly
+from .parts import Body as Body
 from .parts import Contact as Contact
 from .parts import Direction as Direction
 from .parts import Drive as Drive
+from .parts import Joint as Joint
 from .parts import Link as Link
 from .parts import Pivot as Pivot
 from .parts import Rack as Rack
@@ -48,6 +50,8 @@ from .targets import Speed as Speed
 from .targets import SpeedRatio as SpeedRatio
 from .targets import Target as Target
 from .targets import WithFriction as WithFriction
+
+J = TypeVar("J", bound=Joint)
 
 GRAVITY = Number(Fraction("9.80665"))
 """The standard acceleration of free fall in m/s²."""
@@ -256,16 +260,10 @@ class Mechanism:
     source: str
     span: Span
     parameters: tuple[Parameter, ...] = ()
-    pivots: tuple[Pivot, ...] = ()
-    sliders: tuple[Slider, ...] = ()
     links: tuple[Link, ...] = ()
     slides: tuple[Slide, ...] = ()
     telescopes: tuple[Telescope, ...] = ()
-    slots: tuple[Slot, ...] = ()
-    contacts: tuple[Contact, ...] = ()
-    wheel_pairs: tuple[WheelPair, ...] = ()
-    racks: tuple[Rack, ...] = ()
-    screws: tuple[Screw, ...] = ()
+    joints: tuple[Joint, ...] = ()
     drive: Drive | None = None
     assemblies: tuple[Assembly, ...] = ()
     geometry: tuple[Geometry, ...] = ()
@@ -279,6 +277,33 @@ class Mechanism:
     expects: tuple[Expect, ...] = ()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
+
+    @property
+    def bodies(self) -> tuple[Body, ...]:
+        """Return the links, the slides and the telescopes."""
+        return (*self.links, *self.slides, *self.telescopes)
+
+    @property
+    def rigid_bodies(self) -> tuple[Link | Slide, ...]:
+        """Return the links and the slides."""
+        return (*self.links, *self.slides)
+
+    def each(self, kind: type[J]) -> tuple[J, ...]:
+        """Return the joints of one kind."""
+        return tuple(joint for joint in self.joints if isinstance(joint, kind))
+
+    def joint(self, id: str) -> Joint:
+        """Return the joint of an ``id``; KeyError where there is none."""
+        return {joint.id: joint for joint in self.joints}[id]
+
+    @property
+    def fixed(self) -> frozenset[str]:
+        """Return the points that are pinned to the ground."""
+        return frozenset(pivot.point for pivot in self.each(Pivot))
+
+    def slides_at(self, point: str) -> tuple[Slide, ...]:
+        """Return the bodies that only translate and have a point."""
+        return tuple(slide for slide in self.slides if point in slide.points)
 
     @property
     def cylinders(self) -> tuple[Telescope, ...]:

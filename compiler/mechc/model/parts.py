@@ -1,7 +1,9 @@
 """The parts of a mechanism: directions, bodies, joints, what drives and what closes it.
 
 Every joint says in its docstring what it asks of velocities; what it transmits follows
-from its mechanics in statics, never from this.
+from its mechanics in statics, never from this. Each has an ``id`` that no other has, the
+``points`` that it holds and the ``bodies`` (links, slides) that it names. Pins that links
+share are no joints of their own: the links' points say them.
 """
 
 from typing import Literal
@@ -81,6 +83,21 @@ class Pivot:
     point: str
     span: Span
 
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"pivot {self.point}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return (self.point,)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return ()
+
 
 @frozen
 class Slider:
@@ -90,6 +107,21 @@ class Slider:
     along: Direction
     span: Span
     through: str | None = None
+
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"slider {self.point}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return (self.point,)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return ()
 
 
 @frozen
@@ -104,6 +136,21 @@ class Slot:
     tail: str
     head: str
     span: Span
+
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"slot {self.point} in {self.tail}{self.head}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return (self.point,)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return (self.link,)
 
 
 @frozen
@@ -120,6 +167,21 @@ class Contact:
     head: str
     normal: Direction
     span: Span
+
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"contact {self.point} on {self.tail}{self.head}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return (self.point,)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return (self.link,)
 
 
 @frozen
@@ -140,6 +202,21 @@ class WheelPair:
     same: bool
     span: Span
 
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"{self.kind} {self.first}, {self.second}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return (self.first, self.second)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return (self.first_link, self.second_link)
+
 
 @frozen
 class Rack:
@@ -155,6 +232,21 @@ class Rack:
     radius: Formula
     span: Span
 
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"rack {self.point} on {self.pivot}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return (self.point, self.pivot)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return (self.link,)
+
 
 @frozen
 class Screw:
@@ -167,6 +259,26 @@ class Screw:
     pitch: Formula
     link: str
     span: Span
+
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"screw {self.point} on {self.link}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return (self.point,)
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return (self.link,)
+
+
+Body = Link | Slide | Telescope
+Joint = Pivot | Slider | Slot | Contact | WheelPair | Rack | Screw
+"""A pass over joints matches all of them and ends in ``assert_never``: mypy names what is left."""
 
 
 # ------------------------------------------------------------------- drive, closure

@@ -1,13 +1,12 @@
-"""Joints beyond pins and guides: slides, telescopes, slots, contacts, gears, racks, screws."""
+"""Bodies and joints beyond links, pins and guides: slides, telescopes, slots, gears, screws."""
 
 import math
-from collections.abc import Collection, Iterable
-from typing import Protocol, TypeVar
+from collections.abc import Collection, Iterable, Sequence
+from typing import TypeVar
 
 from ..diagnostics.model import joints as messages
 from ..diagnostics.model import names
 from ..formula.tree import Formula
-from ..frozen import frozen
 from ..syntax import ast
 from ..units import LENGTH
 from .directions import read_direction, value_of
@@ -15,6 +14,7 @@ from .expressions import Reader
 from .mechanism import (
     Contact,
     Geometry,
+    Joint,
     Link,
     Offset,
     Rack,
@@ -28,47 +28,27 @@ from .scope import DESCRIPTION, Scope
 from .statements import every
 
 
-class Body(Protocol):
-    """A link or a slide."""
-
-    @property
-    def name(self) -> str:
-        """Return the points as written."""
-        ...
-
-    @property
-    def points(self) -> tuple[str, ...]:
-        """Return the points."""
-        ...
-
-
-@frozen
-class Joints:
-    """All of them."""
-
-    slides: tuple[Slide, ...]
-    telescopes: tuple[Telescope, ...]
-    slots: tuple[Slot, ...]
-    contacts: tuple[Contact, ...]
-    wheel_pairs: tuple[WheelPair, ...]
-    racks: tuple[Rack, ...]
-    screws: tuple[Screw, ...]
-
-
-def read_joints(file: ast.File, scope: Scope) -> Joints:
-    """Return every joint of the description that is neither pin nor guide nor rigid link."""
+def read_slides(file: ast.File, scope: Scope) -> tuple[Slide, ...]:
+    """Return the bodies that only translate."""
     loose = {s.point.text for s in every(file, ast.Slider) if s.through is None}
-    slides = tuple(found(_slide(s, loose, scope) for s in every(file, ast.Slide)))
+    return tuple(found(_slide(s, loose, scope) for s in every(file, ast.Slide)))
+
+
+def read_telescopes(file: ast.File, scope: Scope) -> tuple[Telescope, ...]:
+    """Return the links of variable length."""
+    return tuple(found(_telescope(s, scope) for s in every(file, ast.Telescope)))
+
+
+def read_joints(file: ast.File, slides: Sequence[Slide], scope: Scope) -> tuple[Joint, ...]:
+    """Return every joint of the description that is neither pin nor guide, kind by kind."""
     is_mirrored = bool(every(file, ast.Mirror))
     wheels = [s for s in file.statements if isinstance(s, ast.Gear | ast.Belt)]
-    return Joints(
-        slides,
-        tuple(found(_telescope(s, scope) for s in every(file, ast.Telescope))),
-        tuple(found(_slot(s, slides, scope) for s in every(file, ast.Slot))),
-        tuple(found(_contact(s, slides, scope) for s in every(file, ast.Contact))),
-        tuple(found(_mesh(s, is_mirrored, scope) for s in wheels)),
-        tuple(found(_rack(s, slides, scope) for s in every(file, ast.Rack))),
-        tuple(found(_screw(s, slides, scope) for s in every(file, ast.Screw))),
+    return (
+        *found(_slot(s, slides, scope) for s in every(file, ast.Slot)),
+        *found(_contact(s, slides, scope) for s in every(file, ast.Contact)),
+        *found(_mesh(s, is_mirrored, scope) for s in wheels),
+        *found(_rack(s, slides, scope) for s in every(file, ast.Rack)),
+        *found(_screw(s, slides, scope) for s in every(file, ast.Screw)),
     )
 
 
@@ -103,7 +83,7 @@ def _telescope(statement: ast.Telescope, scope: Scope) -> Telescope | None:
     return Telescope(statement.points.text, (points[0], points[1]), statement.span)
 
 
-def _body(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> Body | None:
+def _body(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> Link | Slide | None:
     """Return the link or slide that points name."""
     points = scope.points.known(name)
     if not points:
@@ -114,7 +94,7 @@ def _body(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> Body | None:
 
 def _on_line(
     point: ast.Name, line: ast.Name, slides: Iterable[Slide], scope: Scope
-) -> tuple[str, Body, str, str] | None:
+) -> tuple[str, Link | Slide, str, str] | None:
     """Return a pin, the body on whose line it slides, and the two points of the line."""
     acting = scope.points.acting(point)
     body = _body(line, slides, scope)
@@ -173,14 +153,16 @@ def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> Wh
     )
 
 
-def check_belts(wheel_pairs: Iterable[WheelPair], places: Iterable[Geometry], scope: Scope) -> None:
+def check_belts(joints: Iterable[Joint], places: Iterable[Geometry], scope: Scope) -> None:
     """Report belts whose wheels overlap, where the places of both pivots are given."""
     known = [place for place in places if isinstance(place, Offset)]
     located = {place.head: _values((place.x, place.y), scope) for place in known}
-    for mesh in wheel_pairs:
-        ends = [located.get(pivot) for pivot in (mesh.first, mesh.second)]
+    for mesh in joints:
+        if not isinstance(mesh, WheelPair) or mesh.kind != "belt":
+            continue
+        ends = [located.get(pivot) for pivot in mesh.points]
         radii = _values((mesh.first_radius, mesh.second_radius), scope)
-        if mesh.kind != "belt" or ends[0] is None or ends[1] is None or radii is None:
+        if ends[0] is None or ends[1] is None or radii is None:
             continue
         apart = math.dist(ends[0], ends[1])
         if apart < sum(radii) * (1 - 1e-9):

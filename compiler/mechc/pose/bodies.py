@@ -4,7 +4,16 @@ from collections.abc import Callable, Iterator, Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..model.mechanism import Along, Arrow, Direction, Geometry, Mechanism, Offset, Slot
+from ..model.mechanism import (
+    Along,
+    Arrow,
+    Contact,
+    Direction,
+    Geometry,
+    Mechanism,
+    Offset,
+    Slot,
+)
 from .closure import Condition, across
 from .directions import Directions
 from .pose import Arm, PointContact, Vector
@@ -21,7 +30,7 @@ def aligned(mechanism: Mechanism) -> tuple[Geometry, ...]:
     has the same: the pin is on the side of O on which C is.
     """
     found = list(mechanism.geometry)
-    for slot in mechanism.slots:
+    for slot in mechanism.each(Slot):
         line, pin = (slot.tail, slot.head), (slot.tail, slot.point)
         given, placed = _entry(found, line), _entry(found, pin)
         if _directed(placed) and not _directed(given):
@@ -57,11 +66,11 @@ def touches(
 ) -> Iterator[PointContact]:
     """Yield every pin that slides along a body."""
     slides = {s.name for s in mechanism.slides}
-    for slot in mechanism.slots:
+    for slot in mechanism.each(Slot):
         line = _line(slot, slot.link in slides, compass, vectors, find)
         reach = () if slot.link in slides else _reach(slot.tail, slot.point, line, vectors)
         yield PointContact("slot", slot.point, slot.link, slot.tail, reach, across(line), slot.span)
-    for contact in mechanism.contacts:
+    for contact in mechanism.each(Contact):
         point, tail = contact.point, contact.tail
         normal = find(contact.normal, f"theta_{point}", f"the contact at {point}")
         face = normal - Angle.constant(90)

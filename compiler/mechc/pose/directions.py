@@ -5,7 +5,17 @@ from collections.abc import Iterator, Mapping
 from ..algebra.angle import Angle
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
-from ..model.mechanism import Absolute, Along, Arrow, Direction, Mechanism, Offset, Turn
+from ..model.mechanism import (
+    Absolute,
+    Along,
+    Arrow,
+    Direction,
+    Mechanism,
+    Offset,
+    Slider,
+    Slot,
+    Turn,
+)
 from ..source import Span
 from .terms import Terms
 
@@ -121,10 +131,10 @@ class Directions:
 
 def _slid_along(mechanism: Mechanism) -> Iterator[Pair]:
     """Yield the lines of slots, and those of guides with a place: loops close along them."""
-    for slider in mechanism.sliders:
+    for slider in mechanism.each(Slider):
         if isinstance(slider.along, Along) and slider.through:
             yield slider.along.tail, slider.along.head
-    yield from ((slot.tail, slot.head) for slot in mechanism.slots)
+    yield from ((slot.tail, slot.head) for slot in mechanism.each(Slot))
 
 
 def _arm(turn: Turn) -> Pair:

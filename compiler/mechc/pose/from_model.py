@@ -8,7 +8,17 @@ from ..diagnostics import pose as messages
 from ..diagnostics.model.quantities import condition_broken
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import Along, Direction, Force, ForcePair, Link, Mechanism, Slide, Telescope
+from ..model.mechanism import (
+    Along,
+    Direction,
+    Force,
+    ForcePair,
+    Link,
+    Mechanism,
+    Slide,
+    Slider,
+    Telescope,
+)
 from ..model.values import holds
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
@@ -159,7 +169,7 @@ class _Survey:
         """Return the direction of every guide."""
         return {
             s.point: self.direction(s.along, f"theta_{s.point}", f"the guide of {s.point}")
-            for s in self._mechanism.sliders
+            for s in self._mechanism.each(Slider)
         }
 
     def lines(self) -> Mapping[str, Angle]:
@@ -254,7 +264,7 @@ class _Survey:
     def _guide_lines(self, pose: Pose) -> list[Condition]:
         """Return the condition of every guide that is told to pass through a point."""
         conditions = []
-        for slider in self._mechanism.sliders:
+        for slider in self._mechanism.each(Slider):
             chain = slider.through and self._vectors.chain(slider.point, slider.through)
             if chain:
                 arms, normal = self._vectors.arms(chain), across(pose.guides[slider.point])

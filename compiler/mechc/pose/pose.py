@@ -150,8 +150,8 @@ class Pose:
         """Return the direction in which a slider, or a point of a slide, is guided."""
         if point in self.guides:
             return self.guides[point]
-        slides = (s.name for s in self.mechanism.slides if point in s.points)
-        return next((self.slides[name] for name in slides), self.left.get(point))
+        slides = self.mechanism.slides_at(point)
+        return self.slides[slides[0].name] if slides else self.left.get(point)
 
 
 def reverse(vector: Vector) -> Vector:

@@ -9,7 +9,7 @@ from collections.abc import Collection, Iterator, Mapping, Sequence
 from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as messages
 from ..diagnostics import pose as plain
-from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter
+from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter, Pivot, Slider
 from ..source import Span
 from ..units import ANGLE, LENGTH
 from .loops.groups import Open
@@ -81,11 +81,12 @@ def _without_value(parameters: Sequence[Parameter], unknown: Names) -> Iterator[
 
 def _without_place(mechanism: Mechanism, vectors: Vectors) -> Iterator[Diagnostic]:
     """Yield the pivots from which no vectors on the ground lead to the others."""
-    ground = {"", *(p.point for p in mechanism.pivots)}
-    ground |= {s.through for s in mechanism.sliders if s.through}
-    joined = [{q for q in ground if vectors.chain(p.point, q, ground)} for p in mechanism.pivots]
+    ground = {"", *mechanism.fixed}
+    ground |= {s.through for s in mechanism.each(Slider) if s.through}
+    pivots = mechanism.each(Pivot)
+    joined = [{q for q in ground if vectors.chain(p.point, q, ground)} for p in pivots]
     home = max(joined, key=len, default=set())
-    for pivot, others in zip(mechanism.pivots, joined, strict=True):
+    for pivot, others in zip(pivots, joined, strict=True):
         if pivot.point not in home and others.isdisjoint(home):
             yield messages.pivot_without_place(pivot.span, pivot.point, _beside(home))
 
@@ -95,8 +96,8 @@ def _beside(ground: Collection[str]) -> str:
 
 
 def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
-    near = _beside([p.point for p in mechanism.pivots]) or "(0 mm, 0 mm)"
-    for slider in mechanism.sliders:
+    near = _beside(mechanism.fixed) or "(0 mm, 0 mm)"
+    for slider in mechanism.each(Slider):
         if not slider.through:
             yield messages.guide_without_line(slider.span, slider.point, near)
 
@@ -104,8 +105,8 @@ def _without_line(mechanism: Mechanism) -> Iterator[Diagnostic]:
 def _without_rail(mechanism: Mechanism, vectors: Sequence[tuple[str, str]]) -> Iterator[Diagnostic]:
     """Yield the guides without a line at which rods end whose directions a drive is to give."""
     ends = {point for pair in vectors for point in pair}
-    near = _beside([p.point for p in mechanism.pivots]) or "(0 mm, 0 mm)"
-    for slider in mechanism.sliders if mechanism.drive else ():
+    near = _beside(mechanism.fixed) or "(0 mm, 0 mm)"
+    for slider in mechanism.each(Slider) if mechanism.drive else ():
         if slider.point in ends and not slider.through:
             yield messages.guide_without_line(slider.span, slider.point, near)
 

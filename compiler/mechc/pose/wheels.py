@@ -2,11 +2,20 @@
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..model.mechanism import Mechanism
+from ..model.mechanism import (
+    Contact,
+    Mechanism,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    WheelPair,
+)
 from ..source import Span
 from .loops.vector_graph import mentioned
 from .pose import Pose, evaluate_vector
@@ -28,15 +37,21 @@ class Misfit(NamedTuple):
 
 def radii(mechanism: Mechanism) -> Iterator[Formula]:
     """Yield the radius of every wheel and the pitch of every screw."""
-    for mesh in mechanism.wheel_pairs:
-        yield from (mesh.first_radius, mesh.second_radius)
-    yield from (rack.radius for rack in mechanism.racks)
-    yield from (screw.pitch for screw in mechanism.screws)
+    for joint in mechanism.joints:
+        match joint:
+            case WheelPair(first_radius=first, second_radius=second):
+                yield from (first, second)
+            case Rack(radius=size) | Screw(pitch=size):
+                yield size
+            case Pivot() | Slider() | Slot() | Contact():
+                pass
+            case _:
+                assert_never(joint)
 
 
 def misfits(pose: Pose, vectors: Vectors, values: Values) -> Iterator[Misfit]:
     """Yield the gears whose centres have places that do not fit their radii."""
-    for mesh in pose.mechanism.wheel_pairs:
+    for mesh in pose.mechanism.each(WheelPair):
         line = vectors.path(mesh.first, mesh.second)
         lengths = [pose.radii[r] for r in (mesh.first_radius, mesh.second_radius)]
         used = {s for length in lengths for s in symbols(length.formula())}

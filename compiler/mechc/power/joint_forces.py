@@ -88,8 +88,7 @@ def holding(point: str, pose: Pose) -> JointRef:
 
 def guiding(point: str, pose: Pose) -> JointRef:
     """Return what the guide of a point holds: the point, or the body that it belongs to."""
-    slides = (slide.name for slide in pose.mechanism.slides if point in slide.points)
-    name = next(slides, "")
+    name = next((slide.name for slide in pose.mechanism.slides_at(point)), "")
     return JointRef("slide", point, name) if name else JointRef("ground", point)
 
 

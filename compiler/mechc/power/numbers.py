@@ -15,7 +15,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import Find, Force, ForcePair, LoadRatio, Torque
+from ..model.mechanism import Contact, Find, Force, ForcePair, LoadRatio, Torque
 from ..model.result import Result
 from ..model.values import Chain, completed, defaults, dependent, standing
 from ..pose.pose import Pose
@@ -161,7 +161,7 @@ def _against(target: LoadRatio, balance: Balance) -> str:
     pairs = [load.name for load in asked if isinstance(load, ForcePair)]
     torques = [load.name for load in asked if isinstance(load, Torque)]
     if forces:
-        touching = balance.plan.graph.pose.mechanism.contacts
+        touching = balance.plan.graph.pose.mechanism.each(Contact)
         return messages.turn_round(forces if touching else forces[:1])
     return messages.pulls(pairs[0]) if pairs else messages.clockwise(torques)
 

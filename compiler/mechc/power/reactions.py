@@ -132,7 +132,7 @@ def directions(pose: Pose, joint: JointRef) -> tuple[Angle, ...]:
     match joint.kind:
         case "touch":
             return (touch_at(pose, joint.point).normal,)
-        case "gear" | "belt" | "rack" | "screw":
+        case "mesh":
             return (Angle(),)
         case "ground" if joint.point in pose.guides:
             return () if shared else (pose.guides[joint.point] + QUARTER,)

@@ -42,7 +42,7 @@ def speed(plan: Plan, wanted: Speed) -> Rate:
 
 def _about_pivot(plan: Plan, point: str) -> Rate | None:
     pose = plan.graph.pose
-    fixed = {p.point for p in pose.mechanism.pivots} - {point}
+    fixed = pose.mechanism.fixed - {point}
     for link in pose.mechanism.links:
         pivot = next((p for p in link.points if p in fixed), None)
         if pivot and point in link.points:

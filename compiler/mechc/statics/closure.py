@@ -33,7 +33,7 @@ def worst_gap(pose: Pose, values: Mapping[str, float]) -> Gap | None:
     drawing = Drawing(placed(edges), values)
     gaps = [drawing.loop(edge) for edge in edges]
     gaps += [drawing.entry(entry) for entry in pose.mechanism.geometry]
-    gaps += [drawing.guide(slider) for slider in pose.mechanism.sliders]
+    gaps += [drawing.guide(slider) for slider in pose.mechanism.each(Slider)]
     found = [gap for gap in gaps if gap is not None]
     size = max((math.hypot(*edge.vector) for edge in edges), default=0.0)
     worst = max(found, key=lambda gap: gap.size, default=None)

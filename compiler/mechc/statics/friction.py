@@ -283,14 +283,14 @@ def _of(rubbing: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
                     yield Pair("pin", name, (*couples, *back), body, point, size)
         case GuideFriction(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
-        case WheelFriction(kind, point, factor_):
+        case WheelFriction(joint, factor_):
             size = evaluate(factor_, unfolding.values)
-            name = f"{kind} {point}"
-            yield Pair("transmission", name, unfolding.rim(kind, point), name, "", size)
-        case ThreadFriction(point, factor_, thread):
+            name = f"{rubbing.kind} {rubbing.point}"
+            yield Pair("transmission", name, unfolding.rim(joint), name, "", size)
+        case ThreadFriction(screw, factor_, thread):
             size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
-            actions = unfolding.along_thread(point, diameter)
-            name = f"screw {point}"
+            actions = unfolding.along_thread(screw, diameter)
+            name = f"screw {screw.point}"
             yield Pair("transmission", name, actions, name, "", size)
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
@@ -306,10 +306,9 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
     copies = unfolding.pose.mechanism.copies
     if copies and point in copies.sharing:
         return
-    slides = unfolding.pose.mechanism.slides
-    slide = next((s.name for s in slides if point in s.points), "")
+    body = next((s.name for s in unfolding.pose.mechanism.slides_at(point)), point)
     push = unfolding.push(point, unfolding.direction_of_guide(point))
-    yield Pair("guide", f"guide {point}", push, "guide", slide or point, size)
+    yield Pair("guide", f"guide {point}", push, "guide", body, size)
 
 
 def _face(point: str, size: float, unfolding: Unfolding) -> Pair:

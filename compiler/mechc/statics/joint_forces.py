@@ -85,7 +85,7 @@ def _on_link_or_point(
 
 def _normal(system: System, unfolding: Unfolding, point: str) -> Weights:
     """Return the force of a contact or slot, else that of a guide on the point or its slide."""
-    held = {point, *(s.name for s in unfolding.pose.mechanism.slides if point in s.points)}
+    held = {point, *(s.name for s in unfolding.pose.mechanism.slides_at(point))}
 
     def fits(unknown: Unknown) -> bool:
         return unknown.on in held and unknown.component in ("slot", "contact", "normal")

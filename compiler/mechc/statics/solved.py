@@ -2,8 +2,18 @@
 
 import math
 from collections.abc import Iterator
+from typing import assert_never
 
-from ..model.mechanism import Mechanism
+from ..model.mechanism import (
+    Contact,
+    Mechanism,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    WheelPair,
+)
 from .acts import Bearing
 from .answers import INCONSISTENT, UNBALANCED
 from .balanced import Tie, gather, ties, with_loads
@@ -115,15 +125,19 @@ def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
 
 
 def _pressed(mechanism: Mechanism) -> Iterator[Bearing]:
-    wheels = [(m.first, m.first_link) for m in mechanism.wheel_pairs]
-    wheels += [(m.second, m.second_link) for m in mechanism.wheel_pairs]
-    wheels += [(rack.pivot, rack.link) for rack in mechanism.racks]
-    links = {link.name: link for link in mechanism.links}
-    fixed = {pivot.point for pivot in mechanism.pivots}
-    for screw in mechanism.screws:
-        wheels += [(p, screw.link) for p in links[screw.link].points if p in fixed]
-    for pivot, link in wheels:
-        yield from ((pivot, link), (pivot, "ground"))
-    for rack in mechanism.racks:
-        yield rack.point, "ground"
-        yield from ((s.name, "ground") for s in mechanism.slides if rack.point in s.points)
+    for joint in mechanism.joints:
+        match joint:
+            case WheelPair():
+                for pivot, link in zip(joint.points, joint.bodies, strict=True):
+                    yield from ((pivot, link), (pivot, "ground"))
+            case Rack(point, pivot, link):
+                yield from ((pivot, link), (pivot, "ground"), (point, "ground"))
+                yield from ((slide.name, "ground") for slide in mechanism.slides_at(point))
+            case Screw(link=link):
+                points = next(k.points for k in mechanism.links if k.name == link)
+                for pivot in mechanism.fixed.intersection(points):
+                    yield from ((pivot, link), (pivot, "ground"))
+            case Pivot() | Slider() | Slot() | Contact():
+                pass
+            case _:
+                assert_never(joint)

@@ -60,7 +60,7 @@ def direction_of_motion(unfolding: Unfolding, point: str) -> Plane | None:
     guide = pose.guide_of(point)
     if guide is not None:
         return direction(guide.evaluate(unfolding.values))
-    fixed = {pivot.point for pivot in pose.mechanism.pivots} - {point}
+    fixed = pose.mechanism.fixed - {point}
     for link in pose.mechanism.links:
         pivot = next((p for p in link.points if p in fixed), None)
         if pivot is not None and point in link.points:

@@ -17,7 +17,19 @@ from typing import assert_never
 
 from ..formula.walk import evaluate
 from ..frozen import frozen
-from ..model.mechanism import Force, ForcePair, Load, Rack, Torque
+from ..model.mechanism import (
+    Contact,
+    Force,
+    ForcePair,
+    Load,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    Torque,
+    WheelPair,
+)
 from ..pose.pose import PointContact, Pose, evaluate_vector
 from .assembly import (
     Action,
@@ -194,25 +206,25 @@ class Unfolding:
             return push
         return (*push, *map(self._mirrored, push))
 
-    def rim(self, kind: str, point: str) -> tuple[Action, ...]:
+    def rim(self, joint: WheelPair | Rack) -> tuple[Action, ...]:
         """Return a unit force on the rim of a pair's first wheel, or on a rack."""
-        if kind == "rack":
-            rack = next(r for r in self.pose.mechanism.racks if r.point == point)
-            return self._by(rack.link, point, self.direction_of_guide(point))
-        pairs = self.pose.mechanism.wheel_pairs
-        pair = next(m for m in pairs if (m.kind, m.first) == (kind, point))
-        return self.couple(pair.first_link, evaluate(pair.first_radius, self.values))
+        match joint:
+            case Rack(point, link=link):
+                return self._by(link, point, self.direction_of_guide(point))
+            case WheelPair(first_link=link, first_radius=radius):
+                return self.couple(link, evaluate(radius, self.values))
+            case _:
+                assert_never(joint)
 
-    def along_thread(self, point: str, diameter: float) -> tuple[Action, ...]:
+    def along_thread(self, screw: Screw, diameter: float) -> tuple[Action, ...]:
         """Return the friction on a thread that an axial force of 1 times 1 gives, on nut and screw.
 
         F/cos ψ along the thread, whose slope is tan ψ = p/(πd): F·tan ψ along the axis, and
         F·d/2 about it.
         """
-        screw = next(s for s in self.pose.mechanism.screws if s.point == point)
         slope = evaluate(screw.pitch, self.values) / (math.pi * diameter)
-        along = self.direction_of_guide(point).times(slope)
-        return (*self._by(screw.link, point, along), *self.couple(screw.link, diameter / 2))
+        along = self.direction_of_guide(screw.point).times(slope)
+        return (*self._by(screw.link, screw.point, along), *self.couple(screw.link, diameter / 2))
 
     def _by(self, link: str, point: str, force: Plane) -> tuple[Action, ...]:
         """Return a force on a point by each of the links that drive it."""
@@ -234,11 +246,11 @@ class Unfolding:
                 yield Body(f"{link.name}'", twins)
 
     def _pivots(self) -> Iterator[str]:
-        for pivot in self.pose.mechanism.pivots:
+        for pivot in self.pose.mechanism.each(Pivot):
             yield from dict.fromkeys((pivot.point, self._twin(pivot.point)))
 
     def _guides(self) -> Iterator[Guide]:
-        for slider in self.pose.mechanism.sliders:
+        for slider in self.pose.mechanism.each(Slider):
             along = self.direction_of_guide(slider.point)
             yield Guide(slider.point, along)
             if not self._shared(slider.point):
@@ -250,9 +262,9 @@ class Unfolding:
         if copies is None:
             return
         axis = next((self.direction_of_guide(p) for p in copies.sharing if p in guides), None)
-        fixed = {p.point for p in self.pose.mechanism.pivots}
+        held = {*guides, *self.pose.mechanism.fixed}
         for point in copies.sharing:
-            if axis is not None and point not in guides and point not in fixed:
+            if axis is not None and point not in held:
                 yield Guide(point, axis)
 
     def _slides(self) -> Iterator[Translation]:
@@ -279,25 +291,35 @@ class Unfolding:
                 yield JointFriction(touch.kind, self._twin(touch.point), body, *mirrored)
 
     def _transfers(self) -> Iterator[Transfer]:
-        """Yield the forces that wheels and screws pass on.
+        """Yield the forces that wheels and screws pass on."""
+        for joint in self.pose.mechanism.joints:
+            match joint:
+                case WheelPair(kind, first):
+                    yield from self._both(f"{kind} {first}", self._rims(joint))
+                case Rack(point):
+                    yield from self._both(f"rack {point}", self._teeth(joint))
+                case Screw(point):
+                    yield from self._both(f"screw {point}", self._thread(joint))
+                case Pivot() | Slider() | Slot() | Contact():
+                    pass  # they press on one point: see _pivots, _guides and _rubbings
+                case _:
+                    assert_never(joint)
+
+    def _rims(self, pair: WheelPair) -> tuple[Action, ...]:
+        """Return the couples of a unit force on the rims of two wheels.
 
         Gears press on each other at the pitch point. Between the centres that gives moments
         of one sign; inner gears have both centres on one side of it, and the tight side of an
         open belt pulls one wheel backwards as it pulls the other one on: opposite signs.
         """
-        mechanism, values = self.pose.mechanism, self.values
-        for mesh in mechanism.wheel_pairs:
-            first = evaluate(mesh.first_radius, values)
-            second = evaluate(mesh.second_radius, values) * (-1 if mesh.same else 1)
-            couples = Couple(mesh.first_link, first), Couple(mesh.second_link, second)
-            yield from self._both(f"{mesh.kind} {mesh.first}", couples)
-        for rack in mechanism.racks:
-            yield from self._both(f"rack {rack.point}", self._teeth(rack))
-        for screw in mechanism.screws:
-            lead = evaluate(screw.pitch, values) / (2 * math.pi)
-            along = self.direction_of_guide(screw.point)
-            thread = Push(screw.point, along), Couple(screw.link, -lead)
-            yield from self._both(f"screw {screw.point}", thread)
+        first = evaluate(pair.first_radius, self.values)
+        second = evaluate(pair.second_radius, self.values) * (-1 if pair.same else 1)
+        return Couple(pair.first_link, first), Couple(pair.second_link, second)
+
+    def _thread(self, screw: Screw) -> tuple[Action, ...]:
+        """Return a unit force on a nut along its guide, and the couple that the screw takes."""
+        lead = evaluate(screw.pitch, self.values) / (2 * math.pi)
+        return Push(screw.point, self.direction_of_guide(screw.point)), Couple(screw.link, -lead)
 
     def _teeth(self, rack: Rack) -> tuple[Action, ...]:
         """Return a force on a rack along its guide, and what its wheel takes at the pitch point."""

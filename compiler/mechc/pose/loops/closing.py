@@ -130,7 +130,7 @@ class _Closing:
     def __init__(self, state: State, report: Report) -> None:
         self._state, self._report = state, report
         self._choice = Choice(state, report)
-        self._fixed = frozenset(p.point for p in state.mechanism.pivots)
+        self._fixed = state.mechanism.fixed
 
     def run(self) -> None:
         """Close everything that can be closed."""

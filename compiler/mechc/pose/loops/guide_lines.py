@@ -6,7 +6,21 @@ from typing import NamedTuple, assert_never
 from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...frozen import replace
-from ...model.mechanism import Arrow, ForcePair, Geometry, Mechanism, Offset, Turn
+from ...model.mechanism import (
+    Arrow,
+    Contact,
+    ForcePair,
+    Geometry,
+    Mechanism,
+    Offset,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    Turn,
+    WheelPair,
+)
 from ...source import Span
 from ..directions import Directions
 from ..pose import Arm
@@ -34,15 +48,18 @@ class GuideLine(NamedTuple):
 
 def rails(mechanism: Mechanism, compass: Directions) -> Iterator[GuideLine]:
     """Yield the guides that pass through a point, then the slots."""
-    for slider in mechanism.sliders:
-        angle = compass.resolve(slider.along, f"theta_{slider.point}")
-        if slider.through and angle is not None:
-            name = _length(slider.through, slider.point, mechanism)
-            yield GuideLine(slider.through, slider.point, angle, name, slider.span)
-    for slot in mechanism.slots:
-        if (angle := compass.of(slot.tail, slot.head)) is not None:
-            name = _length(slot.tail, slot.point, mechanism)
-            yield GuideLine(slot.tail, slot.point, angle, name, slot.span)
+    for joint in mechanism.joints:
+        match joint:
+            case Slider(pin, along, span, through):
+                angle, start = compass.resolve(along, f"theta_{pin}"), through
+            case Slot(pin, _, start, head, span):
+                angle = compass.of(start, head)
+            case Pivot() | Contact() | WheelPair() | Rack() | Screw():
+                continue
+            case _:
+                assert_never(joint)
+        if start and angle is not None:
+            yield GuideLine(start, pin, angle, _length(start, pin, mechanism), span)
 
 
 def _length(start: str, pin: str, mechanism: Mechanism) -> str:
@@ -62,7 +79,7 @@ def with_lines(mechanism: Mechanism) -> Mechanism:
     known = {frozenset(ends(g)) for g in mechanism.geometry}
     lines = {
         frozenset((s.tail, s.head)): Arrow(s.tail, s.head, None, None, s.span)
-        for s in mechanism.slots
+        for s in mechanism.each(Slot)
         if s.link not in slides
     }
     fresh = tuple(line for pair, line in lines.items() if pair not in known)

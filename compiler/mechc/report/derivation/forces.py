@@ -169,7 +169,7 @@ class _Writer:
         )
 
     def _on_ground(self, point: str) -> SentenceKind:
-        fixed = any(p.point == point for p in self._mechanism.pivots)
+        fixed = point in self._mechanism.fixed
         return SentenceKind.PIVOT if fixed else SentenceKind.GUIDE
 
     def _parting_of(self, release: Release) -> Symbol:

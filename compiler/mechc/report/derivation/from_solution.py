@@ -43,7 +43,7 @@ class _Writer:
         self._names: dict[int, Named] = {}
         self._levered: set[str] = set()
         self._along: dict[str, Symbol] = {}
-        self._pivots = {p.point for p in self._graph.pose.mechanism.pivots}
+        self._pivots = self._graph.pose.mechanism.fixed
 
     # -------------------------------------------------------------------------- steps
 

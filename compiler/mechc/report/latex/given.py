@@ -16,6 +16,8 @@ from ...model.mechanism import (
     Mechanism,
     Offset,
     Parameter,
+    Pivot,
+    Slider,
     Torque,
     Turn,
 )
@@ -141,9 +143,9 @@ def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, 
 
 
 def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
-    pivots = _listed((p.point for p in mechanism.pivots if split_points(p.point)), locale)
+    pivots = _listed((p.point for p in mechanism.each(Pivot) if split_points(p.point)), locale)
     sentences = [locale.pivots.format(points=pivots)] if pivots else []
-    for slider in mechanism.sliders:
+    for slider in mechanism.each(Slider):
         along = math(direction(slider.along, style))
         guided = locale.slider.format(point=math(points(slider.point)), direction=along)
         through = slider.through and locale.through.format(point=math(points(slider.through)))

@@ -1,8 +1,19 @@
 """Joints beyond pins and guides, in sentences."""
 
 from collections.abc import Iterator
+from typing import assert_never
 
-from ...model.mechanism import Mechanism, WheelPair
+from ...model.mechanism import (
+    Contact,
+    Joint,
+    Mechanism,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    WheelPair,
+)
 from ..languages.locale import Locale
 from .directions import direction, math
 from .notation import Notation, points
@@ -18,28 +29,39 @@ def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> It
     if mechanism.telescopes:
         named = ", ".join(math(points(t.name)) for t in mechanism.telescopes)
         yield say["telescope"].format(links=named)
-    for slot in mechanism.slots:
-        line, body = math(points(slot.tail + slot.head)), math(points(slot.link))
-        yield say["slot"].format(point=math(points(slot.point)), line=line, body=body)
-    for contact in mechanism.contacts:
-        point, body = math(points(contact.point)), math(points(contact.link))
-        normal = math(direction(contact.normal, style))
-        yield say["contact"].format(point=point, body=body, normal=normal)
-    for mesh in mechanism.wheel_pairs:
-        yield _mesh(mesh, locale, style)
-    for rack in mechanism.racks:
-        point, pivot = math(points(rack.point)), math(points(rack.pivot))
-        yield say["rack"].format(
-            point=point, pivot=pivot, radius=math(length_of(rack.radius, locale, style))
-        )
-    for screw in mechanism.screws:
-        link, point = math(points(screw.link)), math(points(screw.point))
-        yield say["screw"].format(
-            link=link, point=point, pitch=math(length_of(screw.pitch, locale, style))
-        )
+    for joint in mechanism.joints:
+        yield from _sentence(joint, locale, style)
 
 
-def _mesh(mesh: WheelPair, locale: Locale, style: Notation) -> str:
+def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield the sentence of a joint; pivots and sliders are told with the points."""
+    say = locale.joints
+    match joint:
+        case Pivot() | Slider():
+            pass
+        case Slot(point, link, tail, head):
+            on, line, body = (math(points(names)) for names in (point, tail + head, link))
+            yield say["slot"].format(point=on, line=line, body=body)
+        case Contact(point, link, normal=normal):
+            on, body = math(points(point)), math(points(link))
+            across = math(direction(normal, style))
+            yield say["contact"].format(point=on, body=body, normal=across)
+        case WheelPair():
+            yield _wheels(joint, locale, style)
+        case Rack(point, pivot, radius=size):
+            on, centre = math(points(point)), math(points(pivot))
+            radius = math(length_of(size, locale, style))
+            yield say["rack"].format(point=on, pivot=centre, radius=radius)
+        case Screw(point, size, link):
+            on, body = math(points(point)), math(points(link))
+            yield say["screw"].format(
+                link=body, point=on, pitch=math(length_of(size, locale, style))
+            )
+        case _:
+            assert_never(joint)
+
+
+def _wheels(mesh: WheelPair, locale: Locale, style: Notation) -> str:
     kinds = {
         ("gear", False): "gear",
         ("gear", True): "inner",

@@ -6,12 +6,25 @@ formula has the drive in it. All links must turn along the stroke as the velocit
 
 import math
 from collections.abc import Iterator, Mapping
+from typing import assert_never
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import Contact, Force, ForcePair, Link, Mechanism, Slide, Slot, Telescope
+from ...model.mechanism import (
+    Contact,
+    Force,
+    ForcePair,
+    Link,
+    Mechanism,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    WheelPair,
+)
 from ...pose.pose import Pose, Vector, evaluate_vector
 from .along import Along
 
@@ -89,7 +102,7 @@ def _is_bent(pose: Pose, link: Link, along: Along, place: float, fastest: float)
     A point that has a load alone may stand for what the link touches just now.
     """
     before, after = along.values(place - STEP), along.values(place + STEP)
-    pivots = {p.point for p in pose.mechanism.pivots}
+    pivots = pose.mechanism.fixed
     others = {p for k in pose.mechanism.links if k is not link for p in k.points}
     pins = [p for p in link.points if p in pivots | others]
     arms = [pose.vector(link.name, pins[0], pin) for pin in pins[1:]]
@@ -130,20 +143,24 @@ def _leader(pose: Pose, drawn: Rates) -> str:
 
 def _matters(link: Link, mechanism: Mechanism) -> bool:
     """Tell whether anything but a couple is at a link, so that its direction tells."""
-    pins = set(link.points) - {p.point for p in mechanism.pivots}
+    pins = set(link.points) - mechanism.fixed
     return not pins.isdisjoint(_at_work(link, mechanism))
 
 
 def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
     """Yield the points at which something other than the link is."""
-    bodies: list[Link | Slide | Telescope] = [*mechanism.links, *mechanism.slides]
-    bodies += mechanism.telescopes
-    for body in bodies:
+    for body in mechanism.bodies:
         yield from body.points if body is not link else ()
-    yield from (slider.point for slider in mechanism.sliders)
-    touches: list[Slot | Contact] = [*mechanism.slots, *mechanism.contacts]
-    for touch in touches:
-        yield from (touch.point, touch.tail, touch.head)
+    for joint in mechanism.joints:
+        match joint:
+            case Slider(point):
+                yield point
+            case Slot(point, _, tail, head) | Contact(point, _, tail, head):
+                yield from (point, tail, head)
+            case Pivot() | WheelPair() | Rack() | Screw():
+                pass
+            case _:
+                assert_never(joint)
     for load in mechanism.loads:
         if isinstance(load, ForcePair):
             yield from (load.first, load.second)

@@ -32,7 +32,7 @@ class Transmission(NamedTuple):
 
 def transmissions(pose: Pose) -> Iterator[Transmission]:
     """Yield the transmission angle at every pin between a rod and a pivoted link or a guide."""
-    pivots = {p.point for p in pose.mechanism.pivots}
+    pivots = pose.mechanism.fixed
     links = pose.mechanism.links
     for rod in links:
         if len(rod.points) != 2 or not pivots.isdisjoint(rod.points):

@@ -79,7 +79,7 @@ def _crank(plan: Plan) -> Velocity | None:
     pose = plan.graph.pose
     assert pose.mechanism.drive is not None
     drive = pose.mechanism.drive.parameter
-    pivots = {p.point for p in pose.mechanism.pivots}
+    pivots = pose.mechanism.fixed
     for link in pose.mechanism.links:
         angles = (arm.angle for vector in pose.frames[link.name].values() for arm in vector)
         turns = any(a.terms in (((drive, 1),), ((drive, -1),)) for a in angles)
@@ -99,9 +99,8 @@ def _shifted(balance: Balance) -> Velocity | None:
             for term in balance.terms:
                 if _pair(term.load) == ends:
                     return _of_load(term)
-            pivots = {p.point for p in pose.mechanism.pivots}
             guide = pose.guide_of(arrow.head)
-            if guide is not None and arrow.tail in pivots:
+            if guide is not None and arrow.tail in pose.mechanism.fixed:
                 speed = balance.plan.component(arrow.head, guide)[0]
                 return Velocity(f"V_{arrow.head}", VELOCITY, speed)
     return None
