@@ -98,10 +98,7 @@ class Bodies:
         self._carriers = {r.point: r.carrier for r in rubbing if isinstance(r, PinFriction)}
         self._reactions = Reactions(task.pose, (task.driving,))
         self._fixed = self._mechanism.fixed
-        self._guides = dict(task.pose.guides)
-        if self._mechanism.mirror and task.pose.axis is not None:
-            for point in self._mechanism.mirror.sharing:
-                self._guides.setdefault(point, task.pose.axis)
+        self._guides = task.pose.guides_and_line
         turned = {k.link for k in self._mechanism.loads if isinstance(k, Torque)}
         self._levers = {
             k.name: k for k in self._mechanism.links if self._is_lever(k, turned, cranks)
@@ -198,10 +195,7 @@ class Bodies:
 
     def _part(self, load: Load) -> Fraction:
         """Return how much of a load one half or branch takes."""
-        counted = occurrences(self._mechanism, load)
-        mirror, copies = self._mechanism.mirror, self._mechanism.copies
-        whole = Fraction(2 if mirror else 1) * (copies.number if copies else 1)
-        return load.times * counted / whole
+        return load.times * occurrences(self._mechanism, load) / self._mechanism.parts
 
     def _refuse_on_rod(self, point: str, body: str) -> None:
         """A load on a pin that is fast in a rod and rubs in a lever would bend the rod."""

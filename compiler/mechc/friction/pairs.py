@@ -27,7 +27,6 @@ from ..model.mechanism import (
 )
 from ..pose.pose import PointContact, Pose
 from ..power.joint_forces import guiding
-from ..power.loads import repeated
 
 
 class FrictionPair(NamedTuple):
@@ -167,10 +166,8 @@ def _guide(point: str, pose: Pose) -> Angle:
 
 
 def _is_shared(joint: JointRef, pose: Pose) -> bool:
-    points = set(members(pose, joint))
-    groups = (pose.mechanism.mirror, pose.mechanism.copies)
-    return any(group is not None and points <= set(group.sharing) for group in groups)
+    return any(group.shares(members(pose, joint)) for group in pose.mechanism.symmetries)
 
 
 def _number(joint: JointRef, pose: Pose) -> Fraction:
-    return repeated(pose.mechanism, members(pose, joint))
+    return pose.mechanism.repeats(members(pose, joint))

@@ -39,10 +39,7 @@ class Builder:
             for point in link.points:
                 self._links_at[point].append(link)
         self._spinning = spinning(pose)
-        self._guides = dict(pose.guides)
-        if self._mechanism.mirror and pose.axis is not None:
-            for point in self._mechanism.mirror.sharing:
-                self._guides.setdefault(point, pose.axis)
+        self._guides = pose.guides_and_line
 
     def graph(self) -> Graph:
         """Return the graph."""

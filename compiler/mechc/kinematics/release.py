@@ -30,7 +30,6 @@ from ..model.mechanism import (
     Screw,
     Slider,
     Slot,
-    Telescope,
     Torque,
     WheelPair,
 )
@@ -271,9 +270,8 @@ def _renamed(link: Link, point: str, own: str) -> Link:
 def _sharing(mechanism: Mechanism, joint: JointRef) -> Mechanism:
     """Let both halves share the link's own point where they share the whole link."""
     mirror = mechanism.mirror
-    bodies: list[Link | Telescope] = [*mechanism.links, *mechanism.cylinders]
-    points = next(b.points for b in bodies if b.name == joint.of)
-    if mirror is None or not set(points) <= set(mirror.sharing):
+    points = next(b.points for b in mechanism.bodies if b.name == joint.of)
+    if mirror is None or not mirror.shares(points):
         return mechanism
     return replace(mechanism, mirror=replace(mirror, sharing=(*mirror.sharing, joint.loose)))
 

@@ -56,11 +56,10 @@ Edge = tuple[Node, Node, Hashable]
 
 def is_held(point: str, mechanism: Mechanism) -> bool:
     """Tell whether a pin is fast in the ground, a slider, a slide, or stands by symmetry."""
-    groups = (mechanism.mirror, mechanism.copies)
     return (
         any(isinstance(j, Pivot | Slider) and j.point == point for j in mechanism.joints)
         or bool(mechanism.slides_at(point))
-        or any(group is not None and point in group.sharing for group in groups)
+        or point in mechanism.shared
     )
 
 

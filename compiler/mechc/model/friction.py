@@ -61,11 +61,10 @@ def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None
 
 def _judge_halves(rubbing: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
     """Remark on guides whose side forces cancel, or would in a whole that is drawn by half."""
-    shared = {p for group in (built.mirror, built.copies) if group for p in group.sharing}
     for rub in rubbing:
-        if isinstance(rub, GuideFriction) and rub.point in shared:
+        if isinstance(rub, GuideFriction) and rub.point in built.shared:
             scope.report.add(messages.halves_cancel(rub.span, rub.point))
-        elif isinstance(rub, GuideFriction) and not shared:
+        elif isinstance(rub, GuideFriction) and not built.shared:
             _judge_half(rub, built, scope)
 
 

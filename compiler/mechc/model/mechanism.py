@@ -5,8 +5,9 @@ every definition is acyclic. Points are strings (``"A"``, ``"O1"``), and each li
 points are in the order the user named them.
 """
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
+from math import prod
 from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeVar
 
@@ -193,6 +194,15 @@ class Mirror:
     sharing: tuple[str, ...]
     span: Span
 
+    @property
+    def number(self) -> Fraction:
+        """Return how many halves there are."""
+        return Fraction(2)
+
+    def shares(self, points: Iterable[str]) -> bool:
+        """Tell whether both halves have what goes through these points in common."""
+        return set(points) <= set(self.sharing)
+
 
 @frozen
 class Copies:
@@ -201,6 +211,10 @@ class Copies:
     number: Fraction
     sharing: tuple[str, ...]
     span: Span
+
+    def shares(self, points: Iterable[str]) -> bool:
+        """Tell whether the branches have what goes through these points in common."""
+        return set(points) <= set(self.sharing)
 
 
 # --------------------------------------------------------------- what is asked for
@@ -304,6 +318,31 @@ class Mechanism:
     def slides_at(self, point: str) -> tuple[Slide, ...]:
         """Return the bodies that only translate and have a point."""
         return tuple(slide for slide in self.slides if point in slide.points)
+
+    @property
+    def symmetries(self) -> tuple[Mirror | Copies, ...]:
+        """Return the mirror and the copies, as far as there are any."""
+        return tuple(group for group in (self.mirror, self.copies) if group is not None)
+
+    @property
+    def shared(self) -> frozenset[str]:
+        """Return the points that halves or branches have in common."""
+        return frozenset(point for group in self.symmetries for point in group.sharing)
+
+    def is_on_the_line(self, points: Iterable[str]) -> bool:
+        """Tell whether there is a mirror, and both halves share what goes through these points."""
+        return self.mirror is not None and self.mirror.shares(points)
+
+    def repeats(self, points: Iterable[str]) -> Fraction:
+        """Return how often the whole mechanism has what goes through these points."""
+        there = set(points)
+        own = (group.number for group in self.symmetries if not group.shares(there))
+        return prod(own, start=Fraction(1))
+
+    @property
+    def parts(self) -> Fraction:
+        """Return how many halves and branches the whole mechanism has."""
+        return prod((group.number for group in self.symmetries), start=Fraction(1))
 
     @property
     def cylinders(self) -> tuple[Telescope, ...]:

@@ -146,6 +146,14 @@ class Pose:
         frame = self.frames[link]
         return gathered((*reverse(frame[tail]), *frame[head]))
 
+    @property
+    def guides_and_line(self) -> Mapping[str, Angle]:
+        """Return the guides' directions, the mirror line guiding what both halves share."""
+        mirror, axis = self.mechanism.mirror, self.axis
+        if mirror is None or axis is None:
+            return self.guides
+        return {**self.guides, **{p: axis for p in mirror.sharing if p not in self.guides}}
+
     def guide_of(self, point: str) -> Angle | None:
         """Return the direction in which a slider, or a point of a slide, is guided."""
         if point in self.guides:

@@ -1,6 +1,5 @@
 """Loads as terms of the power equations."""
 
-from collections.abc import Iterable
 from fractions import Fraction
 
 from ..algebra.angle import rational
@@ -64,19 +63,7 @@ def shares(mechanism: Mechanism, owner: str) -> tuple[tuple[Product, Load], ...]
 
 def occurrences(mechanism: Mechanism, load: Load) -> Fraction:
     """Return how often a load acts: once on what is shared, else on each half or branch."""
-    return repeated(mechanism, _points(mechanism, load))
-
-
-def repeated(mechanism: Mechanism, points: Iterable[str]) -> Fraction:
-    """Return how often the mechanism has what goes through these points."""
-    count, there = Fraction(1), set(points)
-    for group, times in (
-        (mechanism.mirror, Fraction(2)),
-        (mechanism.copies, mechanism.copies.number if mechanism.copies else Fraction(1)),
-    ):
-        if group is not None and not there <= set(group.sharing):
-            count *= times
-    return count
+    return mechanism.repeats(_points(mechanism, load))
 
 
 def _points(mechanism: Mechanism, load: Load) -> tuple[str, ...]:

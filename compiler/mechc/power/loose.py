@@ -78,8 +78,7 @@ def _joined(point: str, link: str, mechanism: Mechanism) -> bool:
     at = {joint.point for joint in holding}
     others = (b for b in mechanism.rigid_bodies if b.name != link)
     at |= {p for body in others for p in body.points}
-    shared = mechanism.mirror or mechanism.copies
-    return point in at or bool(shared and point in shared.sharing)
+    return point in at | mechanism.shared
 
 
 def _held_otherwise(link: str, mechanism: Mechanism) -> bool:

@@ -20,7 +20,7 @@ from ..model.mechanism import Absolute, Force
 from ..pose.pose import Pose
 from .balance import Release, Term
 from .equations import equations_of
-from .loads import repeated, shares, terms
+from .loads import shares, terms
 
 HERE = "reaction"
 """What the force of a bond is called while it is a load; no name of a description."""
@@ -109,7 +109,7 @@ class Reactions:
         """Return the terms of all loads, that of the bond's force last."""
         plan, span = loose.plan, self._pose.mechanism.span
         load = Force(HERE, joint.loose, Absolute(ZERO, span), span)
-        count = Product(repeated(self._pose.mechanism, members(self._pose, joint)))
+        count = Product(self._pose.mechanism.repeats(members(self._pose, joint)))
         here = Term(load, count, loose.parting, None)
         return (*terms(plan), *self._more(plan), here)
 
@@ -127,8 +127,7 @@ def directions(pose: Pose, joint: JointRef) -> tuple[Angle, ...]:
     What both mirrored halves share is pushed along the line only, as the pushes across it
     cancel.
     """
-    mirror = pose.mechanism.mirror
-    shared = mirror is not None and set(members(pose, joint)) <= set(mirror.sharing)
+    shared = pose.mechanism.is_on_the_line(members(pose, joint))
     match joint.kind:
         case "touch":
             return (touch_at(pose, joint.point).normal,)

@@ -127,7 +127,7 @@ def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
     used = frozenset[str]().union(*map(symbols, sides))
     if any(f"S_{link.name}" in used for link in mechanism.links):
         yield Paragraph(SentenceKind.ROD_FORCES, formulas={"force": Symbol("S")})
-    if mechanism.mirror or mechanism.copies:
+    if mechanism.symmetries:
         yield Paragraph(SentenceKind.PART)
 
 
