@@ -77,6 +77,7 @@ CONSTRUCTS = [
     ("slide WXY along 30 deg", "slides: {WXY: 30 deg}"),
     ("slot B in OC", "slots: {B: OC}"),
     ("slot B in OC\nslot B in DE", "slots: {B: [OC, DE]}"),
+    ("slot B in OAC about C radius r", "slots: {B: {in: OAC, about: C, radius: r}}"),
     ("telescope AB", "telescopes: [AB]"),
     ("gear O1 r1, O2 m*z/2", "gears: [{O1: r1, O2: m*z/2}]"),
     ("gear O1 r1, O2 r2 inner", "gears: [{O1: r1, O2: r2, inner: true}]"),
@@ -111,6 +112,11 @@ CONSTRUCTS = [
         "springs: [{between: [A, B on BCD], rate: c, free: l0}]",
     ),
     ("weight W mass m at G on OGA", "weights: {W: {mass: m, at: G, link: OGA}}"),
+    ("load Q on AB along -y", "loads: {Q: {over: AB, along: -y}}"),
+    (
+        "load Q intensity q to 2*q on AB along -y times 2",
+        "loads: {Q: {intensity: q, to: 2*q, over: AB, along: -y, times: 2}}",
+    ),
     ("weight W mass m at G\ngravity along -y", "weights: {W: {mass: m, at: G}}\ngravity: -y"),
     (
         "friction pins 0.1 diameter 20 mm coulomb",

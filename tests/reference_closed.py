@@ -76,6 +76,10 @@ class Assembled:
                 place = self.at(s.point.text, x) - self.start(s.through, x)
                 yield cross(place, self.direction(s.along, x))
         for s in every(self.tree, ast.Slot):
+            if s.about and s.radius:
+                place = self.at(s.point.text, x) - self.at(s.about.text, x)
+                yield np.hypot(*place) - evaluate(s.radius, self.values)
+                continue
             tail, head = points_of(s.line.text)
             line = self.at(head, x) - self.at(tail, x)
             yield cross(self.at(s.point.text, x) - self.at(tail, x), line / np.hypot(*line))

@@ -25,6 +25,7 @@ from reference_geometry import (
     cylinders,
     evaluate,
     every,
+    known_spread,
     points_of,
 )
 from reference_kinematics import GRAVITY, Array, null_space
@@ -184,6 +185,7 @@ class Forces:
         found = {
             w.name.text: evaluate(w.mass, self.values) * g for w in every(self.tree, ast.Weight)
         }
+        found |= known_spread(self.tree, self.values, self.arms)
         for s in every(self.tree, ast.Spring):
             first, second = s.first.text, s.second.text
             free, rate = (evaluate(x, self.values) for x in (s.free, s.rate))

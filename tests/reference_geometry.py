@@ -164,7 +164,7 @@ def _take_turn(turn: ast.Turn, values: Values, arms: Arms) -> None:
 def _align(file: ast.File, arms: Arms) -> None:
     """Turn the line of a slot to its pin."""
     for slot in every(file, ast.Slot):
-        tail, head = points_of(slot.line.text)
+        tail, head, *_ = points_of(slot.line.text)
         placed = arms.angles.get((tail, slot.point.text))
         if placed is not None and (tail, head) not in arms.angles:
             arms.set_angle(tail, head, placed)
@@ -269,6 +269,10 @@ def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None =
     links = {
         s.points.text: frame(points_of(s.points.text), arms, guess) for s in every(file, ast.Link)
     }
+    for number, s in enumerate(every(file, ast.Distributed)):
+        points = links[_owner(file, s.line.text)]
+        (tail, head), far = points_of(s.line.text), spread(s, values)[0][1]
+        points[f"M{number or ''}"] = points[tail] + far * (points[head] - points[tail])
     slides = {
         s.points.text: cmath.rect(1, angle_of(s.along, values, arms))
         for s in every(file, ast.Slide)
@@ -321,6 +325,8 @@ def _touches(
         tail, head, *_ = points_of(s.line.text)
         if isinstance(s, ast.Contact):
             normal = angle_of(s.normal, values, arms)
+        elif s.about:
+            normal = cmath.phase(arms.between(s.about.text, s.point.text))
         else:
             normal = cmath.phase(arms.between(tail, head)) + math.pi / 2
         body = next(name for name, points in links.items() if {tail, head} <= points.keys())
@@ -339,11 +345,35 @@ def _actions(file: ast.File, values: Values, arms: Arms) -> list[Action]:
             case ast.Force(name=name, point=point, along=along):
                 turn = angle_of(along, values, arms)
                 found.append(Action(name.text, point.text, cmath.rect(1, turn), size))
+            case ast.Distributed(name=name, line=line, along=along):
+                push = cmath.rect(1, angle_of(along, values, arms))
+                for point, share in zip(points_of(line.text), spread(s, values)[0], strict=True):
+                    found.append(Action(name.text, point, push, size * share))
             case ast.Weight(name=name, point=point):
                 found.append(Action(name.text, point.text, cmath.rect(1, down[0]), size))
             case ast.Torque(name=name, link=link):
                 found.append(Action(name.text, _owner(file, link.text), None, size))
     return found
+
+
+def spread(s: ast.Distributed, values: Values) -> tuple[tuple[float, float], float]:
+    """Return which parts of a spread load its ends take, and its size for a unit of length.
+
+    The ends of a beam take l(2q₁ + q₂)/6 and l(q₁ + 2q₂)/6 of a load that varies evenly.
+    """
+    ends = [evaluate(q, values) for q in (s.intensity, s.end) if q is not None]
+    first, last = (ends[0], ends[-1]) if ends else (1.0, 1.0)
+    whole = 3 * (first + last)
+    return ((2 * first + last) / whole, (first + 2 * last) / whole), (first + last) / 2
+
+
+def known_spread(file: ast.File, values: Values, arms: Arms) -> Values:
+    """Return the sizes of the spread loads whose intensity is given."""
+    return {
+        s.name.text: spread(s, values)[1] * abs(arms.between(*points_of(s.line.text)))
+        for s in every(file, ast.Distributed)
+        if s.intensity
+    }
 
 
 def _owner(file: ast.File, part: str) -> str:

@@ -15,11 +15,13 @@ from reference_geometry import (
     Action,
     Assembly,
     Values,
+    arms_of,
     assemble,
     defaults,
     defined,
     evaluate,
     every,
+    known_spread,
     points_of,
 )
 
@@ -126,7 +128,8 @@ def _computable(node: ast.Expr, values: Values) -> bool:
 
 def _known_loads(file: ast.File, values: Values) -> Values:
     g = values.get("g", GRAVITY)
-    return {w.name.text: evaluate(w.mass, values) * g for w in every(file, ast.Weight)}
+    weights = {w.name.text: evaluate(w.mass, values) * g for w in every(file, ast.Weight)}
+    return weights | known_spread(file, values, arms_of(file, values))
 
 
 def _found(file: ast.File, find: ast.Find, motion: Motion, values: Values) -> tuple[str, float]:

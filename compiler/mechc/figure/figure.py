@@ -87,6 +87,16 @@ class Slot:
 
 
 @frozen
+class ArcSlot:
+    """A pin in a circular groove of a body, ``radius`` metres about the body's ``centre``."""
+
+    point: str
+    body: str
+    centre: str
+    radius: float
+
+
+@frozen
 class Contact:
     """A point that touches the face of a body, which pushes it along ``normal``."""
 
@@ -178,6 +188,24 @@ class Force:
 
 
 @frozen
+class SpreadLoad:
+    """A load spread over a body from ``tail`` to ``head``; its resultant acts at ``point``.
+
+    ``tail_intensity`` and ``head_intensity`` are those at the ends, in N/m, or 1 where open.
+    """
+
+    name: str
+    point: str
+    along: Plane
+    times: float
+    link: str
+    tail: str
+    head: str
+    tail_intensity: float
+    head_intensity: float
+
+
+@frozen
 class Torque:
     """A couple on a link, drawn ``at`` a place; it counts ``times`` over."""
 
@@ -235,9 +263,10 @@ class AngleMark:
 
 
 Joint = (
-    Link | Slide | Telescope | Pivot | Slider | Slot | Contact | Gears | Belt | Rack | Screw
+    Link | Slide | Telescope
+    | Pivot | Slider | Slot | ArcSlot | Contact | Gears | Belt | Rack | Screw
 )  # fmt: skip
-Load = Force | Torque | Actuator | Spring
+Load = Force | SpreadLoad | Torque | Actuator | Spring
 Measure = Dimension | AngleMark
 Part = Joint | Load | Measure
 

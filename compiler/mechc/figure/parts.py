@@ -5,6 +5,7 @@ from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
 from ..frozen import frozen
 from ..model import mechanism as model
 from ..pose.places import NOWHERE, Plane, direction
@@ -82,6 +83,9 @@ class Half:
         """Return what is drawn of a body."""
         points = tuple(map(self.point, body.points))
         match body:
+            case model.Link(arc=model.ArcSlot(link, centre, radius)):
+                groove = self.length(radius)
+                return drawn.ArcSlot(points[1], self.link(link), self.point(centre), groove)
             case model.Link(name):
                 bars = rods(body, self.ways.pose.mechanism.geometry)
                 named = tuple((self.point(a), self.point(b)) for a, b in bars)
@@ -192,6 +196,8 @@ class Half:
     def load(self, load: model.Load) -> Part:
         """Return what is drawn of a load."""
         match load:
+            case model.Force(spread=model.Spread() as spread):
+                return self._spread(load, spread)
             case model.Force(name, point):
                 along, times = self.unit(self.ways.pose.lines[name]), float(load.times)
                 link = load.link and self.link(load.link)
@@ -205,6 +211,22 @@ class Half:
                 return kind(name, self.point(first), self.point(second), *links)
             case _:
                 assert_never(load)
+
+    def _spread(self, load: model.Force, spread: model.Spread) -> drawn.SpreadLoad:
+        """Return what is drawn of a load that is spread over a stretch."""
+        values = self.ways.values
+        given = all(symbols(q) <= values.keys() for q in spread.intensities)
+        known = [evaluate(q, values) for q in spread.intensities] if given else []
+        return drawn.SpreadLoad(
+            load.name,
+            self.point(load.point),
+            self.unit(self.ways.pose.lines[load.name]),
+            float(load.times),
+            self.link(spread.link),
+            self.point(spread.tail),
+            self.point(spread.head),
+            *(known[0] if known else 1.0, known[-1] if known else 1.0),
+        )
 
     def _hub(self, link: str) -> Plane:
         """Return the place of a couple: the link's pivot, or its middle."""

@@ -10,7 +10,7 @@ from typing import NamedTuple, assert_never
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
-from ..formula.tree import PI
+from ..formula.tree import PI, Formula, product
 from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
 from ..kinematics.plan import Plan, Speeds
@@ -24,6 +24,7 @@ from ..model.mechanism import (
     ThreadFriction,
     WheelFriction,
     WheelPair,
+    coulomb,
 )
 from ..pose.pose import PointContact, Pose
 from ..power.joint_forces import guiding
@@ -80,12 +81,21 @@ def _of(rubbing: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
             name, joint = f"{screw.point}_screw", mesh_ref(screw)
             yield FrictionPair(name, joint, to_product(factor), _along_thread(rubbing, pose))
         case FaceFriction(point, factor):
-            touch = next(t for t in pose.touches if t.point == point)
-            yield FrictionPair(
-                f"{point}_face", JointRef("touch", point), to_product(factor), _sliding(touch)
-            )
+            yield _face(point, factor, pose)
         case _:
             assert_never(rubbing)
+
+
+def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:
+    """Return the pair of a pin and the face or the slot that it slides along."""
+    rod = next((k for k in pose.mechanism.links if k.arc and k.points[1] == point), None)
+    if rod is not None and rod.arc is not None:
+        radius = product([(rod.arc.radius, 1), (coulomb(factor), 1)])
+        joint, slip = JointRef("pin", rod.arc.centre, rod.name), _turning(rod.name, rod.arc.link)
+        return FrictionPair(f"{point}_face", joint, to_product(radius), slip)
+    touch = next(t for t in pose.touches if t.point == point)
+    slip, joint = _sliding(touch), JointRef("touch", point)
+    return FrictionPair(f"{point}_face", joint, to_product(factor), slip)
 
 
 def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:

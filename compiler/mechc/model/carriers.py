@@ -68,7 +68,8 @@ class Carriers:
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
         self._mechanism, self._values = mechanism, values
-        self._bodies: list[Link | Telescope] = [*mechanism.links, *mechanism.telescopes]
+        links = (link for link in mechanism.links if link.arc is None)
+        self._bodies: list[Link | Telescope] = [*links, *mechanism.telescopes]
         self._ranks: dict[str, tuple[Any, ...]] = {}
 
     def of(self, point: str) -> str:

@@ -54,9 +54,11 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
 def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None:
     """Say which pins slide in slots without friction, though every pin is said to have it."""
     rough = {rub.point for rub in friction.rubbing if isinstance(rub, FaceFriction)}
-    for slot in built.each(Slot):
-        if slot.point not in rough:
-            scope.report.add(messages.slot_without_friction(slot.span, slot.point))
+    slots = [(slot.point, slot.span) for slot in built.each(Slot)]
+    slots += [(link.points[1], link.arc.span) for link in built.links if link.arc]
+    for point, span in slots:
+        if point not in rough:
+            scope.report.add(messages.slot_without_friction(span, point))
 
 
 def _judge_halves(rubbing: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:

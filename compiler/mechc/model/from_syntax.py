@@ -21,6 +21,7 @@ from .friction import read_friction
 from .geometry import read_geometry
 from .joints import declare_points, read_pivots, read_sliders, warn_idle
 from .loads import read_loads
+from .lower import with_arcs, with_loaded_points
 from .mechanism import Find, LoadForm, Mechanism, Slider
 from .motion import check_drive, read_assemblies, read_drive
 from .parameters import warn_unused
@@ -30,7 +31,7 @@ from .results import read_expects, read_requires
 from .scope import Scope
 from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
-from .transmissions import check_belts, read_joints, read_slides, read_telescopes
+from .transmissions import check_belts, read_arcs, read_joints, read_slides, read_telescopes
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:
@@ -83,7 +84,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     geometry = read_geometry(file, scope)
     drive = read_drive(file, scope)
     assemblies = read_assemblies(file, scope)
-    return replace(
+    built = replace(
         mechanism,
         links=tuple(scope.points.links.values()),
         slides=slides,
@@ -93,15 +94,17 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
         assemblies=tuple(assemblies),
         geometry=(*places, *guide_places, *geometry),
     )
+    return with_arcs(built, read_arcs(file, scope), scope)
 
 
 def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     """Add the loads, and the halves or branches that they count on."""
-    loads = read_loads(file, scope)
+    loads = read_loads(file, mechanism, scope)
     mirror = read_mirror(file, (*mechanism.each(Slider), *mechanism.slides), loads, scope)
     check_shared_vectors(mirror, mechanism.geometry, scope)
     copies = read_copies(file, scope)
-    return replace(mechanism, loads=tuple(loads), mirror=mirror, copies=copies)
+    loaded = replace(mechanism, loads=tuple(loads), mirror=mirror, copies=copies)
+    return with_loaded_points(loaded)
 
 
 def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scope) -> Mechanism:
@@ -137,7 +140,12 @@ def _declare_names(file: ast.File, scope: Scope) -> None:
         match statement:
             case ast.Param(name=name):
                 scope.declare(name, "parameter")
-            case ast.Force(name=name) | ast.Weight(name=name) | ast.Actuator(name=name):
+            case (
+                ast.Force(name=name)
+                | ast.Weight(name=name)
+                | ast.Actuator(name=name)
+                | ast.Distributed(name=name)
+            ):
                 scope.declare(name, "load", FORCE)
             case ast.Torque(name=name):
                 scope.declare(name, "load", TORQUE)

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Literal
 
-from ..formula.tree import Formula
+from ..formula.tree import Call, Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
 from ..source import Span
@@ -82,6 +82,11 @@ class ThreadFriction:
     def point(self) -> str:
         """Return the slider that the screw moves."""
         return self.joint.point
+
+
+def coulomb(coefficient: Formula) -> Formula:
+    """Return sin(arctan f): a pin's friction circle over its radius, by Coulomb's law."""
+    return Call("sin", (Call("atan", (coefficient,)),))
 
 
 JointFriction = PinFriction | GuideFriction | FaceFriction | WheelFriction | ThreadFriction

@@ -28,6 +28,8 @@ def declare_points(file: ast.File, points: Points) -> None:
                 points.used.update(points.declare(name) or ())
             case ast.Slot(point=name) | ast.Contact(point=name):
                 points.touching[name.text] += 1
+                if isinstance(statement, ast.Slot) and statement.about:
+                    points.arcs[name.text] = statement.about.text
             case ast.Link(points=name, label=label):
                 _add_link(name, label, points)
     _check_joints(file, points)

@@ -5,6 +5,7 @@ from fractions import Fraction
 
 from ..diagnostics.model import loads as messages
 from ..diagnostics.model import names
+from ..diagnostics.model.lowering import stretch_without_length
 from ..formula.tree import (
     Call,
     Formula,
@@ -16,25 +17,39 @@ from ..formula.tree import (
     Sum,
     Symbol,
     degrees,
+    number,
     product,
+    total,
 )
 from ..formula.walk import symbols
 from ..source import Span
 from ..syntax import ast
-from ..units import ACCELERATION, FORCE, MASS, NUMBER, TORQUE, Dimension
+from ..units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
 from .constants import rational
 from .directions import check_sign, read_direction
 from .expressions import Reader
 from .force_pairs import carrying, read_thrust
-from .mechanism import GRAVITY, Absolute, Direction, Force, Load, Torque
+from .lower import free_point
+from .mechanism import (
+    GRAVITY,
+    Absolute,
+    Arrow,
+    Direction,
+    Force,
+    Load,
+    Mechanism,
+    Offset,
+    Spread,
+    Torque,
+)
 from .order import ordered
 from .parameters import constant
 from .scope import DESCRIPTION, TIE, Scope
 from .statements import every, only
 
 
-def read_loads(file: ast.File, scope: Scope) -> list[Load]:
-    """Return every load in the order of the file."""
+def read_loads(file: ast.File, built: Mechanism, scope: Scope) -> list[Load]:
+    """Return every load in the order of the file; lengths are those of what was ``built``."""
     gravity = _gravity(file, scope)
     is_mirrored = only(file, ast.Mirror) is not None
     loads: list[Load] = []
@@ -46,6 +61,8 @@ def read_loads(file: ast.File, scope: Scope) -> list[Load]:
                 load = _torque(statement, scope)
             case ast.Weight():
                 load = _weight(statement, gravity, scope)
+            case ast.Distributed():
+                load = _distributed(statement, free_point(loads, scope), built, scope)
             case ast.Actuator() | ast.Spring():
                 load = read_thrust(statement, is_mirrored, _times(statement.times, scope), scope)
             case _:
@@ -89,6 +106,55 @@ def _weight(statement: ast.Weight, along: Direction | None, scope: Scope) -> For
         return None
     name, tie = statement.name.text, product([(mass, 1), (g, 1)])
     return Force(name, points[0], along, statement.span, tie, times, weight=True, link=link)
+
+
+def _distributed(
+    statement: ast.Distributed, point: str, built: Mechanism, scope: Scope
+) -> Force | None:
+    """Return the resultant of a load that is spread over a stretch of a link."""
+    link, ends = scope.points.link(statement.line), scope.points.acting(statement.line)
+    along = read_direction(statement.along, scope)
+    times = _times(statement.times, scope)
+    reader = Reader(scope, DESCRIPTION)
+    written = [e for e in (statement.intensity, statement.end) if e is not None]
+    read = [reader.wanted(e, STIFFNESS, "an intensity") for e in written]
+    intensities = tuple(formula for formula in read if formula is not None)
+    if link is None or not ends or not along or len(intensities) < len(written):
+        return None
+    length = _length(ends[0], ends[1], built)
+    if length is None:
+        scope.report.add(stretch_without_length(statement.line.span, *ends[:2]))
+        return None
+    spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
+    tie = _resultant(spread) if intensities else None
+    name = statement.name.text
+    return Force(name, point, along, statement.span, tie, times, spread=spread)
+
+
+def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
+    """Return the distance of two points, as far as one entry of the geometry gives it."""
+    for entry in built.geometry:
+        match entry:
+            case Arrow(length=length) if length and {entry.tail, entry.head} == {tail, head}:
+                return length
+            case Offset(x=x, y=y) if {entry.tail, entry.head} == {tail, head}:
+                return Call("hypot", (x, y))
+    return None
+
+
+def _resultant(spread: Spread) -> Formula:
+    """Return q·l, or (q₁ + q₂)·l/2."""
+    q = total(spread.intensities)
+    return product([(q, 1), (spread.length, 1), (number(len(spread.intensities)), -1)])
+
+
+def _centroid(intensities: tuple[Formula, ...]) -> Formula:
+    """Return 1/2, or (q₁ + 2q₂)/(3(q₁ + q₂)): how far along the resultant acts."""
+    if len(intensities) < 2:
+        return number(Fraction(1, 2))
+    first, second = intensities
+    weighted = total([first, product([(number(2), 1), (second, 1)])])
+    return product([(weighted, 1), (number(3), -1), (total([first, second]), -1)])
 
 
 def _acceleration(span: Span, scope: Scope) -> Formula | None:

@@ -11,7 +11,7 @@ from math import prod
 from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeVar
 
-from ..formula.tree import Formula, Number
+from ..formula.tree import Formula, Number, product
 from ..frozen import frozen
 from ..source import Span
 from ..units import Dimension
@@ -22,8 +22,10 @@ from .joint_friction import JointFriction as JointFriction
 from .joint_friction import PinFriction as PinFriction
 from .joint_friction import ThreadFriction as ThreadFriction
 from .joint_friction import WheelFriction as WheelFriction
+from .joint_friction import coulomb as coulomb
 from .parts import Absolute as Absolute
 from .parts import Along as Along
+from .parts import ArcSlot as ArcSlot
 from .parts import Assembly as Assembly
 from .parts import Body as Body
 from .parts import Contact as Contact
@@ -133,11 +135,33 @@ Geometry = Arrow | Offset | Turn
 
 
 @frozen
+class Spread:
+    """A load per unit of length along a stretch of a link.
+
+    Its resultant acts at ``part`` of the way from ``tail`` to ``head``, ``length`` apart.
+    ``intensities`` are those at both ends, one where it is uniform, none where it is open.
+    """
+
+    link: str
+    tail: str
+    head: str
+    length: Formula
+    part: Formula
+    intensities: tuple[Formula, ...] = ()
+
+    @property
+    def reach(self) -> Formula:
+        """Return how far from ``tail`` the resultant acts."""
+        return product([(self.part, 1), (self.length, 1)])
+
+
+@frozen
 class Force:
     """A force on a point; ``tie`` is a formula linear in one other load, or None.
 
     ``times`` multiplies the load wherever it acts. ``link`` is the link that carries it, ''
-    where it acts on the pin itself and so on whatever the pin is fast in.
+    where it acts on the pin itself and so on whatever the pin is fast in. It may be the
+    resultant of what is ``spread`` over a stretch, and then acts at a point made for it.
     """
 
     name: str
@@ -148,6 +172,7 @@ class Force:
     times: Fraction = Fraction(1)
     weight: bool = False
     link: str = ""
+    spread: Spread | None = None
 
 
 @frozen
@@ -352,5 +377,6 @@ class Mechanism:
 
     def turning_at(self, point: str) -> tuple[str, ...]:
         """Return the links and the cylinders that turn on a pin."""
-        bodies: tuple[Link | Telescope, ...] = (*self.links, *self.cylinders)
+        bodies: list[Link | Telescope] = [link for link in self.links if link.arc is None]
+        bodies += self.cylinders
         return tuple(body.name for body in bodies if point in body.points)

@@ -40,13 +40,32 @@ Direction = Absolute | Along
 
 
 @frozen
+class ArcSlot:
+    """A circular slot of ``link``, of a ``radius`` about its point ``centre``.
+
+    The pin in it keeps its distance from the centre, and a smooth slot pushes it along that
+    line only.
+    """
+
+    link: str
+    centre: str
+    radius: Formula
+    span: Span
+
+
+@frozen
 class Link:
-    """A rigid body through two or more points; ``name`` is the points as written (``OBA``)."""
+    """A rigid body through two or more points; ``name`` is the points as written (``OBA``).
+
+    One with an ``arc`` is no body: it is the rod, from the centre to the pin, that does what
+    a circular slot does.
+    """
 
     name: str
     points: tuple[str, ...]
     span: Span
     label: str = ""
+    arc: ArcSlot | None = None
 
 
 @frozen

@@ -5,14 +5,14 @@ from fractions import Fraction
 
 from ..diagnostics.model import doubts
 from ..diagnostics.model import friction as messages
-from ..formula.tree import Call, Formula, number, product
+from ..formula.tree import Formula, number, product
 from ..source import Span
 from ..syntax import ast
 from ..units import LENGTH
 from .carriers import Carriers, is_held
 from .coefficients import coefficient, positive_length, value_of
 from .expressions import Reader
-from .joint_friction import PinFriction
+from .joint_friction import PinFriction, coulomb
 from .mechanism import Arrow, ForcePair, Link, Mechanism, Telescope
 from .scope import DESCRIPTION, Scope
 
@@ -80,7 +80,8 @@ class Pins:
         return [body.name for body in self._bodies() if point in body.points]
 
     def _bodies(self) -> tuple[Link | Telescope, ...]:
-        return (*self._built.links, *self._built.telescopes)
+        links = (link for link in self._built.links if link.arc is None)
+        return (*links, *self._built.telescopes)
 
     def _pin(self, point: str, radius: Formula, span: Span) -> PinFriction:
         """Return a pin with what it is taken to be fast in."""
@@ -103,5 +104,5 @@ def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
     if f is None or diameter is None:
         return None
     if statement.law == "coulomb":
-        f = Call("sin", (Call("atan", (f,)),))
+        f = coulomb(f)
     return product([(HALF, 1), (f, 1), (diameter, 1)])

@@ -19,7 +19,8 @@ class Points:
     ``places`` tells where each point was first named; ``carried`` the links through it,
     ``bodies`` the link through a set of points, ``slides`` the name of a slide through one;
     ``fixed`` and ``guided`` hold the pivots and the sliders; ``touching`` counts the slots
-    and contacts of a point, ``used`` what acts at a point or asks for it.
+    and contacts of a point, ``arcs`` tells the centre of a pin's circular slot, ``used`` counts
+    what acts at a point or asks for it.
     """
 
     def __init__(self, report: Report) -> None:
@@ -32,6 +33,7 @@ class Points:
         self.fixed: set[str] = set()
         self.guided: set[str] = set()
         self.touching: Counter[str] = Counter()
+        self.arcs: dict[str, str] = {}
         self.used: Counter[str] = Counter()
         self._strange: set[str] = set()
 

@@ -3,6 +3,7 @@
 from collections.abc import Iterator
 
 from ..diagnostics.model import reactions as messages
+from ..diagnostics.model.lowering import normal_of_arc, spread_along_rod
 from ..syntax import ast
 from ..units import ANGLE, FORCE, Dimension
 from .forms import Form
@@ -67,6 +68,10 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -
 
 
 def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
+    ends = scope.points.split(name) or ()
+    for pin, centre in scope.points.arcs.items():
+        if set(ends) == {pin, centre}:
+            return Axial(f"{centre}{pin}", ends[0], ends[1])
     link = scope.points.link(name)
     if link is None:
         return None
@@ -85,8 +90,11 @@ def check_rods(mechanism: Mechanism, scope: Scope) -> None:
         if isinstance(load, ForcePair)
         for end in ((load.first_link, load.first), (load.second_link, load.second))
     }
+    spread = {k.spread.link for k in mechanism.loads if isinstance(k, Force) and k.spread}
     for find in mechanism.finds:
         match find.target:
+            case Axial(link) if link in spread:
+                scope.report.add(spread_along_rod(find.span, link))
             case Axial(link, tail, head) if {(link, tail), (link, head)} <= on:
                 scope.report.add(messages.loaded_at_both_ends(find.span, link))
 
@@ -94,6 +102,9 @@ def check_rods(mechanism: Mechanism, scope: Scope) -> None:
 def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
     if scope.points.touching[point] > 1:
         scope.report.add(messages.several_touch(symbol.span, point))
+        return None
+    if point in scope.points.arcs:
+        scope.report.add(normal_of_arc(symbol.span, point, scope.points.arcs[point]))
         return None
     sliding = {p for points in scope.points.slides for p in points}
     if point not in scope.points.guided | scope.points.touching.keys() | sliding:

@@ -6,12 +6,14 @@ from typing import TypeVar
 
 from ..diagnostics.model import joints as messages
 from ..diagnostics.model import names
+from ..diagnostics.model.lowering import centre_of_another
 from ..formula.tree import Formula
 from ..syntax import ast
 from ..units import LENGTH
 from .directions import read_direction, value_of
 from .expressions import Reader
 from .mechanism import (
+    ArcSlot,
     Contact,
     Geometry,
     Joint,
@@ -44,7 +46,7 @@ def read_joints(file: ast.File, slides: Sequence[Slide], scope: Scope) -> tuple[
     is_mirrored = bool(every(file, ast.Mirror))
     wheels = [s for s in file.statements if isinstance(s, ast.Gear | ast.Belt)]
     return (
-        *found(_slot(s, slides, scope) for s in every(file, ast.Slot)),
+        *found(_slot(s, slides, scope) for s in every(file, ast.Slot) if s.about is None),
         *found(_contact(s, slides, scope) for s in every(file, ast.Contact)),
         *found(_mesh(s, is_mirrored, scope) for s in wheels),
         *found(_rack(s, slides, scope) for s in every(file, ast.Rack)),
@@ -113,6 +115,26 @@ def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> Slot | 
         return None
     point, body, tail, head = held
     return Slot(point, body.name, tail, head, statement.span)
+
+
+def read_arcs(file: ast.File, scope: Scope) -> list[tuple[str, ArcSlot]]:
+    """Return the circular slots with the pins in them."""
+    return list(found(_arc(s, scope) for s in every(file, ast.Slot)))
+
+
+def _arc(statement: ast.Slot, scope: Scope) -> tuple[str, ArcSlot] | None:
+    if statement.about is None or statement.radius is None:
+        return None
+    held = _on_line(statement.point, statement.line, (), scope)
+    centre, radius = scope.points.acting(statement.about), _radius(statement.radius, scope)
+    if held is None or not centre or radius is None:
+        return None
+    point, body = held[:2]
+    if centre[0] not in body.points:
+        at = statement.about.span
+        scope.report.add(centre_of_another(at, centre[0], body.name))
+        return None
+    return point, ArcSlot(body.name, centre[0], radius, statement.span)
 
 
 def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> Contact | None:

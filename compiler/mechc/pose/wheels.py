@@ -36,7 +36,8 @@ class Misfit(NamedTuple):
 
 
 def radii(mechanism: Mechanism) -> Iterator[Formula]:
-    """Yield the radius of every wheel and the pitch of every screw."""
+    """Yield the radius of every wheel and circular slot and the pitch of every screw."""
+    yield from (link.arc.radius for link in mechanism.links if link.arc)
     for joint in mechanism.joints:
         match joint:
             case WheelPair(first_radius=first, second_radius=second):

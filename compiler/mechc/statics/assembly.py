@@ -9,10 +9,14 @@ from ..pose.places import direction as direction
 
 
 class Body(NamedTuple):
-    """A rigid body: where its points are, seen from the first of them."""
+    """A rigid body: where its points are, seen from the first of them.
+
+    An ``arc`` is the rod that stands for a circular slot: no body turns on a pin there.
+    """
 
     name: str
     points: Mapping[str, Plane]
+    arc: bool = False
 
 
 class Guide(NamedTuple):

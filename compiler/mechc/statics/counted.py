@@ -41,7 +41,7 @@ def _turning(whole: Assembly) -> Mapping[str, list[str]]:
     """Return the links and telescopes at each pin."""
     found: dict[str, list[str]] = {}
     for body in whole.bodies:
-        for point in body.points:
+        for point in () if body.arc else body.points:
             found.setdefault(point, []).append(body.name)
     for cylinder in whole.cylinders:
         for point in cylinder.ends:

@@ -5,7 +5,7 @@ on it, or one link alone carries it, people draw no pin: it is merged into the l
 """
 
 import math
-from collections.abc import Iterator, Mapping, Sequence, Set
+from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..frozen import frozen, replace
 from .acts import Acts, Bearing
@@ -60,7 +60,9 @@ def cut_free(solution: Solution, places: Sweep) -> tuple[FreeBody, ...]:
         acts.load(name, size, solution.rubbing.get(name))
     acts.settle_couples()
     acts.forget(solution.bearings)
-    bodies = (_shared(body, solution.common) for body in _Drawn(acts).bodies())
+    bodies = [_shared(body, solution.common) for body in _Drawn(acts).bodies()]
+    for rod in (body for body in bodies if body.name in acts.frames and acts.frames[body.name].arc):
+        bodies = list(_slotted(rod, bodies))
     return tuple(_rounded([_held(body, places) for body in bodies]))
 
 
@@ -87,6 +89,25 @@ def _shared(body: FreeBody, common: Set[str]) -> FreeBody:
         for a in body.forces
     )
     return body._replace(forces=tuple(forces))
+
+
+def _slotted(rod: FreeBody, bodies: Iterable[FreeBody]) -> Iterator[FreeBody]:
+    """Yield the bodies without the rod of a circular slot: the wall and the pin push each other.
+
+    The force on the rod's centre and the couple of its friction there are, together, what the
+    wall does at the place of the pin.
+    """
+    centre, pin = rod.forces
+    for body in bodies:
+        touching = {centre.by: pin.by, pin.by: centre.by}.get(body.name, "")
+        forces = (
+            a._replace(kind="slot", by=touching, point=pin.point, moment=0.0)
+            if a.by == rod.name
+            else a
+            for a in body.forces
+        )
+        if body is not rod:
+            yield body._replace(forces=tuple(forces))
 
 
 def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:

@@ -15,6 +15,7 @@ from typing import Literal, NamedTuple, assert_never
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import (
+    ArcSlot,
     FaceFriction,
     GuideFriction,
     JointFriction,
@@ -313,6 +314,19 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
 
 def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
     """Push the pin along the face, and the body under it back at the same place."""
+    rod = next((k for k in unfolding.pose.mechanism.links if k.arc and k.points[1] == point), None)
+    if rod is not None and rod.arc is not None:
+        return _arc(point, size, rod.name, rod.arc, unfolding)
     touch = next(t for t in unfolding.pose.touches if t.point == point)
     along = direction(touch.normal.evaluate(unfolding.values)).turned()
     return Pair("face", f"face {point}", unfolding.apart(touch, along), touch.body, point, size)
+
+
+def _arc(point: str, size: float, rod: str, arc: ArcSlot, unfolding: Unfolding) -> Pair:
+    """Turn the pin in a circular slot about the centre, and the link that has the slot back.
+
+    The wall gives N and μN across it: together R = N·√(1 + μ²), at r·μ/√(1 + μ²) of the centre.
+    """
+    couples = unfolding.turning(rod, arc.centre, 1.0), unfolding.turning(arc.link, arc.centre, -1.0)
+    reach = evaluate(arc.radius, unfolding.values) * size / math.hypot(1.0, size)
+    return Pair("pin", f"face {point}", (*couples[0], *couples[1]), rod, arc.centre, reach)

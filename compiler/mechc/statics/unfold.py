@@ -138,7 +138,8 @@ class Unfolding:
         mechanism = self.pose.mechanism
         pairs = [load for load in mechanism.loads if isinstance(load, ForcePair)]
         loaded = [{pair.first, pair.second} for pair in pairs]
-        yield from (link.name for link in mechanism.links if point in link.points)
+        links = (link for link in mechanism.links if link.arc is None)
+        yield from (link.name for link in links if point in link.points)
         for telescope in mechanism.telescopes:
             if point in telescope.points and {*telescope.points} in loaded:
                 yield telescope.name
@@ -240,10 +241,10 @@ class Unfolding:
         for link in self.pose.mechanism.links:
             frame = self.pose.frames[link.name]
             points = {p: Plane(*evaluate_vector(frame[p], self.values)) for p in link.points}
-            yield Body(link.name, points)
+            yield Body(link.name, points, link.arc is not None)
             if not self._shared(link.name):
                 twins = {self._twin(p): self._reflected(v) for p, v in points.items()}
-                yield Body(f"{link.name}'", twins)
+                yield Body(f"{link.name}'", twins, link.arc is not None)
 
     def _pivots(self) -> Iterator[str]:
         for pivot in self.pose.mechanism.each(Pivot):

@@ -212,10 +212,15 @@ class Slide(Statement):
 
 @frozen
 class Slot(Statement):
-    """``slot B in OC``: pin B slides along the line OC of the link that carries it."""
+    """``slot B in OC``: pin B slides along the line OC of the link that carries it.
+
+    ``slot B in OAC about C radius r``: along a circle about point C of the link.
+    """
 
     point: Name
     line: Name
+    about: Name | None = None
+    radius: Expr | None = None
 
 
 @frozen
@@ -352,6 +357,21 @@ class Spring(Statement):
     times: Expr | None = None
     first_link: Name | None = None
     second_link: Name | None = None
+
+
+@frozen
+class Distributed(Statement):
+    """``load Q intensity q1 to q2 on AB along θ``: a load spread over a stretch of a link.
+
+    Q is its resultant. It is q per unit of length all along, or runs from q1 to q2.
+    """
+
+    name: Name
+    line: Name
+    along: Direction
+    intensity: Expr | None = None
+    end: Expr | None = None
+    times: Expr | None = None
 
 
 @frozen

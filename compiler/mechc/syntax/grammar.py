@@ -1,9 +1,10 @@
 """The parser made of ``grammar/mechc.lark``, and what can be read off its tables."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from functools import cache
 
 from .lalr import Parser, Reading, Token
+from .spans import span_of
 from .tables import Start, tables
 from .tree import rules
 
@@ -40,10 +41,34 @@ def spelling() -> dict[str, str]:
     return parser().tables.texts
 
 
+SOFT: Mapping[str, tuple[str, int]] = {
+    "load": ("load", 0),
+    "intensity": ("load", 2),
+    "radius": ("slot", 6),
+}
+"""Words that are names but in one statement, by its first word, at one place in it."""
+
+
+def with_names(line: Sequence[Token], start: Start) -> list[Token]:
+    """Return a line with what only looks like a word of the language made a name.
+
+    >>> line = list(lexed("param radius = load"))
+    >>> [token.type for token in with_names(line, "statement") if token.type != "WS"]
+    ['PARAM', 'NAME', 'EQUAL', 'NAME']
+    """
+    first = line[0] if line and start == "statement" else ""
+    return [
+        Token("NAME", token, *span_of(token))
+        if token in SOFT and (first, place) != SOFT[token]
+        else token
+        for place, token in enumerate(line)
+    ]
+
+
 @cache
 def keywords() -> frozenset[str]:
-    """Return the reserved words: those that the grammar quotes."""
-    return frozenset(word for word in spelling().values() if word.isalpha())
+    """Return the reserved words: those that the grammar quotes and that are never names."""
+    return frozenset(word for word in spelling().values() if word.isalpha()) - SOFT.keys()
 
 
 @cache

@@ -116,7 +116,16 @@ SECTIONS: tuple[Section, ...] = (
     named(
         "slots",
         "pins that slide along a line of a link",
-        Entry(ast.Slot, AT_POINT, plain(Kind.ROD, "line")),
+        Entry(
+            ast.Slot,
+            AT_POINT,
+            plain(Kind.ROD, "line"),
+            (
+                key("in", Kind.POINTS, "line"),
+                optional("about", Kind.POINT, needs=("radius",)),
+                optional("radius", Kind.EXPRESSION, needs=("about",)),
+            ),
+        ),
     ),
     bare(
         "telescopes",
@@ -230,6 +239,21 @@ SECTIONS: tuple[Section, ...] = (
                 key("mass", Kind.EXPRESSION),
                 key("at", Kind.POINT, "point"),
                 ON_LINK,
+                TIMES,
+            ),
+        ),
+    ),
+    named(
+        "loads",
+        "loads spread over a stretch of a link",
+        Entry(
+            ast.Distributed,
+            NAMED,
+            keys=(
+                optional("intensity", Kind.EXPRESSION),
+                optional("to", Kind.EXPRESSION, "end", needs=("intensity",)),
+                key("over", Kind.ROD, "line"),
+                key("along", Kind.DIRECTION),
                 TIMES,
             ),
         ),

@@ -6,7 +6,7 @@ from ..diagnostics import Diagnostic, syntax
 from ..source import Span
 from . import slips
 from .fault import Fault
-from .grammar import Start, keywords, reading, spelling, statement_words
+from .grammar import Start, keywords, reading, spelling, statement_words, with_names
 from .lalr import END, Refused, Token
 from .spans import span_of
 from .tokens import check
@@ -29,7 +29,6 @@ SAID_OTHERWISE = {
     "pin": "points that links share are pins; a pin on the ground is a pivot",
     "motor": "a couple on a link is a torque: torque M on OA",
     "moment": "a couple on a link is a torque: torque M on OA",
-    "load": "a load is a force: force F at A along x",
     "cylinder": "a link of variable length is a telescope: telescope AB",
     "piston": "a point that the ground guides is a slider: slider B along x",
     "range": "a range stands behind its parameter: param a = 2 mm in 1 mm .. 5 mm",
@@ -52,6 +51,7 @@ def parse(line: Sequence[Token], start: Start, end: int) -> object:
 
     Raises :class:`Fault` with the first thing that does not fit.
     """
+    line = with_names(line, start)
     check(line)
     if start == "statement" and line[0].type == "NAME" and not points_of(line[0]):
         raise Fault(unknown_statement(line))

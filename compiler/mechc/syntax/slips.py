@@ -52,6 +52,8 @@ def _of_list(token: Token, first: Token) -> str:
     """Return a hint where points or things are listed that are written otherwise."""
     if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
         return f"the points of a {first} are written together, as in {first} OB"
+    if first.type == "LOAD" and token.type == "AT":
+        return "a load at a point is a force: force F at A along x"
     if first.type == "TELESCOPE" and token.type == "STRING":
         return "a telescope has no title: say it in a comment, behind '#'"
     listed = token == "," and first.type in ("PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE")

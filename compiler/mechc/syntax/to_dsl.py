@@ -25,7 +25,7 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Slider: "slider {point} along {along}[ through {through}]",
     ast.Link: "link {points}[ {label}]",
     ast.Slide: "slide {points} along {along}",
-    ast.Slot: "slot {point} in {line}",
+    ast.Slot: "slot {point} in {line}[ about {about} radius {radius}]",
     ast.Telescope: "telescope {points}",
     ast.Gear: "gear {first} {first_radius}, {second} {second_radius}[ {inner}]",
     ast.Rack: "rack {point} on {pivot} {radius}",
@@ -42,6 +42,8 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Actuator: f"actuator {{name}} {BETWEEN}[ times {{times}}]",
     ast.Spring: f"spring {{rate}} {BETWEEN} free {{free}}[ times {{times}}]",
     ast.Weight: "weight {name} mass {mass} at {point}[ on {link}][ times {times}]",
+    ast.Distributed: "load {name}[ intensity {intensity}][ to {end}] on {line} along {along}"
+    "[ times {times}]",
     ast.Gravity: "gravity along {along}",
     ast.GuideFriction: "friction slider {point} {coefficient}[ guide {length} overhang {overhang}]"
     "[ {law}]",
@@ -73,7 +75,10 @@ SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
     (*(ast.Pivot, ast.Slider, ast.Link, ast.Slide, ast.Slot, ast.Telescope), *TRANSMISSIONS),
     (ast.Vector, ast.Turn, ast.Assembly),
     (ast.Mirror, ast.Copies),
-    (ast.Force, ast.Torque, ast.Actuator, ast.Spring, ast.Weight, ast.Gravity),
+    (
+        *(ast.Force, ast.Torque, ast.Actuator, ast.Spring),
+        *(ast.Weight, ast.Distributed, ast.Gravity),
+    ),
     (*FRICTIONS, ast.Motion, ast.Efficiency),
     (ast.Let, ast.Find, ast.Require, ast.Expect),
 )

@@ -117,6 +117,18 @@ def weight(
     return ast.Weight(NOWHERE, name, mass, point, times, link)
 
 
+def distributed(
+    name: ast.Name,
+    intensity: ast.Expr | None,
+    end: ast.Expr | None,
+    line: ast.Name,
+    along: ast.Direction,
+    times: ast.Expr | None,
+) -> ast.Distributed:
+    """Return ``load Q intensity q1 to q2 on AB along θ times n``."""
+    return ast.Distributed(NOWHERE, name, line, along, intensity, end, times)
+
+
 End = tuple[ast.Name, ast.Name | None]
 """An end of a pair of forces: a point, and the link that carries it there."""
 
@@ -244,6 +256,7 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "slider": ast.Slider,
     "slide": ast.Slide,
     "slot": ast.Slot,
+    "arc_slot": ast.Slot,
     "telescope": ast.Telescope,
     "rack": ast.Rack,
     "contact": ast.Contact,
@@ -276,6 +289,7 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "actuator": actuator,
     "spring": spring,
     "weight": weight,
+    "distributed": distributed,
     "friction_pins": friction_pins,
     "friction_pin": friction_pin,
     "friction_guide": friction_guide,

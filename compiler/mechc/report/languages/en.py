@@ -34,6 +34,10 @@ LOCALE = Locale(
         "slide": "the body {body} only translates, in the direction {direction}",
         "telescope": "telescopic links: {links}",
         "slot": "the pin {point} slides along the line {line} of {body}",
+        "arc": "the pin {point} slides in a circular slot of {body} about {centre}, of radius "
+        "{radius}: the slot does what a rod {rod} would do",
+        "spread": "the load {load} is spread over {stretch} in the direction {direction}; its "
+        "resultant acts at {point}, {reach}",
         "contact": "the point {point} touches {body} with the common normal {normal}",
         "gear": "the gears on {first} (radius {one}) and {second} (radius {two}) mesh",
         "inner": "the gear on {first} (radius {one}) and the inner gear on {second} "

@@ -18,6 +18,7 @@ from ...model.mechanism import (
     Parameter,
     Pivot,
     Slider,
+    Spread,
     Torque,
     Turn,
 )
@@ -154,8 +155,9 @@ def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
 
 
 def _links(mechanism: Mechanism, locale: Locale) -> list[str]:
-    rods = _listed((link.name for link in mechanism.links if len(link.points) == 2), locale)
-    bodies = _listed((link.name for link in mechanism.links if len(link.points) > 2), locale)
+    links = [link for link in mechanism.links if link.arc is None]
+    rods = _listed((link.name for link in links if len(link.points) == 2), locale)
+    bodies = _listed((link.name for link in links if len(link.points) > 2), locale)
     said = ((locale.rods, rods), (locale.bodies, bodies))
     return [template.format(links=links) for template, links in said if links]
 
@@ -178,6 +180,13 @@ def _load(load: Load, links: Set[str], locale: Locale, style: Notation) -> str:
         symbol = rf"{latex(number(load.times), style)}\,{symbol}"
     tie = _tie(load, locale, style) if load.tie else ""
     match load:
+        case Force(_, point, along, spread=Spread() as spread):
+            where, at = math(direction(along, style)), math(points(point))
+            stretch = math(points(spread.tail + spread.head))
+            reach = math(f"{points(spread.tail + point)}={latex(spread.reach, style)}")
+            said = locale.joints["spread"].format(
+                load=math(symbol), stretch=stretch, direction=where, point=at, reach=reach
+            )
         case Force(_, point, along):
             template = locale.weight if load.weight else locale.force
             where, at = math(direction(along, style)), _end(point, load.link, links, locale)

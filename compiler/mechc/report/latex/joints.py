@@ -4,8 +4,10 @@ from collections.abc import Iterator
 from typing import assert_never
 
 from ...model.mechanism import (
+    ArcSlot,
     Contact,
     Joint,
+    Link,
     Mechanism,
     Pivot,
     Rack,
@@ -29,8 +31,18 @@ def joint_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> It
     if mechanism.telescopes:
         named = ", ".join(math(points(t.name)) for t in mechanism.telescopes)
         yield say["telescope"].format(links=named)
+    for link in mechanism.links:
+        if link.arc:
+            yield _arc(link, link.arc, locale, style)
     for joint in mechanism.joints:
         yield from _sentence(joint, locale, style)
+
+
+def _arc(rod: Link, arc: ArcSlot, locale: Locale, style: Notation) -> str:
+    names = (rod.points[1], arc.link, arc.centre, rod.name)
+    pin, body, centre, line = (math(points(name)) for name in names)
+    radius = math(length_of(arc.radius, locale, style))
+    return locale.joints["arc"].format(point=pin, body=body, centre=centre, radius=radius, rod=line)
 
 
 def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:

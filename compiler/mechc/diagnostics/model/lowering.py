@@ -1,0 +1,88 @@
+"""Messages for circular slots and for loads that are spread out."""
+
+from ...source import Span
+from ..diagnostic import Message, Related, coded
+
+
+@coded("E237")
+def centre_of_another(at: Span, point: str, body: str) -> Message:
+    """The centre of a circular slot is a point of the link that has the slot.
+
+    Name that link by any two or more of its points; the pin belongs to another one::
+
+        link OAC
+        link BD
+        slot B in OAC about C radius 40 mm     # right
+        slot B in OA about D radius 40 mm      # wrong
+    """
+    return Message(
+        at,
+        f"point {point} does not belong to {body}, which has the slot",
+        f"name a point of {body} that is the centre of the circle",
+    )
+
+
+@coded("E238")
+def radius_is_length(at: Span, points: str, slot: Span) -> Message:
+    """The distance of a pin from the centre of its circular slot is the radius, given once.
+
+    ::
+
+        slot B in OAC about C radius 40 mm
+        CB = 40 mm @ phi      # wrong
+        CB = @ phi            # right
+    """
+    related = (Related(slot, "the slot"),)
+    message = f"{points} has a length of its own, but the radius of a slot gives it"
+    return Message(at, message, "give its direction alone, or nothing", related)
+
+
+@coded("E239")
+def stretch_without_length(at: Span, tail: str, head: str) -> Message:
+    """A load is spread over a stretch whose length the description does not give.
+
+    Its resultant is the intensity times that length, and acts at a point in between::
+
+        load Q intensity q on OA along -y
+        OA = 400 mm @ phi      # right
+        OA = @ phi             # wrong
+    """
+    return Message(
+        at,
+        f"nothing gives the length of {tail}{head}, over which the load is spread",
+        f"give it in one line: {tail}{head} = length @ direction",
+    )
+
+
+@coded("E249")
+def spread_along_rod(at: Span, link: str) -> Message:
+    """A load is spread over a rod, so that the force along the rod is another at every place.
+
+    ::
+
+        load Q intensity q on AB along -y
+        find N_AB      # wrong
+        find R_A on AB # right: what the pin at A does to the rod
+    """
+    return Message(
+        at,
+        f"a load is spread over {link}, so that no one force is along it",
+        f"ask for the force on one of its pins: R_A on {link}",
+    )
+
+
+@coded("E264")
+def normal_of_arc(at: Span, point: str, centre: str) -> Message:
+    """The force of a circular slot on its pin acts along the line from the centre to the pin.
+
+    It is asked for as that of a rod, which is positive where it pulls the pin to the centre::
+
+        slot B in OAC about C radius 40 mm
+        find N_CB      # right
+        find N_B       # wrong
+    """
+    return Message(
+        at,
+        f"the slot of {point} is circular, its force acts along {centre}{point}",
+        f"ask for N_{centre}{point}: positive towards {centre}",
+    )

@@ -1,0 +1,76 @@
+"""What is a combination of simpler parts, put as these: circular slots, loads spread out.
+
+Everything behind the model knows links, joints and forces at points only.
+"""
+
+from collections.abc import Sequence
+from itertools import count
+
+from ..diagnostics.model import joints as messages
+from ..diagnostics.model import lowering as words
+from ..frozen import replace
+from .mechanism import Along, ArcSlot, Arrow, Force, Geometry, Link, Load, Mechanism
+from .scope import Scope
+
+MIDDLE = "M"
+"""The letter of a point at which the resultant of a spread load acts."""
+
+
+def with_arcs(mechanism: Mechanism, arcs: Sequence[tuple[str, ArcSlot]], scope: Scope) -> Mechanism:
+    """Return the mechanism with a rod from the centre to the pin for each circular slot.
+
+    The rod has the slot's radius for its length, pushes and pulls along the same line, and so
+    takes the slot's place exactly: the equivalent linkage of textbooks.
+    """
+    links, geometry = list(mechanism.links), list(mechanism.geometry)
+    for pin, arc in arcs:
+        ends = (arc.centre, pin)
+        if other := next((k for k in links if {*ends} == {*k.points}), None):
+            scope.report.add(messages.link_again(arc.span, other.name, other.span))
+            continue
+        links.append(Link("".join(ends), ends, arc.span, arc=arc))
+        _lay(geometry, ends, arc, scope)
+    return replace(mechanism, links=tuple(links), geometry=tuple(geometry))
+
+
+def _lay(geometry: list[Geometry], ends: tuple[str, str], arc: ArcSlot, scope: Scope) -> None:
+    """Give the vector between two points the radius for its length."""
+    for i, entry in enumerate(geometry):
+        if isinstance(entry, Arrow) and {entry.tail, entry.head} == {*ends}:
+            if entry.length is not None:
+                scope.report.add(words.radius_is_length(entry.span, "".join(ends), arc.span))
+            geometry[i] = replace(entry, length=arc.radius)
+            return
+    geometry.append(Arrow(*ends, arc.radius, None, arc.span))
+
+
+def with_loaded_points(mechanism: Mechanism) -> Mechanism:
+    """Return the mechanism with a point on its link for the resultant of each spread load."""
+    for load in mechanism.loads:
+        if isinstance(load, Force) and load.spread:
+            mechanism = _with_point(mechanism, load)
+    return mechanism
+
+
+def _with_point(mechanism: Mechanism, load: Force) -> Mechanism:
+    """Add the point at which a spread load acts to its link, and the vector to it."""
+    assert load.spread is not None
+    tail, head, link = load.spread.tail, load.spread.head, load.spread.link
+    along = Along(tail, head, 0, load.span)
+    arrow = Arrow(tail, load.point, load.spread.reach, along, load.span)
+    return replace(
+        mechanism,
+        links=tuple(
+            replace(k, points=(*k.points, load.point)) if k.name == link else k
+            for k in mechanism.links
+        ),
+        geometry=(*mechanism.geometry, arrow),
+        spans={**mechanism.spans, load.point: load.span},
+    )
+
+
+def free_point(loads: Sequence[Load], scope: Scope) -> str:
+    """Return a name for a point that no other has: M, M1, M2 …"""
+    taken = {*scope.points.places, *(k.point for k in loads if isinstance(k, Force))}
+    names = (f"{MIDDLE}{n or ''}" for n in count())
+    return next(name for name in names if name not in taken)
