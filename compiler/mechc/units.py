@@ -5,7 +5,8 @@ an angle unit in degrees is a rational multiple of π, so :class:`Unit` keeps it
 ``deg`` has factor 1/180 and ``pi`` True.
 """
 
-from difflib import get_close_matches
+import math
+import re
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -84,60 +85,6 @@ DIMENSIONS: dict[str, Dimension] = {
 """The dimensions that a parameter may be declared with, by name."""
 
 
-SPELLED: dict[str, str] = {
-    "millimeter": "mm", "millimetre": "mm", "centimeter": "cm", "centimetre": "cm",
-    "meter": "m", "metre": "m", "micrometer": "um", "micron": "um", "degree": "deg", "°": "deg",
-    "radian": "rad", "newton": "N", "kilonewton": "kN", "kilogram": "kg", "gram": "g",
-    "tonne": "t", "pascal": "Pa", "second": "s", "minute": "min", "watt": "W", "joule": "J",
-    "hertz": "Hz", "nm": "N*m", "nmm": "N*mm", "ncm": "N*cm", "knm": "kN*m", "kgfm": "kgf*m",
-    "revolution": "rev", "turn": "rev", "mps": "m/s",
-}  # fmt: skip
-"""What people write for a unit, in small letters and the singular."""
-
-
-def unit_meant(word: str) -> str:
-    """Return the unit that a word behind a number most likely means, '' where none is near.
-
-    >>> unit_meant("degrees"), unit_meant("MM"), unit_meant("Nm"), unit_meant("milimeter")
-    ('deg', 'mm', 'N*m', 'mm')
-    """
-    small = word.lower()
-    known = {unit.lower(): unit for unit in UNITS if unit.isalpha()} | SPELLED
-    for spelled in (small, small.removesuffix("s")):
-        if spelled in known:
-            return known[spelled]
-    near = get_close_matches(small.removesuffix("s"), SPELLED, n=1, cutoff=0.85)
-    return SPELLED[near[0]] if near and len(small) > 3 else ""
-
-
-FOREIGN = {
-    "in": ("inches", 25.4, "mm"),
-    "inch": ("inches", 25.4, "mm"),
-    "inches": ("inches", 25.4, "mm"),
-    "ft": ("feet", 304.8, "mm"),
-    "foot": ("feet", 304.8, "mm"),
-    "feet": ("feet", 304.8, "mm"),
-    "yd": ("yards", 914.4, "mm"),
-    "lb": ("pounds", 0.45359237, "kg"),
-    "lbs": ("pounds", 0.45359237, "kg"),
-    "lbf": ("pounds of force", 4.4482216152605, "N"),
-    "psi": ("pounds per square inch", 6894.757293168, "Pa"),
-}
-"""Units that are not read, and what one of each is in a unit that is."""
-
-
-def foreign(digits: str, unit: str) -> str:
-    """Return a hint for a number with a unit of another system, '' for any other.
-
-    >>> foreign("8", "in")
-    'inches are not read: 8 in are 203.2 mm'
-    """
-    if unit in UNITS or unit not in FOREIGN:
-        return ""
-    name, size, ours = FOREIGN[unit]
-    return f"{name} are not read: {digits} {unit} are {float(digits) * size:.7g} {ours}"
-
-
 USUAL_UNITS: dict[Dimension, str] = {
     ANGLE: "deg",
     LENGTH: "mm",
@@ -198,66 +145,129 @@ class Unit(NamedTuple):
     dimension: Dimension
     pi: bool = False
 
+    @property
+    def size(self) -> float:
+        """Return one of the unit in SI, to the last digit of a float."""
+        return float(self.factor) * (math.pi if self.pi else 1.0)
+
 
 def _unit(factor: str | int, dimension: Dimension, pi: bool = False) -> Unit:
     return Unit(Fraction(factor), dimension, pi)
 
 
-UNITS: dict[str, Unit] = {
+INCH = Fraction(254, 10000)
+POUND = Fraction(45359237, 100000000)
+GRAVITY = Fraction(980665, 100000)
+POUND_FORCE = POUND * GRAVITY
+
+SIMPLE: dict[str, Unit] = {
     "mm": _unit("1/1000", LENGTH),
     "cm": _unit("1/100", LENGTH),
     "dm": _unit("1/10", LENGTH),
     "m": _unit(1, LENGTH),
     "km": _unit(1000, LENGTH),
     "um": _unit("1/1000000", LENGTH),
+    "\u00b5m": _unit("1/1000000", LENGTH),
+    "\u03bcm": _unit("1/1000000", LENGTH),
+    "in": Unit(INCH, LENGTH),
+    "inch": Unit(INCH, LENGTH),
+    '"': Unit(INCH, LENGTH),
+    "ft": Unit(12 * INCH, LENGTH),
+    "yd": Unit(36 * INCH, LENGTH),
     "deg": _unit("1/180", ANGLE, pi=True),
+    "°": _unit("1/180", ANGLE, pi=True),
     "rad": _unit(1, ANGLE),
     "mrad": _unit("1/1000", ANGLE),
     "rev": _unit(2, ANGLE, pi=True),
-    "mm^2": _unit("1/1000000", Dimension(2)),
-    "cm^2": _unit("1/10000", Dimension(2)),
-    "m^2": _unit(1, Dimension(2)),
-    "mm^3": _unit("1/1000000000", Dimension(3)),
-    "cm^3": _unit("1/1000000", Dimension(3)),
-    "m^3": _unit(1, Dimension(3)),
     "N": _unit(1, FORCE),
     "daN": _unit(10, FORCE),
     "kN": _unit(1000, FORCE),
     "MN": _unit(1000000, FORCE),
-    "kgf": _unit("9.80665", FORCE),
-    "N*m": _unit(1, TORQUE),
-    "N*mm": _unit("1/1000", TORQUE),
-    "N*cm": _unit("1/100", TORQUE),
-    "kgf*m": _unit("9.80665", TORQUE),
-    "kN*m": _unit(1000, TORQUE),
+    "kgf": Unit(GRAVITY, FORCE),
+    "lbf": Unit(POUND_FORCE, FORCE),
+    "ozf": Unit(POUND_FORCE / 16, FORCE),
+    "kip": Unit(1000 * POUND_FORCE, FORCE),
     "g": _unit("1/1000", MASS),
     "kg": _unit(1, MASS),
     "t": _unit(1000, MASS),
+    "lb": Unit(POUND, MASS),
+    "oz": Unit(POUND / 16, MASS),
     "Pa": _unit(1, PRESSURE),
     "kPa": _unit(1000, PRESSURE),
     "MPa": _unit(1000000, PRESSURE),
     "GPa": _unit(1000000000, PRESSURE),
     "bar": _unit(100000, PRESSURE),
-    "N/mm^2": _unit(1000000, PRESSURE),
+    "psi": Unit(POUND_FORCE / INCH**2, PRESSURE),
+    "ksi": Unit(1000 * POUND_FORCE / INCH**2, PRESSURE),
     "s": _unit(1, TIME),
     "ms": _unit("1/1000", TIME),
     "min": _unit(60, TIME),
-    "m/s": _unit(1, VELOCITY),
-    "mm/s": _unit("1/1000", VELOCITY),
-    "m/s^2": _unit(1, ACCELERATION),
-    "mm/s^2": _unit("1/1000", ACCELERATION),
-    "N/m": _unit(1, STIFFNESS),
-    "N/mm": _unit(1000, STIFFNESS),
-    "kN/m": _unit(1000, STIFFNESS),
-    "deg/s": _unit("1/180", FREQUENCY, pi=True),
-    "rad/s": _unit(1, FREQUENCY),
+    "mph": Unit(63360 * INCH / 3600, VELOCITY),
     "rpm": _unit("1/30", FREQUENCY, pi=True),
-    "Hz": _unit(1, FREQUENCY),
     "W": _unit(1, POWER),
     "kW": _unit(1000, POWER),
-    "J": _unit(1, TORQUE),
-    "1/m": _unit(1, Dimension(-1)),
-    "1/mm": _unit(1000, Dimension(-1)),
-    "1/s": _unit(1, FREQUENCY),
 }
+"""The units of one word."""
+
+PARTS = SIMPLE | {"h": _unit(3600, TIME), "1": _unit(1, NUMBER)}
+"""What compounds are made of; behind a number alone, h is more likely to be a height."""
+
+COMPOUNDS = """
+    mm^2 cm^2 m^2 in^2 ft^2 mm^3 cm^3 m^3 in^3 ft^3
+    N*m N*mm N*cm kN*m kN*mm daN*m kgf*m kgf*cm kgf*mm
+    lbf*ft ft*lbf lbf*in in*lbf ozf*in in*ozf
+    N/mm^2 N/cm^2 N/m^2 kN/m^2 kgf/cm^2 kgf/mm^2 lbf/in^2
+    N/m N/cm N/mm kN/m kN/mm kgf/cm kgf/mm lbf/in lbf/ft
+    m/s mm/s cm/s km/h m/min mm/min in/s in/min ft/s ft/min
+    m/s^2 mm/s^2 cm/s^2 in/s^2 ft/s^2
+    rad/s deg/s °/s rev/s rev/min 1/s 1/min 1/m 1/mm 1/in
+"""
+"""The units made of others that are read behind a number, the usual ones only.
+
+``5 N*mass`` is a product with a parameter, and so is ``2 m*g``.
+"""
+
+
+def compound(spelled: str) -> Unit:
+    """Return the unit that simple ones make with ``*``, ``/`` and powers.
+
+    >>> compound("m/s^2") == Unit(Fraction(1), ACCELERATION)
+    True
+    """
+    factor, dimension, pi = Fraction(1), NUMBER, False
+    for sign, word, power in re.findall(r"([*/]?)([^*/^]+)(?:\^(\d))?", spelled):
+        part = PARTS[word]
+        exponent = int(power or 1) * (-1 if sign == "/" else 1)
+        factor *= part.factor**exponent
+        dimension = dimension.joined(part.dimension.scaled(exponent))
+        pi = pi or part.pi
+    return Unit(factor, dimension, pi)
+
+
+UNITS: dict[str, Unit] = SIMPLE | {spelled: compound(spelled) for spelled in COMPOUNDS.split()}
+UNITS |= {"J": UNITS["N*m"], "Hz": UNITS["1/s"]}
 """Every unit a number may carry, longest match first when read (``N*mm`` before ``N``)."""
+
+SPELLINGS = {"\u00b5m": "um", "\u03bcm": "um", "inch": "in", '"': "in", "°": "deg"}
+"""Other spellings of simple units, by the one of this table that languages know."""
+
+GLUED = ("°", '"')
+"""Signs of units that stand at their number without a space."""
+
+
+def behind(unit: str) -> str:
+    """Return a unit as it stands behind its number, with a space where it is a word.
+
+    >>> behind("mm"), behind("°"), behind("")
+    (' mm', '°', '')
+    """
+    return unit if not unit or unit.startswith(GLUED) else f" {unit}"
+
+
+def in_unit(value: float, unit: str, digits: int) -> str:
+    """Return an SI value to so many digits in a unit; one that no table has is of the SI.
+
+    >>> in_unit(0.1, "mm", 6), in_unit(math.pi / 15, "°", 6), in_unit(0.5, "", 6)
+    ('100 mm', '12°', '0.5')
+    """
+    return f"{value / (UNITS[unit].size if unit in UNITS else 1.0):.{digits}g}{behind(unit)}"

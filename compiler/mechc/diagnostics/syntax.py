@@ -60,6 +60,7 @@ def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") ->
 
         param l = 40 milimeter   # wrong
         param l = 40 mm          # right
+        param l = 8 in in 7 in .. 9 in    # right: eight inches, between seven and nine
         let s = 2 l              # wrong: l is a parameter
         let s = 2*l              # right
     """
@@ -181,10 +182,11 @@ def unexpected_character(span: Span, character: str, hint: str) -> Message:
     """A character that the language does not have.
 
     Names are written in Latin letters, digits and underscores; operators are
-    ``+ - * / ^``; degrees are ``deg``.
+    ``+ - * / ^``. Of other signs only those of units are read, behind a number: ``12°``,
+    ``5 µm``, ``8"``.
 
         param α = 12°            # wrong
-        param alpha = 12 deg     # right
+        param alpha = 12°        # right
     """
     return Message(span, f"unexpected character '{character}'", hint)
 

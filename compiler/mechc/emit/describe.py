@@ -3,7 +3,6 @@
 Text of the user's goes through :func:`one_line` first: it may hold anything.
 """
 
-import math
 from collections.abc import Iterable, Iterator, Mapping
 from unicodedata import category
 
@@ -13,7 +12,7 @@ from ..model.mechanism import Mechanism
 from ..model.result import Definition
 from ..report.definitions import Solved, grouped
 from ..routine.steps import Function, Guard, Input
-from ..units import ANGLE, DIMENSIONS, NUMBER, UNITS, Dimension, base_units
+from ..units import ANGLE, DIMENSIONS, NUMBER, Dimension, base_units, in_unit
 
 _SI = {
     NUMBER: "",
@@ -65,11 +64,7 @@ def in_user_unit(value: float, item: Input) -> str:
     >>> in_user_unit(0.1, Input("a", DIMENSIONS["length"], "mm"))
     '100 mm'
     """
-    unit = UNITS.get(item.unit)
-    if unit is None:
-        return f"{value:.6g} {si_unit(item.dimension)}".strip()
-    factor = float(unit.factor) * (math.pi if unit.pi else 1.0)
-    return f"{value / factor:.6g} {item.unit}"
+    return in_unit(value, item.unit or si_unit(item.dimension), 6)
 
 
 def input_words(item: Input, name: str = "") -> str:

@@ -25,7 +25,7 @@ from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism, Torque
 from ..model.result import Definition, Result
 from ..model.values import Chain, Values, completed, dependent
-from ..units import UNITS
+from ..units import in_unit
 from .analysis import as_printed
 from .poses import complete, default_pose, random_poses
 
@@ -229,16 +229,4 @@ def _in_units(at: Values, mechanism: Mechanism) -> dict[str, str]:
     """Return values as text: of parameters in the units written, of loads in those of the SI."""
     units = {p.name: p.unit for p in mechanism.parameters}
     units |= {k.name: "N*m" if isinstance(k, Torque) else "N" for k in mechanism.loads}
-    return {name: in_unit(value, units.get(name, "")) for name, value in at.items()}
-
-
-def in_unit(value: float, unit: str) -> str:
-    """Return an SI value in the unit that the user wrote.
-
-    >>> in_unit(0.1, "mm"), in_unit(math.pi / 15, "deg"), in_unit(0.5, "")
-    ('100 mm', '12 deg', '0.5')
-    """
-    if unit not in UNITS:
-        return f"{value:.10g}"
-    factor, _, pi = UNITS[unit]
-    return f"{value / float(factor) / (math.pi if pi else 1):.10g} {unit}"
+    return {name: in_unit(value, units.get(name, ""), 10) for name, value in at.items()}

@@ -1,6 +1,5 @@
 """What results are followed along: the drive, angles, and whatever else has a range."""
 
-import math
 from collections.abc import Callable, Iterator, Sequence
 from itertools import groupby
 
@@ -8,7 +7,7 @@ from ..formula.walk import symbols
 from ..model.locking import Range
 from ..model.mechanism import Mechanism
 from ..model.result import Result
-from ..units import ANGLE, LENGTH, UNITS
+from ..units import ANGLE, LENGTH, in_unit
 
 
 def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
@@ -89,7 +88,5 @@ def shown(name: str, ends: Range, mechanism: Mechanism) -> str:
     """Return a stretch as a message says it: ``alpha = 1 deg .. 7.1 deg``."""
     parameter = next(p for p in mechanism.parameters if p.name == name)
     unit = parameter.unit or ("rad" if parameter.dimension == ANGLE else "")
-    known = UNITS.get(unit)
-    factor = float(known.factor) * (math.pi if known.pi else 1.0) if known else 1.0
-    low, high = (f"{end / factor:.4g}{' ' if unit else ''}{unit}" for end in ends)
+    low, high = (in_unit(end, unit, 4) for end in ends)
     return f"{name} = {low} .. {high}"

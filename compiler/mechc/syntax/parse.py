@@ -87,8 +87,6 @@ def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start)
         return syntax.unclosed_bracket(span_of(innermost_open(line)), "(")
     if start == "statement" and len(line) == 1 and line[0].type == "NAME":
         return unknown_statement(line)
-    if meant := slips.inches(line, len(line)):
-        return syntax.unknown_unit(span_of(line[-1]), "in", (), meant)
     open_ended = bool(line) and line[-1].type in OPERATORS
     hint = f"the '{line[-1]}' has no right side" if open_ended else ""
     return syntax.unfinished_statement(Span(end, end), expected_words(allowed), hint)
@@ -118,8 +116,6 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
         return syntax.missing_equals(span, described(token))
-    if meant := slips.inches(line, position):
-        return syntax.unknown_unit(span_of(line[position - 1]), "in", (), meant)
     hint = slips.hint_for(line, position, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 

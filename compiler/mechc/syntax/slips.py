@@ -3,11 +3,10 @@
 from collections.abc import Sequence
 
 from ..diagnostics import near_miss
-from ..units import foreign
 from .grammar import keywords, spelling
 from .lalr import Token
 from .spans import span_of
-from .vocabulary import FUNCTIONS, NAME, TWINS, split_quantity
+from .vocabulary import FUNCTIONS, NAME, RANGE, TWINS, split_quantity
 
 ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these."""
@@ -40,14 +39,6 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     )
 
 
-def inches(line: Sequence[Token], position: int) -> str:
-    """Return a hint where ``in`` behind a bare number was meant as a unit."""
-    if position < 2 or line[position - 1].type != "IN" or line[position - 2].type != "NUMBER":
-        return ""
-    digits, unit = split_quantity(line[position - 2])
-    return "" if unit else foreign(digits, "in")
-
-
 def _of_list(token: Token, first: Token) -> str:
     """Return a hint where points or things are listed that are written otherwise."""
     if first.type in ("LINK", "TELESCOPE") and token.type in ("MINUS", "NAME"):
@@ -75,6 +66,8 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
     """Return a hint where two operands, or a function and its argument, stand side by side."""
     text, previous = str(token), str(before or "")
     if token.type == "NUMBER" and before is not None and before.type == "NUMBER":
+        if split_quantity(before)[1] == "in":
+            return RANGE
         return "digits stand together, as in 1200 mm"
     if text == previous and text in DOUBLED:
         return DOUBLED[text]

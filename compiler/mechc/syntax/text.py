@@ -3,6 +3,7 @@
 from enum import IntEnum
 from typing import assert_never
 
+from ..units import behind
 from . import ast
 
 
@@ -42,7 +43,7 @@ def bare(node: ast.Expr) -> str:
     """Return the text of an expression without brackets around it."""
     match node:
         case ast.Number(digits=digits, unit=unit):
-            return f"{digits} {unit}" if unit else digits
+            return f"{digits}{behind(unit)}"
         case ast.Symbol(name=name):
             return name
         case ast.Sum(terms=terms):

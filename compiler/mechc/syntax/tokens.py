@@ -5,24 +5,29 @@ YAML they differ from those in the scalar's value, so the caller passes the ``pl
 """
 
 import re
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from itertools import takewhile
 
 from ..diagnostics import Diagnostic, syntax, syntax_limits
 from ..source import Span
-from ..units import UNITS, foreign, unit_meant
+from ..units import UNITS
 from . import limits
 from .fault import Fault
-from .grammar import keywords, lexed
+from .grammar import lexed
 from .lalr import Token
 from .spans import span_of
-from .vocabulary import split_quantity
+from .unit_words import unit_meant
+from .vocabulary import RANGE, split_quantity
 
 Sweep = Callable[[int], int]
 
 # Longest first, and no unit ends in the middle of a word: in 5 N*mass the unit is N.
 UNIT = re.compile(
-    "(?:" + "|".join(re.escape(u) for u in sorted(UNITS, key=len, reverse=True)) + r")(?![\w'])"
+    f"(?:{'|'.join(re.escape(u) for u in sorted(UNITS, key=len, reverse=True))})"
+    r"(?:(?<=°)|(?![\w']))"
 )
+
+BEGINS_OPERAND = frozenset({"NAME", "NUMBER", "LEFT", "PLUS", "MINUS"})
 
 BLANKS = frozenset(" \t\u00a0\u2007\u2009\u202f")
 """What may stand between a number and its unit: word processors put spaces that do not break."""
@@ -33,7 +38,6 @@ LOOKALIKES = {
     "·": "a product is written with '*'",
     "×": "a product is written with '*'",
     "÷": "a quotient is written with '/'",
-    "°": "degrees are written 'deg', as in 40 deg",
     "²": "a square is written '^2'",
     "³": "a cube is written '^3'",
     "√": "a root is written sqrt(…)",
@@ -46,7 +50,7 @@ LOOKALIKES = {
     "%": "a comment begins with '#'; a hundredth is written 0.01",
     "_": "digits stand together, as in 1200",
     ".": "a range is written with two dots",
-    "'": "a text stands in double quotes",
+    "'": "a text stands in double quotes; feet are ft, minutes of arc are 1/60 deg",
     "“": "a text stands in plain double quotes",
     "„": "a text stands in plain double quotes",
     "«": "a text stands in plain double quotes",
@@ -79,12 +83,13 @@ def moved(token: Token, places: Sweep) -> Token:
 def with_units(text: str, found: list[Token]) -> Iterator[Token]:
     """Join each number with the unit behind it."""
     end = 0
-    for token in found:
+    for position, token in enumerate(found):
         start, stop = span_of(token)
         if start < end:
             continue
-        unit = unit_behind(text, stop) if token.type == "NUMBER" else None
-        if unit is None:
+        bare = token.type == "NUMBER" and not token.endswith('"')
+        unit = unit_behind(text, stop) if bare else None
+        if unit is None or (unit[0] == "in" and begins_range(found[position + 1 :])):
             yield token
         else:
             end = unit.end()
@@ -92,11 +97,22 @@ def with_units(text: str, found: list[Token]) -> Iterator[Token]:
 
 
 def unit_behind(text: str, at: int) -> re.Match[str] | None:
-    """Return the longest unit that begins here or after blanks; a keyword is none."""
+    """Return the longest unit that begins here or after blanks."""
     while text[at : at + 1] in BLANKS:
         at += 1
-    unit = UNIT.match(text, at)
-    return unit if unit and unit[0] not in keywords() else None
+    return UNIT.match(text, at)
+
+
+def begins_range(found: Sequence[Token]) -> bool:
+    """Tell whether the word ``in``, the first of these, begins a range and is no inch.
+
+    In ``8 in - 2 in in 1 in .. 9 in`` that is the last one before the dots that an end follows.
+    """
+    line = list(takewhile(lambda t: t.type != "NEWLINE" and t != "..", found))
+    if len(line) == len(found) or found[len(line)] != "..":
+        return False
+    ranges = (i for i, t in enumerate(line[1:]) if t.type in BEGINS_OPERAND and line[i] == "in")
+    return max(ranges, default=-1) == 0
 
 
 def check(line: Iterable[Token]) -> None:
@@ -168,11 +184,11 @@ def check_number(token: Token) -> None:
 
 def check_unit(number: Token, behind: Token) -> None:
     """Refuse a word behind a number that is no unit, and ``5 mm^7`` (is the unit cubed?)."""
-    digits, unit = split_quantity(number)
+    unit = split_quantity(number)[1]
     if behind.type == "NAME":
         plain = [name for name in UNITS if name.isalpha()]
         meant = unit_meant(behind)
-        hint = foreign(digits, behind) or (f"did you mean {meant!r}?" if meant else "")
+        hint = f"did you mean {meant!r}?" if meant else RANGE if unit == "in" else ""
         raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain, hint))
     if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)

@@ -47,6 +47,9 @@ TWINS = {
 }
 """Other spellings, read as the function on the right."""
 
+RANGE = "a range has two dots: in LOW .. HIGH"
+"""What is said where ``in`` is followed by what is no range."""
+
 CONSTANTS = frozenset({"pi"})
 
 POINT = re.compile(r"[A-Z][0-9]*'*")

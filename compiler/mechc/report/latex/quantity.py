@@ -10,19 +10,20 @@ r"""Numbers and quantities with the user's unit, as LaTeX.
 '12{,}5^\\circ'
 """
 
-import math
 import re
 from fractions import Fraction
 
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Formula, Number
 from ...formula.walk import evaluate
-from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units
+from ...units import ANGLE, LENGTH, NUMBER, SPELLINGS, UNITS, Dimension, base_units
 from ..languages.locale import Locale
 from .notation import Notation
 from .printer import latex
 
 _DIGITS = 6
+
+MICRO = r"\textmu m"
 
 
 def quantity(
@@ -55,10 +56,7 @@ def usual_unit(dimension: Dimension) -> str:
 
 
 def _factor(unit: str) -> float:
-    if unit not in UNITS:
-        return 1.0
-    known = UNITS[unit]
-    return float(known.factor) * (math.pi if known.pi else 1.0)
+    return UNITS[unit].size if unit in UNITS else 1.0
 
 
 def _in_unit(value: Formula, unit: str) -> Fraction | float:
@@ -92,8 +90,14 @@ def unit_symbol(unit: str, locale: Locale) -> str:
     """
     if not unit:
         return ""
-    if unit == "deg":
+    if unit in ("deg", "°"):
         return r"^\circ"
     unit = re.sub(r"^1/([A-Za-z]+)(?:\^(\d+))?", lambda m: f"{m[1]}^{{-{m[2] or 1}}}", unit)
-    letters = re.sub("[A-Za-z]+", lambda m: rf"\text{{{locale.units.get(m[0], m[0])}}}", unit)
+    letters = re.sub(r"[^\W\d]+|[\"°]", lambda m: rf"\text{{{_word(m[0], locale)}}}", unit)
     return r"\," + letters.replace("*", r"\cdot ")
+
+
+def _word(unit: str, locale: Locale) -> str:
+    """Return a unit of one word in letters of the language, micrometres with their sign."""
+    usual = SPELLINGS.get(unit, unit)
+    return locale.units.get(usual, MICRO if usual == "um" else usual)

@@ -18,7 +18,7 @@ from ...study.stroke.stroke import (
     Stretch,
     Stroke,
 )
-from ...units import ANGLE, UNITS, Dimension
+from ...units import ANGLE, UNITS, Dimension, behind, in_unit
 
 NEAR = 1e-13
 """What is nearer, against the stroke, is the same place: a dead centre, say."""
@@ -103,7 +103,7 @@ def _cells(
 def _cell(value: float, column: Column) -> str:
     if not math.isfinite(value):
         return "" if math.isnan(value) else "infinite"
-    return f"{value / _factor(_unit(column.dimension, column.unit)):.9g}"
+    return _in(value, _unit(column.dimension, column.unit), 9)
 
 
 def _unit(dimension: Dimension, wanted: str) -> str:
@@ -113,11 +113,9 @@ def _unit(dimension: Dimension, wanted: str) -> str:
     return "deg" if dimension == ANGLE else ""
 
 
-def _factor(unit: str) -> float:
-    if not unit:
-        return 1.0
-    known = UNITS[unit]
-    return float(known.factor) * (math.pi if known.pi else 1.0)
+def _in(value: float, unit: str, digits: int) -> str:
+    """Return a value in a unit, without the unit."""
+    return in_unit(value, unit, digits).removesuffix(behind(unit))
 
 
 def _headed(name: str, unit: str) -> str:
@@ -125,12 +123,12 @@ def _headed(name: str, unit: str) -> str:
 
 
 def _place(place: float, stroke: Stroke, digits: int = 9) -> str:
-    return f"{place / _factor(_unit(stroke.dimension, stroke.unit)):.{digits}g}"
+    return _in(place, _unit(stroke.dimension, stroke.unit), digits)
 
 
 def _at(place: float, stroke: Stroke) -> str:
     unit = _unit(stroke.dimension, stroke.unit)
-    return f"{stroke.drive} = {_place(place, stroke, 13)}{' ' if unit else ''}{unit}"
+    return f"{stroke.drive} = {in_unit(place, unit, 13)}"
 
 
 def _table(rows: Sequence[Sequence[str]]) -> Iterator[str]:

@@ -1,0 +1,40 @@
+"""What people write for a unit: one hint for each of the usual spellings."""
+
+from difflib import get_close_matches
+
+from ..units import UNITS
+
+SPELLED: dict[str, str] = {
+    "millimeter": "mm", "millimetre": "mm", "centimeter": "cm", "centimetre": "cm",
+    "meter": "m", "metre": "m", "kilometer": "km", "micrometer": "um", "micrometre": "um",
+    "micron": "um", "mkm": "um", "degree": "deg", "dg": "deg", "grad": "deg",
+    "radian": "rad", "newton": "N", "kilonewton": "kN", "kilogram": "kg", "kilogramme": "kg",
+    "kilo": "kg", "kilopond": "kgf", "kp": "kgf", "kilogramforce": "kgf", "gram": "g",
+    "gramme": "g", "tonne": "t", "ton": "t", "pascal": "Pa", "megapascal": "MPa",
+    "second": "s", "sec": "s", "minute": "min", "watt": "W",
+    "kilowatt": "kW", "joule": "J", "hertz": "Hz",
+    "nm": "N*m", "nmm": "N*mm", "ncm": "N*cm", "knm": "kN*m", "kgfm": "kgf*m", "kgm": "kgf*m",
+    "revolution": "rev", "turn": "rev", "mps": "m/s", "kmh": "km/h", "kph": "km/h",
+    "inche": "in", "zoll": "in", "foot": "ft", "feet": "ft", "yard": "yd", "pound": "lb",
+    "lbm": "lb", "ounce": "oz", "poundforce": "lbf", "kipf": "kip", "ftlb": "lbf*ft",
+    "lbft": "lbf*ft", "ftlbf": "lbf*ft", "lbfft": "lbf*ft", "inlb": "lbf*in", "lbin": "lbf*in",
+    "inlbf": "lbf*in", "lbfin": "lbf*in", "lbsft": "lbf*ft", "fps": "ft/s", "ips": "in/s",
+    "mm2": "mm^2", "cm2": "cm^2", "m2": "m^2", "mm3": "mm^3", "cm3": "cm^3", "m3": "m^3",
+    "sqin": "in^2", "cc": "cm^3",
+}  # fmt: skip
+"""What people write for a unit, in small letters and the singular."""
+
+
+def unit_meant(word: str) -> str:
+    """Return the unit that a word behind a number most likely means, '' where none is near.
+
+    >>> unit_meant("degrees"), unit_meant("MM"), unit_meant("Nm"), unit_meant("milimeter")
+    ('deg', 'mm', 'N*m', 'mm')
+    """
+    small = word.lower().replace("_", "")
+    known = {unit.lower(): unit for unit in UNITS if unit.isalpha()} | SPELLED
+    for spelled in (small, small.removesuffix("s")):
+        if spelled in known:
+            return known[spelled]
+    near = get_close_matches(small.removesuffix("s"), SPELLED, n=1, cutoff=0.85)
+    return SPELLED[near[0]] if near and len(small) > 3 else ""
