@@ -18,8 +18,6 @@ REMARKED = {
     "closed_by_definition": {"W581"},
     "trammel_with_point": {"W581"},
     "second_parallel_bar": {"W401"},
-    "five_bar": {"W502"},
-    "two_rockers_spring_scale": {"W502"},
 }
 """Warnings that a mechanism is there for."""
 

@@ -259,9 +259,12 @@ def result_negative(at: Span, result: str, hint: str) -> Message:
     """A force ratio is negative: the loads as directed can't balance.
 
     k is the ratio for which the loads, acting as their arrows say, are in equilibrium. A
-    negative one means that one arrow points the other way. A torque is positive
-    counter-clockwise: a negative ratio of two torques means that one of them acts clockwise.
-    An actuator is positive where it pushes its points apart.
+    negative one means that one arrow points the other way.
+
+    Nothing is said where no arrow is wrong: a torque is positive counter-clockwise, an
+    actuator where it pushes its points apart, and a ratio with one of them is negative where
+    it acts clockwise or pulls; a ratio that is positive on a part of the stroke changes its
+    sign. Of several ratios with the same load the first is spoken of.
     """
     message = f"{result} is negative at the default pose: the arrows do not balance as drawn"
     return Message(at, message, hint)
@@ -269,21 +272,10 @@ def result_negative(at: Span, result: str, hint: str) -> Message:
 
 def turn_round(forces: Sequence[str]) -> str:
     """Return the hint at a force that points the wrong way, or at one of several."""
+    if not forces:
+        return "both weights act downwards, on the same side"
     so_that = ", so that bodies that touch push" if len(forces) > 1 else ""
     return f"turn {listed(forces, 'or')} round (add 180 deg to its direction){so_that}"
-
-
-def pulls(actuator: str) -> str:
-    """Return the hint at an actuator that has to pull."""
-    return f"{actuator} is positive where it pushes its points apart, and here it pulls"
-
-
-def clockwise(torques: Sequence[str]) -> str:
-    """Return the hint at a torque that is negative; nothing tells which of two."""
-    if not torques:
-        return "both weights act downwards, on the same side"
-    one = torques[0] if len(torques) == 1 else "one of the two"
-    return f"torques are positive counter-clockwise, so {one} acts clockwise"
 
 
 @coded("W503")

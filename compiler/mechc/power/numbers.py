@@ -15,14 +15,17 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..kinematics.plan import Block, Plan
-from ..model.mechanism import Contact, Find, Force, ForcePair, LoadRatio, Torque
+from ..model.mechanism import Contact, Find, Force, LoadRatio
 from ..model.result import Result
-from ..model.values import Chain, completed, defaults, dependent, standing
+from ..model.values import Chain, completed, defaults, dependent, range_of, standing
 from ..pose.pose import Pose
 from .balance import Balance, Solved
 
 NIL = 1e-12
 """Below this a value of order one counts as zero."""
+
+STEPS = 24
+"""Parts of the stroke at whose ends the sign of a result is looked at."""
 
 
 class DefaultNumbers:
@@ -65,11 +68,12 @@ def checked(balance: Balance, report: Report) -> tuple[Solved, ...]:
     _check_branch(balance.plan, numbers.values, report)
     finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     solved: list[Solved] = []
+    arrows = Arrows(balance, report)
     for item in balance.solved:
         size = numbers.of(item.result)
         if size.number is not None:
             find = finds[item.result.name]
-            _remark(item, size.number, numbers.values, find, balance, report)
+            _remark(item, size.number, numbers.values, find, arrows, report)
         solved.append(replace(item, result=with_default(item.result, size)))
     return tuple(solved)
 
@@ -81,15 +85,21 @@ def default_values(plan: Plan) -> dict[str, float]:
 
 def pose_values(pose: Pose) -> dict[str, float]:
     """Return the values that a pose has by default."""
-    chain = Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
-    open_lengths = dict.fromkeys(pose.placeholders, 1.0)
-    return chain.complete({**defaults(pose.mechanism), **open_lengths})
+    return _chain(pose).complete(_given(pose))
+
+
+def _chain(pose: Pose) -> Chain:
+    return Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
+
+
+def _given(pose: Pose) -> dict[str, float]:
+    return {**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)}
 
 
 def default_rounding(pose: Pose) -> Rounding:
     """Return the values that a pose has by default, with what rounding makes of them."""
-    rounding = Rounding({**defaults(pose.mechanism), **dict.fromkeys(pose.placeholders, 1.0)})
-    rounding.define(Chain({**dependent(pose.mechanism), **dict(pose.definitions)}).definitions)
+    rounding = Rounding(_given(pose))
+    rounding.define(_chain(pose).definitions)
     return rounding
 
 
@@ -136,7 +146,7 @@ def _remark(
     number: float,
     values: Mapping[str, float],
     find: Find,
-    balance: Balance,
+    arrows: "Arrows",
     report: Report,
 ) -> None:
     factor = _vanishing(item.value, values, -1) if item.value else None
@@ -146,24 +156,47 @@ def _remark(
         if number == 0 or (item.value and _vanishing(item.value, values, 1) is not None):
             report.add(messages.result_zero(find.span, find.name))
         elif number < 0:
-            hint = _against(find.target, balance)
-            report.add(messages.result_negative(find.span, find.name, hint))
+            arrows.remark(find, find.target, item.result)
 
 
-def _against(target: LoadRatio, balance: Balance) -> str:
-    """Return a hint at the load of a ratio that acts against its arrow: best a force.
+class Arrows:
+    """Which arrows point the wrong way; of those of several ratios it is said once."""
 
-    Where bodies touch, only one of two forces presses them together when it is turned.
-    """
-    loads = {t.load.name: t.load for t in balance.terms}
-    asked = [loads[n] for n in (target.below, target.above) if n in loads]
-    forces = [load.name for load in asked if isinstance(load, Force) and not load.weight]
-    pairs = [load.name for load in asked if isinstance(load, ForcePair)]
-    torques = [load.name for load in asked if isinstance(load, Torque)]
-    if forces:
-        touching = balance.plan.graph.pose.mechanism.each(Contact)
+    def __init__(self, balance: Balance, report: Report) -> None:
+        self._pose = balance.plan.graph.pose
+        self._loads = {t.load.name: t.load for t in balance.terms}
+        self._report, self._told = report, set[str]()
+
+    def remark(self, find: Find, target: LoadRatio, result: Result) -> None:
+        """Warn of a ratio that is negative, where an arrow can be turned for it to be positive.
+
+        A couple is negative where it acts clockwise, a pair of forces where it pulls, and
+        along some strokes a ratio changes its sign: then no arrow is wrong.
+        """
+        asked = [self._loads[n] for n in (target.below, target.above) if n in self._loads]
+        drawn = all(isinstance(load, Force) for load in asked)
+        if drawn and not self._told & {k.name for k in asked} and not self._turns(result):
+            self._told |= {k.name for k in asked}
+            hint = self._hint([k.name for k in asked if isinstance(k, Force) and not k.weight])
+            self._report.add(messages.result_negative(find.span, find.name, hint))
+
+    def _hint(self, forces: Sequence[str]) -> str:
+        """Return a hint at the force to turn.
+
+        Where bodies touch, only one of two forces presses them together when it is turned.
+        """
+        touching = self._pose.mechanism.each(Contact)
         return messages.turn_round(forces if touching else forces[:1])
-    return messages.pulls(pairs[0]) if pairs else messages.clockwise(torques)
+
+    def _turns(self, result: Result) -> bool:
+        """Tell whether a result that is negative by default is positive along the stroke."""
+        drive = self._pose.mechanism.drive
+        if drive is None or not (ends := range_of(drive.parameter, self._pose.mechanism)):
+            return False
+        chain, given, (low, high) = _chain(self._pose), _given(self._pose), ends
+        along = (low + (high - low) * i / STEPS for i in range(STEPS + 1))
+        poses = (chain.complete({**given, drive.parameter: place}) for place in along)
+        return any((value_of(result, values) or 0.0) > 0 for values in poses)
 
 
 def _vanishing(value: Product, values: Mapping[str, float], side: int) -> Formula | None:
