@@ -24,14 +24,17 @@ from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
 from ..study.expectations import Finding
 from ..syntax.settings import Settings
-from .inputs import settings_option, stdin_option
+from .inputs import expanded, settings_option, stdin_option
 from .open import begin
 from .session import Command, session, session_options, status
 from .terminal import say
+from .words import descriptions
 
 
 @click.command("check", cls=Command)
-@click.argument("files", nargs=-1, required=True, metavar="FILE|NAME|-...")
+@click.argument(
+    "files", nargs=-1, required=True, metavar="FILE|FOLDER|NAME|-...", shell_complete=descriptions
+)
 @click.option("-v", "--verbose", is_flag=True, help="Show every pose of the second opinion.")
 @click.option("-q", "--quiet", is_flag=True, help="Print errors and warnings only.")
 @settings_option
@@ -43,15 +46,16 @@ def command(
     """Find mistakes; prove or refute expectations.
 
     Every `expect` is proved by algebra, or refuted by a pose with both numbers. Every
-    result is compared with the equilibrium of the free bodies at several poses.
+    result is compared with the equilibrium of the free bodies at several poses. A folder
+    stands for all descriptions below it, hidden folders left out.
 
     \b
     mechc check clamp.mech
     mechc check --verbose toggle_press
-    mechc check --format concise *.mech
+    mechc check --format concise drawings/
     """
     worst = 0
-    for file in files:
+    for file in list(expanded(files)):
         try:
             compilation = complete(begin(file, stdin_name, settings))
         except MechcError as error:

@@ -5,6 +5,7 @@ from typing import NamedTuple, cast
 
 import click
 
+from ..diagnostics import near_miss
 from ..version import VERSION
 from .session import session_options
 
@@ -31,12 +32,28 @@ COMMANDS = {
 """Every command: its module in this folder, whose ``command`` it is."""
 
 
+def _for_file(name: str) -> str:
+    """Return the hint at a command that was left out before a description."""
+    described = name.endswith((".mech", ".yaml", ".yml"))
+    return f"a command comes first: `mechc check {name}`" if described else ""
+
+
 class LazyGroup(click.Group):
     """A group whose commands' modules are imported when they are used."""
 
     def list_commands(self, ctx: click.Context) -> list[str]:
         """Return the names in the order of the table."""
         return list(COMMANDS)
+
+    def resolve_command(
+        self, ctx: click.Context, args: list[str]
+    ) -> tuple[str | None, click.Command | None, list[str]]:
+        """Return the command that is asked for, or propose the nearest one."""
+        name = args[0]
+        if name not in COMMANDS and not name.startswith("-"):
+            hint = near_miss(name, COMMANDS) or _for_file(name)
+            ctx.fail(f"there is no command {name!r}; {hint or '`mechc --help` lists them'}")
+        return super().resolve_command(ctx, args)
 
     def get_command(self, ctx: click.Context, cmd_name: str) -> click.Command | None:
         """Import and return one command."""

@@ -3,7 +3,9 @@
 from pathlib import Path
 
 import click
+from click.shell_completion import CompletionItem
 
+from ..diagnostics import near_miss
 from ..driver import Compilation, checked, emit, warnings
 from ..emit import registry
 from ..emit.target import Emitted, Options
@@ -16,6 +18,7 @@ from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
 from .session import Command, session, session_options
 from .terminal import give
+from .words import Word, beginning, paths
 
 Text = tuple[Path, str]
 """A file to be written."""
@@ -23,8 +26,16 @@ Text = tuple[Path, str]
 
 def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> str | None:
     if name is not None and name not in registry.BUILT_IN and name not in registry.names():
-        raise click.BadParameter(f"{name!r} is not one of {', '.join(registry.names())}")
+        known = registry.names()
+        hint = near_miss(name, known)
+        raise click.BadParameter(
+            f"{name!r} is not one of {', '.join(known)}{f'; {hint}' if hint else ''}"
+        )
     return name
+
+
+def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    return beginning(begun, registry.names())
 
 
 @click.command("compile", cls=Command)
@@ -34,6 +45,7 @@ def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> 
     "target",
     metavar="FORMAT",
     callback=_known,
+    shell_complete=_formats,
     help="latex, python, c or json; with -o the suffix says it.",
 )
 @click.option(
@@ -42,13 +54,14 @@ def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> 
     "paths",
     multiple=True,
     metavar="PATH",
+    shell_complete=paths,
     help="A file (x.c writes x.c and x.h), a folder, or - for standard output. May be repeated.",
 )
 @click.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
 @click.option(
     "--lang",
     "language",
-    type=click.Choice(list(LANGUAGES)),
+    type=Word(list(LANGUAGES)),
     default="en",
     help="The language of LaTeX output.",
 )
@@ -56,6 +69,7 @@ def _known(ctx: click.Context, parameter: click.Parameter, name: str | None) -> 
 @click.option(
     "--deps",
     metavar="FILE",
+    shell_complete=paths,
     help="Write a rule for make: the outputs depend on the description. - prints it.",
 )
 @stdin_option

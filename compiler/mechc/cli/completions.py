@@ -1,14 +1,16 @@
 """``mechc completions``: the shell's own script."""
 
 import click
-from click.shell_completion import get_completion_class
+from click.shell_completion import BashComplete, ShellComplete, get_completion_class
 
+from ..data import data
 from .session import Command
 from .terminal import give
+from .words import Word
 
 
 @click.command("completions", cls=Command)
-@click.argument("shell", type=click.Choice(["bash", "zsh", "fish"]))
+@click.argument("shell", type=Word(["bash", "zsh", "fish"]))
 def command(shell: str) -> None:
     """Print shell completions.
 
@@ -17,7 +19,20 @@ def command(shell: str) -> None:
     mechc completions zsh > ~/.zfunc/_mechc
     mechc completions fish > ~/.config/fish/completions/mechc.fish
     """
+    script = _script(shell)
+    root = click.get_current_context().find_root().command
+    give(script.source_template % script(root, {}, "mechc", "_MECHC_COMPLETE").source_vars())
+
+
+def _script(shell: str) -> type[ShellComplete]:
+    if shell == "bash":
+        return _Bash
     script = get_completion_class(shell)
     assert script
-    root = click.get_current_context().find_root().command
-    give(script(root, {}, "mechc", "_MECHC_COMPLETE").source())
+    return script
+
+
+class _Bash(BashComplete):
+    """Click's completion with a script of our own: click's forgets names where files may stand."""
+
+    source_template = (data("cli") / "completions.bash").read_text("utf-8")

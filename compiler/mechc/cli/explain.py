@@ -4,15 +4,25 @@ from importlib import import_module
 from pkgutil import walk_packages
 
 import click
+from click.shell_completion import CompletionItem
 
 from .. import diagnostics
 from ..diagnostics import CATALOGUE, near_miss
 from .session import Command
 from .terminal import say
+from .words import beginning
+
+
+def _codes(ctx: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
+    """Return the codes that begin so, with their names, or else the names."""
+    load_all()
+    known = (e for e in CATALOGUE.values() if e.code.startswith(begun.upper()))
+    codes = [CompletionItem(entry.code, help=entry.name) for entry in known]
+    return codes or beginning(begun, (entry.name for entry in CATALOGUE.values()))
 
 
 @click.command("explain", cls=Command)
-@click.argument("code", required=False)
+@click.argument("code", required=False, shell_complete=_codes)
 def command(code: str | None) -> None:
     """Explain an error or a warning by its code or its name.
 

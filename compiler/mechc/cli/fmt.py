@@ -1,6 +1,5 @@
 """``mechc fmt``: the usual layout, in place; or the other notation."""
 
-from collections.abc import Iterator
 from difflib import unified_diff
 from pathlib import Path
 from typing import Literal, NamedTuple
@@ -8,15 +7,16 @@ from typing import Literal, NamedTuple
 import click
 
 from ..diagnostics import MechcError, Report
-from ..files import SUFFIXES, write_all
+from ..files import write_all
 from ..source import Source
 from ..syntax import ast
 from ..syntax.notation import is_yaml, read
 from ..syntax.to_dsl import to_dsl
 from ..syntax.to_yaml import in_yaml_order, to_yaml
-from .inputs import source_of, stdin_option
+from .inputs import expanded, source_of, stdin_option
 from .session import Command, session, session_options, status
 from .terminal import give, warn
+from .words import Word, paths
 
 Notation = Literal["mech", "yaml"]
 
@@ -35,10 +35,10 @@ class Formatted(NamedTuple):
 
 
 @click.command("fmt", cls=Command)
-@click.argument("files", nargs=-1, required=True, metavar="FILE|FOLDER|-...")
+@click.argument("files", nargs=-1, required=True, metavar="FILE|FOLDER|-...", shell_complete=paths)
 @click.option("--check", is_flag=True, help="Write nothing; status 1 if a file would change.")
 @click.option("--diff", is_flag=True, help="Write nothing; print what would change, status 1.")
-@click.option("--to", type=click.Choice(["mech", "yaml"]), help="Print in the other notation.")
+@click.option("--to", type=Word(["mech", "yaml"]), help="Print in the other notation.")
 @stdin_option
 @session_options
 def command(
@@ -56,7 +56,7 @@ def command(
     mechc fmt --to yaml clamp.mech > clamp.yaml
     """
     worst, done = 0, []
-    names = list(_expanded(files))
+    names = list(expanded(files))
     if to and len(names) > 1 and not (check or diff):
         raise click.UsageError(f"--to prints one description, {len(names)} are given")
     if names.count("-") > 1:
@@ -75,22 +75,6 @@ def command(
             for file in (f for f in done if f.changed and f.path):
                 warn(f"changed {file.source.name}")
     click.get_current_context().exit(worst)
-
-
-def _expanded(names: tuple[str, ...]) -> Iterator[str]:
-    for name in names:
-        if Path(name).is_dir():
-            yield from sorted(map(str, _descriptions(Path(name))))
-        else:
-            yield name
-
-
-def _descriptions(folder: Path) -> Iterator[Path]:
-    """Yield the descriptions below a folder, but for what is hidden: ``.git``, ``.venv``."""
-    for path in folder.rglob("*"):
-        hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
-        if path.suffix in SUFFIXES and not hidden and path.is_file():
-            yield path
 
 
 def _formatted(name: str, stdin_name: str, to: Notation | None) -> Formatted:

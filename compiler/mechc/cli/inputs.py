@@ -1,18 +1,19 @@
 """What commands that read a description have in common."""
 
 import sys
-from collections.abc import Callable
+from collections.abc import Callable, Iterable, Iterator
 from pathlib import Path
 from typing import Any, TypeVar
 
 import click
-from click.shell_completion import CompletionItem
 
 from ..diagnostics import MechcError
-from ..files import find, library, read, read_stdin
+from ..diagnostics.files import no_descriptions
+from ..files import SUFFIXES, find, read, read_stdin
 from ..source import Source
 from ..syntax.settings import Settings, parse
 from .collisions import Claim, claim, refuse_reading, streams
+from .words import descriptions
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -40,9 +41,26 @@ def path_of(name: str, stdin_name: str) -> Path | None:
     return find(name)
 
 
-def _complete(ctx: click.Context, parameter: click.Parameter, begun: str) -> list[CompletionItem]:
-    names = [CompletionItem(name) for name in library() if name.startswith(begun)]
-    return [*names, CompletionItem(begun, type="file")]
+def expanded(names: Iterable[str]) -> Iterator[str]:
+    """Yield names, and for a folder all descriptions below it.
+
+    Raises :class:`MechcError` (E906) where it has none.
+    """
+    for name in names:
+        if not Path(name).is_dir():
+            yield name
+        elif not (found := sorted(map(str, _below(Path(name))))):
+            raise MechcError([no_descriptions(name)])
+        else:
+            yield from found
+
+
+def _below(folder: Path) -> Iterator[Path]:
+    """Yield the descriptions below a folder, but for what is hidden: ``.git``, ``.venv``."""
+    for path in folder.rglob("*"):
+        hidden = any(part.startswith(".") for part in path.relative_to(folder).parts)
+        if path.suffix in SUFFIXES and not hidden and path.is_file():
+            yield path
 
 
 def _settings(ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]) -> Settings:
@@ -55,7 +73,7 @@ def _settings(ctx: click.Context, parameter: click.Parameter, given: tuple[str, 
         raise click.BadParameter(str(error)) from None
 
 
-description_argument = click.argument("file", metavar="FILE|NAME|-", shell_complete=_complete)
+description_argument = click.argument("file", metavar="FILE|NAME|-", shell_complete=descriptions)
 stdin_option = click.option(
     "--stdin-filename",
     "stdin_name",

@@ -1,7 +1,6 @@
 """How messages are shown: form, colour, and whether warnings count as errors."""
 
 import os
-import sys
 from collections.abc import Callable, Iterable
 from typing import Any, Literal, TypeVar
 
@@ -12,7 +11,8 @@ from ..diagnostics.render import Form, render
 from ..diagnostics.statics import BUGS
 from ..frozen import frozen, replace
 from ..source import Source
-from .terminal import give_message, warn
+from .terminal import give_message, on_terminal, warn
+from .words import Word
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -38,9 +38,9 @@ class Session:
 
     @property
     def colored(self) -> bool:
-        """Return whether messages are coloured: on a terminal, unless NO_COLOR is set."""
+        """Return whether messages are coloured: on a terminal that can, unless NO_COLOR is set."""
         if self.color == "auto":
-            return sys.stderr is not None and sys.stderr.isatty() and not os.environ.get("NO_COLOR")
+            return on_terminal() and not os.environ.get("NO_COLOR")
         return self.color == "always"
 
     def accept(self, diagnostics: list[Diagnostic], source: Source) -> None:
@@ -99,14 +99,14 @@ def session_options(function: F) -> F:
 _form = click.option(
     "--format",
     "form",
-    type=click.Choice(["full", "concise", "json"]),
+    type=Word(["full", "concise", "json"]),
     expose_value=False,
     callback=_remember,
     help="How messages look: full, concise (one line), json (one object per line).",
 )
 _color = click.option(
     "--color",
-    type=click.Choice(["auto", "always", "never"]),
+    type=Word(["auto", "always", "never"]),
     expose_value=False,
     callback=_remember,
     help="Colour messages; auto: on a terminal, unless NO_COLOR is set.",

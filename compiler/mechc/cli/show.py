@@ -12,10 +12,11 @@ from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
 from .session import Command, session_options
 from .terminal import say
+from .words import Word
 
 
 @click.command("show", cls=Command)
-@click.argument("stage", type=click.Choice(list(VIEWS)), metavar="STAGE")
+@click.argument("stage", type=Word(list(VIEWS)), metavar="STAGE")
 @description_argument
 @settings_option
 @stdin_option

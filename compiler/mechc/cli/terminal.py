@@ -65,6 +65,11 @@ def speaks_unicode() -> bool:
     return (getattr(_out(), "encoding", None) or "utf-8").lower().startswith("utf")
 
 
+def on_terminal() -> bool:
+    """Return whether messages go to a terminal that knows colours: a dumb one does not."""
+    return sys.stderr is not None and sys.stderr.isatty() and os.environ.get("TERM") != "dumb"
+
+
 def say(text: object, end: str = "\n") -> None:
     """Write text for people on standard output."""
     click.echo(f"{text}{end}", file=_out(), nl=False)

@@ -60,3 +60,14 @@ def file_exists(name: str) -> Message:
     another name, or remove the old file first.
     """
     return Message(None, f"{name!r} exists already", "choose another name")
+
+
+@coded("E906")
+def no_descriptions(name: str) -> Message:
+    """A folder holds no description.
+
+    ``mechc check FOLDER`` and ``mechc fmt FOLDER`` look for files that end in .mech, .yaml or
+    .yml in the folder and below it; hidden folders are left out.
+    """
+    message = f"no file in {name!r} ends in .mech, .yaml or .yml"
+    return Message(None, message, "`mechc new NAME` starts a description")
