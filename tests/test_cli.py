@@ -187,8 +187,44 @@ def test_exit_status_by_kind(run: Mechc, tmp_path: Path) -> None:
     assert run("check", "wrong.mech").status == 1
     assert run("check", "nothing.mech").status == 3
     assert run("check", "latin.mech").status == 3
-    assert run("check", str(tmp_path)).status == 3
+    assert run("derive", str(tmp_path)).status == 3
     assert run("check", "big.mech").status == 4
+
+
+def test_a_folder_stands_for_the_descriptions_below_it(run: Mechc, tmp_path: Path) -> None:
+    for path in ("a/one.mech", "a/b/two.yml", "a/.git/three.mech", "a/readme.txt"):
+        (tmp_path / path).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / path).write_text((EXAMPLES / "clamp.mech").read_text())
+    (tmp_path / "a/b/two.yml").write_text((EXAMPLES / "clamp.yaml").read_text())
+    status, out, err = run("check", "a")
+    assert (status, err) == (0, "")
+    assert [line for line in out.splitlines() if ".y" in line or ".m" in line] == [
+        "a/b/two.yml: packet_clamp",
+        "a/one.mech: packet_clamp",
+    ]
+    (tmp_path / "empty").mkdir()
+    for command in ("check", "fmt"):
+        status, _, err = run(command, "empty")
+        assert status == 3
+        assert "error[E906]: no file in 'empty' ends in .mech" in err
+
+
+@pytest.mark.parametrize(
+    ("line", "hint"),
+    [
+        (("chek", "x.mech"), "did you mean 'check'?"),
+        (("x.mech",), "a command comes first: `mechc check x.mech`"),
+        (("zzz",), "`mechc --help` lists them"),
+        (("show", "poses", "clamp.mech"), "did you mean 'pose'?"),
+        (("compile", "clamp.mech", "--emit", "pyton"), "did you mean 'python'?"),
+    ],
+)
+def test_a_mistyped_word_earns_the_nearest_one(
+    run: Mechc, line: tuple[str, ...], hint: str
+) -> None:
+    status, out, err = run(*line)
+    assert (status, out) == (2, "")
+    assert hint in err
 
 
 def test_internal_error_asks_for_a_report(run: Mechc, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -219,6 +255,11 @@ def test_colour_only_where_asked(run: Mechc, monkeypatch: pytest.MonkeyPatch) ->
     assert "\x1b" in run("check", "--color", "always", "wrong.mech").err
     assert "\x1b" in run("--color", "always", "check", "wrong.mech").err
     monkeypatch.setattr(sys.stderr, "isatty", lambda: True, raising=False)
+    monkeypatch.setenv("TERM", "xterm")
+    assert "\x1b" in run("check", "wrong.mech").err
+    monkeypatch.setenv("TERM", "dumb")
+    assert "\x1b" not in run("check", "wrong.mech").err
+    monkeypatch.setenv("TERM", "xterm")
     monkeypatch.setenv("NO_COLOR", "1")
     assert "\x1b" not in run("check", "wrong.mech").err
 

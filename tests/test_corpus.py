@@ -37,6 +37,7 @@ ELSEWHERE = {
     "E903": "test_hostile.py",
     "E904": "test_hostile.py",
     "E905": "test_hostile.py",
+    "E906": "test_cli.py",
 }
 """What no description of a corpus can bring about, and the test that does."""
 

@@ -27,7 +27,7 @@ from mechc.model.mechanism import (
 )
 from mechc.source import Source
 from mechc.syntax.notation import read
-from mechc.syntax.settings import parse, put_in
+from mechc.syntax.settings import attached, parse, put_in
 from mechc.units import ANGLE, FORCE, LENGTH, PRESSURE
 
 CLAMP = """\
@@ -316,9 +316,10 @@ def test_pi_is_exact() -> None:
 @pytest.mark.parametrize(("setting", "message"), [("alpha=30", "30 what?"), ("a=2deg", "'a': exp")])
 def test_a_setting_measures_what_the_file_says(setting: str, message: str) -> None:
     """The command line must not turn 30 degrees into 30 radians."""
-    source = Source("clamp.mech", CLAMP)
+    given = dict([parse(setting)])
+    source = attached(Source("clamp.mech", CLAMP), given)
     report = Report(source)
-    tree = put_in(read(source, report), dict([parse(setting)]))
+    tree = put_in(read(source, report), given, source)
     with pytest.raises(MechcError, match=message) as caught:
         resolve(tree, report)
     assert len(caught.value.diagnostics) == 1

@@ -2,16 +2,18 @@
 
 import pytest
 
-from mechc.diagnostics import MechcError, Report
+from mechc.diagnostics import Diagnostic, MechcError, Report
+from mechc.diagnostics.render import render
 from mechc.source import Source
 from mechc.syntax.notation import read
-from mechc.syntax.settings import parse, put_in
+from mechc.syntax.settings import attached, parse, put_in
 from mechc.syntax.to_dsl import to_dsl
 
 
 def applied(text: str, *settings: str) -> str:
-    source = Source("m.mech", text)
-    return to_dsl(put_in(read(source, Report(source)), dict(map(parse, settings))))
+    given = dict(map(parse, settings))
+    source = attached(Source("m.mech", text), given)
+    return to_dsl(put_in(read(source, Report(source)), given, source))
 
 
 @pytest.mark.parametrize(
@@ -37,12 +39,17 @@ def test_range_label_and_other_parameters_stay() -> None:
     assert second.split() == ["param", "b", "=", "2", "mm"]
 
 
-def test_messages_point_at_the_declaration() -> None:
-    source = Source("m.mech", "param b = 1 mm\nparam a = 10 mm\n")
-    tree = put_in(read(source, Report(source)), dict([parse("a = 1 + b")]))
-    value = tree.statements[1].value  # type: ignore[attr-defined]
-    assert source.position(value.span.start) == (2, 11)
-    assert source.position(value.terms[1][1].span.start) == (2, 11)
+def test_messages_point_at_the_setting() -> None:
+    given = dict(map(parse, ["b=30mm", "a = 1 + b"]))
+    source = attached(Source("m.mech", "param b = 1 mm\nparam a = 10 mm\n"), given)
+    tree = put_in(read(source, Report(source)), given, source)
+    first, second = (s.value for s in tree.statements)  # type: ignore[attr-defined]
+    assert source.written(first.span) == "30 mm"
+    assert source.written(second.terms[1][1].span) == "b"
+    warning = Diagnostic("W999", "example", first.span, "it is long")
+    assert render(warning, source, "concise") == "-D:1:5: warning[W999]: it is long"
+    assert render(warning, source).splitlines()[1:] == ["  1 | b = 30 mm", "    |     ^^^^^"]
+    assert '"file": "-D"' in render(warning, source, "json")
 
 
 @pytest.mark.parametrize("setting", ["a=", "a=)", "a=1 mm\nforce P at A along x", "a b=1", "=1"])

@@ -90,7 +90,7 @@ def test_both_notations_and_the_command_line_keep_a_unit(unit):
     for text, name in ((to_dsl(tree), "u.mech"), (to_yaml(tree), "u.yaml")):
         source = Source(name, text)
         assert params(read(source, Report(source)).statements)[0].value == found.value
-    _, value = parse(f"a=2.5 {unit}" if unit.startswith("1/") else f"a=2.5{unit}")
+    _, (value, _) = parse(f"a=2.5 {unit}" if unit.startswith("1/") else f"a=2.5{unit}")
     assert isinstance(value, ast.Number)
     assert (value.digits, value.unit) == ("2.5", unit)
 

@@ -32,7 +32,7 @@ from .study.stroke.gaps import remark as look_for_gaps
 from .study.stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
-from .syntax.settings import Settings, put_in
+from .syntax.settings import Settings, attached, put_in
 from .version import VERSION
 from .work import Allowance
 
@@ -72,15 +72,15 @@ class Compilation:
     version = VERSION
 
     def __init__(self, source: Source, settings: Settings | None = None) -> None:
-        self.source = source
         self.settings = settings or {}
-        self.report = Report(source)
+        self.source = attached(source, self.settings)
+        self.report = Report(self.source)
         self.allowance = Allowance()
 
     @Stage
     def tree(self) -> ast.File:
         """What was written, in either notation."""
-        return self._sound(put_in(read(self.source, self.report), self.settings))
+        return self._sound(put_in(read(self.source, self.report), self.settings, self.source))
 
     @Stage
     def mechanism(self) -> Mechanism:

@@ -5,6 +5,7 @@ can still point at line 9 of the user's file.
 """
 
 from bisect import bisect_right
+from collections.abc import Iterator
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -20,6 +21,10 @@ class Span(NamedTuple):
 
     start: int
     end: int
+
+    def moved(self, by: int) -> "Span":
+        """Return the span so many characters farther on."""
+        return Span(self.start + by, self.end + by)
 
     def to(self, other: "Span") -> "Span":
         """Return the span from the start of this one to the end of the other."""
@@ -46,6 +51,25 @@ class Source:
 
     name: str
     text: str
+    settings: "tuple[Source, ...]" = ()
+    """What the command line sets: each text counts on behind the end of the one before."""
+
+    def parts(self) -> "Iterator[tuple[int, Source]]":
+        """Yield this text and its settings, each with the offset of its first character."""
+        start = 0
+        for part in (self, *self.settings):
+            yield start, part
+            start += len(part.text) + 1
+
+    def part(self, span: Span) -> "tuple[Source, Span]":
+        """Return the text that a span lies in, and its place there."""
+        start, part = max(p for p in self.parts() if p[0] <= span.start)
+        return part, span.moved(-start)
+
+    def written(self, span: Span) -> str:
+        """Return what stands at a span."""
+        part, (start, end) = self.part(span)
+        return part.text[start:end]
 
     def position(self, offset: int) -> Position:
         """Return line and column of a character offset (both from 1)."""

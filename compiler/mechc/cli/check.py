@@ -143,8 +143,7 @@ def _of_definition(
 
 
 def _of_finding(finding: Finding, source: Source) -> str:
-    span = finding.expect.span
-    written = " ".join(source.text[span.start : span.end].split()).removeprefix("expect ")
+    written = " ".join(source.written(finding.expect.span).split()).removeprefix("expect ")
     if finding.outcome == "proved":
         return f"expect {written}: proved"
     return f"expect {written}: agrees ({finding.found:.9g})"

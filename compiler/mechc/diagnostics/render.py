@@ -82,14 +82,15 @@ def _headline(diagnostic: Diagnostic, source: Source | None, paint: Paint) -> st
 
 
 def _place(source: Source, span: Span | None) -> str:
-    name = _shown(source.name)
     if span is None:
-        return name
-    line, column = source.position(span.start)
-    return f"{name}:{line}:{column}"
+        return _shown(source.name)
+    part, (start, _) = source.part(span)
+    line, column = part.position(start)
+    return f"{_shown(part.name)}:{line}:{column}"
 
 
 def _excerpt(source: Source, span: Span, paint: Paint, colour: str) -> list[str]:
+    source, span = source.part(span)
     number, column = source.position(span.start)
     text, indent, width = cut(source.line(number), column - 1, column - 1 + span.end - span.start)
     gutter = f"{number:>3}"
@@ -143,6 +144,8 @@ def as_json(diagnostic: Diagnostic, source: Source | None) -> dict[str, object]:
 
 
 def _range(source: Source | None, span: Span | None) -> dict[str, object]:
+    if source and span:
+        source, span = source.part(span)
     start, end = (span.start, span.end) if span else (None, None)
     return {
         "file": source.name if source else None,

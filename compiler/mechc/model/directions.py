@@ -53,7 +53,7 @@ def check_sign(formula: Formula | None, span: Span, what: str, scope: Scope) -> 
     """Report a quantity that cannot be negative and is; ``what`` names it in messages."""
     value = value_of(formula, scope) if formula else None
     if value is not None and value < 0:
-        written = scope.report.source.text[span.start : span.end]
+        written = scope.report.source.written(span)
         scope.report.add(quantities.negative_quantity(span, what, written))
 
 

@@ -185,7 +185,7 @@ def _times(expression: ast.Expr | None, scope: Scope) -> Fraction:
     value = rational(found.formula)
     if value is not None and value > 0:
         return value
-    shown = scope.report.source.text[expression.span.start : expression.span.end]
+    shown = scope.report.source.written(expression.span)
     scope.report.add(messages.times_not_positive(expression.span, shown))
     return Fraction(1)
 

@@ -195,7 +195,7 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
         return
     if low < 0 and parameter.dimension in (MASS, STIFFNESS):
         what = "a mass" if parameter.dimension == MASS else "a stiffness"
-        written = scope.report.source.text[statement.low.span.start : statement.low.span.end]
+        written = scope.report.source.written(statement.low.span)
         scope.report.add(quantities.negative_quantity(statement.low.span, what, written))
     value = scope.values.get(parameter.name)
     if parameter.dependent:

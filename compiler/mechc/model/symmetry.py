@@ -111,7 +111,7 @@ def read_copies(file: ast.File, scope: Scope) -> Copies | None:
     value = rational(found.formula)
     if value is None or value < 2 or value.denominator != 1:
         span = statement.number.span
-        shown = scope.report.source.text[span.start : span.end]
+        shown = scope.report.source.written(span)
         scope.report.add(messages.copies_not_whole(span, shown))
         return None
     if not statement.sharing:

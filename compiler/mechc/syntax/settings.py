@@ -6,6 +6,7 @@ its own, so that what may stand there is exactly what may stand in a file.
 
 import re
 from collections.abc import Iterable, Mapping
+from typing import NamedTuple
 
 from ..diagnostics import Report
 from ..frozen import replace
@@ -14,34 +15,60 @@ from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast
 from .notation import read
 
-Settings = Mapping[str, ast.Expr]
+
+class Setting(NamedTuple):
+    """A new value of a parameter, and the text that it was read from."""
+
+    value: ast.Expr
+    source: Source
+
+
+Settings = Mapping[str, Setting]
 """New values of parameters, by name."""
 
+COMMAND_LINE = "-D"
+"""What messages call the text of a setting."""
+
+_WORD = "param "
 _UNIT = re.compile(r"(?<=[\d.])(?=[a-zA-Z])(?![eE][+-]?\d)")
 
 
-def parse(text: str) -> tuple[str, ast.Expr]:
-    """Return name and value of ``NAME=VALUE``; the space before a unit may be left out.
+def parse(text: str) -> tuple[str, Setting]:
+    """Return name and setting of ``NAME=VALUE``; the space before a unit may be left out.
 
     Raises :class:`MechcError` where the value is no expression.
 
-    >>> name, value = parse("alpha=30deg")
-    >>> name, value.digits, value.unit
-    ('alpha', '30', 'deg')
+    >>> name, (value, source) = parse("alpha=30deg")
+    >>> name, value.digits, value.unit, source.text
+    ('alpha', '30', 'deg', 'alpha = 30 deg')
     """
     name, _, value = text.partition("=")
-    line = f"param {name.strip()} = {_UNIT.sub(' ', ' '.join(value.split()))}\n"
-    report = Report(Source(f"-D {text}", line))
+    setting = f"{name.strip()} = {_UNIT.sub(' ', ' '.join(value.split()))}"
+    report = Report(Source(f"-D {text}", f"{_WORD}{setting}\n"))
     tree = read(report.source, report)
     report.stop_on_errors()
-    return name.strip(), next(s.value for s in params(tree.statements) if s.value)
+    found = next(s.value for s in params(tree.statements) if s.value)
+    return name.strip(), Setting(_moved(found, -len(_WORD)), Source(COMMAND_LINE, setting))
 
 
-def put_in(tree: ast.File, settings: Settings) -> ast.File:
-    """Return the tree with the values of the named parameters replaced."""
+def attached(source: Source, settings: Settings) -> Source:
+    """Return a description with the texts of settings behind it, where messages find them."""
+    return replace(source, settings=tuple(s.source for s in settings.values()))
+
+
+def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
+    """Return the tree with the values of the named parameters replaced.
+
+    Their places are those of the settings' texts in the source that they are attached to.
+    """
     if not settings:
         return tree
-    return replace(tree, statements=tuple(_set(s, settings) for s in tree.statements))
+    starts = (start for start, _ in list(source.parts())[1:])
+    values = {
+        name: _moved(setting.value, start)
+        for (name, setting), start in zip(settings.items(), starts, strict=True)
+    }
+    return replace(tree, statements=tuple(_set(s, values) for s in tree.statements))
 
 
 def params(statements: Iterable[ast.Statement]) -> tuple[ast.Param, ...]:
@@ -49,12 +76,11 @@ def params(statements: Iterable[ast.Statement]) -> tuple[ast.Param, ...]:
     return tuple(s for s in statements if isinstance(s, ast.Param))
 
 
-def _set(statement: ast.Statement, settings: Settings) -> ast.Statement:
-    if not isinstance(statement, ast.Param) or statement.name.text not in settings:
+def _set(statement: ast.Statement, values: Mapping[str, ast.Expr]) -> ast.Statement:
+    if not isinstance(statement, ast.Param) or statement.name.text not in values:
         return statement
-    value = _moved(settings[statement.name.text], statement)
     dimension = statement.dimension or _dimension(statement.value)
-    return replace(statement, value=value, dimension=dimension)
+    return replace(statement, value=values[statement.name.text], dimension=dimension)
 
 
 def _dimension(value: ast.Expr | None) -> ast.Name | None:
@@ -67,17 +93,17 @@ def _dimension(value: ast.Expr | None) -> ast.Name | None:
     return None
 
 
-def _moved(value: ast.Expr, statement: ast.Param) -> ast.Expr:
-    """Return the value with every span at the file's declaration, for messages."""
-    span = (statement.value or statement.name).span
+def _moved(value: ast.Expr, by: int) -> ast.Expr:
+    """Return the value with every span so many characters farther on."""
+    span = value.span.moved(by)
     match value:
         case ast.Number() | ast.Symbol():
             return replace(value, span=span)
         case ast.Sum(terms):
-            return ast.Sum(tuple((sign, _moved(t, statement)) for sign, t in terms), span)
+            return ast.Sum(tuple((sign, _moved(t, by)) for sign, t in terms), span)
         case ast.Product(factors):
-            return ast.Product(tuple((sign, _moved(f, statement)) for sign, f in factors), span)
+            return ast.Product(tuple((sign, _moved(f, by)) for sign, f in factors), span)
         case ast.Power(base, exponent):
-            return ast.Power(_moved(base, statement), _moved(exponent, statement), span)
+            return ast.Power(_moved(base, by), _moved(exponent, by), span)
         case ast.Call(function, arguments):
-            return ast.Call(function, tuple(_moved(a, statement) for a in arguments), span)
+            return ast.Call(function, tuple(_moved(a, by) for a in arguments), span)
