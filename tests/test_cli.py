@@ -402,6 +402,8 @@ def test_explain(run: Mechc) -> None:
     assert run("explain", "e901").out.startswith("E901: file-not-found\n")
     assert run("explain", "file-not-found").out == run("explain", "E901").out
     assert "E901  file-not-found" in run("explain").out
+    assert "\n\n    telescope ABC            # wrong" in run("explain", "E111").out
+    assert "\n\n    link OB\n    telescope OB     # warned of" in run("explain", "W254").out
     status, _, err = run("explain", "E91")
     assert status == 2
     assert "did you mean" in err

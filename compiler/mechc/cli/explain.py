@@ -2,6 +2,7 @@
 
 from importlib import import_module
 from pkgutil import walk_packages
+from textwrap import indent
 
 import click
 from click.shell_completion import CompletionItem
@@ -44,12 +45,26 @@ def explanation(code: str) -> str:
     """Return heading and explanation of a code, in either case, or of a name."""
     for entry in CATALOGUE.values():
         if code.upper() == entry.code or code.lower() == entry.name:
-            return f"{entry.code}: {entry.name}\n\n{entry.explanation}"
+            return f"{entry.code}: {entry.name}\n\n{_with_examples(entry.explanation)}"
     names = [entry.name for entry in CATALOGUE.values()]
     hint = near_miss(code.upper(), CATALOGUE) or near_miss(code.lower(), names)
     raise click.BadParameter(
         f"no error or warning is called {code!r}; {hint or '`mechc explain` lists them'}",
         param_hint="CODE",
+    )
+
+
+def _with_examples(text: str) -> str:
+    r"""Return an explanation with its examples indented, where nothing else stands beside them.
+
+    >>> print(_with_examples("It is wrong.\n\npivott O  # wrong"))
+    It is wrong.
+    <BLANKLINE>
+        pivott O  # wrong
+    """
+    return "\n\n".join(
+        indent(part, "    ") if "  # " in part and not part.startswith(" ") else part
+        for part in text.split("\n\n")
     )
 
 

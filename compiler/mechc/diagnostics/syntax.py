@@ -60,7 +60,7 @@ def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") ->
 
         param l = 40 milimeter   # wrong
         param l = 40 mm          # right
-        param l = 8 in in 7 in .. 9 in    # right: eight inches, between seven and nine
+        param l = 8 in in 7 in .. 9 in   # right: inches, from seven to nine
         let s = 2 l              # wrong: l is a parameter
         let s = 2*l              # right
     """

@@ -26,9 +26,11 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
     """Yield a remark on each pin whose friction depends on the link that it is fast in.
 
     Between two links it does not where they press the pin alike, however both turn: then the
-    formula is ``exact`` for either of them.
+    formula is ``exact`` for either of them. A pair of forces that is said to have no pins where
+    all others have friction (W243) is not spoken of again.
     """
     mechanism = pose.mechanism
+    told = mechanism.pairs_at_pins() if mechanism.friction.everywhere else ()
     for pin in mechanism.friction.rubbing:
         if not isinstance(pin, PinFriction) or not pin.assumed or pin.radius == ZERO:
             continue
@@ -38,7 +40,7 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
         if len(bodies) + others > 2 and not acting:
             yield messages.pin_fast_in(pin.span, pin.point, pin.carrier, bodies)
         elif acting and not (exact and len(bodies) == 2 and _alike(pin, pose, driving, given)):
-            for load in acting:
+            for load in (load for load in acting if load not in told):
                 yield messages.load_on_a_pin(load.span, load.name, pin.point, pin.carrier, bodies)
 
 

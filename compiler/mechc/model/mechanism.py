@@ -375,6 +375,22 @@ class Mechanism:
         loaded = {load.first_link for load in self.loads if isinstance(load, ForcePair)}
         return tuple(t for t in self.telescopes if t.name in loaded)
 
+    def pairs_at_pins(self) -> tuple[ForcePair, ...]:
+        """Return the pairs of forces at whose ends pins may be meant.
+
+        None are where a telescope holds them, or where each end names the link that it acts on.
+        """
+        ends = {frozenset(telescope.points) for telescope in self.telescopes}
+        pairs = (k for k in self.loads if isinstance(k, ForcePair))
+        return tuple(
+            k for k in pairs if frozenset((k.first, k.second)) not in ends and self.loose_ends(k)
+        )
+
+    def loose_ends(self, pair: ForcePair) -> list[str]:
+        """Return the ends of a pair of forces on a body that is not named."""
+        ends = (pair.first, pair.first_link), (pair.second, pair.second_link)
+        return [point for point, link in ends if not link and self.turning_at(point)]
+
     def turning_at(self, point: str) -> tuple[str, ...]:
         """Return the links and the cylinders that turn on a pin."""
         bodies: list[Link | Telescope] = [link for link in self.links if link.arc is None]

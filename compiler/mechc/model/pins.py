@@ -13,7 +13,7 @@ from .carriers import Carriers, is_held
 from .coefficients import coefficient, positive_length, value_of
 from .expressions import Reader
 from .joint_friction import PinFriction, coulomb
-from .mechanism import Arrow, ForcePair, Link, Mechanism, Telescope
+from .mechanism import Arrow, Link, Mechanism, Telescope
 from .scope import DESCRIPTION, Scope
 
 HALF = number(Fraction(1, 2))
@@ -91,11 +91,10 @@ class Pins:
 
 def remark_on_pairs(built: Mechanism, scope: Scope) -> None:
     """Say which pairs of forces act at points, so that their ends are no pins with friction."""
-    ends = {frozenset(telescope.points) for telescope in built.telescopes}
-    for load in built.loads:
-        if isinstance(load, ForcePair) and frozenset((load.first, load.second)) not in ends:
-            found = messages.pair_without_pins(load.span, load.name, load.first, load.second)
-            scope.report.add(found)
+    for load in built.pairs_at_pins():
+        ends, loose = (load.first, load.second), built.loose_ends(load)
+        found = messages.pair_without_pins(load.span, load.name, ends, loose)
+        scope.report.add(found)
 
 
 def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:

@@ -5,6 +5,7 @@ from fractions import Fraction
 
 from ...source import Span
 from ..diagnostic import Message, Related, coded
+from ..syntax import listed
 
 
 @coded("E270")
@@ -204,18 +205,23 @@ def perhaps_a_half(span: Span, point: str, load: str) -> Message:
 
 
 @coded("W243")
-def pair_without_pins(span: Span, load: str, first: str, second: str) -> Message:
+def pair_without_pins(
+    span: Span, load: str, ends: tuple[str, str], loose: Sequence[str]
+) -> Message:
     """Every pin is said to have friction, and a pair of forces has no pins of its own.
 
     An actuator or a spring is a pair of forces at two points. A telescope between them has
-    pins at its ends, which rub and bend it.
+    pins at its ends, which rub and bend it. Without pins each end acts on a link.
 
         friction pins 0.1 diameter 10 mm
-        actuator P between A and B       # warned of without a line such as
+        actuator P between A and B                # warned of without a line such as
         telescope AB
+        actuator P between A on OA and B on BC    # right where no pins hold its ends
     """
-    message = f"{load} is a pair of forces: its ends at {first} and {second} have no friction"
-    return Message(span, message, f"add 'telescope {first}{second}' if pins hold its ends")
+    message = f"{load} is a pair of forces: its ends at {' and '.join(ends)} have no friction"
+    pins = f"add 'telescope {''.join(ends)}' if pins hold its ends"
+    links = listed((f"'{point} on …'" for point in loose), "and")
+    return Message(span, message, f"{pins}; if not, say on which link it acts: {links}")
 
 
 @coded("W244")
