@@ -304,3 +304,21 @@ def test_branches_of_a_claw_press_their_common_guide_to_no_side():
     smooth, rough = (mechc.loads(f"{description}{guide}") for guide in ("", GUIDES[0]))
     assert rough.evaluate()["k_f"] == smooth.evaluate()["k_f"]
     assert [w.code for w in rough.warnings] == ["W272"]
+
+
+def test_loads_alone_press_a_slider_on_its_guide():
+    """A block on rough ground, with one force slanting down on it."""
+    block = """
+    param mu = 0.2
+    slider B along x
+    force P at B along x
+    force Q at B along -y
+    force R at B along 200 deg
+    friction slider B mu
+    find P
+    """
+    found = mechc.loads(block).evaluate(Q=30.0, R=50.0)
+    across = 30.0 + 50.0 * math.sin(math.radians(20.0))
+    drawn = 50.0 * math.cos(math.radians(20.0))
+    assert found["P_f"] == pytest.approx(drawn + 0.2 * across)
+    assert found["P_hold"] == pytest.approx(drawn - 0.2 * across)

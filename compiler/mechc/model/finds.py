@@ -60,6 +60,7 @@ def read_finds(file: ast.File, scope: Scope) -> list[Find]:
 
     Behind them stand those that friction adds.
     """
+    scope.lets = {statement.name.text for statement in every(file, ast.Let)}
     finds = [find for statement in every(file, ast.Find) for find in _read(statement, scope)]
     motion = only(file, ast.Motion)
     sense: Sense = motion.sense if motion else "tightening"
@@ -150,7 +151,7 @@ def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:
         hint = "velocities are asked for as a ratio, as in V_D / V_A"
         scope.report.add(messages.not_findable(symbol.span, hint))
         return None
-    part = _load(symbol, scope)
+    part = _load(symbol, scope, alone=True)
     return Asked(LoadForm(symbol.name), part.dimension, symbol.name) if part else None
 
 
@@ -178,8 +179,11 @@ def _part(symbol: ast.Symbol, scope: Scope) -> Part | None:
     return _velocity(symbol, form, scope) if form else _load(symbol, scope)
 
 
-def _load(symbol: ast.Symbol, scope: Scope) -> Part | None:
+def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Part | None:
     entry = scope.entries.get(symbol.name)
+    if entry is None and symbol.name in scope.lets:
+        scope.report.add(messages.let_asked_for(symbol.span, symbol.name, alone))
+        return None
     if entry is None:
         is_speed = symbol.name.startswith(("V_", "omega_"))
         loads = scope.names({"load"})

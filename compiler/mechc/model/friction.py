@@ -19,7 +19,7 @@ from .joint_friction import (
     ThreadFriction,
     WheelFriction,
 )
-from .mechanism import Force, Load, Mechanism, Rack, Screw, Slot, WheelPair
+from .mechanism import Force, ForcePair, Load, Mechanism, Rack, Screw, Slot, Torque, WheelPair
 from .pins import Pins, remark_on_pairs
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
@@ -99,9 +99,9 @@ def _read(
         case ast.PinFriction():
             yield from pins.read(statement)
         case ast.GuideFriction():
-            yield from _guide(statement, scope)
+            yield from _guide(statement, built, scope)
         case ast.RollerFriction():
-            yield from _roller(statement, scope)
+            yield from _roller(statement, built, scope)
         case ast.ContactFriction():
             yield from _face(statement, scope)
         case ast.GearFriction() | ast.BeltFriction() | ast.RackFriction() | ast.ScrewFriction():
@@ -113,9 +113,9 @@ def _read(
 # ------------------------------------------------------------ guides, rollers, faces
 
 
-def _guide(statement: ast.GuideFriction, scope: Scope) -> Iterator[JointFriction]:
+def _guide(statement: ast.GuideFriction, built: Mechanism, scope: Scope) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, scope)
-    if not _is_guided(statement.point, scope) or f is None:
+    if not _is_guided(statement.point, built, scope) or f is None:
         return
     tilt: Formula | None = number(1)
     if statement.length and statement.overhang:
@@ -154,11 +154,13 @@ def _tilt(
             return product([(number(3), 1), (x, 1)])
 
 
-def _roller(statement: ast.RollerFriction, scope: Scope) -> Iterator[JointFriction]:
+def _roller(
+    statement: ast.RollerFriction, built: Mechanism, scope: Scope
+) -> Iterator[JointFriction]:
     f = coefficient(statement.coefficient, scope)
     axle = positive_length(statement.axle, "the diameter of an axle", scope)
     wheel = positive_length(statement.wheel, "the diameter of a roller", scope)
-    if not _is_guided(statement.point, scope) or f is None or axle is None or wheel is None:
+    if not _is_guided(statement.point, built, scope) or f is None or axle is None or wheel is None:
         return
     factor = product([(f, 1), (axle, 1), (wheel, -1)])
     yield GuideFriction(statement.point.text, factor, statement.span)
@@ -228,18 +230,32 @@ def _transmissions(
             assert_never(statement)
 
 
-def _is_guided(point: ast.Name, scope: Scope) -> bool:
+def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
     if not scope.points.acting(point):
         return False
     if any(point.text in slide for slide in scope.points.slides):
         return True
     if point.text in scope.points.guided:
-        pressed = point.text in scope.points.carried.keys() | scope.points.touching.keys()
+        held = scope.points.carried.keys() | scope.points.touching.keys()
+        pressed = point.text in held or any(_acts_at(point.text, k) for k in built.loads)
         if not pressed:
             scope.report.add(messages.nothing_presses(point.span, point.text))
         return pressed
     scope.report.add(messages.not_guided(point.span, point.text))
     return False
+
+
+def _acts_at(point: str, load: Load) -> bool:
+    """Tell whether a load acts at a point."""
+    match load:
+        case Force():
+            return load.point == point
+        case ForcePair():
+            return point in (load.first, load.second)
+        case Torque():
+            return False
+        case _:
+            assert_never(load)
 
 
 def _efficiency(file: ast.File, scope: Scope) -> Formula | None:

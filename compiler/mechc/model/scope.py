@@ -73,9 +73,10 @@ FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity",
 class Scope:
     """The names of one description, filled while it is read.
 
-    ``feeding`` holds the lets that the description itself (geometry, parameters, loads)
-    uses; ``values`` the numbers of the parameters that have one, in SI, and ``sizes`` those
-    of all parameters, 1 for an open one, which tell multiples that are out of reach.
+    ``lets`` holds the names of all lets, which are entered behind what is asked for, and
+    ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
+    the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
+    for an open one, which tell multiples that are out of reach.
     """
 
     def __init__(self, report: Report, points: Points) -> None:
@@ -84,6 +85,7 @@ class Scope:
         self.entries: dict[str, Entry] = {}
         self.used: set[str] = set()
         self.feeding: set[str] = set()
+        self.lets: set[str] = set()
         self.values: dict[str, float] = {}
         self.sizes: dict[str, float] = {}
         self._misfits: set[tuple[str, Dimension]] = set()

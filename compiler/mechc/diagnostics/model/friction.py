@@ -82,12 +82,12 @@ def friction_again(span: Span, point: str, first: Span) -> Message:
 
 @coded("E276")
 def nothing_presses(span: Span, point: str) -> Message:
-    """Friction is given at a slider that holds and touches nothing to press it on its guide.
+    """Friction is given at a slider that nothing presses on its guide.
 
     slider B along x
-    friction slider B 0.1     # wrong unless a link goes through B, or B touches one
+    friction slider B 0.1     # wrong unless a link or a load is at B, or B touches a link
     """
-    message = f"no link goes through {point} or touches it, so nothing presses it on its guide"
+    message = f"no link and no load is at {point}, so nothing presses it on its guide"
     return Message(span, message)
 
 

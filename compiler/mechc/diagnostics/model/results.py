@@ -49,6 +49,22 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
     return Message(span, f"there is no load '{name}'", offered(name, loads, "loads"))
 
 
+@coded("E265")
+def let_asked_for(span: Span, name: str, alone: bool) -> Message:
+    """A ``find`` names a formula of a ``let``.
+
+    ``find`` asks for loads and velocities; a ``let`` is computed and printed by itself, and
+    what is made of it is a ``let``, too.
+
+        let p = P/(pi*d^2/4)
+        find p               # wrong: p is there without it
+        find q = p/F         # wrong
+        let q = p/F          # right
+    """
+    hint = "leave it out here" if alone else "write the ratio as a let: let k = …"
+    return Message(span, f"'{name}' is a let, which is computed without a find", hint)
+
+
 @coded("E283")
 def still_point(span: Span, point: str) -> Message:
     """A velocity of a pivot is asked for; pivots stand still.
