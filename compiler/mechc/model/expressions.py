@@ -280,7 +280,7 @@ class Reader:
         argument = arguments[0]
         what = f"the argument of {node.function}"
         if node.function in ANGLE_TO_NUMBER:
-            return Sort(NUMBER) if self.fits(argument, ANGLE, what) else None
+            return Sort(NUMBER, Nature.VALUE) if self.fits(argument, ANGLE, what) else None
         if node.function in NUMBER_TO_ANGLE:
             return Sort(ANGLE) if self.fits(argument, NUMBER, what) else None
         if node.function in NUMBER_TO_NUMBER:

@@ -2,7 +2,8 @@
 
 A :class:`Sort` is a dimension and how firmly it is known. Angle is a dimension in sums,
 comparisons and function arguments; in products it is a pure number. So ``mu*alpha`` or
-``s/r`` may serve as either, while ``alpha`` cannot be added to 1 nor ``30`` to ``alpha``.
+``s/r`` may serve as either, while ``alpha`` cannot be added to 1 nor ``30`` to ``alpha``. The
+involute function ``tan(alpha) - alpha`` is an angle, and ``tan(alpha)`` alone is none.
 """
 
 from collections.abc import Sequence
@@ -18,6 +19,7 @@ class Nature(Enum):
 
     FIRM = "as stated"
     LOOSE = "a computed ratio: a pure number or an angle, as needed"
+    VALUE = "the value of a sine or the like: a pure number, which may be added to an angle"
     BARE = "made of literals without unit"
     UNITLESS = "made of parameters given without unit: a pure number, never an angle"
     ZERO = "the literal 0: of any dimension"
@@ -40,6 +42,8 @@ class Sort(NamedTuple):
         >>> Sort(NUMBER, Nature.LOOSE).fits(ANGLE), Sort(NUMBER, Nature.BARE).fits(ANGLE)
         (True, False)
         """
+        if self.nature is Nature.VALUE:
+            return wanted == NUMBER
         return agreed(self, Sort(wanted)) is not None
 
 
@@ -63,8 +67,15 @@ def agreed(a: Sort, b: Sort) -> Sort | None:
             return b
         case Nature.FIRM, Nature.LOOSE if a.dimension in (NUMBER, ANGLE):
             return a
-        case (Nature.LOOSE, Nature.LOOSE | Nature.BARE) | (Nature.BARE, Nature.LOOSE):
+        case (Nature.LOOSE, Nature.LOOSE | Nature.BARE | Nature.VALUE) | (
+            Nature.BARE | Nature.VALUE,
+            Nature.LOOSE,
+        ):
             return Sort(NUMBER, Nature.LOOSE)
+        case (Nature.VALUE, Nature.FIRM) if b.dimension == ANGLE:
+            return b
+        case (Nature.FIRM, Nature.VALUE) if a.dimension == ANGLE:
+            return a
     if a.dimension != b.dimension:
         return None
     return Sort(a.dimension, a.nature if a.nature == b.nature else Nature.FIRM)
