@@ -322,3 +322,23 @@ def test_loads_alone_press_a_slider_on_its_guide():
     drawn = 50.0 * math.cos(math.radians(20.0))
     assert found["P_f"] == pytest.approx(drawn + 0.2 * across)
     assert found["P_hold"] == pytest.approx(drawn - 0.2 * across)
+
+
+@pytest.mark.parametrize("line", ["motion tightening", "motion releasing"])
+def test_a_drive_that_passes_nothing_on_has_no_efficiency_but_zero(line):
+    """A balanced shaft: its torque overcomes the friction of the pivot and nothing else."""
+    shaft = f"""
+    pivot O
+    link OA
+    OA = 40 mm @ 90 deg
+    torque M on OA
+    weight W mass 2 kg at A
+    friction pins 0.1 diameter 10 mm
+    {line}
+    find M
+    """
+    solved = mechc.loads(shaft)
+    found = solved.evaluate()
+    assert found["M"] == found["eta_M"] == 0.0
+    assert abs(found["M_f"]) == pytest.approx(0.1 * 0.005 * 2 * 9.80665)
+    assert solved.emit("latex")

@@ -5,10 +5,9 @@ import pytest
 import mechc
 from mechc.cli.check import report
 from mechc.driver import compile_source
-from mechc.emit.describe import si_unit
 from mechc.report.text.derivation import render
 from mechc.source import Source
-from mechc.units import UNITS, Dimension
+from mechc.units import UNITS, Dimension, si_unit
 
 LEVER = """param a = 40 mm
 pivot O
@@ -75,3 +74,14 @@ def test_loads_that_are_numbers_have_their_unit() -> None:
     assert r"W=29{,}41995\,\text{Н}" in tex
     assert tex.count(r"W=29{,}41995") == tex.count(r"W=29{,}41995\,\text{Н}") == 2
     assert r"T=5\,\text{Н}\cdot \text{м}" in tex
+
+
+def test_lets_that_are_numbers_have_their_unit() -> None:
+    text = f"{LITERAL}let d = 25 mm\nlet s = 30 deg\nlet n = 2\n"
+    compilation = compile_source(Source("m.mech", text))
+    derived = render(compilation.derivation, compilation.mechanism)
+    assert derived.count("\nResults\n") == 1
+    assert {"d = 0.025 m", "s = 30°", "n = 2"} <= {line.strip() for line in derived.splitlines()}
+    tex = mechc.loads(text).emit("latex")
+    for shown in (r"d=0.025\,\text{m}", r"s=30^\circ", "n=2"):
+        assert rf"\boxed{{{shown}}}" in tex

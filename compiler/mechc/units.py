@@ -138,6 +138,34 @@ def _raised(unit: str, exponent: int | Fraction) -> str:
     return f"{unit}^{exponent}" if Fraction(exponent).denominator == 1 else f"{unit}^({exponent})"
 
 
+_SI: dict[Dimension, str] = {
+    NUMBER: "",
+    ANGLE: "rad",
+    LENGTH: "m",
+    DIMENSIONS["area"]: "m^2",
+    DIMENSIONS["volume"]: "m^3",
+    MASS: "kg",
+    TIME: "s",
+    FORCE: "N",
+    TORQUE: "N*m",
+    PRESSURE: "Pa",
+    VELOCITY: "m/s",
+    ACCELERATION: "m/s^2",
+    STIFFNESS: "N/m",
+    POWER: "W",
+    FREQUENCY: "1/s",
+}
+
+
+def si_unit(dimension: Dimension) -> str:
+    """Return the SI unit of a dimension, '' for a bare number.
+
+    >>> si_unit(FORCE), si_unit(Dimension(-1))
+    ('N', '1/m')
+    """
+    return _SI[dimension] if dimension in _SI else base_units(dimension)
+
+
 class Unit(NamedTuple):
     """A unit: its factor to SI, exact, times π when ``pi``, and its dimension."""
 

@@ -6,7 +6,6 @@ import click
 
 from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
-from ..emit.describe import si_unit
 from ..formula.to_text import text
 from ..formula.tree import Number
 from ..formula.walk import symbols
@@ -24,6 +23,7 @@ from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
 from ..study.expectations import Finding
 from ..syntax.settings import Settings
+from ..units import si_unit
 from .inputs import expanded, settings_option, stdin_option
 from .open import begin
 from .session import Command, session, session_options, status

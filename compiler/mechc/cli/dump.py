@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..emit.describe import dimension_name, si_unit
+from ..emit.describe import dimension_name
 from ..figure.figure import Plane
 from ..formula.to_text import text
 from ..formula.tree import Formula
@@ -23,7 +23,7 @@ from ..report.text.printer import ASCII, print_formula
 from ..source import Span
 from ..syntax import ast
 from ..syntax.text import direction
-from ..units import Dimension
+from ..units import Dimension, si_unit
 
 WIDTH = 100
 """Columns that a value on one line keeps to; a formula is never broken."""

@@ -12,25 +12,7 @@ from ..model.mechanism import Mechanism
 from ..model.result import Definition
 from ..report.definitions import Solved, grouped
 from ..routine.steps import Function, Guard, Input
-from ..units import ANGLE, DIMENSIONS, NUMBER, Dimension, base_units, in_unit
-
-_SI = {
-    NUMBER: "",
-    ANGLE: "rad",
-    DIMENSIONS["length"]: "m",
-    DIMENSIONS["area"]: "m^2",
-    DIMENSIONS["volume"]: "m^3",
-    DIMENSIONS["mass"]: "kg",
-    DIMENSIONS["time"]: "s",
-    DIMENSIONS["force"]: "N",
-    DIMENSIONS["torque"]: "N*m",
-    DIMENSIONS["pressure"]: "Pa",
-    DIMENSIONS["velocity"]: "m/s",
-    DIMENSIONS["acceleration"]: "m/s^2",
-    DIMENSIONS["stiffness"]: "N/m",
-    DIMENSIONS["power"]: "W",
-    DIMENSIONS["frequency"]: "1/s",
-}
+from ..units import DIMENSIONS, Dimension, in_unit, si_unit
 
 
 def one_line(words: str) -> str:
@@ -41,15 +23,6 @@ def one_line(words: str) -> str:
     """
     plain = "".join(" " if category(c)[0] in "CZ" else c for c in words)
     return " ".join(plain.split())
-
-
-def si_unit(dimension: Dimension) -> str:
-    """Return the SI unit of a dimension, '' for a bare number.
-
-    >>> si_unit(Dimension(length=1, mass=1, time=-2)), si_unit(Dimension(length=-1))
-    ('N', '1/m')
-    """
-    return _SI[dimension] if dimension in _SI else base_units(dimension)
 
 
 def dimension_name(dimension: Dimension) -> str:

@@ -40,14 +40,21 @@ class Drives:
         here = product([(self._ideal.formula, 1), (efficiency, -self._exponent)])
         share = product([(self._k, 1), (efficiency, -self._exponent)])
         steps = (Step("efficiency", equations=((Symbol(name), share),)),)
-        if self._always is not None:
+        if self._always is not None or here == ZERO:
             return Named(here, steps=steps)
         whole = product([(self._k, 1), (Power(efficiency, self._turning(-1)), 1)])
         case = Printed(here, (), self._condition(self._ideal.formula), steps)
         return Named(whole, (self._definition(),), case=case)
 
     def efficiency(self, real: FrictionResult, span: Span) -> FrictionResult:
-        """Return what of the power arrives, from the ratio with friction."""
+        """Return what of the power arrives, from the ratio with friction.
+
+        Where the load does no work at all without friction, nothing arrives in any pose.
+        """
+        if self._ideal.formula == ZERO:
+            return replace(
+                real, formula=ZERO, where=(), dimension=NUMBER, case=None, elsewhere=None
+            )
         k_f = Definition(f"{self._ideal.name}_f", real.formula)
         without = to_product(self._ideal.formula)
         here = ((without / Product.symbol(k_f.name)) ** self._exponent).formula()

@@ -3,10 +3,11 @@
 from collections.abc import Iterable, Set
 from typing import NamedTuple
 
-from ..formula.tree import Formula, Implicit, Number, Product, Symbol
+from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Torque
-from ..model.result import Definition
+from ..model.result import Definition, Result
+from ..units import ANGLE, NUMBER, si_unit
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""
@@ -55,6 +56,12 @@ def literal_sizes(mechanism: Mechanism) -> dict[str, str]:
     given = {let.name: let.value for let in mechanism.lets}
     units = {load.name: literal_unit(load, given.get(load.name)) for load in mechanism.loads}
     return {name: unit for name, unit in units.items() if unit}
+
+
+def literal_units(results: Iterable[Result]) -> dict[str, str]:
+    """Return the results that are numbers in some unit of the SI, with the unit; no angles."""
+    numbers = (r for r in results if isinstance(r.formula, Number) and r.formula != ZERO)
+    return {r.name: si_unit(r.dimension) for r in numbers if r.dimension not in (ANGLE, NUMBER)}
 
 
 class Solved(NamedTuple):

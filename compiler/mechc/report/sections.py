@@ -11,7 +11,7 @@ from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
 from ..model.result import Definition
 from ..study.analysis import Analysis
-from .definitions import lettered, literal_sizes, usual_weights
+from .definitions import lettered, literal_sizes, literal_units, usual_weights
 from .derivation.steps import Derivation, Explanation, Paragraph
 from .sentences.remarks import reaction
 
@@ -23,7 +23,7 @@ LONG = 24
 class Section:
     """Results that are told under one heading, how they came about, and what they rest on.
 
-    ``units`` are those of loads that are numbers.
+    ``units`` are those of loads and lets that are numbers.
     """
 
     paragraphs: tuple[Paragraph, ...]
@@ -35,7 +35,8 @@ class Section:
 
 def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
     """Yield the results under their headings; what was told before is left out."""
-    told, usual, units = Shown(), usual_weights(mechanism), literal_sizes(mechanism)
+    told, usual = Shown(), usual_weights(mechanism)
+    units = literal_sizes(mechanism) | literal_units(derivation.results)
     for explanation, results in _grouped(derivation):
         told.equations(explanation)
         rested = told.new_definitions(

@@ -21,6 +21,7 @@ from ...routine.steps import (
     names_of,
     programs,
 )
+from ...units import si_unit
 from .. import describe
 from ..names import Names, file_stem, mangle, transliterate
 from ..printer import Printer
@@ -342,7 +343,7 @@ def _remarks(
     result: str,
     names: Mapping[str, str],
 ) -> list[str]:
-    unit = describe.si_unit(function.dimension)
+    unit = si_unit(function.dimension)
     inputs = [f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in function.inputs]
     conditions = [f"  {line}" for line in describe.condition_lines(function)]
     return [

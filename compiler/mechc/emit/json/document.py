@@ -36,7 +36,8 @@ from ...report.derivation.steps import (
 )
 from ...statics.verdict import Trial, Verdict
 from ...study.analysis import Analysis, Break, Trend, Vanishing
-from ..describe import dimension_name, si_unit
+from ...units import si_unit
+from ..describe import dimension_name
 from ..target import Compiled
 from .figure import FIGURE
 from .formula import FORMULA

@@ -20,6 +20,7 @@ from ...routine.steps import (
     names_of,
     programs,
 )
+from ...units import si_unit
 from .. import describe
 from ..names import Names, file_stem, mangle
 from ..printer import Printer
@@ -149,7 +150,7 @@ def _function(
         if function.common
         else _computed(function, own, space, solvers)
     )
-    unit = describe.si_unit(function.dimension)
+    unit = si_unit(function.dimension)
     return FunctionContext(
         name=names[function.name],
         arguments=list(own.values()),

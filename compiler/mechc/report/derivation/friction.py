@@ -145,7 +145,7 @@ def _passages(step: Step, told: _Shown, asked: WithFriction) -> Iterator[Paragra
         return
     sides = ([geometry_first(side, told.turns) for side in pair] for pair in step.equations)
     equations = [Equation(_ordered(left), right) for left, right in sides]
-    found = [e for e in equations if e.left != _driving(asked)]
+    found = [e for e in equations if e.left != _driving(asked)] or equations
     match step.kind:
         case "crossed" | "outer" | "parallel" | "single":
             names = {"link": (step.body,)}

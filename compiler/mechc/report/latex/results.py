@@ -12,6 +12,7 @@ from ...model.mechanism import SpeedRatio
 from ...model.result import Definition
 from ...statics.verdict import Verdict
 from ...study.analysis import Analysis
+from ...units import ANGLE
 from ..definitions import Solved, grouped
 from ..derivation.steps import Equation, Paragraph
 from ..languages.locale import Locale
@@ -131,7 +132,8 @@ def _main(
     short = left.width + box(result.formula, style).width <= LINE
     if result.coefficients and not short:
         return _as_form(left, result.coefficients, locale, style)
-    line = Line(left, result.formula, unit=units.get(result.name, ""))
+    angle = result.dimension == ANGLE
+    line = Line(left, result.formula, angle, units.get(result.name, ""))
     return (display((line,), style, locale.where, boxed=True),)
 
 

@@ -84,6 +84,7 @@ def _share(result: Analysis) -> Formula:
     name = result.name.removeprefix("eta_")
     ideal, real = Symbol(name), Symbol(f"{name}_f")
     below = any(isinstance(f, Power) and f.base == real for f in walk(result.formula))
+    below = below or result.formula == ZERO
     return quotient(ideal, real) if below else quotient(real, ideal)
 
 

@@ -59,8 +59,11 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     """
     spell = speller(derivation, mechanism, unicode)
     lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
+    before = ""
     for section in sections(derivation, mechanism):
-        lines += _section(section, spell)
+        title = heading(section.results[0], LOCALE, spell) or LOCALE.results
+        lines += ["", *([title] if title != before else []), *_section(section, spell)]
+        before = title
     if mechanism.requires:
         lines += [
             "",
@@ -105,7 +108,6 @@ def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
 
 
 def _section(section: Section, spell: Speller) -> Iterator[str]:
-    yield from ("", heading(section.results[0], LOCALE, spell) or LOCALE.results)
     for paragraph in section.paragraphs:
         yield from _wrapped(said(paragraph, LOCALE, spell), "     ")
         yield from _equations(paragraph.equations, spell)
@@ -127,7 +129,7 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
 def _result(result: Analysis, spell: Speller, units: Mapping[str, str]) -> list[str]:
     asked_for = ratio(result)
     left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
-    angle = is_angle(result.formula, spell.angles)
+    angle = result.dimension == ANGLE or is_angle(result.formula, spell.angles)
     whole = spell.relation((*left, result.formula), ("=",) * len(left), angle)
     return _broken(whole + _unit(result.name, units, spell))
 
