@@ -17,6 +17,7 @@ from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import own_conditions, reaction
 from ..report.text.derivation import speller
+from ..report.text.overview import overview
 from ..report.text.verdict import to_text
 from ..source import Source
 from ..statics.verdict import Verdict
@@ -35,7 +36,7 @@ from .words import descriptions
 @click.argument(
     "files", nargs=-1, required=True, metavar="FILE|FOLDER|NAME|-...", shell_complete=descriptions
 )
-@click.option("-v", "--verbose", is_flag=True, help="Show every pose of the second opinion.")
+@click.option("-v", "--verbose", is_flag=True, help="Show what is given, and every pose.")
 @click.option("-q", "--quiet", is_flag=True, help="Print errors and warnings only.")
 @settings_option
 @stdin_option
@@ -47,7 +48,8 @@ def command(
 
     Every `expect` is proved by algebra, or refuted by a pose with both numbers. Every
     result is compared with the equilibrium of the free bodies at several poses. A folder
-    stands for all descriptions below it, hidden folders left out.
+    stands for all descriptions below it, hidden folders left out. --verbose lists points,
+    parameters and vectors, of a wrong description too: what has no value, place or direction.
 
     \b
     mechc check clamp.mech
@@ -56,11 +58,15 @@ def command(
     """
     worst = 0
     for file in list(expanded(files)):
+        compilation: Compilation | None = None
         try:
-            compilation = complete(begin(file, stdin_name, settings))
+            compilation = begin(file, stdin_name, settings)
+            complete(compilation)
         except MechcError as error:
             session().show(error.diagnostics, error.source)
             worst = max(worst, status(error.diagnostics))
+            for line in _overview(compilation) if compilation and verbose else ():
+                say(line)
             continue
         session().show(warnings(compilation), compilation.source)
         if session().werror and warnings(compilation):
@@ -70,10 +76,21 @@ def command(
     click.get_current_context().exit(worst)
 
 
+def _overview(compilation: Compilation) -> Iterator[str]:
+    """Yield what a description gives, as far as the stages that have run can tell."""
+    made = vars(compilation)
+    if mechanism := made.get("mechanism"):
+        yield f"{compilation.source.name}: {mechanism.name}"
+        yield from overview(mechanism, made.get("pose"), compilation.source)
+
+
 def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
     spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
-    yield f"{compilation.source.name}: {compilation.mechanism.name}"
+    if verbose:
+        yield from _overview(compilation)
+    else:
+        yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
     usual, units = usual_weights(compilation.mechanism), literal_sizes(compilation.mechanism)
     before: Analysis | None = None
