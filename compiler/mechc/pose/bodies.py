@@ -16,6 +16,7 @@ from ..model.mechanism import (
 )
 from .closure import Condition, across
 from .directions import Directions
+from .loops.vector_graph import chained
 from .pose import Arm, PointContact, Vector
 from .vectors import Vectors
 
@@ -104,6 +105,6 @@ def on_the_line(slots: Sequence[PointContact], vectors: Vectors) -> list[Conditi
         chain = vectors.chain(slot.tail, slot.point)
         if chain:
             arms = vectors.arms(chain)
-            name = "-".join(filter(None, chain))
+            name = chained(chain)
             conditions.append(Condition(name, arms, (slot.normal,), slot.span))
     return conditions

@@ -28,7 +28,7 @@ from .idle import contradictions, remarks
 from .loops.closing import Closed, close
 from .loops.groups import Open
 from .loops.guide_lines import with_lines
-from .loops.vector_graph import mentioned
+from .loops.vector_graph import chained, mentioned
 from .missing import Missing
 from .pose import Pose, Vector
 from .pruning import pruned
@@ -255,9 +255,7 @@ class _Survey:
     def _loops(self) -> list[Condition]:
         everywhere = (Angle(), Angle.constant(90))
         return [
-            Condition(
-                "-".join(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span
-            )
+            Condition(chained(p or "origin" for p in loop.points), loop.arms, everywhere, loop.span)
             for loop in self._vectors.loops
         ]
 
@@ -268,6 +266,6 @@ class _Survey:
             chain = slider.through and self._vectors.chain(slider.point, slider.through)
             if chain:
                 arms, normal = self._vectors.arms(chain), across(pose.guides[slider.point])
-                name = "-".join(filter(None, chain))
+                name = chained(chain)
                 conditions.append(Condition(name, arms, (normal,), slider.span))
         return conditions

@@ -11,7 +11,7 @@ from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathere
 from .dyads import Closure
 from .state import State
 from .triangle import common_turn, principal
-from .vector_graph import Cycle, mentioned
+from .vector_graph import Cycle, loop_name, mentioned
 
 FITS = 1e-9
 """A gap below this part of the longest arm counts as closed at the values given."""
@@ -31,7 +31,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     size, gap = gaps[0]
     if abs(gap) > FITS * size:
         edge = max((e for e in cycle if name in mentioned(e.arms)), key=lambda e: e.span.start)
-        points = "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))
+        points = loop_name(cycle)
         return messages.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")
     unknown = frozenset({name})
     closure = _closure(name, known, moving, state)

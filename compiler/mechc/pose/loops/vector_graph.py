@@ -52,7 +52,16 @@ def _names(length: Product) -> Iterator[str]:
 
 def loop_name(cycle: Cycle) -> str:
     """Return a loop by its points: ``O1-A-B-O2``."""
-    return "-".join(dict.fromkeys(e.tail for e in cycle if e.tail))
+    return chained(e.tail for e in cycle)
+
+
+def chained(points: Iterable[str]) -> str:
+    """Return points as messages name them, each once: no origin, and none made up for a guide.
+
+    >>> chained(["O", "B_0", "", "B", "A", "O"])
+    'O-B-A'
+    """
+    return "-".join(dict.fromkeys(p for p in points if p and "_" not in p))
 
 
 class VectorGraph:
