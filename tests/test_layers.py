@@ -30,6 +30,7 @@ STAGES = [
     "statics",
     "study",
     "figure",
+    "drawing",
 ]
 OUTPUT = ["routine", "report", "emit"]
 TOP = ["stage", "driver", "api", "cli", "__main__"]

@@ -37,6 +37,7 @@ from .version import VERSION
 from .work import Allowance
 
 if TYPE_CHECKING:
+    from .drawing.drawing import Drawing
     from .figure.figure import Figure
     from .report.derivation.steps import Derivation
     from .statics.diagram import Diagram
@@ -171,6 +172,13 @@ class Compilation:
 
         with within(Allowance(), self.report):
             return draw(self.pose, values)
+
+    @Stage
+    def scheme(self) -> "Drawing | None":
+        """The kinematic scheme at the default pose; None where it cannot be assembled."""
+        from .drawing.from_figure import scheme
+
+        return scheme(self.figure) if self.figure else None
 
     @Stage
     def free_bodies(self) -> "tuple[Diagram, ...]":

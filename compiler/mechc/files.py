@@ -114,7 +114,7 @@ class _Pending(NamedTuple):
     target: Path
 
 
-def write_all(files: Mapping[Path, str]) -> None:
+def write_all(files: Mapping[Path, str | bytes]) -> None:
     """Write all files or none: each into a temporary file beside its place, then moved.
 
     Raises :class:`MechcError` (E904) where one cannot be written; files of an earlier
@@ -122,8 +122,8 @@ def write_all(files: Mapping[Path, str]) -> None:
     """
     pending: list[_Pending] = []
     try:
-        for path, text in files.items():
-            pending.extend(_prepare(path, text))
+        for path, content in files.items():
+            pending.extend(_prepare(path, _encoded(content)))
         for temporary, target in pending:
             temporary.replace(target)
     except OSError as error:
@@ -144,15 +144,19 @@ def resolved(path: Path) -> Path:
         raise OSError(errno.ELOOP, os.strerror(errno.ELOOP), str(path)) from None
 
 
-def _prepare(path: Path, text: str) -> Iterator[_Pending]:
+def _encoded(content: str | bytes) -> bytes:
+    return content if isinstance(content, bytes) else content.encode("utf-8", "surrogateescape")
+
+
+def _prepare(path: Path, content: bytes) -> Iterator[_Pending]:
     target = resolved(path)
     if target.exists() and not target.is_file():
-        target.write_text(text, encoding="utf-8", errors="surrogateescape")
+        target.write_bytes(content)
         return
     handle, name = mkstemp(prefix=f".{target.name}.", dir=target.parent)
     yield _Pending(Path(name), target)
-    with open(handle, "w", encoding="utf-8", errors="surrogateescape", newline="\n") as file:
-        file.write(text)
+    with open(handle, "wb") as file:
+        file.write(content)
     Path(name).chmod(_mode(target))
 
 

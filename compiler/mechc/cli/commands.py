@@ -22,6 +22,7 @@ COMMANDS = {
     "check": Entry("check", "Find mistakes; prove or refute expectations."),
     "derive": Entry("derive", "Print the derivation of k step by step."),
     "stroke": Entry("stroke", "Print k along the stroke, dead centres and extrema."),
+    "draw": Entry("draw", "Draw the kinematic scheme: SVG, LaTeX or PNG."),
     "show": Entry("show", "Print what a stage of the compiler made of a description."),
     "list": Entry("list", "List the mechanisms of the library."),
     "new": Entry("new", "Start a description from a commented example."),

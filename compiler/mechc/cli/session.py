@@ -7,6 +7,7 @@ from typing import Any, Literal, TypeVar
 import click
 
 from ..diagnostics import Diagnostic, MechcError, Severity
+from ..diagnostics.drawing import LACKING
 from ..diagnostics.render import Form, render
 from ..diagnostics.statics import BUGS
 from ..frozen import frozen, replace
@@ -65,7 +66,7 @@ def status(diagnostics: Iterable[Diagnostic]) -> int:
     if errors & BUGS:
         return INTERNAL
     classes = {code[1] for code in errors}
-    if "9" in classes:
+    if "9" in classes or errors & LACKING:
         return ENVIRONMENT
     if "8" in classes:
         return LIMIT

@@ -243,7 +243,7 @@ class Spring:
 
 @frozen
 class Dimension:
-    """What measures a distance along ``along``, as a formula of parameters, and its value."""
+    """What measures a distance along ``along``: its formula, and its value, which is positive."""
 
     tail: str
     head: str
@@ -273,7 +273,7 @@ Part = Joint | Load | Measure
 
 @frozen
 class MirrorLine:
-    """The line between the halves, through a point of it."""
+    """The line between the halves, or about which the copies are, through a point of it."""
 
     at: Plane
     along: Plane
@@ -285,8 +285,8 @@ class Figure:
 
     ``values`` are those of the pose, in SI and radians: parameters, what loops give, and
     the lengths that were chosen, as nothing gives them. ``chosen`` names these, and the
-    parameters without a value. ``copies`` tells how many branches there are. ``size`` is the
-    length of a usual vector, by which symbols can be scaled.
+    parameters without a value. ``copies`` tells how many branches there are about ``axis``.
+    ``size`` is the length of a usual vector, by which symbols can be scaled.
     """
 
     name: str
@@ -295,6 +295,7 @@ class Figure:
     parts: tuple[Part, ...]
     mirror: MirrorLine | None
     copies: int
+    axis: MirrorLine | None
     size: float
     values: Mapping[str, float]
     chosen: tuple[str, ...]

@@ -1,7 +1,7 @@
 """From a pose and numbers to the figure."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 
 from ..frozen import fields, replace
 from ..model.mechanism import Mechanism, Parameter
@@ -32,14 +32,15 @@ def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
         return None
     points = _both(layout, pose.mechanism)
     values |= layout.lengths
-    copies = pose.mechanism.copies
+    copies, ways = pose.mechanism.copies, Ways(pose, values)
     return Figure(
         pose.mechanism.name,
         pose.mechanism.title,
         points,
-        tuple(_parts(Ways(pose, values), layout, points)),
+        tuple(_parts(ways, layout, points)),
         layout.mirror,
         int(copies.number) if copies else 1,
+        _axis(ways, layout, copies.sharing) if copies else None,
         layout.size,
         values,
         (*chosen, *layout.lengths),
@@ -74,6 +75,14 @@ def _laid_out(pose: Pose, values: Mapping[str, float]) -> Layout | None:
         return None
     finite = all(math.isfinite(c) for at in layout.points.values() for c in at)
     return layout if finite and layout.gap < OPEN else None
+
+
+def _axis(ways: Ways, layout: Layout, sharing: Sequence[str]) -> MirrorLine | None:
+    """Return the line about which copies are: that on which a point of all of them is guided."""
+    for point in sharing:
+        if ways.pose.guide_of(point) is not None:
+            return MirrorLine(layout.points[point], ways.guide(point))
+    return None
 
 
 def _both(layout: Layout, mechanism: Mechanism) -> dict[str, Plane]:

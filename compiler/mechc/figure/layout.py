@@ -11,8 +11,17 @@ from .figure import MirrorLine
 from .lengths import choose
 from .ways import Ways, usual
 
+SAME = 1e-6
+"""Places nearer to each other than this, in usual lengths, are one."""
+
 ORIGIN = ""
 """The name of the plane's origin in the geometry."""
+
+NEARLY = 0.15
+"""A point and its twin that are nearer to each other than this, in usual lengths, should not be."""
+
+STRETCHED = (1.0, 1.3, 1.6, 2.0, 2.5, 0.7, 0.5)
+"""By what usual lengths are multiplied where nothing gives a length, until no twins are so near."""
 
 ROOM = 0.5
 """How far apart unconnected parts are drawn, in usual lengths."""
@@ -36,11 +45,33 @@ class Layout(NamedTuple):
 def lay_out(ways: Ways) -> Layout:
     """Return where every point of the description is; the first pivot is at the origin.
 
-    Where pivots have places the origin is that of the description.
+    Where pivots have places the origin is that of the description. Lengths that nothing gives
+    are such that a point and its twin are in one place, or clearly in two.
     """
+    found = _laid_out(ways, 1.0)
+    for factor in STRETCHED[1:] if found.lengths and _nearly_meet(ways, found) else ():
+        other = _laid_out(ways, factor)
+        if not _nearly_meet(ways, other) and other.gap <= max(found.gap, SAME):
+            return other
+    return found
+
+
+def _nearly_meet(ways: Ways, layout: Layout) -> bool:
+    """Return whether some point is nearly where its twin is, but not quite."""
+    mirror, symmetry = layout.mirror, ways.pose.mechanism.mirror
+    if mirror is None or symmetry is None:
+        return False
+    across = mirror.along.turned()
+    own = (at for name, at in layout.points.items() if name not in symmetry.sharing)
+    distances = (2 * abs(across.dot(at.minus(mirror.at))) / layout.size for at in own)
+    return any(SAME < distance < NEARLY for distance in distances)
+
+
+def _laid_out(ways: Ways, factor: float) -> Layout:
+    """Return the layout with open lengths that are this many times a usual one, if they can be."""
     pose, firm = ways.pose, list(ways.firm())
     size = usual(firm)
-    lengths = choose(firm, pose.placeholders, size)
+    lengths = choose(firm, pose.placeholders, factor * size)
     names = [*dict.fromkeys(points_of(pose.mechanism))]
     edges = [Edge(w.tail, w.head, w.vector.at(lengths)) for w in firm]
     places = placed(_connected([*(Edge(n, n, NOWHERE) for n in names), *edges], ways, size))

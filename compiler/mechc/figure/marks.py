@@ -1,12 +1,13 @@
 """What measures the figure: the parameters that are lengths, and those that are angles."""
 
+import math
 from collections.abc import Iterator
 from typing import assert_never
 
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
 from ..formula.to_text import text
-from ..formula.tree import Formula
+from ..formula.tree import Formula, Number, Sum, Symbol, number, product, total
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import (
     Absolute,
@@ -24,16 +25,36 @@ from ..pose.places import Plane
 from .figure import AngleMark, Dimension, Measure
 from .parts import Half
 
+LEVEL = 1e-6
+"""Angles nearer to each other than this are the same; a length below it is none."""
+
 ALONG_X, ALONG_Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
 
 
 def marks(half: Half) -> Iterator[Measure]:
-    """Yield a mark for every length and angle that is given by a formula of parameters."""
+    """Yield a mark for every length that is given, and every angle given by parameters."""
+    found: list[Measure] = []
+    for mark in _all(half):
+        if not any(_same(mark, other) for other in found):
+            found.append(mark)
+    yield from found
+
+
+def _all(half: Half) -> Iterator[Measure]:
     mechanism = half.ways.pose.mechanism
     for entry in mechanism.geometry:
         yield from _entry(entry, half)
     for point, line in _lines(mechanism):
         yield from _angle(point, line, half)
+
+
+def _same(one: Measure, other: Measure) -> bool:
+    """Return whether two marks say the same: angles that are opposite each other do."""
+    if not isinstance(one, AngleMark) or not isinstance(other, AngleMark):
+        return one == other
+    half_turns = (one.start - other.start) / math.pi
+    level = abs(half_turns - round(half_turns)) < LEVEL and abs(one.sweep - other.sweep) < LEVEL
+    return level and (one.vertex, one.text) == (other.vertex, other.text)
 
 
 def _lines(mechanism: Mechanism) -> Iterator[tuple[str, Direction]]:
@@ -64,14 +85,47 @@ def _entry(entry: Geometry, half: Half) -> Iterator[Measure]:
 def _distance(
     tail: str, head: str, formula: Formula, line: Plane | None, half: Half
 ) -> Iterator[Dimension]:
-    """Yield what measures a vector along a line, or along itself; plain numbers measure nothing."""
-    if not symbols(formula) or not tail:
+    """Yield what measures a vector along a line, or along itself; one of no length has nothing."""
+    start = tail or _origin(half)
+    if not start:
         return
     value = evaluate(formula, half.ways.values)
-    vector = half.at(head).minus(half.at(tail))
-    along = line or vector.unit()
-    if along is not None:
-        yield Dimension(half.point(tail), half.point(head), along, text(formula), value)
+    along = line or half.at(head).minus(half.at(start)).unit()
+    if along is None or abs(value) < LEVEL * half.size:
+        return
+    ends = half.point(start), half.point(head)
+    if value < 0:
+        formula, along = product([(number(-1), 1), (formula, 1)]), along.times(-1)
+    yield Dimension(*ends, along, _length(formula), abs(value))
+
+
+def _origin(half: Half) -> str:
+    """Return the pivot that has its place in the origin, '' where none is there."""
+    for entry in half.ways.pose.mechanism.geometry:
+        if isinstance(entry, Offset) and not entry.tail:
+            place = [evaluate(coordinate, half.ways.values) for coordinate in (entry.x, entry.y)]
+            if not any(place):
+                return entry.head
+    return ""
+
+
+def _length(formula: Formula) -> str:
+    """Return a length's formula, its plain numbers in millimetres."""
+    match formula:
+        case Number(value):
+            return f"{float(1000 * value):.6g} mm"
+        case Sum(terms):
+            return text(total(map(_with_unit, terms)))
+        case _:
+            return text(formula)
+
+
+def _with_unit(term: Formula) -> Formula:
+    """Return a term that is printed with its unit."""
+    if not isinstance(term, Number):
+        return term
+    size = Symbol(_length(number(abs(term.value))))
+    return size if term.value > 0 else product([(number(-1), 1), (size, 1)])
 
 
 def _angle(vertex: str, line: Direction, half: Half) -> Iterator[AngleMark]:

@@ -1,12 +1,13 @@
 """The parts of a figure: what is drawn of each joint, body and load, in one half or its twin."""
 
+import math
 from collections.abc import Iterable, Iterator, Mapping
 from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
-from ..frozen import frozen
+from ..frozen import frozen, replace
 from ..model import mechanism as model
 from ..pose.places import NOWHERE, Plane, direction
 from ..pose.pose import PointContact
@@ -16,8 +17,12 @@ from .outline import outline, rods
 from .ways import Ways
 from .wheels import Circle, pitch_point, runs
 
-DOWN = Plane(0.0, -1.0)
-"""Where the ground is, seen from a pivot."""
+DOWN, UP, LEFT, RIGHT = Plane(0.0, -1.0), Plane(0.0, 1.0), Plane(-1.0, 0.0), Plane(1.0, 0.0)
+GROUNDS = (DOWN, UP, LEFT, RIGHT, *(direction(math.radians(45 + 90 * i)) for i in (2, 3, 1, 0)))
+"""Where the ground may be, seen from a pivot: the usual places first."""
+
+APART = math.radians(50)
+"""The angle between the ground of a pivot and the bars that leave it, where there is room."""
 
 REACH = 0.4
 """How far a guide or a face is drawn to either side of its pin, in usual lengths."""
@@ -108,7 +113,7 @@ class Half:
         """Return what is drawn of a joint."""
         match joint:
             case model.Pivot(point):
-                return drawn.Pivot(self.point(point), self.vector(DOWN))
+                return drawn.Pivot(self.point(point), self.vector(self._ground(point)))
             case model.Slider(point):
                 along, through = self.unit(self.ways.pose.guides[point]), joint.through
                 line = self._line(along, point, *((through,) if through else ()))
@@ -131,6 +136,25 @@ class Half:
                 )
             case _:
                 assert_never(joint)
+
+    def _ground(self, point: str) -> Plane:
+        """Return where the ground of a pivot is: down, where no bar of the described half is."""
+        half = replace(self, sense=1)
+        bars = [half.at(other).minus(half.at(point)).unit() for other in half.neighbours(point)]
+        ways = [unit for unit in bars if unit is not None]
+        if point in self.shared and self.mirror is not None:
+            ways += [unit.reflected(self.mirror.along) for unit in ways]
+        room = {g: min((_angle(g, unit) for unit in ways), default=math.pi) for g in GROUNDS}
+        return max(GROUNDS, key=lambda ground: min(room[ground], APART))
+
+    def neighbours(self, point: str) -> Iterator[str]:
+        """Yield the points to which bars lead from a point of the description."""
+        mechanism = self.ways.pose.mechanism
+        bars = [bar for link in mechanism.links for bar in rods(link, mechanism.geometry)]
+        bars += [(t.points[0], t.points[1]) for t in mechanism.telescopes]
+        for tail, head in bars:
+            if point in (tail, head):
+                yield head if point == tail else tail
 
     def guide(self, point: str) -> Plane:
         """Return the unit direction in which a point is guided."""
@@ -251,6 +275,11 @@ class Half:
         reach = REACH * self.size
         start, end = along.times(min(far) - reach), along.times(max(far) + reach)
         return Segment(first.plus(start), first.plus(end))
+
+
+def _angle(one: Plane, other: Plane) -> float:
+    """Return the angle between two unit vectors, without its sense."""
+    return abs(math.atan2(one.turned().dot(other), one.dot(other)))
 
 
 def joints(mechanism: model.Mechanism) -> Iterator[model.Joint]:

@@ -146,7 +146,7 @@ def _part(of: type[Part]) -> Kind[Any]:
 
 MIRROR: Kind[MirrorLine] = record(
     "mirror_line",
-    "The line between the halves.",
+    "A line through a place.",
     member("at", "A place on it.", PLANE, lambda m: m.at),
     member("along", "Its unit direction.", PLANE, lambda m: m.along),
 )
@@ -163,6 +163,7 @@ FIGURE: Kind[Figure] = record(
     ),
     member("mirror", "If there are halves.", optional(MIRROR), lambda f: f.mirror),
     member("copies", "How many branches there are.", WHOLE, lambda f: f.copies),
+    member("axis", "About which the branches are.", optional(MIRROR), lambda f: f.axis),
     member("size", "The length of a usual vector, to scale symbols by.", FLOAT, lambda f: f.size),
     member("values", "Of the pose, SI and radians.", map_of(FLOAT), lambda f: f.values),
     member("chosen", "Which values nothing gives.", list_of(TEXT), lambda f: f.chosen),

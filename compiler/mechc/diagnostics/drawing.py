@@ -1,0 +1,40 @@
+"""Messages for what goes wrong when a mechanism is drawn (E72x)."""
+
+from .diagnostic import Message, coded
+
+LACKING = frozenset({"E721"})
+"""Codes that say that the machine lacks something: the description is not wrong."""
+
+
+@coded("E720")
+def nothing_to_draw() -> Message:
+    """A picture of a mechanism that cannot be assembled at the values given.
+
+    A loop of given lengths is open there: two links of 20 mm do not bridge 50 mm, whatever
+    their angles. Or the halves of a mirror do not meet on its line.
+
+    Wrong: ``mechc draw crank_slider -D r=1mm -o k.svg`` where the rod is too short then
+    Right: ``mechc draw crank_slider -o k.svg``
+    """
+    return Message(
+        None,
+        "there is no picture: the mechanism cannot be assembled at these values",
+        "set other values with -D, or in the description",
+    )
+
+
+@coded("E721")
+def no_png(reason: str) -> Message:
+    """A picture as PNG needs a library that is not there.
+
+    SVG and LaTeX need none. For PNG mechc asks resvg, which no other output needs, so that
+    it is not installed by itself.
+
+    Wrong: ``mechc draw clamp.mech -o clamp.png`` without it
+    Right: ``pip install 'mechc[png]'`` before, or ``mechc draw clamp.mech -o clamp.svg``
+    """
+    return Message(
+        None,
+        f"PNG cannot be written: expected the library resvg_py, found {reason}",
+        "pip install 'mechc[png]', or write -o NAME.svg",
+    )

@@ -1,0 +1,104 @@
+"""A drawing as data: shapes and labels in millimetres on paper, x to the right, y upwards."""
+
+import math
+from typing import Literal, NamedTuple
+
+from ..frozen import frozen
+from ..pose.places import Plane as Plane
+
+Fill = Literal["", "white", "light", "solid"]
+"""What is inside a closed shape: nothing, paper, a tint, the colour of its pen."""
+
+
+class Pen(NamedTuple):
+    """How a line is drawn: its width and dashes in millimetres, its colour as ``#rrggbb``."""
+
+    name: str
+    width: float
+    colour: str = "#000000"
+    dashes: tuple[float, ...] = ()
+
+
+BODY = Pen("body", 0.7)
+SYMBOL = Pen("symbol", 0.35)
+HATCH = Pen("hatch", 0.18)
+AXIS = Pen("axis", 0.18, "#777777", (3.0, 0.8, 0.4, 0.8))
+MEASURE = Pen("measure", 0.18, "#1f4e79")
+FORCE = Pen("force", 0.5, "#b00020")
+COPY = Pen("copy", 0.35, "#aaaaaa")
+PENS = (BODY, SYMBOL, HATCH, AXIS, MEASURE, FORCE, COPY)
+
+ARC_STEP = math.radians(10)
+"""How far apart the points are by which the way of an arc is looked at."""
+
+
+class Polyline(NamedTuple):
+    """Straight lines from point to point, back to the first one where ``closed``."""
+
+    points: tuple[Plane, ...]
+    pen: Pen
+    closed: bool = False
+    fill: Fill = ""
+
+
+class Arc(NamedTuple):
+    """A part of a circle, from the direction ``start`` on by ``sweep`` radians; all by default."""
+
+    centre: Plane
+    radius: float
+    pen: Pen
+    start: float = 0.0
+    sweep: float = math.tau
+    fill: Fill = ""
+
+    @property
+    def whole(self) -> bool:
+        """Return whether it is a full circle."""
+        return abs(self.sweep) >= math.tau
+
+    def at(self, part: float) -> Plane:
+        """Return the point after a part of the sweep."""
+        angle = self.start + part * self.sweep
+        return self.centre.plus(Plane(math.cos(angle), math.sin(angle)).times(self.radius))
+
+    def way(self) -> tuple[Plane, ...]:
+        """Return points along it, near enough to one another to tell what lies on it."""
+        steps = max(2, math.ceil(abs(self.sweep) / ARC_STEP))
+        return tuple(self.at(i / steps) for i in range(steps + 1))
+
+
+Shape = Polyline | Arc
+
+
+class Run(NamedTuple):
+    """A piece of text in one type; ``level`` is −1 in an index, +1 in an exponent."""
+
+    text: str
+    italic: bool = False
+    level: int = 0
+
+
+class Label(NamedTuple):
+    """Text in the middle of a box around ``at``; ``width`` and ``height`` are those of the box."""
+
+    at: Plane
+    runs: tuple[Run, ...]
+    pen: Pen
+    size: float
+    width: float
+    height: float
+
+
+@frozen
+class Drawing:
+    """Shapes in the order in which they cover each other, labels, and what the picture shows.
+
+    ``low`` and ``high`` are the corners of the paper.
+    """
+
+    title: str
+    description: str
+    shapes: tuple[Shape, ...]
+    labels: tuple[Label, ...]
+    low: Plane
+    high: Plane

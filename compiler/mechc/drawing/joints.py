@@ -1,0 +1,165 @@
+"""Joints on paper: sliders, slots, wheels, racks and screws, pins, and the guides of slides."""
+
+import itertools
+import math
+from collections import Counter
+from collections.abc import Iterator
+
+from ..figure.figure import (
+    Belt,
+    Contact,
+    Force,
+    Gears,
+    Link,
+    Part,
+    Pivot,
+    Rack,
+    Screw,
+    Slide,
+    Slider,
+    Slot,
+    Telescope,
+)
+from ..pose.places import Plane
+from . import symbols
+from .bodies import ROLLER, faces_of, wedge
+from .drawing import AXIS, BODY, SYMBOL, Arc, Polyline, Shape
+from .paper import Paper
+from .sheet import Layer, Sheet
+from .symbols import line, off
+
+STUB = 14.0
+"""How far the rod of a slide reaches beyond it, through its guide."""
+
+ROOM = 16.0
+"""How far apart points of a slide are at least between which its guide has room."""
+
+Layered = Iterator[tuple[Layer, Shape]]
+
+
+def joint(paper: Paper, part: Part) -> Layered:
+    """Yield what is drawn of a joint; of what is none, nothing."""
+    match part:
+        case Pivot():
+            yield from _in(Layer.JOINTS, symbols.pivot(paper.at(part.point), part.ground))
+        case Slider():
+            yield Layer.AXES, line(*paper.ends(part.guide), AXIS)
+            yield from _in(Layer.GROUND, symbols.guide(paper.at(part.point), part.along))
+            yield Layer.JOINTS, symbols.block(paper.at(part.point), part.along)
+        case Slot():
+            ends = paper.ends(part.groove)
+            yield Layer.JOINTS, symbols.groove_floor(*ends)
+            yield from _in(Layer.JOINTS, symbols.groove(*ends))
+        case Gears():
+            yield from _in(Layer.WHEELS, _gears(paper, part))
+        case Belt():
+            yield from _in(Layer.WHEELS, _belt(paper, part))
+        case Rack():
+            yield from _in(Layer.WHEELS, _rack(paper, part))
+        case Screw():
+            yield from _screw(paper, part)
+        case _:
+            pass
+
+
+def _in(layer: Layer, shapes: Iterator[Shape]) -> Layered:
+    return ((layer, shape) for shape in shapes)
+
+
+def _gears(paper: Paper, part: Gears) -> Iterator[Shape]:
+    touch = paper.place(part.touch)
+    for point, radius in ((part.first, part.first_radius), (part.second, part.second_radius)):
+        yield from symbols.wheel(paper.at(point), radius * paper.scale, touch)
+
+
+def _belt(paper: Paper, part: Belt) -> Iterator[Shape]:
+    yield Arc(paper.at(part.first), part.first_radius * paper.scale, SYMBOL)
+    yield Arc(paper.at(part.second), part.second_radius * paper.scale, SYMBOL)
+    for run in part.runs:
+        yield line(*paper.ends(run), BODY)
+
+
+def _rack(paper: Paper, part: Rack) -> Iterator[Shape]:
+    start, end = paper.ends(part.line)
+    yield from symbols.teeth(start, end, 1 if part.radius > 0 else -1)
+    radius = abs(part.radius) * paper.scale
+    yield from symbols.wheel(paper.at(part.pivot), radius, paper.place(part.touch))
+
+
+def _screw(paper: Paper, part: Screw) -> Layered:
+    """Yield nut and thread, and the shaft from the link that turns it, if that is on the axis."""
+    at, link = paper.at(part.point), _link(paper, part.link)
+    places = [paper.at(point) for point in link.points]
+    ends = [*paper.ends(part.axis), *(p for p in places if _on_axis(p, at, part.along))]
+    ends.sort(key=part.along.dot)
+    yield Layer.AXES, line(ends[0], ends[-1], BODY)
+    yield from _in(Layer.WHEELS, symbols.thread(*paper.ends(part.axis)))
+    yield Layer.JOINTS, symbols.nut(at, part.along)
+
+
+def _link(paper: Paper, name: str) -> Link:
+    return next(p for p in paper.figure.parts if isinstance(p, Link) and p.name == name)
+
+
+def _on_axis(place: Plane, at: Plane, along: Plane) -> bool:
+    return abs(along.turned().dot(place.minus(at))) < 1e-6
+
+
+def pins(paper: Paper) -> Iterator[Shape]:
+    """Yield the pins; a point of one body alone is none, one that touches a face is a roller."""
+    count: Counter[str] = Counter()
+    rollers = set[str]()
+    for part in paper.figure.parts:
+        match part:
+            case Link() | Slide() | Telescope():
+                count.update(part.points)
+            case Pivot() | Slider() | Slot():
+                count[part.point] += 2
+            case Contact():
+                rollers.add(part.point)
+            case _:
+                pass
+    for point, bodies in count.items():
+        if point in rollers:
+            yield Arc(paper.at(point), ROLLER, SYMBOL, fill="white")
+        elif bodies > 1:
+            yield symbols.pin(paper.at(point))
+
+
+# -------------------------------------------------------------- the guides of slides
+
+
+def draw_slide_guides(sheet: Sheet, paper: Paper) -> None:
+    """Draw a guide on each body that only translates, where there is most room for it."""
+    for part in paper.figure.parts:
+        if isinstance(part, Slide):
+            stubs = list(_stubs(paper, part))
+            guides = [(rod, tuple(symbols.guide(at, part.along))) for at, rod in stubs]
+            cost = [_cost(sheet, paper, *pair) for pair in guides]
+            rod, guide = guides[cost.index(min(cost))]
+            sheet.draw(Layer.BODIES, [rod])
+            sheet.draw(Layer.GROUND, guide)
+
+
+def _stubs(paper: Paper, body: Slide) -> Iterator[tuple[Plane, Polyline]]:
+    """Yield where a guide can be, and the rod in it: between points, before, behind."""
+    along, places = body.along, [paper.at(point) for point in body.points]
+    faces = faces_of(paper.figure, body.name)
+    places.sort(key=along.dot)
+    if not faces:
+        for start, end in itertools.pairwise(places):
+            if along.dot(end.minus(start)) > ROOM and _on_axis(end, start, along):
+                yield start.plus(end).times(0.5), line(start, end, BODY)
+    outline = [*places, *(wedge(paper, body, faces).points if faces else ())]
+    low, high = min(map(along.dot, outline)), max(map(along.dot, outline))
+    for end, edge, sense in ((places[-1], high, 1), (places[0], low, -1)):
+        start = off(end, along, edge - along.dot(end))
+        tip = off(start, along, sense * STUB)
+        yield off(start, along, sense * STUB / 2), line(start, tip, BODY)
+
+
+def _cost(sheet: Sheet, paper: Paper, rod: Polyline, guide: tuple[Shape, ...]) -> int:
+    """Return what speaks against a guide: what it crosses, and a force at its end of the rod."""
+    forces = [f for f in paper.figure.parts if isinstance(f, Force)]
+    pushed = any(math.dist(paper.at(f.point), p) < 1 for f in forces for p in rod.points)
+    return sheet.occupied.crossed(guide) + 2 * pushed

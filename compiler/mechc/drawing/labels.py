@@ -1,0 +1,182 @@
+"""Labels in the first free place among their candidates; the same places for the same drawing."""
+
+import math
+from collections.abc import Iterator
+from itertools import count
+from typing import NamedTuple
+
+from ..frozen import frozen
+from ..pose.places import Plane, direction
+from .drawing import HATCH, Arc, Label, Pen, Polyline, Run
+from .lettering import SIZE, box
+from .occupied import Box, Occupied, stretches
+
+TURNS = 16
+"""How many directions from a point are tried."""
+
+NEAR = (0.5, 1.2, 2.0, 3.2)
+"""The distances from a point at which a label is tried first, in millimetres."""
+
+STEP = 2.0
+"""By how much farther it is tried each time where all those are taken."""
+
+ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85)
+"""The parts of a line beside which its label is tried."""
+
+
+PATIENCE = 1000
+"""After so many places a line may lead to a label across another one."""
+
+
+class Candidate(NamedTuple):
+    """A place for a label; where ``far``, a line must lead from it to what it names."""
+
+    at: Plane
+    far: bool = False
+
+
+class Written(NamedTuple):
+    """A label in its place, and the line that leads to it if there is one."""
+
+    label: Label
+    leader: tuple[Polyline, ...]
+
+
+@frozen
+class Around:
+    """A name next to a point, as near to the direction ``towards`` as there is room.
+
+    ``gap`` is the radius of what is drawn at the point.
+    """
+
+    at: Plane
+    runs: tuple[Run, ...]
+    pen: Pen
+    towards: float
+    gap: float = 0.0
+
+    def candidates(self, width: float, height: float) -> Iterator[Candidate]:
+        """Yield places for a box, the best first."""
+        return _rings(self.at, self.towards, self.gap, width, height)
+
+
+@frozen
+class Beside:
+    """A name beside a line, as near to its middle as there is room; above rather than below."""
+
+    start: Plane
+    end: Plane
+    runs: tuple[Run, ...]
+    pen: Pen
+
+    @property
+    def at(self) -> Plane:
+        """Return the middle of the line."""
+        return self.start.plus(self.end).times(0.5)
+
+    def candidates(self, width: float, height: float) -> Iterator[Candidate]:
+        """Yield places for a box, the best first."""
+        yield from _sides(self.start, self.end, width, height)
+        yield from _rings(self.at, math.pi / 2, 0.0, width, height)
+
+
+@frozen
+class Along:
+    """A name beside an arc, as near to its middle as there is room; outside rather than in."""
+
+    arc: Arc
+    runs: tuple[Run, ...]
+    pen: Pen
+
+    @property
+    def at(self) -> Plane:
+        """Return the middle of the arc."""
+        return self.arc.at(0.5)
+
+    def candidates(self, width: float, height: float) -> Iterator[Candidate]:
+        """Yield places for a box, the best first."""
+        yield from _round(self.arc, width, height)
+        yield from _rings(self.at, self.arc.start + self.arc.sweep / 2, 0.0, width, height)
+
+
+Name = Around | Beside | Along
+"""What is to be written, and where it wants to be."""
+
+
+def write(name: Name, occupied: Occupied) -> Written:
+    """Return a label in the first free place, which is then taken."""
+    width, height = box(name.runs, SIZE)
+    for tried, (place, far) in enumerate(name.candidates(width, height)):
+        label = Label(place, name.runs, name.pen, SIZE, width, height)
+        leader = (_leader(name.at, label),) if far else ()
+        hidden = any(
+            occupied.written_on(*stretch) for line in leader for stretch in stretches(line)
+        )
+        if occupied.free(place, width, height) and (not hidden or tried > PATIENCE):
+            break
+    occupied.write(Box(label.at, width, height))
+    occupied.add(*leader)
+    return Written(label, leader)
+
+
+def _support(towards: Plane, width: float, height: float) -> float:
+    """Return how far the corners of a box are from its middle in a direction."""
+    return (abs(towards.x) * width + abs(towards.y) * height) / 2
+
+
+def _rings(
+    at: Plane, towards: float, gap: float, width: float, height: float
+) -> Iterator[Candidate]:
+    """Yield places around a point, the near ones first; there is no end to them."""
+    angles = [towards + math.tau / TURNS * _alternating(i) for i in range(TURNS)]
+    for number in count():
+        late = number - len(NEAR) + 1
+        distance = gap + (NEAR[number] if late <= 0 else NEAR[-1] + STEP * late)
+        for unit in map(direction, angles):
+            place = at.plus(unit.times(distance + _support(unit, width, height)))
+            yield Candidate(place, late > 0)
+
+
+def _alternating(number: int) -> int:
+    """Return 0, 1, −1, 2, −2, ….
+
+    >>> [_alternating(i) for i in range(5)]
+    [0, 1, -1, 2, -2]
+    """
+    return (number + 1) // 2 * (1 if number % 2 else -1)
+
+
+def _sides(start: Plane, end: Plane, width: float, height: float) -> Iterator[Candidate]:
+    along = end.minus(start).unit()
+    if along is None:
+        return
+    left = along.turned()
+    upper = left if (left.y, -left.x) > (1e-9, 0) else left.times(-1)
+    for distance in (0.6, 1.4):
+        for part in ALONG:
+            for side in (1, -1):
+                out = upper.times(side * (distance + _support(left, width, height)))
+                yield Candidate(start.plus(end.minus(start).times(part)).plus(out))
+
+
+def _round(arc: Arc, width: float, height: float) -> Iterator[Candidate]:
+    for distance in (0.6, 1.6, 3.0):
+        for side in (1, -1):
+            for part in ALONG:
+                out = direction(arc.start + part * arc.sweep).times(side)
+                yield Candidate(
+                    arc.at(part).plus(out.times(distance + _support(out, width, height)))
+                )
+
+
+def _leader(named: Plane, label: Label) -> Polyline:
+    """Return the line from a label to what it names; it ends before both."""
+    way = label.at.minus(named)
+    unit = way.unit() or Plane(0.0, 1.0)
+    inside = min(
+        half / abs(part) if part else math.inf
+        for half, part in zip((label.width / 2, label.height / 2), unit, strict=True)
+    )
+    length = math.hypot(*way)
+    ends = (named.plus(unit.times(min(1.5, length / 2))), label.at.minus(unit.times(inside + 0.5)))
+    return Polyline(ends, HATCH)

@@ -1,0 +1,135 @@
+"""Formulas and names as they are lettered: Greek letters, indices, no signs of multiplication."""
+
+import re
+from collections.abc import Iterator
+
+from ..formula.names import GREEK, split_name, split_points
+from .drawing import Run
+
+SIZE = 3.9
+"""The height of letters' body, in millimetres."""
+
+SMALL = 0.7
+"""The size of an index to that of its letter."""
+
+_TOKEN = re.compile(r"\s*([A-Za-z][A-Za-z0-9_']*|[0-9.]+|\S)")
+_OF_ONE = re.compile(r"(\b(?:sin|cos|tan|cot|sec|csc))\((?=[A-Za-z])([A-Za-z0-9_']+)\)")
+_PRIMES = "′″‴"
+_THIN, _MINUS = "\u2009", "−"
+_SIGNS = {"*": _THIN, "~": _THIN, "-": _MINUS, ",": ", "}
+_UNITS = {"deg": "°", "mm": f"{_THIN}mm", "m": f"{_THIN}m"}
+_FUNCTIONS = frozenset(
+    [
+        "sin",
+        "cos",
+        "tan",
+        "cot",
+        "sec",
+        "csc",
+        "asin",
+        "acos",
+        "atan",
+        "atan2",
+        "hypot",
+        "abs",
+        "min",
+        "max",
+        "exp",
+        "log",
+    ]
+)
+_WIDE, _NARROW = frozenset("mwMWΩ"), frozenset("ijlftrI.,:;'()[]|/ ′″")
+
+
+def name(written: str) -> tuple[Run, ...]:
+    """Return a point or a quantity as it is lettered.
+
+    >>> [run.text for run in name("O1'")], [run.text for run in name("alpha_max")]
+    (['O', '1', '′'], ['α', 'max'])
+    """
+    return tuple(_points(written)) or tuple(_quantity(written))
+
+
+def _points(written: str) -> Iterator[Run]:
+    for letter, number, primes in split_points(written):
+        yield Run(letter, italic=True)
+        if number:
+            yield Run(number, level=-1)
+        if primes:
+            yield Run(_primes(primes))
+
+
+def _quantity(written: str) -> Iterator[Run]:
+    head, primes, indices = split_name(written)
+    yield Run(GREEK.get(head, head), italic=True)
+    if indices:
+        yield Run(",".join(GREEK.get(i, i) for i in indices), level=-1)
+    if primes:
+        yield Run(_primes(primes))
+
+
+def _primes(primes: str) -> str:
+    count = len(primes)
+    return _PRIMES[count - 1] if count <= len(_PRIMES) else _PRIMES[0] * count
+
+
+def formula(text: str) -> tuple[Run, ...]:
+    """Return a formula in the notation of the language as it is lettered.
+
+    >>> [run.text for run in formula("2*l_A - 40 mm")]
+    ['2\u2009', 'l', 'A', ' − 40\u2009mm']
+    """
+    return tuple(_joined(_runs(_TOKEN.findall(_OF_ONE.sub(r"\1~\2", text)))))
+
+
+def _runs(tokens: list[str]) -> Iterator[Run]:
+    level = 0
+    for before, token in zip(["", *tokens], tokens, strict=False):
+        if token == "^":
+            level = 1
+            continue
+        if token in _UNITS and before[-1:].isdigit():
+            yield Run(_UNITS[token])
+        elif token == "pi" or token in _FUNCTIONS:
+            yield Run("π" if token == "pi" else token, level=level)
+        elif token[0].isalpha() and token != "sqrt":
+            yield from (run._replace(level=run.level or level) for run in name(token))
+        else:
+            yield Run(_sign(token, before), level=level)
+        level = 0
+
+
+def _sign(token: str, before: str) -> str:
+    """Return a number or a sign; one of a sum stands between spaces."""
+    if token in "+-" and before not in ("", "(", "^"):
+        return f" {_SIGNS.get(token, token)} "
+    return "√" if token == "sqrt" else _SIGNS.get(token, token)
+
+
+def _joined(runs: Iterator[Run]) -> Iterator[Run]:
+    """Yield runs of the same type as one."""
+    waiting: Run | None = None
+    for run in runs:
+        if waiting is not None and (waiting.italic, waiting.level) == (run.italic, run.level):
+            waiting = waiting._replace(text=waiting.text + run.text)
+        else:
+            if waiting is not None:
+                yield waiting
+            waiting = run
+    if waiting is not None:
+        yield waiting
+
+
+def box(runs: tuple[Run, ...], size: float) -> tuple[float, float]:
+    """Return the width and the height of text, on the safe side in every usual type."""
+    width = sum(_width(c) * (SMALL if r.level else 1.0) for r in runs for c in r.text)
+    height = 0.95 + 0.2 * any(r.level for r in runs)
+    return size * (width + 0.1), size * height
+
+
+def _width(character: str) -> float:
+    if character in _NARROW or character == _THIN:
+        return 0.36
+    if character in _WIDE:
+        return 0.9
+    return 0.75 if character.isupper() else 0.56

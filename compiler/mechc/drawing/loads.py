@@ -1,0 +1,100 @@
+"""Loads on paper: arrows of forces, round arrows of couples, names beside them."""
+
+import math
+from fractions import Fraction
+
+from ..figure.figure import Actuator, Force, Slider, Spring, Telescope, Torque
+from ..pose.places import direction
+from .drawing import FORCE, SYMBOL, Run
+from .labels import Around, Beside
+from .lettering import name
+from .paper import Paper
+from .sheet import Layer, Sheet
+from .symbols import (
+    ARROW,
+    BLOCK,
+    COUPLE,
+    PIN,
+    arrow,
+    centre_of_gravity,
+    couple,
+    cylinder,
+    off,
+    spring,
+)
+
+GAP = 0.8
+"""How far an arrow keeps off what it acts on."""
+
+DIRECTIONS = 12
+"""In how many directions from its middle the arrow of a couple is tried."""
+
+
+def draw_pairs(sheet: Sheet, paper: Paper) -> None:
+    """Draw cylinders and springs; a telescope between the same points is its cylinder."""
+    parts = paper.figure.parts
+    drawn = {frozenset(part.points) for part in parts if isinstance(part, Telescope)}
+    for part in parts:
+        if isinstance(part, Telescope):
+            sheet.draw(Layer.BODIES, cylinder(*map(paper.at, part.points)))
+        elif isinstance(part, Actuator) and frozenset((part.first, part.second)) not in drawn:
+            sheet.draw(Layer.BODIES, cylinder(paper.at(part.first), paper.at(part.second)))
+        elif isinstance(part, Spring):
+            sheet.draw(Layer.BODIES, spring(paper.at(part.first), paper.at(part.second)))
+
+
+def draw_forces(sheet: Sheet, paper: Paper) -> None:
+    """Draw the arrows of forces, weights and couples, each with its name."""
+    for part in paper.figure.parts:
+        match part:
+            case Force():
+                _draw_force(sheet, paper, part)
+            case Torque():
+                _draw_torque(sheet, paper, part)
+            case Actuator() | Spring():
+                ends = paper.at(part.first), paper.at(part.second)
+                pen = FORCE if isinstance(part, Actuator) else SYMBOL
+                sheet.name(Beside(*ends, name(part.name), pen))
+            case _:
+                pass
+
+
+def _draw_force(sheet: Sheet, paper: Paper, force: Force) -> None:
+    at = paper.at(force.point)
+    if force.weight:
+        sheet.draw(Layer.PINS, centre_of_gravity(at))
+    gap = GAP + _reach(paper, force)
+    leaving = off(at, force.along, gap), off(at, force.along, gap + ARROW)
+    coming = off(at, force.along, -gap - ARROW), off(at, force.along, -gap)
+    ways = [leaving] if force.weight else [leaving, coming]
+    tail, tip = min(ways, key=lambda way: sheet.occupied.crossings(*way))
+    sheet.draw(Layer.LOADS, arrow(tail, tip))
+    sheet.name(Beside(tail, tip, _times(force.times, force.name), FORCE))
+
+
+def _reach(paper: Paper, force: Force) -> float:
+    """Return how far what is drawn at a force's point reaches along the force."""
+    for part in paper.figure.parts:
+        if isinstance(part, Slider) and part.point == force.point:
+            return BLOCK if abs(part.along.dot(force.along)) > 0.5 else PIN + 1.0
+    return PIN + 0.4 * force.weight
+
+
+def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:
+    at = paper.place(torque.at)
+    starts = [math.pi / 2 + math.tau * i / DIRECTIONS for i in range(DIRECTIONS)]
+    shapes = [tuple(couple(at, start, torque.counterclockwise)) for start in starts]
+    found = min(shapes, key=lambda s: sheet.occupied.crossed(s))
+    sheet.draw(Layer.LOADS, found)
+    start = starts[shapes.index(found)]
+    runs = _times(torque.times, torque.name)
+    outside = off(at, direction(start), COUPLE + 1.0)
+    sheet.name(Around(outside, runs, FORCE, start))
+
+
+def _times(count: float, written: str) -> tuple[Run, ...]:
+    """Return a load's name after how often it acts: 2P, P/2."""
+    exact = Fraction(count).limit_denominator(1000)
+    above = (Run(f"{exact.numerator}\u2009"),) if exact.numerator != 1 else ()
+    below = (Run(f"/{exact.denominator}"),) if exact.denominator != 1 else ()
+    return (*above, *name(written), *below)

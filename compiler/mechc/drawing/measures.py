@@ -1,0 +1,184 @@
+"""Measures on paper: dimension lines in levels, lengths beside bars, arcs of angles."""
+
+import math
+from collections.abc import Iterable, Iterator
+from typing import NamedTuple
+
+from ..figure.figure import AngleMark, Dimension, Link, Telescope
+from ..pose.places import Plane, direction
+from .bodies import bars_at
+from .drawing import MEASURE, Arc, Polyline, Shape
+from .labels import Along, Beside
+from .lettering import formula
+from .paper import Paper
+from .sheet import Layer, Sheet
+from .symbols import head, line, off
+
+FIRST, LEVEL, LEVELS = 8.0, 6.5, 5
+"""How far the first dimension line is from what it measures, the others from each other."""
+
+WITNESS, BEYOND = 1.8, 1.2
+"""How far from its point a witness line starts, and how far it goes beyond its dimension."""
+
+RADII = (8.0, 10.5, 13.0, 16.0, 19.0, 23.0)
+"""The radii that are tried for the arc of an angle."""
+
+SMALL_HEAD = 2.2
+FLAT = math.radians(1.0)
+"""An angle below this is not drawn."""
+
+SAME = 0.9998
+"""The cosine between directions above which they are drawn as one."""
+
+
+class Line(NamedTuple):
+    """A dimension line, between its witness lines."""
+
+    start: Plane
+    end: Plane
+    witnesses: tuple[Polyline, ...]
+
+    def shapes(self) -> Iterator[Shape]:
+        """Yield all of it; its arrows come from outside where there is no room between."""
+        yield from self.witnesses
+        along = self.end.minus(self.start).unit() or Plane(1.0, 0.0)
+        yield line(self.start, self.end, MEASURE)
+        inside = 1 if math.dist(self.start, self.end) > 3 * SMALL_HEAD else -1
+        yield head(self.start, along.times(-inside), MEASURE, SMALL_HEAD)
+        yield head(self.end, along.times(inside), MEASURE, SMALL_HEAD)
+
+
+def draw_measures(sheet: Sheet, paper: Paper) -> None:
+    """Draw what measures lengths, the short ones nearest to the mechanism, and angles."""
+    parts = paper.figure.parts
+    lengths = [part for part in parts if isinstance(part, Dimension)]
+    for dimension in sorted(lengths, key=lambda d: d.value):
+        _draw_length(sheet, paper, dimension)
+    for mark in dict.fromkeys(part for part in parts if isinstance(part, AngleMark)):
+        _draw_angle(sheet, paper, mark)
+
+
+# ---------------------------------------------------------------------------- lengths
+
+
+def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension) -> None:
+    tail, tip = paper.at(dimension.tail), paper.at(dimension.head)
+    runs = formula(dimension.text)
+    if frozenset((dimension.tail, dimension.head)) in _rods(paper):
+        sheet.name(Beside(tail, tip, runs, MEASURE))
+        return
+    lines = list(_lines(tail, tip, dimension.along))
+    best = min(lines, key=lambda found: _cost(sheet, found, tail, tip))
+    crowded = _crossed(sheet, best)
+    if crowded and _is_bar(paper, dimension):
+        sheet.name(Beside(tail, tip, runs, MEASURE))
+        return
+    sheet.draw(Layer.MEASURES, best.shapes())
+    sheet.name(Beside(best.start, best.end, runs, MEASURE))
+
+
+def _rods(paper: Paper) -> set[frozenset[str]]:
+    """Return the ends of the bodies that are a single bar: its length is written beside it."""
+    return {
+        frozenset(part.points)
+        for part in paper.figure.parts
+        if isinstance(part, Link | Telescope) and len(part.points) == 2
+    }
+
+
+def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[Line]:
+    """Yield dimension lines on both sides of two points, the near ones first."""
+    across = along.turned()
+    heights = across.dot(tail), across.dot(tip)
+    for level in range(LEVELS):
+        for side in (1, -1):
+            outer = max(side * h for h in heights) + FIRST + level * LEVEL
+            feet = (tail, tip)
+            start, end = (p.plus(across.times(side * outer - across.dot(p))) for p in feet)
+            witnesses = (
+                line(off(p, across, side * WITNESS), off(foot, across, side * BEYOND), MEASURE)
+                for p, foot in zip(feet, (start, end), strict=True)
+            )
+            yield Line(start, end, tuple(witnesses))
+
+
+def _cost(sheet: Sheet, found: Line, tail: Plane, tip: Plane) -> float:
+    """Return what speaks against a dimension line: what it crosses, and how far off it is."""
+    witnesses = sum(sheet.occupied.crossings(*w.points) for w in found.witnesses)
+    distance = math.dist(found.start, tail) + math.dist(found.end, tip)
+    return 3 * _crossed(sheet, found) + witnesses + 0.06 * distance
+
+
+def _crossed(sheet: Sheet, found: Line) -> int:
+    """Return how many lines a dimension and its number would cross."""
+    start, end = found.start, found.end
+    return sum(
+        sheet.occupied.crossings(*_shortened(start.plus(step), end.plus(step)))
+        for step in (Plane(0.0, 0.0), *(_across(start, end).times(s) for s in (4.0, -1.2)))
+    )
+
+
+def _is_bar(paper: Paper, dimension: Dimension) -> bool:
+    """Return whether a dimension measures a bar between neighbouring points of a link."""
+    ends = {dimension.tail, dimension.head}
+    for part in paper.figure.parts:
+        if isinstance(part, Link) and ends in map(set, part.rods):
+            return not any(_between(paper, dimension, p) for p in {*part.points} - ends)
+    return False
+
+
+def _between(paper: Paper, dimension: Dimension, point: str) -> bool:
+    tail, tip, at = (paper.at(p) for p in (dimension.tail, dimension.head, point))
+    return math.dist(tail, at) + math.dist(at, tip) < (1 + 1e-6) * math.dist(tail, tip)
+
+
+def _across(start: Plane, end: Plane) -> Plane:
+    unit = (end.minus(start).unit() or Plane(1.0, 0.0)).turned()
+    return unit if (unit.y, -unit.x) > (1e-9, 0) else unit.times(-1)
+
+
+def _shortened(start: Plane, end: Plane) -> tuple[Plane, Plane]:
+    """Return a line without its ends, at which others may meet it."""
+    step = end.minus(start).times(min(0.8 / max(math.dist(start, end), 1e-9), 0.4))
+    return start.plus(step), end.minus(step)
+
+
+# ----------------------------------------------------------------------------- angles
+
+
+def _draw_angle(sheet: Sheet, paper: Paper, mark: AngleMark) -> None:
+    if abs(mark.sweep) < FLAT:
+        return
+    at, lines = paper.at(mark.vertex), list(_lines_at(paper, mark.vertex))
+    arcs = [Arc(at, r, MEASURE, mark.start, mark.sweep) for r in RADII]
+    arc = min(arcs, key=lambda a: 2 * sheet.occupied.crossed((a,)) + 0.1 * a.radius)
+    for angle in (mark.start, mark.start + mark.sweep):
+        if all(direction(angle).dot(unit) < SAME for unit in lines):
+            ray = line(
+                off(at, direction(angle), WITNESS),
+                off(at, direction(angle), arc.radius + 2),
+                MEASURE,
+            )
+            sheet.draw(Layer.AXES, [ray])
+    sheet.draw(Layer.MEASURES, _with_heads(arc))
+    sheet.name(Along(arc, formula(mark.text), MEASURE))
+
+
+def _lines_at(paper: Paper, point: str) -> Iterable[Plane]:
+    """Yield the directions in which bars leave a point."""
+    for part in paper.figure.parts:
+        if isinstance(part, Link):
+            yield from bars_at(paper, part, point)
+
+
+def _with_heads(arc: Arc) -> Iterator[Shape]:
+    """Yield an arc with arrows at its ends, where it is long enough for them."""
+    yield arc
+    if arc.radius * abs(arc.sweep) > 3 * SMALL_HEAD:
+        sense = math.copysign(1.0, arc.sweep)
+        lean = sense * SMALL_HEAD / arc.radius / 2
+        for part, way in ((0.0, -1), (1.0, 1)):
+            angle = arc.start + part * arc.sweep - way * lean
+            yield head(
+                arc.at(part), direction(angle).turned().times(sense * way), MEASURE, SMALL_HEAD
+            )

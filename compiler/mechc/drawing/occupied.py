@@ -1,0 +1,150 @@
+"""What is drawn already: which boxes are free, how many lines a line would cross."""
+
+import itertools
+import math
+from collections.abc import Iterable, Iterator
+
+from ..pose.places import Plane
+from .drawing import AXIS, COPY, HATCH, Arc, Shape
+
+CELL = 5.0
+"""The side of a square of the grid in which lines are looked up, in millimetres."""
+
+CLEAR = 0.35
+"""How far a label keeps off lines and other labels, in millimetres."""
+
+TOUCH = 0.2
+"""Lines that are nearer to each other than this, in millimetres, meet."""
+
+FAINT = (AXIS, COPY, HATCH)
+"""Lines that others may cross."""
+
+Stretch = tuple[Plane, Plane]
+Square = tuple[int, int]
+
+
+class Box:
+    """A rectangle with upright sides, around its middle."""
+
+    def __init__(self, at: Plane, width: float, height: float) -> None:
+        self.low = Plane(at.x - width / 2, at.y - height / 2)
+        self.high = Plane(at.x + width / 2, at.y + height / 2)
+
+    def overlaps(self, other: "Box") -> bool:
+        """Return whether two boxes have a point in common."""
+        return (
+            self.low.x < other.high.x
+            and other.low.x < self.high.x
+            and self.low.y < other.high.y
+            and other.low.y < self.high.y
+        )
+
+    def cut_by(self, line: Stretch) -> bool:
+        """Return whether a straight line passes through the box."""
+        start, end = line
+        step = end.minus(start)
+        enter, leave = 0.0, 1.0
+        for here, move, low, high in zip(start, step, self.low, self.high, strict=True):
+            if abs(move) < 1e-12:
+                if not low <= here <= high:
+                    return False
+                continue
+            near, far = sorted(((low - here) / move, (high - here) / move))
+            enter, leave = max(enter, near), min(leave, far)
+        return enter <= leave
+
+
+def stretches(shape: Shape) -> Iterator[Stretch]:
+    """Yield the straight lines of a shape; those of an arc are chords."""
+    if isinstance(shape, Arc):
+        points = shape.way()
+    else:
+        points = (*shape.points, shape.points[0]) if shape.closed else shape.points
+    yield from itertools.pairwise(points)
+
+
+class Occupied:
+    """The lines and labels of a drawing that is being made."""
+
+    def __init__(self, shapes: Iterable[Shape] = ()) -> None:
+        self._lines: list[Stretch] = []
+        self._faint: list[bool] = []
+        self._squares: dict[Square, list[int]] = {}
+        self._boxes: list[Box] = []
+        self.add(*shapes)
+
+    def add(self, *shapes: Shape) -> None:
+        """Take in what has been drawn."""
+        for shape in shapes:
+            for line in stretches(shape):
+                for square in _squares(*line):
+                    self._squares.setdefault(square, []).append(len(self._lines))
+                self._lines.append(line)
+                self._faint.append(shape.pen in FAINT)
+
+    def write(self, box: Box) -> None:
+        """Take in the box of a label."""
+        self._boxes.append(box)
+
+    def free(self, at: Plane, width: float, height: float) -> bool:
+        """Return whether a box has neither lines nor labels in it, nor next to it."""
+        box = Box(at, width + 2 * CLEAR, height + 2 * CLEAR)
+        if any(box.overlaps(other) for other in self._boxes):
+            return False
+        return not any(box.cut_by(self._lines[i]) for i in self._near(box.low, box.high))
+
+    def written_on(self, start: Plane, end: Plane) -> bool:
+        """Return whether a straight line meets a label."""
+        return any(box.cut_by((start, end)) for box in self._boxes)
+
+    def crossings(self, start: Plane, end: Plane) -> int:
+        """Return how many lines, faint ones apart, a straight line meets."""
+        low = Plane(min(start.x, end.x), min(start.y, end.y))
+        high = Plane(max(start.x, end.x), max(start.y, end.y))
+        near = (i for i in self._near(low, high) if not self._faint[i])
+        return sum(_meet((start, end), self._lines[i]) for i in near)
+
+    def crossed(self, shapes: Iterable[Shape]) -> int:
+        """Return how many lines shapes would meet."""
+        return sum(self.crossings(*line) for shape in shapes for line in stretches(shape))
+
+    def _near(self, low: Plane, high: Plane) -> list[int]:
+        """Return the lines in the squares that a rectangle touches, in order."""
+        columns = range(_cell(low.x), _cell(high.x) + 1)
+        rows = range(_cell(low.y), _cell(high.y) + 1)
+        found = {i for x in columns for y in rows for i in self._squares.get((x, y), ())}
+        return sorted(found)
+
+
+def _cell(place: float) -> int:
+    return math.floor(place / CELL)
+
+
+def _squares(start: Plane, end: Plane) -> set[Square]:
+    """Return the squares that a line passes through: those of points close to one another."""
+    steps = 1 + math.ceil(math.dist(start, end) / (CELL / 4))
+    points = (start.plus(end.minus(start).times(i / steps)) for i in range(steps + 1))
+    return {(_cell(p.x + dx), _cell(p.y + dy)) for p in points for dx in (-1, 1) for dy in (-1, 1)}
+
+
+def _meet(one: Stretch, other: Stretch) -> bool:
+    """Return whether two straight lines cross, or lie on each other."""
+    (a, b), (c, d) = one, other
+    return _side_by_side(one, other) and _apart(a, b, c, d) and _apart(c, d, a, b)
+
+
+def _side_by_side(one: Stretch, other: Stretch) -> bool:
+    """Return whether the upright rectangles around two straight lines touch."""
+    return all(
+        min(a, b) <= max(c, d) + TOUCH and min(c, d) <= max(a, b) + TOUCH
+        for a, b, c, d in zip(*one, *other, strict=True)
+    )
+
+
+def _apart(a: Plane, b: Plane, c: Plane, d: Plane) -> bool:
+    """Return whether two points are not both on one side of a line, near which is on it."""
+    normal = b.minus(a).unit()
+    if normal is None:
+        return False
+    first, second = (normal.turned().dot(p.minus(a)) for p in (c, d))
+    return min(first, second) <= TOUCH and max(first, second) >= -TOUCH

@@ -1,0 +1,76 @@
+"""A drawing in the making: what is drawn so far, layer by layer, and where there is room."""
+
+from collections.abc import Iterable, Iterator
+from enum import IntEnum
+
+from ..pose.places import Plane
+from .drawing import Arc, Drawing, Label, Shape
+from .labels import Name, write
+from .occupied import Box, Occupied, stretches
+
+MARGIN = 3.0
+"""How much paper there is around a drawing, in millimetres."""
+
+
+class Layer(IntEnum):
+    """What covers what: a later layer what is in an earlier one."""
+
+    COPIES = 0
+    AXES = 1
+    GROUND = 2
+    WHEELS = 3
+    BODIES = 4
+    JOINTS = 5
+    PINS = 6
+    LOADS = 7
+    MEASURES = 8
+
+
+class Sheet:
+    """Shapes by layer, and labels."""
+
+    def __init__(self) -> None:
+        self._shapes: list[tuple[Layer, Shape]] = []
+        self._names: list[Name] = []
+        self.occupied = Occupied()
+
+    def draw(self, layer: Layer, shapes: Iterable[Shape]) -> None:
+        """Draw shapes in a layer, over what it has already."""
+        for shape in shapes:
+            self._shapes.append((layer, shape))
+            self.occupied.add(shape)
+
+    def name(self, name: Name) -> None:
+        """Take what is to be written when all is drawn, so that no line crosses it."""
+        self._names.append(name)
+
+    def extent(self, labels: Iterable[Label] = ()) -> tuple[Plane, Plane]:
+        """Return the lower left and the upper right corner of all that is drawn, and of labels."""
+        places = [*self._places(), *(end for label in labels for end in _corners(label))]
+        xs, ys = [p.x for p in places], [p.y for p in places]
+        return Plane(min(xs), min(ys)), Plane(max(xs), max(ys))
+
+    def finished(self, title: str, description: str) -> Drawing:
+        """Return the drawing, with names where there is room for them."""
+        written = [write(name, self.occupied) for name in self._names]
+        leaders = [line for _, lines in written for line in lines]
+        self._shapes += [(Layer.MEASURES, line) for line in leaders]
+        labels = tuple(label for label, _ in written)
+        low, high = self.extent(labels)
+        margin = Plane(MARGIN, MARGIN)
+        ordered = sorted(self._shapes, key=lambda pair: pair[0])
+        shapes = tuple(shape for _, shape in ordered)
+        return Drawing(title, description, shapes, labels, low.minus(margin), high.plus(margin))
+
+    def _places(self) -> Iterator[Plane]:
+        for _, shape in self._shapes:
+            if isinstance(shape, Arc) and shape.whole:
+                reach = Plane(shape.radius, shape.radius)
+                yield from (shape.centre.minus(reach), shape.centre.plus(reach))
+            else:
+                yield from (end for stretch in stretches(shape) for end in stretch)
+
+
+def _corners(label: Label) -> tuple[Plane, Plane]:
+    box = Box(label.at, label.width, label.height)
+    return box.low, box.high

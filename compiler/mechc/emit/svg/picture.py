@@ -1,0 +1,121 @@
+"""A drawing as SVG: a millimetre is a unit, numbers are rounded, and all text is escaped."""
+
+import math
+from collections.abc import Iterable, Iterator
+from itertools import groupby
+from xml.sax.saxutils import escape, quoteattr
+
+from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
+from ...drawing.lettering import SMALL
+
+FONTS = "STIX Two Text, Times New Roman, Liberation Serif, Latin Modern Roman, serif"
+
+TINT = "#e8edf2"
+"""The colour of what is filled lightly."""
+
+_BASELINE = 0.32
+"""How far below the middle of a letter's box its foot is, in letters."""
+
+_SHIFT = {-1: 0.22, 0: 0.0, 1: -0.38}
+
+
+def to_svg(drawing: Drawing) -> str:
+    """Return a picture as a document of its own, with a text that stands for it."""
+    width, height = drawing.high.minus(drawing.low)
+    lines = (
+        f'<svg xmlns="http://www.w3.org/2000/svg" role="img" width="{_number(width)}mm"'
+        f' height="{_number(height)}mm" viewBox="0 0 {_number(width)} {_number(height)}">',
+        f"<title>{_text(drawing.title)}</title>",
+        f"<desc>{_text(drawing.description)}</desc>",
+        '<rect width="100%" height="100%" fill="#fff"/>',
+        '<g fill="none" stroke-linecap="round" stroke-linejoin="round">',
+        *_shapes(drawing),
+        "</g>",
+        f'<g font-family={quoteattr(FONTS)} text-anchor="middle">',
+        *(_label(label, drawing) for label in drawing.labels),
+        "</g>",
+        "</svg>",
+    )
+    return "\n".join(lines) + "\n"
+
+
+def _text(text: str) -> str:
+    """Return text of the user's as XML takes it: without characters that it forbids."""
+    return escape("".join(c if c.isprintable() else " " for c in text))
+
+
+def _shapes(drawing: Drawing) -> Iterator[str]:
+    """Yield a path for each row of shapes that look alike."""
+    for (pen, fill), shapes in groupby(drawing.shapes, key=lambda shape: (shape.pen, shape.fill)):
+        ways = "".join(_way(shape, drawing) for shape in shapes)
+        yield f'<path d="{ways}"{_look(pen, fill)}/>'
+
+
+def _look(pen: Pen, fill: Fill) -> str:
+    colours = {"": "", "white": "#fff", "light": TINT, "solid": pen.colour}
+    look = f' fill="{colours[fill]}"' if fill else ""
+    if pen.width:
+        look += f' stroke="{pen.colour}" stroke-width="{_number(pen.width)}"'
+    if pen.dashes:
+        look += f' stroke-dasharray="{" ".join(map(_number, pen.dashes))}"'
+    return look
+
+
+def _way(shape: Shape, drawing: Drawing) -> str:
+    match shape:
+        case Polyline(points, _, closed):
+            return f"M{_row(points, drawing)}{'Z' if closed else ''}"
+        case Arc():
+            return _arc(shape, drawing)
+
+
+def _arc(arc: Arc, drawing: Drawing) -> str:
+    """Return an arc, in two halves: SVG has none that goes all the way round."""
+    start, middle, end = (_pair(arc.at(part), drawing) for part in (0.0, 0.5, 1.0))
+    radius, turn = _number(arc.radius), 0 if arc.sweep > 0 else 1
+    halves = "".join(f"A{radius} {radius} 0 0 {turn} {place}" for place in (middle, end))
+    return f"M{start}{halves}{'Z' if arc.whole else ''}"
+
+
+def _row(points: Iterable[Plane], drawing: Drawing) -> str:
+    return " ".join(_pair(point, drawing) for point in points)
+
+
+def _pair(at: Plane, drawing: Drawing) -> str:
+    """Return a place as SVG counts: from the upper left corner, downwards."""
+    return f"{_number(at.x - drawing.low.x)} {_number(drawing.high.y - at.y)}"
+
+
+def _number(value: float) -> str:
+    """Return a number to a hundredth, in as few letters as can be.
+
+    >>> _number(-0.004), _number(2.50), _number(-0.25)
+    ('0', '2.5', '-.25')
+    """
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    if text in ("-0", ""):
+        return "0"
+    return text.replace("0.", ".", 1) if text.startswith(("0.", "-0.")) else text
+
+
+def _label(label: Label, drawing: Drawing) -> str:
+    foot = label.at.minus(Plane(0.0, _BASELINE * label.size))
+    x, y = _pair(foot, drawing).split()
+    runs = "".join(_runs(label))
+    colour = "" if label.pen.colour == "#000000" else f' fill="{label.pen.colour}"'
+    return f'<text x="{x}" y="{y}" font-size="{_number(label.size)}"{colour}>{runs}</text>'
+
+
+def _runs(label: Label) -> Iterator[str]:
+    height = 0.0
+    for run in label.runs:
+        shift = _SHIFT[run.level] * label.size
+        yield f"<tspan{_type(run, label.size, shift - height)}>{_text(run.text)}</tspan>"
+        height = shift
+
+
+def _type(run: Run, size: float, step: float) -> str:
+    italic = ' font-style="italic"' if run.italic else ""
+    small = f' font-size="{_number(SMALL * size)}"' if run.level else ""
+    moved = f' dy="{_number(step)}"' if not math.isclose(step, 0.0, abs_tol=1e-9) else ""
+    return f"{italic}{small}{moved}"

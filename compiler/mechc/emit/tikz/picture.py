@@ -1,0 +1,130 @@
+"""A drawing as TikZ, in a document of its own that needs no other package."""
+
+import math
+from collections.abc import Iterable, Iterator
+
+from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
+from ...drawing.lettering import SIZE
+from ...formula.names import GREEK
+from ...report.latex.text import escape
+
+POINTS = 72.27 / 25.4
+"""TeX's points in a millimetre."""
+
+TINT = "E8EDF2"
+
+_LETTERS = {letter: rf"\{name} " for name, letter in GREEK.items()} | {
+    "−": "-",
+    "′": "'",
+    "″": "''",
+    "‴": "'''",
+    "\u2009": r"\,",
+    " ": r"\ ",
+    "°": r"^{\circ}",
+    "√": r"\surd ",
+    "ο": "o",
+    "φ": r"\varphi ",
+    "ε": r"\varepsilon ",
+}
+"""Characters of labels in mathematics."""
+
+_PLAIN = frozenset("+-/()=.,")
+
+
+def to_tikz(drawing: Drawing) -> str:
+    """Return a picture as a document for every TeX engine."""
+    size = SIZE * POINTS
+    lines = (
+        f"% {_comment(drawing.title)}",
+        f"% {_comment(drawing.description)}",
+        r"\documentclass[tikz]{standalone}",
+        *map(_definition, PENS),
+        rf"\definecolor{{mechctint}}{{HTML}}{{{TINT}}}",
+        r"\begin{document}",
+        r"\begin{tikzpicture}[x=1mm, y=1mm, line cap=round, line join=round,",
+        rf"  every node/.style={{inner sep=0pt, font=\fontsize{{{size:.4g}}}{{13}}\selectfont}}]",
+        rf"\path {_pair(drawing.low)} rectangle {_pair(drawing.high)};",
+        *map(_shape, drawing.shapes),
+        *map(_label, drawing.labels),
+        r"\end{tikzpicture}",
+        r"\end{document}",
+    )
+    return "\n".join(lines) + "\n"
+
+
+def _comment(text: str) -> str:
+    """Return text of the user's without what would end a comment."""
+    return "".join(c if c.isprintable() else " " for c in text)
+
+
+def _definition(pen: Pen) -> str:
+    """Return the colour and the style of a pen."""
+    dashes = [
+        f"{way} {_number(d)}mm" for way, d in zip(("on", "off") * 4, pen.dashes, strict=False)
+    ]
+    pattern = f", dash pattern={' '.join(dashes)}" if dashes else ""
+    return (
+        rf"\definecolor{{mechc{pen.name}}}{{HTML}}{{{pen.colour[1:].upper()}}}"
+        rf" \tikzset{{{pen.name}/.style={{mechc{pen.name},"
+        rf" line width={_number(pen.width)}mm{pattern}}}}}"
+    )
+
+
+def _shape(shape: Shape) -> str:
+    return rf"\path[{_look(shape.pen, shape.fill)}] {_way(shape)};"
+
+
+def _look(pen: Pen, fill: Fill) -> str:
+    colours = {"white": "white", "light": "mechctint", "solid": f"mechc{pen.name}"}
+    look = [pen.name, "draw"] if pen.width else []
+    return ", ".join([*look, *([f"fill={colours[fill]}"] if fill else [])])
+
+
+def _way(shape: Shape) -> str:
+    match shape:
+        case Polyline(points, _, closed):
+            return f"{' -- '.join(map(_pair, points))}{' -- cycle' if closed else ''}"
+        case Arc(centre, radius) if shape.whole:
+            return f"{_pair(centre)} circle[radius={_number(radius)}]"
+        case Arc(_, radius, _, start, sweep):
+            ends = (_number(math.degrees(angle)) for angle in (start, start + sweep))
+            angles = "start angle={}, end angle={}".format(*ends)
+            return f"{_pair(shape.at(0.0))} arc[{angles}, radius={_number(radius)}]"
+
+
+def _pair(at: Plane) -> str:
+    return f"({_number(at.x)},{_number(at.y)})"
+
+
+def _number(value: float) -> str:
+    """Return a number to a hundredth.
+
+    >>> _number(-0.004), _number(2.50)
+    ('0', '2.5')
+    """
+    text = f"{value:.2f}".rstrip("0").rstrip(".")
+    return "0" if text == "-0" else text
+
+
+def _label(label: Label) -> str:
+    colour = f"[text=mechc{label.pen.name}]"
+    return rf"\node{colour} at {_pair(label.at)} {{${''.join(_runs(label.runs))}$}};"
+
+
+def _runs(runs: Iterable[Run]) -> Iterator[str]:
+    for run in runs:
+        text = "".join(map(_spelled, run.text))
+        if run.italic and len(run.text) > 1:
+            text = rf"\mathit{{{text}}}"
+        elif not run.italic and run.text.strip(" \u2009").isalpha() and run.text.isascii():
+            text = rf"\mathrm{{{text}}}"
+        yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[run.level]
+
+
+def _spelled(character: str) -> str:
+    """Return a character of a label in mathematics."""
+    if character in _LETTERS:
+        return _LETTERS[character]
+    if character in _PLAIN or (character.isascii() and character.isalnum()):
+        return character
+    return rf"\mbox{{{escape(character)}}}"
