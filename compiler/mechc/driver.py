@@ -197,6 +197,13 @@ class Compilation:
         with within(Allowance(), self.report):
             return diagrams(self.pose, self.solution.results, figure.values, figure.points, loads)
 
+    @Stage
+    def free_body_diagrams(self) -> "Drawing | None":
+        """The free bodies drawn; None where there are none, or no figure."""
+        from .drawing.from_diagrams import free_bodies
+
+        return free_bodies(self.figure, self.free_bodies) if self.figure else None
+
     def stroke(self, points: int) -> "Stroke":
         """Return the results along the stroke of the drive, in so many rows."""
         from .study.stroke.from_balance import run

@@ -6,9 +6,9 @@ from pathlib import Path
 import click
 
 from ..diagnostics import MechcError
-from ..diagnostics.drawing import nothing_to_draw
+from ..diagnostics.drawing import no_free_bodies, nothing_to_draw
 from ..drawing.drawing import Drawing
-from ..driver import warnings
+from ..driver import checked, warnings
 from ..emit.png.picture import to_png
 from ..emit.svg.picture import to_svg
 from ..emit.tikz.picture import to_tikz
@@ -52,24 +52,32 @@ def _known(
     metavar="PATH",
     help="A file whose suffix tells the format: .svg, .tex (TikZ) or .png. May be repeated.",
 )
+@click.option("--bodies", is_flag=True, help="Draw every body cut free, with the forces on it.")
 @settings_option
 @stdin_option
 @session_options
-def command(file: str, paths: tuple[Path, ...], settings: Settings, stdin_name: str) -> None:
-    """Draw the kinematic scheme.
+def command(
+    file: str, paths: tuple[Path, ...], bodies: bool, settings: Settings, stdin_name: str
+) -> None:
+    """Draw the kinematic scheme, or the free bodies.
 
     The mechanism at its default pose, or at values set with -D: links, joints in the symbols
     of ISO 3952, loads, lengths and angles by their names. Without -o, or with -o -, the
     picture goes to standard output as SVG. PNG needs `pip install 'mechc[png]'`.
 
+    With --bodies each link is drawn by itself, without friction and then with it, with the
+    forces on it to one scale: in newtons, or in units of a load whose size nothing gives. Of
+    a mirrored mechanism one half is shown.
+
     \b
     mechc draw clamp.mech -o clamp.svg
+    mechc draw clamp.mech --bodies -o forces.svg
     mechc draw crank_rocker -D phi=120deg -o rocker.tex -o rocker.png
     """
     compilation = begin(file, stdin_name, settings)
-    drawing = compilation.scheme
+    drawing = checked(compilation).free_body_diagrams if bodies else compilation.scheme
     if drawing is None:
-        raise MechcError([nothing_to_draw()])
+        raise MechcError([no_free_bodies() if compilation.figure else nothing_to_draw()])
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in paths if path != STANDARD_OUTPUT]
     pictures = {path: FORMATS[path.suffix.lower()](drawing) for path in files}

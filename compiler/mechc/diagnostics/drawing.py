@@ -38,3 +38,20 @@ def no_png(reason: str) -> Message:
         f"PNG cannot be written: expected the library resvg_py, found {reason}",
         "pip install 'mechc[png]', or write -o NAME.svg",
     )
+
+
+@coded("E722")
+def no_free_bodies() -> Message:
+    """Free bodies of a description that asks for no load.
+
+    Forces follow from the loads that a result speaks of. One of velocities alone speaks of
+    none, so that there is nothing to draw on the bodies.
+
+    Wrong: ``find v = V_B/V_A`` alone, and ``mechc draw FILE --bodies``
+    Right: ``find k = P/F`` besides
+    """
+    return Message(
+        None,
+        "there are no free bodies: expected a result that speaks of a load, found none",
+        "ask for one, as in find k = P/F, or draw the scheme without --bodies",
+    )

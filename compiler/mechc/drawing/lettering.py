@@ -14,7 +14,6 @@ SMALL = 0.7
 
 _TOKEN = re.compile(r"\s*([A-Za-z][A-Za-z0-9_']*|[0-9.]+|\S)")
 _OF_ONE = re.compile(r"(\b(?:sin|cos|tan|cot|sec|csc))\((?=[A-Za-z])([A-Za-z0-9_']+)\)")
-_PRIMES = "′″‴"
 _THIN, _MINUS = "\u2009", "−"
 _SIGNS = {"*": _THIN, "~": _THIN, "-": _MINUS, ",": ", "}
 _UNITS = {"deg": "°", "mm": f"{_THIN}mm", "m": f"{_THIN}m"}
@@ -38,14 +37,14 @@ _FUNCTIONS = frozenset(
         "log",
     ]
 )
-_WIDE, _NARROW = frozenset("mwMWΩ"), frozenset("ijlftrI.,:;'()[]|/ ′″")
+_WIDE, _NARROW = frozenset("mwMWΩ"), frozenset("ijlftrI.,:;'()[]|/ ")
 
 
 def name(written: str) -> tuple[Run, ...]:
     """Return a point or a quantity as it is lettered.
 
     >>> [run.text for run in name("O1'")], [run.text for run in name("alpha_max")]
-    (['O', '1', '′'], ['α', 'max'])
+    (['O', '1', "'"], ['α', 'max'])
     """
     return tuple(_points(written)) or tuple(_quantity(written))
 
@@ -56,7 +55,7 @@ def _points(written: str) -> Iterator[Run]:
         if number:
             yield Run(number, level=-1)
         if primes:
-            yield Run(_primes(primes))
+            yield Run(primes, italic=True)
 
 
 def _quantity(written: str) -> Iterator[Run]:
@@ -65,12 +64,7 @@ def _quantity(written: str) -> Iterator[Run]:
     if indices:
         yield Run(",".join(GREEK.get(i, i) for i in indices), level=-1)
     if primes:
-        yield Run(_primes(primes))
-
-
-def _primes(primes: str) -> str:
-    count = len(primes)
-    return _PRIMES[count - 1] if count <= len(_PRIMES) else _PRIMES[0] * count
+        yield Run(primes, italic=True)
 
 
 def formula(text: str) -> tuple[Run, ...]:

@@ -14,6 +14,7 @@ from .symbols import (
     ARROW,
     BLOCK,
     COUPLE,
+    GAP,
     PIN,
     arrow,
     centre_of_gravity,
@@ -22,9 +23,6 @@ from .symbols import (
     off,
     spring,
 )
-
-GAP = 0.8
-"""How far an arrow keeps off what it acts on."""
 
 DIRECTIONS = 12
 """In how many directions from its middle the arrow of a couple is tried."""

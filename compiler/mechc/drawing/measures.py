@@ -52,8 +52,10 @@ def draw_measures(sheet: Sheet, paper: Paper) -> None:
     """Draw what measures lengths, the short ones nearest to the mechanism, and angles."""
     parts = paper.figure.parts
     lengths = [part for part in parts if isinstance(part, Dimension)]
+    known: set[str] = set()
     for dimension in sorted(lengths, key=lambda d: d.value):
-        _draw_length(sheet, paper, dimension)
+        _draw_length(sheet, paper, dimension, dimension.text in known)
+        known.add(dimension.text)
     for mark in dict.fromkeys(part for part in parts if isinstance(part, AngleMark)):
         _draw_angle(sheet, paper, mark)
 
@@ -61,7 +63,8 @@ def draw_measures(sheet: Sheet, paper: Paper) -> None:
 # ---------------------------------------------------------------------------- lengths
 
 
-def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension) -> None:
+def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) -> None:
+    """Draw a length; one of a name that is ``known`` already only where nothing is in the way."""
     tail, tip = paper.at(dimension.tail), paper.at(dimension.head)
     runs = formula(dimension.text)
     if frozenset((dimension.tail, dimension.head)) in _rods(paper):
@@ -69,9 +72,10 @@ def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension) -> None:
         return
     lines = list(_lines(tail, tip, dimension.along))
     best = min(lines, key=lambda found: _cost(sheet, found, tail, tip))
-    crowded = _crossed(sheet, best)
-    if crowded and _is_bar(paper, dimension):
+    if _crossed(sheet, best) and _is_bar(paper, dimension):
         sheet.name(Beside(tail, tip, runs, MEASURE))
+        return
+    if known and _in_the_way(sheet, best):
         return
     sheet.draw(Layer.MEASURES, best.shapes())
     sheet.name(Beside(best.start, best.end, runs, MEASURE))
@@ -104,9 +108,14 @@ def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[Line]:
 
 def _cost(sheet: Sheet, found: Line, tail: Plane, tip: Plane) -> float:
     """Return what speaks against a dimension line: what it crosses, and how far off it is."""
-    witnesses = sum(sheet.occupied.crossings(*w.points) for w in found.witnesses)
     distance = math.dist(found.start, tail) + math.dist(found.end, tip)
-    return 3 * _crossed(sheet, found) + witnesses + 0.06 * distance
+    return _in_the_way(sheet, found) + 0.06 * distance
+
+
+def _in_the_way(sheet: Sheet, found: Line) -> int:
+    """Return how many lines a dimension would cross, those across its number counted more."""
+    witnesses = sum(sheet.occupied.crossed((witness,)) for witness in found.witnesses)
+    return 3 * _crossed(sheet, found) + witnesses
 
 
 def _crossed(sheet: Sheet, found: Line) -> int:

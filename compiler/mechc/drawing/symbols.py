@@ -21,6 +21,9 @@ GUIDE = 5.5
 ARROW = 13.0
 """The length of a force's arrow."""
 
+GAP = 0.8
+"""How far an arrow keeps off what it acts on."""
+
 COUPLE = 6.0
 """The radius of a couple's arrow."""
 

@@ -15,9 +15,6 @@ TINT = "E8EDF2"
 
 _LETTERS = {letter: rf"\{name} " for name, letter in GREEK.items()} | {
     "−": "-",
-    "′": "'",
-    "″": "''",
-    "‴": "'''",
     "\u2009": r"\,",
     " ": r"\ ",
     "°": r"^{\circ}",
@@ -28,7 +25,7 @@ _LETTERS = {letter: rf"\{name} " for name, letter in GREEK.items()} | {
 }
 """Characters of labels in mathematics."""
 
-_PLAIN = frozenset("+-/()=.,")
+_PLAIN = frozenset("+-/()=.,'?:;")
 
 
 def to_tikz(drawing: Drawing) -> str:

@@ -1,0 +1,76 @@
+"""Several drawings on one sheet, side by side in rows."""
+
+from collections.abc import Iterable, Sequence
+from typing import assert_never
+
+from ..frozen import replace
+from ..pose.places import Plane
+from .drawing import Arc, Drawing, Label, Polyline, Shape
+
+WIDE = 180.0
+"""How wide a row may become, in millimetres."""
+
+
+def in_rows(drawings: Sequence[Drawing]) -> Drawing:
+    """Return drawings beside each other, in rows that are not too wide; no title."""
+    rows: list[list[Drawing]] = []
+    for drawing in drawings:
+        width = _width(drawing)
+        if not rows or sum(map(_width, rows[-1])) + width > WIDE:
+            rows.append([])
+        rows[-1].append(drawing)
+    return below_each_other([_beside(row) for row in rows])
+
+
+def below_each_other(drawings: Sequence[Drawing]) -> Drawing:
+    """Return drawings one below the other; no title."""
+    top, moved = 0.0, list[Drawing]()
+    for drawing in drawings:
+        moved.append(_moved(drawing, Plane(-drawing.low.x, top - drawing.high.y)))
+        top = moved[-1].low.y
+    return _together(moved)
+
+
+def _beside(drawings: Sequence[Drawing]) -> Drawing:
+    right, moved = 0.0, list[Drawing]()
+    for drawing in drawings:
+        middle = (drawing.low.y + drawing.high.y) / 2
+        moved.append(_moved(drawing, Plane(right - drawing.low.x, -middle)))
+        right = moved[-1].high.x
+    return _together(moved)
+
+
+def _width(drawing: Drawing) -> float:
+    return drawing.high.x - drawing.low.x
+
+
+def _together(drawings: Sequence[Drawing]) -> Drawing:
+    shapes = tuple(shape for drawing in drawings for shape in drawing.shapes)
+    labels = tuple(label for drawing in drawings for label in drawing.labels)
+    low = Plane(min(d.low.x for d in drawings), min(d.low.y for d in drawings))
+    high = Plane(max(d.high.x for d in drawings), max(d.high.y for d in drawings))
+    return Drawing("", "", shapes, labels, low, high)
+
+
+def _moved(drawing: Drawing, by: Plane) -> Drawing:
+    return replace(
+        drawing,
+        shapes=tuple(_moved_shape(shape, by) for shape in drawing.shapes),
+        labels=tuple(_moved_labels(drawing.labels, by)),
+        low=drawing.low.plus(by),
+        high=drawing.high.plus(by),
+    )
+
+
+def _moved_shape(shape: Shape, by: Plane) -> Shape:
+    match shape:
+        case Polyline():
+            return shape._replace(points=tuple(point.plus(by) for point in shape.points))
+        case Arc():
+            return shape._replace(centre=shape.centre.plus(by))
+        case _:
+            assert_never(shape)
+
+
+def _moved_labels(labels: Iterable[Label], by: Plane) -> Iterable[Label]:
+    return (label._replace(at=label.at.plus(by)) for label in labels)
