@@ -14,7 +14,7 @@ import pytest
 
 from good_mechanisms import ALL
 from grown import Grown
-from mechc.cli import main
+from mechc.cli import main, make_gallery
 from mechc.diagnostics import MechcError
 from mechc.drawing.drawing import COPY, FORCE, Arc, Polyline
 from mechc.drawing.from_figure import scheme
@@ -308,3 +308,19 @@ def test_the_same_bytes_for_any_hash(hash_seed):
         check=True,
     )
     assert run.stdout.decode() == here + "\n"
+
+
+# -------------------------------------------------------------------- the gallery
+
+
+@pytest.mark.parametrize("name", library())
+def test_the_gallery_shows_the_library_as_it_is(name):
+    made = (make_gallery.folder() / f"{name}.svg").read_text(encoding="utf-8")
+    assert made == to_svg(opened(name).scheme), "python -m mechc.cli.make_gallery"
+
+
+def test_the_gallery_has_all_mechanisms_and_no_others():
+    titles = {name: opened(name).scheme.title for name in library()}
+    readme = (make_gallery.folder().parent / "README.md").read_text(encoding="utf-8")
+    assert readme.endswith(make_gallery.section(titles)), "python -m mechc.cli.make_gallery"
+    assert {path.stem for path in make_gallery.folder().iterdir()} == set(titles)
