@@ -12,6 +12,7 @@ from functools import cache
 import numpy as np
 import pytest
 
+import mechc
 from good_mechanisms import ALL
 from grown import Grown
 from mechc.cli import main, make_gallery
@@ -116,7 +117,7 @@ def assert_grown_readable(seed):
 def test_every_point_and_load_has_its_name(name):
     figure, found = opened(name).figure, lettering(opened(name).scheme)
     for point in figure.points:
-        assert point.replace("_", "") in found
+        assert "".join(run.text for run in lettering_of(point)) in found
     for part in figure.parts:
         if isinstance(part, Force | Torque | Actuator | Spring):
             name = "".join(run.text for run in lettering_of(part.name))
@@ -324,3 +325,15 @@ def test_the_gallery_has_all_mechanisms_and_no_others():
     readme = (make_gallery.folder().parent / "README.md").read_text(encoding="utf-8")
     assert readme.endswith(make_gallery.section(titles)), "python -m mechc.cli.make_gallery"
     assert {path.stem for path in make_gallery.folder().iterdir()} == set(titles)
+
+
+# ---------------------------------------------------------------------- from Python
+
+
+def test_a_picture_saves_itself_and_shows_itself(tmp_path):
+    picture = mechc.load("crank_rocker").draw(phi=math.radians(120))
+    picture.save(tmp_path / "k.svg")
+    assert (tmp_path / "k.svg").read_text("utf-8") == picture._repr_svg_()
+    assert picture._repr_svg_() != mechc.load("crank_rocker").draw()._repr_svg_()
+    with pytest.raises(ValueError, match=r"none of the suffixes \.svg"):
+        picture.save(tmp_path / "k.bmp")

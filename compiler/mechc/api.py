@@ -27,6 +27,7 @@ from .study.stroke.stroke import Stroke
 if TYPE_CHECKING:
     import sympy
 
+    from .emit.picture import Picture
     from .figure.figure import Figure
     from .routine.steps import Function, Routine
     from .statics.diagram import Diagram
@@ -192,6 +193,16 @@ class SolvedMechanism:
         if drawn is None:
             raise ValueError("the mechanism cannot be assembled at these values")
         return drawn
+
+    def draw(self, **values: float) -> "Picture":
+        """Return the kinematic scheme at given values, as for :meth:`figure`.
+
+        In a notebook it shows itself; ``save("clamp.svg")`` writes it, also .tex and .png.
+        """
+        from .drawing.from_figure import scheme
+        from .emit.picture import Picture
+
+        return Picture(scheme(self.figure(**values)))
 
     def free_bodies(self, **values: float) -> "tuple[Diagram, ...]":
         """Return each body with the forces on it, at given values of parameters and loads.

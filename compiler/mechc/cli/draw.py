@@ -1,17 +1,14 @@
 """``mechc draw``: the picture of a mechanism."""
 
-from collections.abc import Callable
 from pathlib import Path
 
 import click
 
 from ..diagnostics import MechcError
 from ..diagnostics.drawing import no_free_bodies, nothing_to_draw
-from ..drawing.drawing import Drawing
 from ..driver import checked, warnings
-from ..emit.png.picture import to_png
+from ..emit.picture import FORMATS, in_format_of
 from ..emit.svg.picture import to_svg
-from ..emit.tikz.picture import to_tikz
 from ..files import write_all
 from ..syntax.settings import Settings
 from .collisions import refuse_collisions
@@ -19,13 +16,6 @@ from .inputs import claim_of, description_argument, settings_option, stdin_optio
 from .open import begin
 from .session import Command, session, session_options
 from .terminal import give
-
-FORMATS: dict[str, Callable[[Drawing], str | bytes]] = {
-    ".svg": to_svg,
-    ".tex": to_tikz,
-    ".png": to_png,
-}
-
 
 STANDARD_OUTPUT = Path("-")
 
@@ -80,7 +70,7 @@ def command(
         raise MechcError([no_free_bodies() if compilation.figure else nothing_to_draw()])
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in paths if path != STANDARD_OUTPUT]
-    pictures = {path: FORMATS[path.suffix.lower()](drawing) for path in files}
+    pictures = {path: in_format_of(path, drawing) for path in files}
     printed = len(files) < len(paths) or not paths
     refuse_collisions(files, claim_of(file), printed)
     write_all(pictures)

@@ -168,8 +168,15 @@ class _Maker:
         same = Counter((LETTERS.get(a.kind, "R"), a.point) for a in body.forces if a.kind != "load")
         index = "".join(run.text for run in name(acting.point))
         if same[letter, acting.point] > 1:
-            index = f"{index},{''.join(run.text for run in name(acting.by))}"
+            index = f"{index},{self._called(acting.by)}"
         return (Run(letter, italic=True), *([Run(index, level=-1)] if index else []))
+
+    def _called(self, body: str) -> str:
+        """Return a body's name by its points, with their primes: B'K is the twin of BK."""
+        for part in self.paper.figure.parts:
+            if isinstance(part, Link | Slide) and part.name == body:
+                return "".join(part.points)
+        return body
 
     def _value(
         self, acting: Acting, size: float, scaled: bool, unit: str, metres: int

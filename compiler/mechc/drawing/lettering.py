@@ -44,27 +44,23 @@ def name(written: str) -> tuple[Run, ...]:
     """Return a point or a quantity as it is lettered.
 
     >>> [run.text for run in name("O1'")], [run.text for run in name("alpha_max")]
-    (['O', '1', "'"], ['α', 'max'])
+    (["O'", '1'], ['α', 'max'])
     """
     return tuple(_points(written)) or tuple(_quantity(written))
 
 
 def _points(written: str) -> Iterator[Run]:
     for letter, number, primes in split_points(written):
-        yield Run(letter, italic=True)
+        yield Run(letter + primes, italic=True)
         if number:
             yield Run(number, level=-1)
-        if primes:
-            yield Run(primes, italic=True)
 
 
 def _quantity(written: str) -> Iterator[Run]:
     head, primes, indices = split_name(written)
-    yield Run(GREEK.get(head, head), italic=True)
+    yield Run(GREEK.get(head, head) + primes, italic=True)
     if indices:
         yield Run(",".join(GREEK.get(i, i) for i in indices), level=-1)
-    if primes:
-        yield Run(primes, italic=True)
 
 
 def formula(text: str) -> tuple[Run, ...]:

@@ -20,6 +20,9 @@ FIRST, LEVEL, LEVELS = 8.0, 6.5, 5
 WITNESS, BEYOND = 1.8, 1.2
 """How far from its point a witness line starts, and how far it goes beyond its dimension."""
 
+SPARED = 2
+"""How many lines the witness lines of a repeated length may cross."""
+
 RADII = (8.0, 10.5, 13.0, 16.0, 19.0, 23.0)
 """The radii that are tried for the arc of an angle."""
 
@@ -75,7 +78,7 @@ def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) 
     if _crossed(sheet, best) and _is_bar(paper, dimension):
         sheet.name(Beside(tail, tip, runs, MEASURE))
         return
-    if known and _in_the_way(sheet, best):
+    if known and _in_the_way(sheet, best) > SPARED:
         return
     sheet.draw(Layer.MEASURES, best.shapes())
     sheet.name(Beside(best.start, best.end, runs, MEASURE))

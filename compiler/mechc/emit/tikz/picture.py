@@ -14,7 +14,10 @@ POINTS = 72.27 / 25.4
 TINT = "E8EDF2"
 
 _LETTERS = {letter: rf"\{name} " for name, letter in GREEK.items()} | {
-    "−": "-",
+    "−": "{-}",
+    "+": "{+}",
+    "=": "{=}",
+    ":": "{:}",
     "\u2009": r"\,",
     " ": r"\ ",
     "°": r"^{\circ}",
@@ -25,7 +28,7 @@ _LETTERS = {letter: rf"\{name} " for name, letter in GREEK.items()} | {
 }
 """Characters of labels in mathematics."""
 
-_PLAIN = frozenset("+-/()=.,'?:;")
+_PLAIN = frozenset("-/().,'?;")
 
 
 def to_tikz(drawing: Drawing) -> str:
@@ -111,10 +114,8 @@ def _label(label: Label) -> str:
 def _runs(runs: Iterable[Run]) -> Iterator[str]:
     for run in runs:
         text = "".join(map(_spelled, run.text))
-        if run.italic and len(run.text) > 1:
-            text = rf"\mathit{{{text}}}"
-        elif not run.italic and run.text.strip(" \u2009").isalpha() and run.text.isascii():
-            text = rf"\mathrm{{{text}}}"
+        if any(c.isascii() and c.isalpha() for c in run.text):
+            text = rf"\mathit{{{text}}}" if run.italic else rf"\mathrm{{{text}}}"
         yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[run.level]
 
 
