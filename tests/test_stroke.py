@@ -593,12 +593,3 @@ def test_a_pole_that_is_looked_at_is_no_extremum(rubs):
     extrema = [e.drive for e in found.extrema if e.result == "k"]
     assert [math.degrees(e) for e in extrema] == pytest.approx([73.17529663624])
     assert all(abs(e.value) < 200 for e in found.extrema if e.result != "k_f1")
-
-
-def test_a_row_at_a_dead_centre_tells_what_is_stuck(tmp_path, capsys):
-    path = tmp_path / "m.mech"
-    path.write_text(f"{BOTH_WAYS}friction pins 0.1 diameter 10 mm", encoding="utf-8")
-    assert main(["stroke", "-n", "16", str(path)]) == 0
-    rows = capsys.readouterr().out.splitlines()[1:17]
-    told = {float(row.split()[0]) for row in rows if row.endswith("k_f jammed, k_hold jammed")}
-    assert told == {0, 180}

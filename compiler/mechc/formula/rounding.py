@@ -139,11 +139,14 @@ def beyond_rounding(
     return Size(0.0 if size.is_zero or number == 0 else number)
 
 
-def is_undetermined(
+def without_value(
     formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
-) -> bool:
-    """Return whether a formula is 0/0, but for rounding."""
-    return _with_error(formula, where, rounding).is_undetermined
+) -> Size:
+    """Return what a formula is whose value is NaN: infinite, 0/0, or nothing that is known."""
+    size = _with_error(formula, where, rounding)
+    if size.is_infinite:
+        return Size(math.inf)
+    return Size(None if size.is_undetermined else math.nan, size.is_undetermined)
 
 
 def _with_error(

@@ -68,10 +68,11 @@ class LockingIntervals:
 class Locking:
     """The state of a mechanism at the default pose, and how it changes with parameters.
 
-    ``drive`` and ``load`` are those of the ratio; no load stands for all of them.
+    A dead centre has no state: a motion the other way comes to another one. ``drive`` and
+    ``load`` are those of the ratio; no load stands for all of them.
     """
 
-    state: State
+    state: State | None
     drive: str
     load: str
     reaches: tuple[LockingIntervals, ...] = ()

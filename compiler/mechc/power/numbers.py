@@ -9,7 +9,7 @@ from ..algebra.product import Product, Sum
 from ..algebra.rank import numeric_rank
 from ..diagnostics import Report
 from ..diagnostics import power as messages
-from ..formula.rounding import Rounding, Size, beyond_rounding, is_undetermined
+from ..formula.rounding import Rounding, Size, beyond_rounding, without_value
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -50,8 +50,8 @@ class DefaultNumbers:
         """
         number = value_of(result, self.values)
         nowhere = number is not None and math.isnan(number) and not result.guards
-        if nowhere and is_undetermined(result.formula, result.where, self._rounding):
-            return Size(None, undetermined=True)
+        if nowhere:
+            return without_value(result.formula, result.where, self._rounding)
         return beyond_rounding(number, result.formula, result.where, self._rounding)
 
 

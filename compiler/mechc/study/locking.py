@@ -42,7 +42,7 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
     mechanism, sense = study.mechanism, real.target.sense
     here = study.moving(asked, sense, "")
     state = here.at(0.0).state if here else None
-    if state is None:
+    if here is None or (state is None and not here.is_dead_centre(0.0)):
         return None
     reaches = []
     for name in varying(mechanism, (study.ideal(asked), real)):

@@ -36,6 +36,9 @@ class Found(NamedTuple):
     driven: bool | None
 
 
+FAR = 1e-9
+"""A ratio that is smaller or larger by so much may be nothing but rounding."""
+
 NOWHERE = Found(None, math.nan, None)
 
 
@@ -65,8 +68,29 @@ class Moving:
 
     def driven(self, place: float) -> bool | None:
         """Return whether the motion is the one that the load drives; None at a dead centre."""
+        return None if self.is_dead_centre(place) else self._sign * self.without(place) < 0
+
+    def is_dead_centre(self, place: float) -> bool:
+        """Tell whether the ratio without friction is 0 or infinite, but for rounding, or none.
+
+        Rounding is looked at only where the ratio is far from what it is by default.
+        """
         ideal = self.without(place)
-        return self._sign * ideal < 0 if math.isfinite(ideal) and ideal else None
+        if not math.isfinite(ideal) or not ideal:
+            return True
+        if self._usual and FAR < abs(ideal / self._usual) < 1 / FAR:
+            return False
+        return not self._beyond_rounding(place)
+
+    @cached_property
+    def _usual(self) -> float:
+        """Return the ratio without friction by default, 0 at a dead centre."""
+        return self._beyond_rounding(self.places.default)
+
+    def _beyond_rounding(self, place: float) -> float:
+        """Return the ratio without friction, 0 where it is 0 or infinite but for rounding."""
+        ideal = self.places.beyond_rounding(self.ideal, place)
+        return ideal if ideal is not None and math.isfinite(ideal) else 0.0
 
     def without(self, place: float) -> float:
         """Return the ratio without friction."""

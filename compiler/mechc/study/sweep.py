@@ -3,6 +3,7 @@
 import math
 from collections.abc import Mapping
 
+from ..formula.rounding import Rounding, beyond_rounding
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.plan import Plan
@@ -27,6 +28,7 @@ class Sweep:
         self._known: dict[float, dict[str, float]] = {}
         self._chains: dict[int, tuple[Result, Chain]] = {}
         self._found: dict[tuple[int, float], float] = {}
+        self._rounding: dict[float, Rounding] = {}
         self._last: tuple[Result, float, dict[str, float]] | None = None
 
     def values(self, place: float) -> dict[str, float]:
@@ -35,6 +37,21 @@ class Sweep:
             values = self._chain.complete({**self.defaults, self._parameter: place})
             self._known[place] = values if allowed(self._mechanism, values) else {}
         return self._known[place]
+
+    @property
+    def default(self) -> float:
+        """Return the parameter's own value; any place where it is none of the mechanism."""
+        return self.defaults.get(self._parameter, 0.0)
+
+    def beyond_rounding(self, result: Result, place: float) -> float | None:
+        """Return a result's value without what is nothing but rounding; None where it has none."""
+        if place not in self._rounding:
+            rounding = Rounding({**self.defaults, self._parameter: place})
+            rounding.define(self._chain.definitions)
+            self._rounding[place] = rounding
+        number = self.of(result, place)
+        rounding = self._rounding[place]
+        return beyond_rounding(number, result.formula, result.where, rounding).number
 
     def varying(self, result: Result) -> set[str]:
         """Return the parameter and the names that vary with it, those of a result among them."""

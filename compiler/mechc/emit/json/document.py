@@ -163,7 +163,12 @@ REACH: Kind[LockingIntervals] = record(
 LOCKING: Kind[Locking] = record(
     "locking",
     "Of a ratio with friction: where the load alone, or the drive, moves nothing.",
-    member("state", "At the default pose.", one_of(*STATES), lambda k: k.state),
+    member(
+        "state",
+        "At the default pose; null at a dead centre.",
+        optional(one_of(*STATES)),
+        lambda k: k.state,
+    ),
     member("reaches", "By parameter.", list_of(REACH), lambda k: k.reaches),
 )
 

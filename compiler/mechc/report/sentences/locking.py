@@ -34,7 +34,7 @@ def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
     drive = spell.relation((Symbol(locking.drive),), (), False)
     load = spell.relation((Symbol(locking.load),), (), False) if locking.load else locale.all_loads
     said = {s: template.format(drive=drive, load=load) for s, template in locale.states.items()}
-    if locking.state != "free":
+    if locking.state and locking.state != "free":
         yield f"{said[locking.state]} {locale.as_given}."
     for reach in locking.reaches:
         for stretch in (s for s in reach.stretches if _is_told(s, reach)):
@@ -90,8 +90,8 @@ def _told(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None, Boun
         return low, high
     first, last = reach.range
     return (
-        low if low and (low.place > first or (low.left_out and low.place == first)) else None,
-        high if high and (high.place < last or (high.left_out and high.place == last)) else None,
+        low if low and (low.place > first or (low.is_strict and low.place == first)) else None,
+        high if high and (high.place < last or (high.is_strict and high.place == last)) else None,
     )
 
 

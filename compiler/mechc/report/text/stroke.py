@@ -51,8 +51,14 @@ def _trouble(row: Row) -> str:
 def _held(row: Row, stroke: Stroke) -> str:
     """Return which results are stuck at a place: ``k_f jammed, k_hold locked``."""
     near = NEAR * (stroke.high - stroke.low)
-    stuck = (s for s in stroke.stuck if s.low - near <= row.drive <= s.high + near)
+    stuck = (s for s in stroke.stuck if _is_in(row.drive, s, near))
     return ", ".join(f"{s.result} {s.state}" for s in stuck)
+
+
+def _is_in(place: float, found: JammedInterval, near: float) -> bool:
+    """Tell whether a place is in an interval, or so near to an end that it is that end."""
+    below, above = (-near if left_out else near for left_out in found.left_out)
+    return found.low - below <= place <= found.high + above
 
 
 def to_table(stroke: Stroke, velocities: bool = False) -> str:
@@ -186,7 +192,14 @@ def _stuck(found: JammedInterval, stroke: Stroke) -> str:
         "locked": "self-locking, the load alone moves nothing,",
         "jammed": "jammed, no force of the drive moves anything,",
     }
-    return f"{found.result}: {says[found.state]} from {_span(found.low, found.high, stroke)}"
+    ends = {
+        (False, False): "",
+        (True, False): ", but not at the first",
+        (False, True): ", but not at the second",
+        (True, True): ", but at neither",
+    }
+    span = _span(found.low, found.high, stroke)
+    return f"{found.result}: {says[found.state]} from {span}{ends[found.left_out]}"
 
 
 def _course(name: str, course: EfficiencyRange, stroke: Stroke) -> str:

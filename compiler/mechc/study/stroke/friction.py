@@ -6,7 +6,7 @@ from ...formula.tree import Implicit
 from ...formula.walk import walk
 from ...friction.solution import Solution
 from ...frozen import replace
-from ...model.locking import EfficiencyRange
+from ...model.locking import EfficiencyRange, Stretch
 from ...model.targets import Efficiency, WithFriction
 from ..analysis import Analysis
 from .stroke import Extremum, JammedInterval
@@ -37,7 +37,17 @@ def stuck(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
             if reach.parameter == drive:
                 for stretch in reach.stretches:
                     if stretch.within:
-                        yield JammedInterval(result.name, stretch.state, *stretch.within)
+                        left_out = _left_out(stretch, *stretch.within)
+                        yield JammedInterval(result.name, stretch.state, *stretch.within, left_out)
+
+
+def _left_out(stretch: Stretch, low: float, high: float) -> tuple[bool, bool]:
+    """Tell of either end of what lies in the range whether the stretch only reaches up to it."""
+    first, last = stretch.low, stretch.high
+    return (
+        first is not None and first.is_strict and first.place == low,
+        last is not None and last.is_strict and last.place == high,
+    )
 
 
 def is_told(extremum: Extremum, result: Analysis) -> bool:

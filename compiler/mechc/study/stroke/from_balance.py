@@ -1,32 +1,33 @@
 """From the results to the stroke."""
 
 import math
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import pairwise, product
-from typing import NamedTuple
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
-from ...formula.rounding import beyond_rounding
+from ...formula.rounding import Rounding, Size, beyond_rounding, without_value
 from ...formula.tree import Formula
 from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, Mechanism, Parameter
-from ...model.result import Definition
+from ...model.targets import Efficiency, WithFriction
 from ...model.values import range_of
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH, Dimension
 from ..analysis import Analysis
 from .along import EXCLUDED, NO_POSE, Along
 from .branches import branch_points
+from .columns import Filled, named_apart
 from .ends import end_of_branch
 from .extrema import extrema, turns_between
 from .friction import courses, in_code, is_told, some, stuck
 from .places import SAMPLES, looked_at
 from .reached import with_reached
 from .rounded import is_nil, rounded
+from .sides import from_both_sides, is_on_a_side
 from .singular import BESIDE, Order, order_at, places_of, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
@@ -71,15 +72,6 @@ def _drivable(pose: Pose) -> tuple[str, str]:
     return "phi", "deg"
 
 
-class _Filled(NamedTuple):
-    """A column, its value at a place, and the formula of that with its definitions, if any."""
-
-    column: Column
-    at: Callable[[float], float]
-    formula: Formula | None = None
-    where: tuple[Definition, ...] = ()
-
-
 class _Runner:
     """Runs along one stroke."""
 
@@ -111,7 +103,7 @@ class _Runner:
 
     def stroke(self, points: int) -> Stroke:
         """Return the whole."""
-        filled = _named_apart(self._columns())
+        filled = named_apart(self._columns())
         stretches = with_reached(
             tuple(self._stretches()),
             self._along.defaults.get(self._parameter.name),
@@ -142,27 +134,28 @@ class _Runner:
 
     # ------------------------------------------------------------------------------- columns
 
-    def _columns(self) -> Iterator[_Filled]:
+    def _columns(self) -> Iterator[Filled]:
         """Yield results, their slopes along the drive, velocity ratios, transmission angles."""
         for result in self._results:
             column = Column(result.name, result.dimension)
             at = self._values(result.formula, result)
-            yield _Filled(column, at, result.formula, result.where)
+            has_friction = isinstance(result.target, WithFriction | Efficiency)
+            yield Filled(column, at, result.formula, result.where, has_friction)
         for result in self._ratios:
             slope = (result.derivatives or {}).get(self._parameter.name)
             if slope is not None:
                 name = f"d{result.name}/d{self._parameter.name}"
                 dimension = result.dimension.over(self._parameter.dimension)
                 column = Column(name, dimension, "slope")
-                yield _Filled(column, self._values(slope, result), slope, result.where)
+                yield Filled(column, self._values(slope, result), slope, result.where)
         for velocity in velocities(self._solution.balance):
             unit = self._unit(velocity.dimension)
             column = Column(velocity.name, velocity.dimension, "velocity", unit)
             at = partial(self._along.inside, velocity.value)
-            yield _Filled(column, at, velocity.value.formula())
+            yield Filled(column, at, velocity.value.formula())
         for name, angle in named(transmissions(self._pose)):
             column = Column(name, ANGLE, "angle")
-            yield _Filled(column, partial(self._angle, angle))
+            yield Filled(column, partial(self._angle, angle))
 
     def _values(self, formula: Formula, where: Analysis) -> Callable[[float], float]:
         return lambda place: self._along.of(formula, where, place)
@@ -178,16 +171,30 @@ class _Runner:
         parameters = self._pose.mechanism.parameters
         return next((p.unit for p in parameters if p.dimension == LENGTH and p.unit), "")
 
-    def _row(self, place: float, filled: Sequence[_Filled], stretches: Sequence[Stretch]) -> Row:
+    def _row(self, place: float, filled: Sequence[Filled], stretches: Sequence[Stretch]) -> Row:
         trouble = self._trouble(place)
         if self._along.trouble(place):
             why = _beyond(place, stretches) if trouble in NO_POSE else ""
             return Row(place, (math.nan,) * len(filled), why or trouble)
         rounding = self._along.rounding(place)
-        sizes = [beyond_rounding(f.at(place), f.formula, f.where, rounding) for f in filled]
+        sizes = [self._size(f, place, rounding) for f in filled]
         values = tuple(math.nan if s.number is None else s.number for s in sizes)
         open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
         return Row(place, values, trouble, tuple(open_))
+
+    def _size(self, filled: Filled, place: float, rounding: Rounding) -> Size:
+        """Return a column's value at a place without what is nothing but rounding."""
+        number, formula = filled.at(place), filled.formula
+        size = beyond_rounding(number, formula, filled.where, rounding)
+        if formula and math.isnan(number) and not filled.has_friction:
+            return without_value(formula, filled.where, rounding)
+        if filled.has_friction and is_on_a_side(size, filled.where, rounding):
+            range_ = self._high - self._low
+            return from_both_sides(filled.at, self._is_pose, place, range_)
+        return size
+
+    def _is_pose(self, place: float) -> bool:
+        return not self._along.trouble(place)
 
     # ----------------------------------------------------------------------------- stretches
 
@@ -314,21 +321,6 @@ class _Runner:
         others = [b.drive for b in self._crossings] + [s.drive for s in singular if s.sides]
         apart = [e for e in found if all(abs(e.drive - other) > near for other in others)]
         return tuple(sorted(apart, key=lambda e: e.drive))
-
-
-def _named_apart(columns: Iterable[_Filled]) -> list[_Filled]:
-    """Return columns under names that differ: the second of two says what it holds."""
-    taken: set[str] = set()
-    found: list[_Filled] = []
-    for filled in columns:
-        column, name = filled.column, filled.column.name
-        if name in taken:
-            name = f"{name} ({column.content})"
-        while name in taken:
-            name += "'"
-        taken.add(name)
-        found.append(filled._replace(column=column._replace(name=name)))
-    return found
 
 
 def _beyond(place: float, stretches: Sequence[Stretch]) -> str:

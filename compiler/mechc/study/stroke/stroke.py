@@ -88,12 +88,16 @@ class Extremum(NamedTuple):
 
 
 class JammedInterval(NamedTuple):
-    """A part of the stroke on which a result with friction is locked, or jammed."""
+    """A part of the stroke on which a result with friction is locked, or jammed.
+
+    It does not hold the dead centres that are ``left_out`` at its ends.
+    """
 
     result: str
     state: State
     low: float
     high: float
+    left_out: tuple[bool, bool] = (False, False)
 
 
 @frozen

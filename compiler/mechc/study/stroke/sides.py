@@ -1,0 +1,69 @@
+"""What a result with friction is at a dead centre: what it comes to on either side.
+
+There a slip or force has no sign, and what rounding makes of that sign may be of either side. At a
+dead centre of the drive friction jams one motion and lets the other go on, so that the result is
+undetermined; at one of the load both sides come to values between which all of them balance.
+"""
+
+import math
+from collections.abc import Callable, Sequence
+
+from ...formula.rounding import Rounding, Size
+from ...formula.walk import walk
+from ...model.result import Definition
+from ..states import is_sign
+
+STEP = 1e-9
+"""The part of the stroke from a place at which its sides are looked at."""
+
+GROWS = 1.5
+"""How much larger what is infinite at a place is at half the distance, at least."""
+
+NIL = 1e-3
+"""What is left at a place, against half the distance, of what vanishes there, at most."""
+
+AGREE = 1e-6
+"""By what part two sides may differ, and a value between them lie beyond one, by rounding."""
+
+
+def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) -> bool:
+    """Tell a value that rests on a sign that rounding makes, or that has no number."""
+    if size.number is None or not math.isfinite(size.number):
+        return True
+    inner = Rounding({})
+    inner.values.update(rounding.values)
+    inner.define(where)
+    parts = (part for d in where if d.name in inner.values for part in walk(d.formula))
+    return any(inner.of(part).error >= 1 for part in parts if is_sign(part))
+
+
+def from_both_sides(
+    at: Callable[[float], float], stands: Callable[[float], bool], place: float, range_: float
+) -> Size:
+    """Return what a result comes to at a place, undetermined where its sides are not alike.
+
+    A side on which no pose ``stands`` does not count.
+    """
+    steps = [s * STEP * range_ for s in (-1, 1)]
+    ends = [_limit(at, place, step) for step in steps if stands(place + step)]
+    low, high = min(ends, default=math.nan), max(ends, default=math.nan)
+    if all(map(math.isnan, ends)):
+        return Size(math.nan)
+    if any(map(math.isnan, ends)) or low * high < 0 or (math.isinf(high) and low < high):
+        return Size(None, undetermined=True)
+    return Size(_between(at(place), low, high))
+
+
+def _limit(at: Callable[[float], float], place: float, step: float) -> float:
+    """Return what a result comes to, going on as it does from twice a step to one step away."""
+    near, far = at(place + step), at(place + 2 * step)
+    if abs(near) > GROWS * abs(far):
+        return math.copysign(math.inf, near)
+    limit = 2 * near - far
+    return 0.0 if abs(limit) <= NIL * abs(near) else limit
+
+
+def _between(value: float, low: float, high: float) -> float:
+    """Return a value that lies between two others but for rounding, else their middle."""
+    room = AGREE * max(abs(low), abs(high))
+    return value if low - room <= value <= high + room else (low + high) / 2

@@ -1,0 +1,82 @@
+"""Rows, intervals and sentences at the dead centres of a crank with friction, against code.
+
+At a dead centre of the drive, one motion jams and the other does not; at one of the load,
+friction comes to one value from either side. Code is asked beside the dead centre: at the
+rounded angle it takes whichever side rounding has put it on.
+"""
+
+import math
+
+import pytest
+
+import mechc
+from mechc.cli.main import main
+
+CRANK = """
+param r = 50 mm
+param l = 200 mm
+param phi = 60 deg
+drive phi from 0 deg to 360 deg
+pivot O at (0 mm, 0 mm)
+slider B along x through O
+link OA
+link AB
+OA = r @ phi
+AB = l
+assembly B forward
+torque M on OA
+force F at B along -x
+friction pins 0.12 diameter 20 mm
+friction slider B 0.1
+"""
+BESIDE = 1e-7
+
+
+def told(text, tmp_path, capsys, *command):
+    path = tmp_path / "m.mech"
+    path.write_text(text, encoding="utf-8")
+    assert main([*command, str(path)]) == 0
+    return capsys.readouterr().out
+
+
+def rows(ratio):
+    mechanism = mechc.loads(f"{CRANK}find k = {ratio}")
+    stroke = mechanism.stroke(points=9)
+    names = [c.name for c in stroke.columns]
+    return mechanism, stroke, [dict(zip(names, row.values, strict=True)) for row in stroke.rows]
+
+
+@pytest.mark.parametrize("ratio", ["M/F", "F/M"])
+def test_a_row_is_what_code_comes_to_on_both_sides_or_undetermined(ratio):
+    mechanism, stroke, values = rows(ratio)
+    for row, found in zip(stroke.rows, values, strict=True):
+        sides = [mechanism.evaluate(phi=row.drive + s * BESIDE) for s in (-1, 1)]
+        for name in ("k_f", "k_hold", "eta_k"):
+            low, high = sorted(float(side[name]) for side in sides)
+            if math.isnan(low + high):
+                assert name in row.undetermined
+            else:
+                assert low - 1e-6 * abs(low) <= found[name] <= high + 1e-6 * abs(high)
+
+
+@pytest.mark.parametrize("ratio", ["M/F", "F/M"])
+def test_no_dead_centre_is_in_a_stuck_interval(ratio, tmp_path, capsys):
+    _, stroke, _ = rows(ratio)
+    ends = {end for s in stroke.stuck for end in (s.low, s.high)}
+    dead = [row.drive for row in stroke.rows[::4]]
+    assert all(any(math.isclose(d, e, abs_tol=1e-12) for e in ends) for d in dead)
+    table = told(f"{CRANK}find k = {ratio}", tmp_path, capsys, "stroke", "-n", "9")
+    assert not any(line.endswith(("locked", "jammed")) for line in table.splitlines()[1:10])
+    sentences = told(f"{CRANK}find k = {ratio}", tmp_path, capsys, "check")
+    kind = "F alone cannot move" if ratio == "M/F" else "no force F can move"
+    assert sentences.count(kind) == 4
+    assert "for 0 < phi <= 2.751 deg." in sentences
+    assert "for 357.2 deg <= phi < 360 deg." in sentences
+
+
+def test_a_default_pose_at_a_dead_centre_has_no_state_but_intervals():
+    at_rest = CRANK.replace("phi = 60 deg", "phi = 180 deg")
+    k_f = mechc.loads(f"{at_rest}find k = M/F").results["k_f"]
+    assert k_f.locking is not None
+    assert k_f.locking.state is None
+    assert len(k_f.locking.reaches[0].stretches) == 2
