@@ -81,6 +81,31 @@ def not_judged(span: Span, result: str, reason: str) -> Message:
     return Message(span, f"{result} was not checked against equilibrium: {reason}", hint)
 
 
+@coded("W602")
+def several_balances(
+    span: Span, result: str, value: float, pose: Mapping[str, tuple[float, Dimension]]
+) -> Message:
+    """With friction more than one force balances the loads, or none with less friction.
+
+    Friction grows with the forces that press the joints, and these change with friction. Where it
+    is large, or a dead centre near, a second balance may appear in which joints are pressed the
+    other way, beyond a range in which the drive jams. The force that is given is one at which
+    the mechanism slips, but nothing says that a drive which grows from nothing comes to it::
+
+        param alpha = 89.99 deg       # the toggle is all but straight: a drive may stick
+        param alpha = 85 deg          # right
+
+    Keep away from such poses, or make friction smaller.
+    """
+    place = _placed(pose) or " at the default pose"
+    return Message(
+        span,
+        f"{result} = {value:.6g}{place} is not the only force that balances with friction, or "
+        "with less friction none does: the drive may stick before it",
+        "move the values away from the dead centre, or make friction smaller",
+    )
+
+
 @coded("E604")
 def contact_would_pull(
     span: Span,
@@ -101,14 +126,18 @@ def contact_would_pull(
 
     Turn the normal where it was drawn the wrong way, or the load.
     """
-    place = ", ".join(f"{name} = {_measured(*value)}" for name, value in pose.items())
-    at = f" at {place}" if place else ""
     return Message(
         span,
-        f"{body} would have to pull {point} with {-force:.4g} times {load}{at}, "
+        f"{body} would have to pull {point} with {-force:.4g} times {load}{_placed(pose)}, "
         "but a contact can only push",
         "turn the normal round if it points the wrong way, or else the load",
     )
+
+
+def _placed(pose: Mapping[str, tuple[float, Dimension]]) -> str:
+    """Return `` at alpha = 30 deg``, nothing of a pose without parameters."""
+    place = ", ".join(f"{name} = {_measured(*value)}" for name, value in pose.items())
+    return f" at {place}" if place else ""
 
 
 def _measured(value: float, dimension: Dimension) -> str:

@@ -27,6 +27,10 @@ STANDS = "a joint stands still at that pose, and rounding tells which way it sli
 """The doubt where friction may as well have the other sign, or none."""
 
 
+UNSETTLED = "no friction was found that balances at that pose"
+"""The doubt where iteration ends: there may be none, or more to find."""
+
+
 class Answer(NamedTuple):
     """What statics says: a value, NaN where it says none, and then why.
 

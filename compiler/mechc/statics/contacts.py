@@ -13,6 +13,7 @@ from ..model.result import Result
 from ..pose.pose import PointContact
 from .answers import pushes
 from .balanced import Balanced
+from .poses import free_values
 
 PULL = 1e-9
 """A pull below this part of the load is rounding."""
@@ -52,6 +53,5 @@ def _forces(result: Result, at: Balanced) -> Iterator[tuple[str, Forces]]:
 
 
 def _refused(touch: PointContact, load: str, force: float, at: Balanced) -> Diagnostic:
-    parameters = (p for p in at.pose.mechanism.parameters if p.name in at.pose.free)
-    place = {p.name: (at.values[p.name], p.dimension) for p in parameters}
+    place = free_values(at.pose, at.values)
     return contact_would_pull(touch.span, touch.point, touch.body, load, force, place)

@@ -1,15 +1,13 @@
-"""Friction in equilibrium: free bodies with friction as a load, sizes found by repetition.
+"""Friction in equilibrium: free bodies with friction as a load.
 
 On each pair of surfaces friction is its factor times the force that equilibrium gives
-there, against the slip. What the pressing forces are depends on friction again, so the two
-are repeated until neither changes; where friction relieves a joint by more than it is, in
-steps short enough not to overshoot. Slips have their signs from statics too (see
+there, against the slip. What the pressing forces are depends on friction again: see
+:mod:`.settled`. Slips have their signs from statics too (see
 :mod:`.speeds`): by the motion in which the driving load does work.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
-from operator import mul
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple, assert_never
 
 from ..formula.walk import evaluate
@@ -28,38 +26,18 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.targets import SIGNS
-from ..work import spend
-from .answers import INCONSISTENT, ROUNDED, STANDS, UNBALANCED, Answer
+from .answers import INCONSISTENT, ROUNDED, STANDS, UNBALANCED, UNSETTLED, Answer
 from .assembly import Action, direction, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
 from .joint_forces import Weights, wanted_of
+from .settled import Pressed, others, settled
 from .solve import Factors, factor
 from .speeds import dual_speed
 from .unfold import Unfolding
 
-ROUNDS = 10_000
-"""Repetitions at most: each gains a constant factor, however slowly."""
-
-STEPS = (1.0, 0.3, 0.1, 0.03, 0.01)
-"""How far frictions follow at once: less far where they swing to and fro."""
-
-QUICK = 16
-"""So many products, each of a friction and what it does to a force, are a step of work."""
-
-STILL = 1e-16
-"""A relative change below this is rounding, of a whole step."""
-
-NEARLY = 1e-15
-"""The same of a shorter step, whose end rounding may keep from being reached."""
-
-ENDLESS = 1e12
-"""Frictions this large against the loads have no end."""
-
 STANDING = 1e-13
 """A slip below this, per unit of the driving load's speed, is none."""
-
-LOCKED = "friction leaves no balance at that pose"
 
 
 @frozen
@@ -110,23 +88,67 @@ class FrictionForces(NamedTuple):
         return [(self.right, 1.0), *((_against(self.question, p, s), f) for p, s, f in rubs)]
 
 
+class Loaded(NamedTuple):
+    """All that :class:`FrictionForces` has but its sizes, and what they follow from."""
+
+    question: Question
+    right: Row
+    pairs: tuple[Pair, ...]
+    senses: tuple[float, ...]
+    pressed: list[Pressed]
+
+    def under(self, frictions: Iterable[float]) -> FrictionForces:
+        """Return the same with frictions of these sizes."""
+        return FrictionForces(*self[:-1], tuple(frictions))
+
+
 def with_friction(
     unfolding: Unfolding, target: WithFriction, driving: str, given: Mapping[str, float]
 ) -> Answer:
     """Return a driving load or a force at a joint, where the other loads have given sizes."""
-    found = rubbed(unfolding, target.sense, driving, given)
-    if isinstance(found, str):
-        return Answer(math.nan, math.inf, found)
+    loaded = _loaded(unfolding, target.sense, driving, given)
+    if isinstance(loaded, str):
+        return Answer(math.nan, math.inf, loaded)
+    found = settled(loaded.pressed)
+    if found is None:
+        return Answer(math.nan, math.inf, UNSETTLED)
+    return _answered(unfolding, target, driving, loaded.under(found))
+
+
+def others_with_friction(
+    unfolding: Unfolding, target: WithFriction, driving: str, given: Mapping[str, float]
+) -> Iterator[Answer]:
+    """Yield the same for other frictions that balance, as far as some are found."""
+    loaded = _loaded(unfolding, target.sense, driving, given)
+    if not isinstance(loaded, str):
+        for found in others(loaded.pressed):
+            yield _answered(unfolding, target, driving, loaded.under(found))
+
+
+def rubbed(
+    unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
+) -> FrictionForces | str:
+    """Return friction at every pair of surfaces, or why none is known that balances."""
+    loaded = _loaded(unfolding, sense, driving, given)
+    if isinstance(loaded, str):
+        return loaded
+    found = settled(loaded.pressed)
+    return UNSETTLED if found is None else loaded.under(found)
+
+
+def _answered(
+    unfolding: Unfolding, target: WithFriction, driving: str, found: FrictionForces
+) -> Answer:
     multiple = ties(unfolding.pose.mechanism, unfolding.values)[driving].factor
     weights = _weights(target, unfolding, found.question, multiple)
     answer = _combined([_answer(found.question, w, found.parts) for w in weights])
     return answer if all(found.senses) else answer._replace(doubt=STANDS)
 
 
-def rubbed(
+def _loaded(
     unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
-) -> FrictionForces | str:
-    """Return friction at every pair of surfaces, or why there is none that balances."""
+) -> Loaded | str:
+    """Return what loads and frictions do to every pair of surfaces, or why that is open."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     drive = tied[driving]
     pairs = tuple(pairs_of(unfolding))
@@ -143,10 +165,8 @@ def rubbed(
     reference = tuple(_drive(unfolding, tied, drive.base))
     senses = tuple(-SIGNS[sense] * _slip(unfolding, pair, reference) for pair in pairs)
     rows = (_against(question, *each) for each in zip(pairs, senses, strict=True))
-    frictions = _repeated(question, pairs, ideal, [question.factors.solve(row) for row in rows])
-    if frictions is None:
-        return LOCKED
-    return FrictionForces(question, right, pairs, senses, tuple(frictions))
+    pressed = _pressed(question, pairs, ideal, [question.factors.solve(row) for row in rows])
+    return Loaded(question, right, pairs, senses, pressed)
 
 
 def _drive(unfolding: Unfolding, tied: Mapping[str, Tie], base: str) -> Iterator[Action]:
@@ -208,51 +228,17 @@ def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:
     return {i: -v * sense for i, v in question.columns[pair.name].items()}
 
 
-def _repeated(
+def _pressed(
     question: Question, pairs: Sequence[Pair], ideal: Found, responses: Sequence[Found]
-) -> list[float] | None:
-    """Let frictions follow from pressing forces and these from frictions until both stay.
-
-    None where they grow without end.
-    """
-    forces = [
-        [(ideal[c], [found[c] for found in responses]) for c in _pressing(question.system, pair)]
+) -> list[Pressed]:
+    """Return what presses each pair: without friction, and per unit of each friction."""
+    return [
+        Pressed(
+            pair.factor,
+            [(ideal[c], [r[c] for r in responses]) for c in _pressing(question.system, pair)],
+        )
         for pair in pairs
     ]
-    work = 1 + len(pairs) * sum(map(len, forces)) // QUICK
-
-    def following(frictions: Sequence[float]) -> list[float]:
-        spend(work)
-        return [
-            pair.factor * _size(components, frictions)
-            for pair, components in zip(pairs, forces, strict=True)
-        ]
-
-    tried = (_settled(following, len(pairs), step) for step in STEPS)
-    return next((found for found in tried if found is not None), None)
-
-
-def _settled(
-    following: Callable[[Sequence[float]], list[float]], number: int, step: float
-) -> list[float] | None:
-    """Return what stays as it is, going a part of the way to what follows each time."""
-    frictions = [0.0] * number
-    most = ENDLESS * max(following(frictions), default=0.0)
-    still = STILL if step == 1 else NEARLY
-    for _ in range(ROUNDS):
-        after = following(frictions)
-        change = max((abs(a - b) for a, b in zip(after, frictions, strict=True)), default=0.0)
-        if change <= still * max(after, default=0.0):
-            return after
-        frictions = [f + step * (a - f) for f, a in zip(frictions, after, strict=True)]
-        if not max(frictions, default=0.0) <= most:
-            return None
-    return None
-
-
-def _size(components: Sequence[tuple[float, Sequence[float]]], frictions: Sequence[float]) -> float:
-    """Return the size of a force of perpendicular components: ideal, and per friction."""
-    return math.hypot(*(ideal + sum(map(mul, frictions, by)) for ideal, by in components))
 
 
 def _pressing(system: System, pair: Pair) -> tuple[int, ...]:

@@ -9,6 +9,7 @@ from ..formula.walk import evaluate
 from ..model.mechanism import Mechanism, Parameter
 from ..model.values import Chain, allowed, bounds, dependent
 from ..pose.pose import Pose
+from ..units import Dimension
 
 Values = dict[str, float]
 
@@ -74,3 +75,9 @@ def with_lets(mechanism: Mechanism, values: Mapping[str, float]) -> Values:
     """Return values with dependent parameters and lets; lets of results stay without a value."""
     lets = {let.name: let.value for let in mechanism.lets}
     return Chain({**dependent(mechanism), **lets}).complete(values)
+
+
+def free_values(pose: Pose, values: Mapping[str, float]) -> dict[str, tuple[float, Dimension]]:
+    """Return what the free parameters of a pose are worth, with their dimensions, for messages."""
+    free = (p for p in pose.mechanism.parameters if p.name in pose.free)
+    return {p.name: (values[p.name], p.dimension) for p in free}

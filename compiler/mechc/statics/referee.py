@@ -18,6 +18,7 @@ from ..diagnostics.statics import (
     no_equilibrium,
     not_judged,
     pose_does_not_close,
+    several_balances,
 )
 from ..formula.tree import ONE, Formula
 from ..formula.walk import evaluate, substitute, symbols
@@ -34,14 +35,15 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Definition, Result
+from ..model.values import defaults
 from ..pose.pose import Pose
 from ..source import Span
-from .answers import STANDS, Answer, load_coefficient, load_ratio
+from .answers import STANDS, UNSETTLED, Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 from .closure import worst_gap
 from .contacts import pulling
 from .counted import uncounted
-from .poses import Replay, Values, candidates
+from .poses import Replay, Values, candidates, free_values
 from .speeds import speed_ratio
 from .verdict import Trial, Verdict
 
@@ -72,13 +74,17 @@ class RefereeDisagrees(MechcError):
 
 
 class Question(NamedTuple):
-    """What virtual power answers with a formula, and how statics is asked for the same."""
+    """What virtual power answers with a formula, and how statics is asked for the same.
+
+    With friction several forces may balance; then it is asked for ``others``.
+    """
 
     name: str
     formula: Formula
     where: tuple[Definition, ...]
     ask: Callable[[Balanced], Answer]
     guards: tuple[Require, ...] = ()
+    others: Callable[[Balanced], Iterable[Answer]] = lambda at: ()
 
 
 class CrossChecked(NamedTuple):
@@ -109,6 +115,8 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     for question in _questions(results, pose.mechanism):
         found, troubles = _judge(question, iter(balanced))
         trials.extend(found)
+        if one := next((trial for trial in found if trial.is_one_of_several), None):
+            report.add(_one_of_several(one, pose))
         if len(found) < POSES:
             remarks.append(_remark(question.name, found, troubles))
         if not found:
@@ -189,7 +197,7 @@ def _forces(
 
 def _rubbing(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
     """Ask for a load or force with friction where every other load is 1 or what is known."""
-    from .friction import with_friction
+    from .friction import others_with_friction, with_friction
 
     known = {d.name: d.formula for d in result.where}
     asked = _asked(target, mechanism)
@@ -199,13 +207,18 @@ def _rubbing(result: Result, target: WithFriction, mechanism: Mechanism) -> Ques
     sizes = (Definition(n, ONE) for n in free if n != asked and n not in known)
     where = (*sizes, *result.where)
 
-    def ask(at: Balanced) -> Answer:
+    def loaded(at: Balanced) -> tuple[str, Mapping[str, float]]:
         driving = asked or _left(mechanism, at)
         others = [n for n in free if n != driving]
-        given = {n: evaluate(known.get(n, ONE), at.values) for n in others}
-        return with_friction(at, target, driving, given)
+        return driving, {n: evaluate(known.get(n, ONE), at.values) for n in others}
 
-    return Question(result.name, result.formula, where, ask, result.guards)
+    def ask(at: Balanced) -> Answer:
+        return with_friction(at, target, *loaded(at))
+
+    def others(at: Balanced) -> Iterator[Answer]:
+        return others_with_friction(at, target, *loaded(at))
+
+    return Question(result.name, result.formula, where, ask, result.guards, others)
 
 
 def _asked(target: WithFriction, mechanism: Mechanism) -> str:
@@ -253,7 +266,16 @@ def _try(question: Question, at: Balanced) -> Trial | str:
     power = _evaluate(question, at)
     if not math.isfinite(power):
         return NO_VALUE
-    answer = question.ask(at)
+    first = _compared(question, at, power, question.ask(at))
+    if first != UNSETTLED and (isinstance(first, str) or first.agrees):
+        return first
+    others = (_compared(question, at, power, other) for other in question.others(at))
+    same = next((o for o in others if isinstance(o, Trial) and o.agrees), None)
+    return same._replace(is_one_of_several=True) if same else first
+
+
+def _compared(question: Question, at: Balanced, power: float, answer: Answer) -> Trial | str:
+    """Return both answers, or why they do not do."""
     if answer.trouble:
         return answer.trouble
     if power and answer.condition > SINGULAR:
@@ -271,6 +293,14 @@ def _evaluate(question: Question, at: Balanced) -> float:
     return found.of(question.formula)
 
 
+def _one_of_several(trial: Trial, pose: Pose) -> Diagnostic:
+    span = next(f.span for f in pose.mechanism.finds if f.name == trial.result)
+    given = defaults(pose.mechanism).items()
+    is_default = all(trial.values[name] == value for name, value in given)
+    place = {} if is_default else free_values(pose, trial.values)
+    return several_balances(span, trial.result, trial.power, place)
+
+
 def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> str:
     reason = troubles[-1] if troubles else "no more poses meet the conditions of use"
     return f"{name} was judged at {len(trials)} of {POSES} poses: {reason}"
@@ -278,7 +308,7 @@ def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> 
 
 def _unjudged(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
     """Return a warning, or an error where only equilibrium failed, and at every pose."""
-    if troubles and not {NO_VALUE, NEAR_SINGULAR, STANDS} & set(troubles):
+    if troubles and not {NO_VALUE, NEAR_SINGULAR, STANDS, UNSETTLED} & set(troubles):
         return no_equilibrium(span, name, troubles[-1])
     return not_judged(span, name, troubles[-1] if troubles else "no pose was found")
 

@@ -9,7 +9,8 @@ class Trial(NamedTuple):
 
     ``error`` is relative to max(|power|, |statics|, tiny); ``condition`` estimates the
     condition number of the equilibrium equations; the trial agrees when ``error`` is
-    below a fixed multiple of condition · eps.
+    below a fixed multiple of condition · eps. The answer ``is_one_of_several`` where other
+    forces balance with friction, too.
     """
 
     result: str
@@ -18,6 +19,7 @@ class Trial(NamedTuple):
     statics: float
     error: float
     condition: float
+    is_one_of_several: bool = False
 
     @property
     def agrees(self) -> bool:

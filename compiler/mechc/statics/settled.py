@@ -1,0 +1,209 @@
+"""Frictions that agree with the forces that they make: f = c·n with n = |a + R·f|.
+
+The loads press a pair of surfaces by a, and frictions f change that by R·f. Where frictions are
+moderate, each follows from the others again and again until all stay. Where they are not, the
+solution is followed from where there is no friction, all coefficients growing alike, t·c, by
+Newton's method at every step. The equations are homogeneous in n and the size φ of the loads:
+what is kept is the size of both together, so that φ may pass zero, where no load would do,
+and come back. On the way |v| is rounded off, which at its end it no longer is.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import product
+from operator import mul
+from typing import NamedTuple
+
+from ..formula.newton import Matrix, eliminate
+from ..work import spend
+
+ROUNDS = 400
+"""Repetitions at most: what takes more is followed."""
+
+QUICK = 16
+"""So many products, each of a friction and what it does to a force, are a step of work."""
+
+STILL = 1e-16
+"""A relative change below this is rounding."""
+
+ENDLESS = 1e12
+"""Frictions this large against the loads have no end."""
+
+ROUNDED = 0.03
+"""By how much, against all of them, forces are rounded off at the outset."""
+
+FIRST, SHORTEST = 1 / 8, 1e-6
+"""The first step on the way, and the shortest before it is given up."""
+
+CORRECTIONS = 12
+"""Corrections in one step at most, each :data:`SHRINKS` times as long as the one before."""
+
+SHRINKS, LONGEST = 0.5, 0.3
+"""How much shorter corrections become, and how long the first may be against the whole."""
+
+NONE = 1e-15
+"""A correction below this is rounding."""
+
+ATTEMPTS = 40
+"""Corrections from a start that is not followed to, but guessed."""
+
+STARTS = (0.1, 1.0, 10.0, 100.0)
+"""How large guessed forces are, against those without friction."""
+
+STALLED = 1e-9
+"""Corrections this short that no longer shrink are rounding, too."""
+
+Components = Sequence[tuple[float, Sequence[float]]]
+"""Perpendicular components of a force: without friction, and what each friction adds."""
+
+
+class Pressed(NamedTuple):
+    """A pair of surfaces: its coefficient, and what presses it."""
+
+    factor: float
+    components: Components
+
+
+def settled(pairs: Sequence[Pressed]) -> list[float] | None:
+    """Return the frictions that grow from none; None where none are found."""
+    found = _repeated(pairs)
+    return _followed(pairs) if found is None else found
+
+
+def others(pairs: Sequence[Pressed]) -> Iterator[list[float]]:
+    """Yield frictions that agree with their forces as well, from various starts.
+
+    They are no more than are found: there may be others.
+    """
+    way = _Way(pairs)
+    size = max((math.hypot(*(ideal for ideal, _ in cs)) for cs in way.pairs), default=0.0)
+    for times, i in product(STARTS, range(len(pairs) + 1)):
+        start = [times * size if i in (j, len(pairs)) else 0.0 for j in range(len(pairs))]
+        found = way.near(start)
+        if found is not None:
+            yield way.frictions(found)
+
+
+def _repeated(pairs: Sequence[Pressed]) -> list[float] | None:
+    """Let frictions follow from one another until all stay; None where they do not soon."""
+    work = 1 + len(pairs) * sum(len(p.components) for p in pairs) // QUICK
+    frictions, most = [0.0] * len(pairs), math.inf
+    for _ in range(ROUNDS):
+        spend(work)
+        after = [p.factor * _size(p.components, frictions) for p in pairs]
+        largest = max(after, default=0.0)
+        change = max((abs(a - b) for a, b in zip(after, frictions, strict=True)), default=0.0)
+        if change <= STILL * largest:
+            return after
+        most = min(most, ENDLESS * largest)
+        if not largest <= most:
+            return None
+        frictions = after
+    return None
+
+
+def _size(components: Components, frictions: Sequence[float]) -> float:
+    return math.hypot(*(ideal + sum(map(mul, frictions, by)) for ideal, by in components))
+
+
+def _followed(pairs: Sequence[Pressed]) -> list[float] | None:
+    """Follow frictions from none of them; None where they end, or the loads are turned round."""
+    way = _Way(pairs)
+    found = way.followed()
+    return way.frictions(found) if found is not None and found[-1] > 0 else None
+
+
+class _Way:
+    """The way from no friction to all of it; unknowns are sizes of forces, and of the loads.
+
+    All are per unit of ``loads``, the size of what presses all pairs without friction.
+    """
+
+    def __init__(self, pairs: Sequence[Pressed]) -> None:
+        self._factors = [p.factor for p in pairs]
+        self._loads = math.hypot(*(ideal for p in pairs for ideal, _ in p.components)) or 1.0
+        self.pairs = [[self._scaled(*c) for c in p.components] for p in pairs]
+
+    def _scaled(self, ideal: float, by: Sequence[float]) -> tuple[float, list[float]]:
+        return ideal / self._loads, [b * f for b, f in zip(by, self._factors, strict=True)]
+
+    def frictions(self, found: Sequence[float]) -> list[float]:
+        """Return frictions under the loads as they are."""
+        size = self._loads / found[-1]
+        return [f * n * size for f, n in zip(self._factors, found, strict=False)]
+
+    def near(self, start: Sequence[float]) -> list[float] | None:
+        """Return forces and loads with all friction near a start, if Newton's method finds any."""
+        found = [*start, 1.0]
+        for _ in range(ATTEMPTS):
+            residuals, matrix = self._equations(found, found, 1.0)
+            if not eliminate(matrix, residuals):
+                return None
+            found = [x - r for x, r in zip(found, residuals, strict=True)]
+            if math.hypot(*residuals) <= NONE * math.hypot(*found):
+                return found if found[-1] > 0 else None
+        return None
+
+    def followed(self) -> list[float] | None:
+        """Return forces and loads at the end."""
+        here, step = 0.0, FIRST
+        found = [math.hypot(ROUNDED, *(ideal for ideal, _ in cs)) for cs in self.pairs] + [1.0]
+        side = self._side(found, here)
+        while here < 1.0:
+            aim = min(1.0, here + step)
+            ahead = self._corrected(found, aim, side)
+            if ahead is None:
+                step /= 2
+                if step < SHORTEST:
+                    return None
+                continue
+            here, found, step = aim, ahead, 2 * step
+        return found
+
+    def _side(self, found: Sequence[float], part: float) -> int:
+        residuals, matrix = self._equations(found, found, part)
+        return eliminate(matrix, residuals)
+
+    def _corrected(self, before: Sequence[float], part: float, side: int) -> list[float] | None:
+        """Return the solution near the one before, None where Newton's method finds none."""
+        found, last = list(before), 0.0
+        whole = math.hypot(*before)
+        for _ in range(CORRECTIONS):
+            residuals, matrix = self._equations(found, before, part)
+            if eliminate(matrix, residuals) != side:
+                return None
+            size = math.hypot(*residuals) / whole
+            if last and size > SHRINKS * last:
+                return found if last < STALLED else None
+            if not size <= LONGEST:
+                return None
+            found = [x - r for x, r in zip(found, residuals, strict=True)]
+            if size <= NONE:
+                return found
+            last = size
+        return None
+
+    def _equations(
+        self, found: Sequence[float], before: Sequence[float], part: float
+    ) -> tuple[list[float], Matrix]:
+        """Return residuals and slopes; forces and loads keep their size along those before."""
+        *forces, load = found
+        rounded = ROUNDED * (1 - part) * load
+        residuals, matrix = [], []
+        for i, components in enumerate(self.pairs):
+            sides = [a * load + part * sum(map(mul, by, forces)) for a, by in components]
+            size = math.hypot(rounded, *sides)
+            units = [side / size if size else 0.0 for side in sides]
+            row = [
+                -part * sum(u * by[j] for u, (_, by) in zip(units, components, strict=True))
+                for j in range(len(forces))
+            ]
+            row[i] += 1.0
+            rest = ROUNDED * (1 - part) * rounded / size if size else 0.0
+            row.append(-rest - sum(u * a for u, (a, _) in zip(units, components, strict=True)))
+            residuals.append(forces[i] - size)
+            matrix.append(row)
+        length = math.hypot(*before)
+        along = [x / length for x in before]
+        residuals.append(sum(map(mul, along, found)) - length)
+        return residuals, [*matrix, along]

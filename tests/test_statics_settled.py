@@ -1,0 +1,96 @@
+"""Frictions that agree with the forces that they make, however large coefficients are."""
+
+import math
+from random import Random
+
+import pytest
+
+import mechc
+from force_trains import train
+from mechc.driver import Compilation, complete
+from mechc.source import Source
+from mechc.statics.settled import Pressed, others, settled
+
+
+def drawn(seed, size, largest):
+    """Return pairs of surfaces that press on one another at random."""
+    dice = Random(f"settled {seed}")
+    pairs = range(dice.randint(1, 5))
+    return [
+        Pressed(
+            dice.uniform(0, largest),
+            [
+                (dice.gauss(0, 1), [dice.gauss(0, size) for _ in pairs])
+                for _ in range(dice.choice((1, 2)))
+            ],
+        )
+        for _ in pairs
+    ]
+
+
+def agree(pairs, found):
+    for pair, friction in zip(pairs, found, strict=True):
+        sides = (
+            a + sum(f * b for f, b in zip(found, by, strict=True)) for a, by in pair.components
+        )
+        assert friction == pytest.approx(pair.factor * math.hypot(*sides), rel=1e-8, abs=1e-8)
+
+
+@pytest.mark.parametrize(("size", "largest", "least"), [(0.3, 0.5, 50), (1, 2, 10), (3, 5, 5)])
+def test_frictions_follow_from_the_forces_that_they_make(size, largest, least):
+    number = 0
+    for seed in range(60):
+        pairs = drawn(seed, size, largest)
+        found = settled(pairs)
+        if found is not None:
+            number += 1
+            agree(pairs, found)
+        for other in others(pairs):
+            agree(pairs, other)
+    assert number >= least
+
+
+def test_what_takes_thousands_of_repetitions_is_followed():
+    """f = 0.9999·|1 + f| comes to 9999, each repetition a ten-thousandth nearer."""
+    assert settled([Pressed(0.9999, [(1.0, [1.0])])]) == pytest.approx([9999], rel=1e-9)
+
+
+def test_what_overshoots_is_followed():
+    """f = 3·|1 - f| comes to 3/4, and repetition to anything but that."""
+    assert settled([Pressed(3.0, [(1.0, [-1.0])])]) == pytest.approx([0.75], rel=1e-12)
+    assert pytest.approx(settled([Pressed(3.0, [(1.0, [-1.0])])]), rel=1e-12) == [0.75]
+
+
+def test_what_grows_without_end_has_no_end():
+    assert settled([Pressed(2.0, [(1.0, [1.0])])]) is None
+
+
+def test_a_second_balance_is_found():
+    """f = 3·|1 - f| holds at 3/4, and at 3/2, where the joint is pressed the other way."""
+    found = sorted({round(f, 9) for (f,) in others([Pressed(3.0, [(1.0, [-1.0])])])})
+    assert found == [0.75, 1.5]
+
+
+@pytest.mark.parametrize("seed", [7, 51])
+def test_huge_frictions_accuse_nobody(seed):
+    text = train(seed).rubbing(Random(seed)).replace("param q = 1", "param q = 30")
+    compilation = complete(Compilation(Source("train.mech", text)))
+    assert not {"E601", "E602"} & {d.code for d in compilation.report.diagnostics}
+
+
+def test_a_gear_that_loses_nearly_all_is_judged():
+    text = """
+param r = 40 mm
+pivot O1
+pivot O2
+link O1A
+link O2B
+O1A = 1 m @ 0 deg
+O2B = 1 m @ 0 deg
+gear O1 r, O2 2*r
+torque M on O1A
+torque T on O2B
+friction gear O1 0.99999
+find k = T/M
+"""
+    assert not mechc.loads(text).warnings
