@@ -27,7 +27,8 @@ def expectation_refuted(
 
         expect k = 7.1407 at alpha = 35 deg
     """
-    message = f"{subject} is {found} where {expected} is expected, at {_pose(at)}"
+    does = "has no value" if found == "nan" else f"is {found}"
+    message = f"{subject} {does} where {expected} is expected, at {_pose(at)}"
     return Message(span, message, "mend the expectation, or the geometry it was written for")
 
 

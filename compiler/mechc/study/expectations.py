@@ -24,7 +24,7 @@ from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..model.mechanism import Expect, Mechanism, Torque
 from ..model.result import Definition, Result
-from ..model.values import Chain, Values, completed, dependent
+from ..model.values import Chain, Values, allowed, completed, dependent, standing
 from ..units import in_unit
 from .analysis import as_printed
 from .poses import complete, default_pose, random_poses
@@ -113,18 +113,29 @@ def _is_number(expect: Expect) -> bool:
 def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Finding:
     given = {p.name: default_pose(mechanism).get(p.name) for p in mechanism.parameters}
     kept = {n: v for n, v in given.items() if v is not None and n not in dependent(mechanism)}
-    values = completed(complete(mechanism, kept | _at(expect)), result.where)
+    pose = complete(mechanism, kept | _at(expect))
+    values = completed(pose, result.where)
     missing = sorted(symbols(result.formula) - values.keys())
     if missing:
         return Finding(expect, "undecided", missing=missing[0])
-    rounding = Rounding(values)
-    (found, error), (expected, other) = map(rounding.of, (result.formula, expect.value))
+    (found, error), (expected, other) = (
+        _in_code(result, pose, mechanism),
+        Rounding(values).of(expect.value),
+    )
     slack = float(expect.tolerance) * (1 + CLOSE) + abs(expected) * 1e-12
     slack += ROUNDINGS * (error + other)
     outcome: Literal["agrees", "refuted"] = (
         "agrees" if math.isfinite(found) and abs(found - expected) <= slack else "refuted"
     )
     return Finding(expect, outcome, found, expected, _shown_at(expect, result, mechanism, values))
+
+
+def _in_code(result: Result, pose: Values, mechanism: Mechanism) -> Rounded:
+    """Return what code gives at a pose: NaN where a condition of use or of the result fails."""
+    form = standing(result, pose) if allowed(mechanism, pose) else None
+    if form is None:
+        return Rounded(math.nan, 0.0)
+    return Rounding(completed(pose, form.where)).of(form.formula)
 
 
 def _at(expect: Expect) -> dict[str, float]:
