@@ -136,6 +136,23 @@ def branch_point(at: Span, links: Sequence[str]) -> Message:
     )
 
 
+@coded("E543")
+def loads_stand_still(at: Span) -> Message:
+    """At the default pose the mechanism can move only so that no load does work.
+
+    What is asked for is 0/0 there: any load is balanced by the joints alone, so equilibrium leaves
+    them open. Such poses come with right angles::
+
+        slider A along x
+        slider B along x
+        AB = @ alpha      # with alpha = 90 deg the rod only turns while A stands still
+
+    The formulas hold beside the pose, where they go on without a break.
+    """
+    message = "no load does any work at the default pose, so nothing determines one by another"
+    return Message(at, message, "move the default values; right angles are the usual cause")
+
+
 @coded("E509")
 def reaction_undetermined(at: Span, result: str) -> Message:
     """A force at a joint is not determined by equilibrium.

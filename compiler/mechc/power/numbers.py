@@ -65,7 +65,7 @@ def with_default(result: Result, size: Size) -> Result:
 def checked(balance: Balance, report: Report) -> tuple[Solved, ...]:
     """Return what is solved with its default values; report what is not regular there."""
     numbers = DefaultNumbers(balance.plan)
-    _check_branch(balance.plan, numbers.values, report)
+    _check_branch(balance, numbers.values, report)
     finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
     solved: list[Solved] = []
     arrows = Arrows(balance, report)
@@ -115,20 +115,34 @@ def value_of(result: Result, values: Mapping[str, float]) -> float | None:
     return evaluate(found.formula, completed(values, found.where)) if found else math.nan
 
 
-def _check_branch(plan: Plan, values: Mapping[str, float], report: Report) -> None:
+def _check_branch(balance: Balance, values: Mapping[str, float], report: Report) -> None:
     """Compare the rank of the relations at the pose with their rank in general.
 
     Where every block of the plan has its full rank, so have all relations together; only
-    if one has not is the whole looked at, which is dear.
+    if one has not is the whole looked at, which is dear. Where the whole has its full rank all the
+    same, what speeds are given by may stand still; a load whose speed is finite then does no work.
     """
+    plan = balance.plan
     try:
         rows = [{u: p.evaluate(values) for u, p in r.form.items()} for r in plan.relations]
     except (KeyError, ZeroDivisionError):
         return
-    regular = all(_is_regular(block, rows) for block in plan.blocks)
-    if not regular and numeric_rank(rows) < len(rows):
-        mechanism = plan.graph.pose.mechanism
+    if all(_is_regular(block, rows) for block in plan.blocks):
+        return
+    mechanism, rank = plan.graph.pose.mechanism, numeric_rank(rows)
+    if rank < len(rows):
         report.add(messages.branch_point(mechanism.span, [k.name for k in mechanism.links]))
+    elif numeric_rank([*rows, *({d: 1.0} for d in plan.drives)]) == rank:
+        speeds = [s for term in balance.terms for s in term.speed]
+        if speeds and all(_is_finite(s, values) for s in speeds):
+            report.add(messages.loads_stand_still(mechanism.span))
+
+
+def _is_finite(speed: Product, values: Mapping[str, float]) -> bool:
+    try:
+        return abs(speed.evaluate(values)) < 1 / NIL
+    except (KeyError, ZeroDivisionError):
+        return False
 
 
 def _is_regular(block: Block, rows: Sequence[Mapping[int, float]]) -> bool:
