@@ -29,7 +29,7 @@ CORRECTIONS = 96
 """Corrections of the unknowns altogether, those of steps that are given up among them."""
 
 LONGER = 5 * CORRECTIONS
-"""The same where it must be known whether there is a solution, though code would give none."""
+"""The same where a branch that ends says something of the mechanism: that friction jams it."""
 
 CONTRACTION = 0.4
 """What a correction may be at most, as a part of the one before."""

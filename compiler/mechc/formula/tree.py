@@ -18,6 +18,7 @@ from collections.abc import Iterable
 from fractions import Fraction
 
 from ..frozen import frozen
+from .newton import CORRECTIONS
 
 
 @frozen
@@ -78,13 +79,14 @@ class System:
     there: numbers, or outer symbols that stay the same. Of several solutions they tell the
     branch that is meant. Both kinds of names are bound, as a function's arguments are; what
     outer symbols stand for in a formula is shown by the :class:`Implicit` that mentions the
-    system.
+    system. The way there may take so many ``corrections``.
     """
 
     unknowns: tuple[str, ...]
     equations: tuple["Formula", ...]
     anchor: tuple[tuple[str, float | None], ...]
     start: tuple[float | str, ...]
+    corrections: int = CORRECTIONS
 
 
 @frozen

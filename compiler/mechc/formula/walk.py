@@ -8,7 +8,7 @@ from typing import NamedTuple, assert_never
 from ..work import LIMIT, Allowance, at_most, spend
 from .derivative import jacobian
 from .functions import FUNCTIONS
-from .newton import CORRECTIONS, LONGER, Equations, Matrix, Status, follow, side_of
+from .newton import Equations, Matrix, Status, follow, side_of
 from .straight_line import Solution, StraightLine
 from .tree import (
     Call,
@@ -176,14 +176,6 @@ def status(formula: Implicit, values: Mapping[str, float]) -> Status:
     return _followed(formula.system)(tuple(map(here.of, formula.arguments))).status
 
 
-def longer_way(formula: Implicit, values: Mapping[str, float]) -> tuple[Status, tuple[float, ...]]:
-    """Return how a solution is found with more corrections than code has, and the unknowns."""
-    here = Evaluation(values)
-    way = _followed(formula.system, LONGER)(tuple(map(here.of, formula.arguments)))
-    spend(way.work)
-    return way.status, way.unknowns
-
-
 def straight_line(
     formulas: Sequence[Formula],
     names: Sequence[str],
@@ -215,16 +207,14 @@ class _Way(NamedTuple):
 
 
 @cache
-def _followed(
-    system: System, corrections: int = CORRECTIONS
-) -> Callable[[tuple[float, ...]], _Way]:
+def _followed(system: System) -> Callable[[tuple[float, ...]], _Way]:
     equations = numeric(system)
 
     @lru_cache(maxsize=64)
     def followed(outer: tuple[float, ...]) -> _Way:
         anchor, start = _beginning(system, outer)
         with at_most(Allowance()) as allowance:
-            ended, found = follow(equations, anchor, start, outer, corrections)
+            ended, found = follow(equations, anchor, start, outer, system.corrections)
         return _Way(ended, found, LIMIT - allowance.left)
 
     return followed

@@ -17,6 +17,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from ..formula.newton import LONGER
 from ..formula.tree import (
     ONE,
     Call,
@@ -229,7 +230,8 @@ class _Coupled:
         kept += [share.name for row in rows for _, share in row.shares]
         anchor = (*path, *((name, None) for name in kept))
         unknowns = (*self._unknowns, self._without)
-        return System(unknowns, (*equations, self._measure()), anchor, (*self._alone, 1.0))
+        every = (*equations, self._measure())
+        return System(unknowns, every, anchor, (*self._alone, 1.0), LONGER)
 
     def _force(self, row: Row, load: Formula) -> Formula:
         """Return a component of a force in the unknowns."""

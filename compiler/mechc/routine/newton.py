@@ -38,7 +38,7 @@ def _follow(equations: Equations, solver: Solver, outer: Array) -> tuple[Array, 
     base, longest = start[:, left], longest[left]
     found, step = base.copy(), longest
     reached, last = np.zeros(len(left)), np.zeros(len(left))
-    for _ in range(newton.CORRECTIONS):
+    for _ in range(solver.corrections):
         aim = reached + step
         residuals, matrix = equations(found, (1.0 - aim) * anchor[:, left] + aim * outer[:, left])
         sign = eliminate(matrix, residuals)

@@ -11,12 +11,12 @@ found at all, nothing is said.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from functools import cached_property
 from typing import NamedTuple
 
 from ..formula.tree import ZERO, Call, Formula, Implicit
-from ..formula.walk import longer_way, status, symbols, walk
+from ..formula.walk import status, symbols, walk
 from ..frozen import replace
 from ..model.locking import State
 from ..model.result import Definition, FrictionResult, Result
@@ -147,24 +147,7 @@ class Moving:
         unknowns = {id(unknown.system): unknown for unknown in solutions(result)}
         known = [u for u in unknowns.values() if symbols(u) <= values.keys()]
         ways = {status(unknown, values) for unknown in known}
-        if 2 in ways:
-            return self._by_longer_ways(result, known, place)
-        return math.nan if ways else None
-
-    def _by_longer_ways(
-        self, result: Result, unknowns: Sequence[Implicit], place: float
-    ) -> float | None:
-        """Return the same where corrections ran out: more of them tell whether there is one."""
-        values, known = self.places.named(result, place), dict[str, float]()
-        for unknown in unknowns:
-            ended, found = longer_way(unknown, values)
-            if ended:
-                return math.nan if ended == 1 else None
-            for name, formula in result.where:
-                if isinstance(formula, Implicit) and formula.system is unknown.system:
-                    known[name] = found[formula.index]
-        value = guarded(result, self.places.resting_on(known, result, place))
-        return value if math.isfinite(value) else math.nan
+        return math.nan if ways and 2 not in ways else None
 
     def efficiency(self, place: float) -> float:
         """Return what of the power arrives, 0 where nothing moves, NaN at a dead centre."""

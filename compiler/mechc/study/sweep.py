@@ -70,12 +70,6 @@ class Sweep:
             self._found[key] = self.named(result, place).get(VALUE, math.nan)
         return self._found[key]
 
-    def resting_on(
-        self, known: Mapping[str, float], result: Result, place: float
-    ) -> dict[str, float]:
-        """Return the same where some of a result's definitions have known values."""
-        return Chain(_formulas(result)).complete({**self.values(place), **known})
-
     def named(self, result: Result, place: float) -> dict[str, float]:
         """Return what has a value at a place, the names that a result mentions among it."""
         if self._last and self._last[0] is result and self._last[1] == place:

@@ -47,6 +47,7 @@ class SolverContext(NamedTuple):
     far: str
     norm: str
     side: int
+    corrections: int
 
 
 def solvers_of(statements: Iterable[Statement]) -> list[Solver]:
@@ -85,6 +86,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
         or "0.0",
         " + ".join(_square(f"change[{i}]", newton.scale(s)) for i, s in enumerate(solver.start)),
         solver.side * left.turn or NEVER,
+        solver.corrections,
     )
 
 

@@ -26,6 +26,7 @@ class SolverContext(NamedTuple):
     start: list[str]
     anchor: list[str]
     side: int
+    corrections: int
     scales: list[float]
 
 
@@ -54,6 +55,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
             for n, a in zip(solver.outer, solver.anchor, strict=True)
         ],
         solver.side,
+        solver.corrections,
         [newton.scale(s) for s in solver.start],
     )
 
