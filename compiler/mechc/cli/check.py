@@ -11,7 +11,7 @@ from ..formula.tree import Number
 from ..formula.walk import symbols
 from ..model.mechanism import GRAVITY
 from ..model.result import Definition
-from ..report.definitions import Solved, grouped, lettered, literal_sizes, usual_weights
+from ..report.definitions import Solved, as_written, constant_units, grouped, usual_weights
 from ..report.languages.en import LOCALE
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
@@ -92,7 +92,7 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     else:
         yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
-    usual, units = usual_weights(compilation.mechanism), literal_sizes(compilation.mechanism)
+    usual, units = usual_weights(compilation.mechanism), constant_units(compilation.mechanism)
     before: Analysis | None = None
     for result in compilation.results:
         where = [d for d in told.of(result) if d.name not in given]
@@ -121,7 +121,7 @@ def _of_result(
         yield f"  {result.name} = {result.default:.9g} {si_unit(result.dimension)}".rstrip()
         return
     yield f"  {result.name} = {text(result.formula)}"
-    for group in grouped(lettered(where, usual)):
+    for group in grouped(as_written(where, usual, units)):
         yield from _of_definition(group, usual, units)
     sizes = _sizes(result)
     if sizes and not (before and sizes == _sizes(before)):

@@ -7,6 +7,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from unicodedata import category
 
 from ..formula.to_text import text
+from ..formula.tree import Formula, Number
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Definition
@@ -96,9 +97,13 @@ def _case_lines(function: Function) -> Iterator[str]:
 
 def _group_lines(group: Definition | Solved) -> list[str]:
     if isinstance(group, Definition):
-        return [f"where {group.name} = {text(group.formula)}"]
+        return [f"where {group.name} = {_value(group.formula)}"]
     names = ", ".join(group.names)
     return [f"where {names} solve", *(f"    {text(zero)} = 0" for zero in group.zeros)]
+
+
+def _value(formula: Formula) -> str:
+    return f"{float(formula.value):.9g}" if isinstance(formula, Number) else text(formula)
 
 
 def condition_lines(function: Function) -> list[str]:

@@ -7,7 +7,7 @@ from typing import assert_never
 
 from ..formula.tree import Formula, Number, Power, Product, Sum
 from ..syntax import ast
-from ..units import ANGLE, LENGTH, Dimension
+from ..units import ANGLE, LENGTH, UNITS, Dimension
 
 LARGEST_EXPONENT = 64
 """Beyond, a constant power is refused: powers of powers would fill the memory."""
@@ -73,6 +73,21 @@ def too_large(value: Fraction) -> bool:
     (False, True)
     """
     return abs(value) > LARGEST or value.denominator.bit_length() > LARGEST_BITS
+
+
+def last_digit(number: ast.Number) -> Fraction:
+    """Return what a unit of the last digit of a number comes to, in SI.
+
+    >>> from ..source import Span
+    >>> last_digit(ast.Number("34.64", "mm", Span(0, 5)))
+    Fraction(1, 100000)
+    """
+    mantissa, _, exponent = number.digits.lower().partition("e")
+    _, _, decimals = mantissa.partition(".")
+    unit = UNITS.get(number.unit)
+    factor = unit.factor if unit else Fraction(1)
+    factor *= Fraction(math.pi) if unit and unit.pi else 1
+    return Fraction(10) ** (int(exponent or 0) - len(decimals)) * factor
 
 
 def rational(formula: Formula) -> Fraction | None:

@@ -14,12 +14,13 @@ from ..syntax import ast
 from ..units import FORCE, TORQUE
 from .definitions import Definitions, read_definitions, settled, spread_feeding
 from .doubts import doubts
+from .drawn import with_drawn
 from .driven import judged
 from .finds import read_finds
 from .force_pairs import inside_telescopes, spring_name
 from .friction import read_friction
 from .geometry import read_geometry
-from .joints import declare_points, read_pivots, read_sliders, warn_idle
+from .joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
 from .loads import read_loads
 from .lower import with_arcs, with_loaded_points
 from .mechanism import Find, LoadForm, Mechanism, Slider
@@ -54,6 +55,9 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     mechanism = replace(mechanism, loads=inside_telescopes(mechanism.loads, mechanism, scope))
     check_rods(mechanism, scope)
     mechanism = _asked(mechanism, file, found, scope)
+    report.stop_on_errors()
+    mechanism = with_drawn(mechanism, report)
+    check_drive(mechanism.drive, mechanism.parameters, report)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
     warn_idle(mechanism.joints, points)
@@ -93,6 +97,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
         drive=drive,
         assemblies=tuple(assemblies),
         geometry=(*places, *guide_places, *geometry),
+        drawn=tuple(read_drawn(file, scope)),
     )
     return with_arcs(built, read_arcs(file, scope), scope)
 
@@ -114,7 +119,6 @@ def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scop
     expects = read_expects(file, mechanism.finds, found, scope)
     parameters, lets = settled(found, file, scope)
     _check_asked(file, scope.report)
-    check_drive(mechanism.drive, parameters, scope.report)
     return replace(
         mechanism,
         parameters=parameters,

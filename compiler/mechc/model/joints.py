@@ -2,11 +2,13 @@
 
 from collections.abc import Iterable, Sequence
 
+from ..diagnostics import drawn as drawn_words
 from ..diagnostics.model import joints as messages
 from ..source import Span
 from ..syntax import ast
-from .directions import read_direction, read_place
-from .mechanism import Geometry, Joint, Link, Offset, Pivot, Slider
+from .constants import last_digit, leaves
+from .directions import read_direction, read_place, value_of
+from .mechanism import Drawn, Geometry, Joint, Link, Offset, Pivot, Slider
 from .points import Points
 from .scope import Scope
 from .statements import every
@@ -84,6 +86,28 @@ def read_pivots(file: ast.File, scope: Scope) -> tuple[list[Pivot], list[Geometr
         if statement.at and (place := read_place("", point, statement.at, scope)):
             places.append(place)
     return pivots, places
+
+
+def read_drawn(file: ast.File, scope: Scope) -> list[Drawn]:
+    """Return where points are drawn; report a second place, and one without a value."""
+    first = {s.point.text: s.at.span for s in every(file, ast.Pivot) if s.at}
+    found: list[Drawn] = []
+    for statement in every(file, ast.Drawn):
+        point, span = statement.point.text, statement.at.span
+        place = read_place("", point, statement.at, scope)
+        if not scope.points.known(statement.point) or place is None:
+            continue
+        if first.setdefault(point, span) != span:
+            scope.report.add(drawn_words.drawn_again(span, point, first[point]))
+        elif value_of(place.x, scope) is None or value_of(place.y, scope) is None:
+            scope.report.add(drawn_words.place_without_value(span, point))
+        else:
+            numbers = [n for part in (statement.at.x, statement.at.y) for n in leaves(part)]
+            written = [n for n in numbers if isinstance(n, ast.Number)]
+            slack = float(min((last_digit(n) / 2 for n in written if n.value), default=0))
+            unit = next((n.unit for n in written if n.unit), "")
+            found.append(Drawn(point, place.x, place.y, slack, unit, statement.span))
+    return found
 
 
 def read_sliders(file: ast.File, scope: Scope) -> tuple[list[Slider], list[Pivot], list[Geometry]]:

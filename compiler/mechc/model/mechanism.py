@@ -30,6 +30,7 @@ from .parts import Assembly as Assembly
 from .parts import Body as Body
 from .parts import Contact as Contact
 from .parts import Direction as Direction
+from .parts import Drawn as Drawn
 from .parts import Drive as Drive
 from .parts import Joint as Joint
 from .parts import Link as Link
@@ -306,6 +307,7 @@ class Mechanism:
     drive: Drive | None = None
     assemblies: tuple[Assembly, ...] = ()
     geometry: tuple[Geometry, ...] = ()
+    drawn: tuple[Drawn, ...] = ()
     loads: tuple[Load, ...] = ()
     mirror: Mirror | None = None
     copies: Copies | None = None

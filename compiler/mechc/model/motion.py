@@ -3,16 +3,17 @@
 import math
 from collections.abc import Iterable
 
-from ..diagnostics import Report, stroke
+from ..diagnostics import Report, drawn, stroke
 from ..diagnostics.model import joints as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
 from ..syntax import ast
-from ..units import ANGLE
+from ..syntax.vocabulary import points_of
+from ..units import ANGLE, LENGTH
 from .expressions import Reader
 from .mechanism import Assembly, Drive, Parameter
 from .parameters import constant
-from .scope import DESCRIPTION, Scope
+from .scope import DESCRIPTION, Entry, Scope
 from .statements import every, only
 
 MOST_TURNS = 100
@@ -27,17 +28,41 @@ def read_drive(file: ast.File, scope: Scope) -> Drive | None:
     statement = only(file, ast.Drive)
     if statement is None:
         return None
-    name = statement.name
+    ends = _link_ends(statement.name, scope)
+    name = _of_a_link(statement.name, file, scope) if ends else statement.name
     entry = scope.entries.get(name.text)
     if entry is None or entry.kind != "parameter":
-        known = scope.names({"parameter"})
-        scope.unknown(name.span, name.text, known)
+        if not ends:
+            scope.unknown(name.span, name.text, scope.names({"parameter"}))
         return None
     scope.used.add(name.text)
     low = _end(statement.low, name, scope)
     is_reported = statement.low is not None and low is None
     high = None if is_reported else _end(statement.high, name, scope)
-    return Drive(name.text, low, high, statement.span)
+    return Drive(name.text, low, high, statement.span, ends=ends)
+
+
+def _link_ends(name: ast.Name, scope: Scope) -> tuple[str, str] | None:
+    """Return the two points that a drive names, where it names no parameter."""
+    match points_of(name.text):
+        case (tail, head) if name.text not in scope.entries:
+            return tail, head
+        case _:
+            return None
+
+
+def _of_a_link(vector: ast.Name, file: ast.File, scope: Scope) -> ast.Name:
+    """Return the name of what a driven link changes, and enter it: its direction or length."""
+    name = ast.Name(f"phi_{vector.text}", vector.span)
+    ends = set(scope.points.known(vector) or ())
+    if any(ends == set(points_of(t.points.text)) for t in every(file, ast.Telescope)):
+        name = ast.Name(f"len_{vector.text}", vector.span)
+        scope.enter(name.text, Entry("parameter", vector.span, LENGTH))
+    elif ends and any(ends <= set(link.points) for link in scope.points.links.values()):
+        scope.enter(name.text, Entry("parameter", vector.span, ANGLE))
+    elif ends:
+        scope.report.add(drawn.driven_between_bodies(vector.span, vector.text))
+    return name
 
 
 def check_drive(drive: Drive | None, parameters: Iterable[Parameter], report: Report) -> None:

@@ -307,7 +307,9 @@ Joint = Pivot | Slider | Slot | Contact | WheelPair | Rack | Screw
 class Drive:
     """The driving coordinate, a parameter, and its stroke (None where no ends are given).
 
-    It ``reshapes`` where it is a size of a rigid body: its stroke is a study, no motion.
+    It ``reshapes`` where it is a size of a rigid body: its stroke is a study, no motion. Of
+    ``drive OA`` the ``ends`` are O and A: the parameter is the direction of that vector, or
+    its length where it is a telescope, and begins where they are drawn.
     """
 
     parameter: str
@@ -315,6 +317,27 @@ class Drive:
     high: Formula | None
     span: Span
     reshapes: bool = False
+    ends: tuple[str, str] | None = None
+
+    @property
+    def turns(self) -> bool:
+        """Tell whether a driven link turns; a telescope extends."""
+        return self.parameter.startswith("phi_")
+
+
+@frozen
+class Drawn:
+    """Where a point is drawn, at the default pose.
+
+    ``slack`` is what the digits written leave open, in metres; ``unit`` is the user's.
+    """
+
+    point: str
+    x: Formula
+    y: Formula
+    slack: float
+    unit: str
+    span: Span
 
 
 @frozen

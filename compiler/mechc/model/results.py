@@ -9,7 +9,8 @@ from ..diagnostics.model import results as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, substitute, symbols
 from ..syntax import ast
-from ..units import UNITS, Dimension
+from ..units import Dimension
+from .constants import last_digit
 from .definitions import Definitions, written_out
 from .expressions import Quantity, Reader
 from .finds import read_target
@@ -190,11 +191,5 @@ def half_a_digit(value: ast.Expr) -> Fraction:
 
 
 def _half_a_digit(number: ast.Number) -> Fraction:
-    mantissa, _, exponent = number.digits.lower().partition("e")
-    _, point, decimals = mantissa.partition(".")
-    if not point and not exponent:
-        return Fraction(0)
-    unit = UNITS.get(number.unit)
-    factor = unit.factor if unit else Fraction(1)
-    factor *= Fraction(math.pi) if unit and unit.pi else 1
-    return Fraction(10) ** (int(exponent or 0) - len(decimals)) * factor / 2
+    is_whole = number.digits.isdecimal()
+    return Fraction(0) if is_whole else last_digit(number) / 2

@@ -23,6 +23,7 @@ from ..model.values import holds
 from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .directions import Directions
+from .drawn import drawn_elsewhere
 from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
 from .loops.closing import Closed, close
@@ -104,6 +105,8 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
         judged = symbols(condition.left) | symbols(condition.right) <= given
         if not judged and not holds(condition, default):
             report.add(condition_broken(condition.span))
+    for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
+        report.add(fault)
     for misfit in misfits(pose, vectors, default):
         report.add(messages.gears_apart(*misfit))
 

@@ -37,7 +37,8 @@ class Terms:
                 self._define(waiting[name], waiting)
         formula = self._inside(parameter.value)
         settled = _angle_formula(formula) if parameter.dimension == ANGLE else _length(formula)
-        if settled is not None and count_operations(settled) <= LONG:
+        is_constant = not symbols(parameter.value)  # it has its name for the sake of readers
+        if settled is not None and not is_constant and count_operations(settled) <= LONG:
             self._inner[parameter.name] = settled
         else:
             self.definitions.append(Definition(parameter.name, formula))

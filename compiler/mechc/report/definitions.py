@@ -1,13 +1,15 @@
 """What stands behind *where*: the names that a result mentions, each told once."""
 
-from collections.abc import Iterable, Set
+import math
+from collections.abc import Iterable, Mapping, Set
+from fractions import Fraction
 from typing import NamedTuple
 
 from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
-from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Torque
+from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result
-from ..units import ANGLE, NUMBER, si_unit
+from ..units import ANGLE, NUMBER, UNITS, si_unit
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""
@@ -39,9 +41,23 @@ def by_letter(formula: Formula) -> Formula:
     return Product((*formula.factors[1:], FREE_FALL))
 
 
-def lettered(where: Iterable[Definition], usual: Set[str]) -> list[Definition]:
-    """Return definitions with each of the usual weights as ``m·g``."""
-    return [Definition(n, by_letter(f)) if n in usual else Definition(n, f) for n, f in where]
+def as_written(
+    where: Iterable[Definition], usual: Set[str], units: Mapping[str, str]
+) -> list[Definition]:
+    """Return definitions with the usual weights as ``m·g`` and constants in their units."""
+    return [_as_written(d, usual, units) for d in where]
+
+
+def _as_written(definition: Definition, usual: Set[str], units: Mapping[str, str]) -> Definition:
+    name, formula = definition
+    unit = UNITS.get(units.get(name, ""))
+    if name in usual:
+        return Definition(name, by_letter(formula))
+    if unit is None or not isinstance(formula, Number):
+        return Definition(name, formula)
+    value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
+    is_short = value.denominator < 10**DIGITS
+    return Definition(name, Number(value if is_short else Fraction(f"{float(value):.{DIGITS}g}")))
 
 
 def literal_unit(load: Load, given: Formula | None = None) -> str:
@@ -51,10 +67,11 @@ def literal_unit(load: Load, given: Formula | None = None) -> str:
     return "N*m" if isinstance(load, Torque) else "N"
 
 
-def literal_sizes(mechanism: Mechanism) -> dict[str, str]:
-    """Return the loads whose size the description gives as a number, with its unit."""
+def constant_units(mechanism: Mechanism) -> dict[str, str]:
+    """Return the loads and the named constants that are numbers, with their units."""
     given = {let.name: let.value for let in mechanism.lets}
     units = {load.name: literal_unit(load, given.get(load.name)) for load in mechanism.loads}
+    units |= {p.name: p.unit or "m" for p in mechanism.parameters if _is_constant(p)}
     return {name: unit for name, unit in units.items() if unit}
 
 
@@ -62,6 +79,14 @@ def literal_units(results: Iterable[Result]) -> dict[str, str]:
     """Return the results that are numbers in some unit of the SI, with the unit; no angles."""
     numbers = (r for r in results if isinstance(r.formula, Number) and r.formula != ZERO)
     return {r.name: si_unit(r.dimension) for r in numbers if r.dimension not in (ANGLE, NUMBER)}
+
+
+def _is_constant(parameter: Parameter) -> bool:
+    return parameter.dependent and isinstance(parameter.value, Number)
+
+
+DIGITS = 6
+"""Significant digits of a constant in a unit of the user's."""
 
 
 class Solved(NamedTuple):

@@ -11,7 +11,7 @@ from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
 from ..model.result import Definition
 from ..study.analysis import Analysis
-from .definitions import lettered, literal_sizes, literal_units, usual_weights
+from .definitions import as_written, constant_units, literal_units, usual_weights
 from .derivation.steps import Derivation, Explanation, Paragraph
 from .sentences.remarks import reaction
 
@@ -36,7 +36,7 @@ class Section:
 def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
     """Yield the results under their headings; what was told before is left out."""
     told, usual = Shown(), usual_weights(mechanism)
-    units = literal_sizes(mechanism) | literal_units(derivation.results)
+    units = constant_units(mechanism) | literal_units(derivation.results)
     for explanation, results in _grouped(derivation):
         told.equations(explanation)
         rested = told.new_definitions(
@@ -45,7 +45,9 @@ def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
         fresh = [*rested, *(d for r in results for d in told.of(r))]
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
         weighs = any(d.name in usual for d in fresh)
-        yield Section(explanation.paragraphs, shown, tuple(lettered(fresh, usual)), weighs, units)
+        yield Section(
+            explanation.paragraphs, shown, tuple(as_written(fresh, usual, units)), weighs, units
+        )
 
 
 class Shown:

@@ -281,11 +281,19 @@ class Screw(Statement):
 
 @frozen
 class Drive(Statement):
-    """``drive phi from a to b``."""
+    """``drive phi from a to b``, ``drive OA from a to b``: a parameter, or a link by its points."""
 
     name: Name
     low: Expr | None = None
     high: Expr | None = None
+
+
+@frozen
+class Drawn(Statement):
+    """``A at (x, y)``: where a point is drawn, at the default pose."""
+
+    point: Name
+    at: Cartesian
 
 
 @frozen

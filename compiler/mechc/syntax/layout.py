@@ -170,6 +170,11 @@ SECTIONS: tuple[Section, ...] = (
         ),
     ),
     named(
+        "points",
+        "where points are drawn, at the default pose",
+        Entry(ast.Drawn, AT_POINT, plain(Kind.CARTESIAN, "at")),
+    ),
+    named(
         "geometry",
         "vectors between two points, angles at the middle one of three",
         Entry(ast.Vector, key("points", Kind.ROD), plain(Kind.VECTOR, "value")),

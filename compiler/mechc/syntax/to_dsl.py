@@ -32,6 +32,7 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Contact: "contact {point} on {line} normal {normal}",
     ast.Belt: "belt {first} {first_radius}, {second} {second_radius}[ {crossed}]",
     ast.Screw: "screw {point} pitch {pitch} on {link}",
+    ast.Drawn: "{point}|at {at}",
     ast.Vector: "{points}|= {value}",
     ast.Turn: "angle {points}|= {angle}",
     ast.Assembly: "assembly {points} {mode}",
@@ -73,7 +74,7 @@ SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
     (ast.Version, ast.Heading, ast.SourceNote),
     (ast.Param, ast.Drive),
     (*(ast.Pivot, ast.Slider, ast.Link, ast.Slide, ast.Slot, ast.Telescope), *TRANSMISSIONS),
-    (ast.Vector, ast.Turn, ast.Assembly),
+    (ast.Drawn, ast.Vector, ast.Turn, ast.Assembly),
     (ast.Mirror, ast.Copies),
     (
         *(ast.Force, ast.Torque, ast.Actuator, ast.Spring),

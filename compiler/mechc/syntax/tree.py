@@ -261,6 +261,7 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "rack": ast.Rack,
     "contact": ast.Contact,
     "screw": ast.Screw,
+    "drawn": ast.Drawn,
     "geometry": ast.Vector,
     "turn": ast.Turn,
     "gravity": ast.Gravity,

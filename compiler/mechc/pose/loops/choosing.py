@@ -7,6 +7,7 @@ from ...diagnostics import MechcError, Report
 from ...diagnostics import pose as messages
 from ...model.mechanism import Assembly
 from ..samples import Values
+from .drawn import nearest
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .reach import reach_of
@@ -48,8 +49,10 @@ class Choice:
         decisive = self._telling_lines(heard, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
         meant = [i for i in possible if all(self._holds(a, poses, i) for a in decisive)]
-        if not decisive and len(ahead := self._reaching_ahead(group, poses)) == 1:
-            meant = ahead
+        if not decisive and len(meant) > 1:
+            ahead = self._reaching_ahead(group, poses)
+            drawn = nearest(poses, meant, self._state, within)
+            meant = drawn or (ahead if len(ahead) == 1 else meant)
         if len(meant) != 1:
             left = meant or possible
             self._report_open(decisive, [poses[i] for i in left], group, not meant)

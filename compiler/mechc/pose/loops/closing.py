@@ -26,6 +26,7 @@ from ..terms import Terms
 from ..vectors import Vectors
 from .branches import branches
 from .choosing import Choice
+from .drawn import start
 from .dyads import Group
 from .groups import NOTHING, Open, closures, left_open, remaining_blocks
 from .guide_lines import GuideLine, rails
@@ -62,7 +63,7 @@ def close(
     """
     named, lines = _sought_parameters(mechanism), list(rails(mechanism, compass))
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
-    lengths = _open_lengths(edges, terms)
+    lengths = _open_lengths(edges, terms) - {p.name for p in mechanism.parameters}
     if not (compass.sought or named or (lines and mechanism.drive)):
         crossed = _crossed(lines)
         if not crossed:
@@ -152,7 +153,7 @@ class _Closing:
         if block is None:
             return False
         self._check_values(block.cycle)
-        found = closures(block, self._state)
+        found = closures(block, self._state, start(block, self._state))
         if not found:
             self._report.stop_on_errors()
             span = max((e.span for e in block.cycle), key=lambda s: s.start)

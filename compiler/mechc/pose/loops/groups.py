@@ -141,11 +141,14 @@ def _determined(
     return frozenset(range(size)) - open_
 
 
-def closures(block: Block, state: State) -> list[Closure]:
-    """Return every closure of a block that was found at the default pose."""
+def closures(block: Block, state: State, drawn: Values) -> list[Closure]:
+    """Return every closure of a block that was found at the default pose.
+
+    Where all unknowns are ``drawn``, that is the one to which Newton's method leads from there.
+    """
     names = tuple(sorted(block.unknown))
     system = system_of(block, state)
-    found = _solutions(rows_of(block), names, state)
+    found = _solutions(rows_of(block), names, state, drawn)
     return [_closure(replace(system, start=start)) for start in found]
 
 
@@ -182,11 +185,17 @@ def _equation(arms: Vector, part: int) -> Formula:
 Row = tuple[Vector, int]
 
 
-def _solutions(rows: Sequence[Row], names: Sequence[str], state: State) -> list[tuple[float, ...]]:
-    """Return the solutions that random starts lead to, each once."""
+def _solutions(
+    rows: Sequence[Row], names: Sequence[str], state: State, drawn: Values
+) -> list[tuple[float, ...]]:
+    """Return the solution near the drawn one, or those that random starts lead to, each once."""
     dice = Random(state.mechanism.name)
     size = size_of(rows, names, state.base)
     slopes = [[_slope(arms, n) for n in names] for arms, _ in rows]
+    if drawn.keys() == set(names):
+        near = _newton(rows, slopes, names, {**state.base, **drawn}, size)
+        if near is not None:
+            return [tuple(near[n] for n in names)]
     found: list[tuple[float, ...]] = []
     vain = 0
     for _ in range(STARTS):

@@ -1,0 +1,128 @@
+"""Words for drawn places: points that are not where the rest of the description has them."""
+
+from ..source import Span
+from .diagnostic import Message, Related, coded
+
+
+@coded("E264")
+def drawn_again(at: Span, point: str, first: Span) -> Message:
+    """A point has two places.
+
+    The drawing shows each point once; a pivot's place may stand in its own line::
+
+        pivot O at (0 mm, 0 mm)
+        O at (0 mm, 5 mm)        # wrong: O has a place
+    """
+    return Message(
+        at, f"point {point} has a second place", "leave one out", (Related(first, "the first"),)
+    )
+
+
+@coded("E320")
+def driven_not_drawn(at: Span, vector: str, point: str) -> Message:
+    """A link is driven, and nothing says where it is at the default pose.
+
+    ``drive OA`` turns the link OA, or extends the telescope OA, from where it is drawn::
+
+        pivot O at (0 mm, 0 mm)
+        link OA
+        A at (20 mm, 35 mm)           # without this: wrong
+        drive OA from 10 deg to 80 deg
+
+    A parameter drives it just as well: ``OA = 40 mm @ phi`` and ``drive phi``.
+    """
+    message = f"'drive {vector}' needs the place of {point} at the default pose"
+    return Message(at, message, f"add a line such as `{point} at (20 mm, 35 mm)`")
+
+
+@coded("E321")
+def drawn_together(at: Span, body: str, point: str, other: str, first: Span) -> Message:
+    """Two points of one body are drawn at one place, so that no line leads from one to the other.
+
+    link AB
+    A at (20 mm, 35 mm)
+    B at (20 mm, 35 mm)      # wrong
+
+    Pins at one place that are two on paper are one point here: give them one name.
+    """
+    message = f"{point} and {other} of {body} are drawn at one place"
+    return Message(at, message, "correct one of the two", (Related(first, f"{other} is here"),))
+
+
+@coded("E322")
+def drawn_off_guide(at: Span, point: str, line: str, gap: str) -> Message:
+    """A slider, or a pin in a slot, is not drawn on the line along which it slides.
+
+    pivot O at (0 mm, 0 mm)
+    slider B along x through O
+    B at (90 mm, 10 mm)      # wrong: 10 mm off the line
+    B at (90 mm, 0 mm)       # right
+
+    Without ``through`` the guide passes through the point as drawn.
+    """
+    message = f"{point} is drawn {gap} off {line}, more than the digits written account for"
+    return Message(at, message, "correct the place, or the line")
+
+
+@coded("E323")
+def driven_is_given(at: Span, vector: str, given: Span) -> Message:
+    """A link is driven whose direction is given by something else.
+
+    OA = 40 mm @ phi
+    drive OA from 10 deg to 80 deg     # wrong: phi is its direction
+    drive phi from 10 deg to 80 deg    # right
+    """
+    message = f"'drive {vector}' drives what a formula gives"
+    return Message(
+        at, message, "drive the parameter in that formula", (Related(given, "it is given here"),)
+    )
+
+
+@coded("E324")
+def place_without_value(at: Span, point: str) -> Message:
+    """The coordinates of a drawn point have no value, so nothing is drawn.
+
+    param a: length
+    A at (a, 0 mm)           # wrong
+    param a = 40 mm          # right
+    """
+    return Message(at, f"the place of {point} has no value", "give every parameter in it a value")
+
+
+@coded("E325")
+def driven_between_bodies(at: Span, vector: str) -> Message:
+    """A drive names two points that no link and no telescope joins.
+
+    link OA
+    link AB
+    drive OB from 10 deg to 80 deg   # wrong: no link goes through O and B
+    drive OA from 10 deg to 80 deg   # right
+    """
+    message = f"'drive {vector}' names no link and no telescope"
+    return Message(at, message, "drive a link or a telescope by its points, or a parameter")
+
+
+@coded("E326")
+def drawn_outside_range(at: Span, name: str) -> Message:
+    """A parameter without a value has the one of the drawing, and its range leaves that out.
+
+    param phi: angle in 70 deg .. 90 deg
+    OA = 40 mm @ phi
+    A at (20 mm, 34.64 mm)     # phi is 60 deg there
+    """
+    message = f"the value of '{name}' in the drawing is outside its range"
+    return Message(at, message, "widen the range, or correct the drawing")
+
+
+@coded("W320")
+def drawn_elsewhere(at: Span, point: str, place: str, gap: str) -> Message:
+    """With the lengths and directions given, a point is not where it is drawn.
+
+    What is given holds; the drawing only tells closures apart. A gap of more than the
+    digits written account for means that one of the two is mistaken::
+
+        OA = 40 mm @ phi         # at phi = 60 deg A is at (20 mm, 34.64 mm)
+        A at (20 mm, 30 mm)      # warned of
+    """
+    message = f"{point} is drawn {gap} from where the rest puts it, which is {place}"
+    return Message(at, message, "correct the place, or what is given besides")

@@ -1,0 +1,296 @@
+"""Drawn places: what they give of lengths, angles and directions.
+
+``A at (20 mm, 34.64 mm)`` says where a pin is at the default pose. From here on there are
+only vectors: each derived length and direction becomes a parameter with a name, a constant
+where the coordinates are numbers (:class:`~.sketch.Sketch`).
+
+Without a drive, and with no length or direction given besides, every link lies as it is
+drawn. Otherwise links get their shapes only, and directions follow from the loops; what is
+given holds, and of several closures the one nearest to the drawn places is meant.
+"""
+
+import math
+from collections.abc import Collection, Iterable, Iterator, Sequence
+
+from ..diagnostics import Diagnostic, Report
+from ..diagnostics import drawn as messages
+from ..formula.walk import evaluate, symbols
+from ..frozen import replace
+from .driving import drawn_value, fault_of, is_outside, with_driven, with_value
+from .mechanism import (
+    Absolute,
+    Along,
+    Arrow,
+    Direction,
+    Drive,
+    Geometry,
+    Link,
+    Mechanism,
+    Offset,
+    Parameter,
+    Pivot,
+    Slide,
+    Slider,
+    Turn,
+)
+from .rigidity import Independent, Row, direction, distance, fixed, rows_of, turn
+from .sketch import Sketch
+from .values import Chain, defaults, dependent
+
+ACCOUNTED = 4
+"""A gap of so many times what the digits of its points leave open is accounted for."""
+
+
+def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
+    """Return the mechanism with the geometry that the drawn places give.
+
+    Reports E320 and E323 where a link cannot be driven, E321 where points of a body
+    coincide, E322 where a point is not on the line that guides it.
+    """
+    if not mechanism.drawn and not (mechanism.drive and mechanism.drive.ends):
+        return mechanism
+    sketch = Sketch(mechanism, Chain(dependent(mechanism)).complete(defaults(mechanism)))
+    for fault in (*_coinciding(mechanism, sketch), *_off_line(mechanism, sketch)):
+        report.add(fault)
+    drive = mechanism.drive
+    if drive and drive.ends:
+        if undriven := fault_of(drive, drive.ends, mechanism, sketch):
+            report.add(undriven)
+        else:
+            mechanism = with_driven(mechanism, drive, drive.ends)
+    report.stop_on_errors()
+    is_given = _is_given(mechanism, sketch)
+    drawn = _closing(mechanism, sketch) if is_given else _as_drawn(mechanism, sketch)
+    parameters = (*drawn.parameters, *sketch.parameters.values())
+    return replace(drawn, parameters=_in_range(parameters, drive, report))
+
+
+def _in_range(
+    parameters: Iterable[Parameter], drive: Drive | None, report: Report
+) -> tuple[Parameter, ...]:
+    """Report a value of the drawing outside the range given; a stroke is no such range."""
+    found = list[Parameter]()
+    for parameter in parameters:
+        outside = is_outside(parameter)
+        is_stroke = drive is not None and drive.ends and parameter.name == drive.parameter
+        if outside and not is_stroke:
+            report.add(messages.drawn_outside_range(parameter.span, parameter.name))
+        found.append(replace(parameter, range=None) if outside else parameter)
+    report.stop_on_errors()
+    return tuple(found)
+
+
+def _is_given(mechanism: Mechanism, sketch: Sketch) -> bool:
+    """Tell whether more is given of the pose than the places of points."""
+    pairs = (g for g in mechanism.geometry if not isinstance(g, Offset) or g.tail)
+    return mechanism.drive is not None or any(map(sketch.has, pairs))
+
+
+def _coinciding(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the points of a body at the place of another one of it."""
+    for points in _bodies(mechanism):
+        for hub, point in _star(points, sketch):
+            if sketch.coincide(hub, point):
+                at, first = sketch.span(point), sketch.span(hub)
+                yield messages.drawn_together(at, "".join(points), point, hub, first)
+
+
+def _off_line(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the points that are drawn off the line along which they slide."""
+    slack = {d.point: d.slack for d in mechanism.drawn}
+    for point, start, line, turned in _lines(mechanism, sketch):
+        x, y = sketch.vector(start, point)
+        gap = abs(y * math.cos(turned) - x * math.sin(turned))
+        if gap > ACCOUNTED * (slack.get(point, 0.0) + slack.get(start, 0.0)) + sketch.rounding:
+            yield messages.drawn_off_guide(sketch.span(point), point, line, sketch.shown(gap))
+
+
+def _lines(mechanism: Mechanism, sketch: Sketch) -> Iterator[tuple[str, str, str, float]]:
+    """Yield each drawn point on a line, a point of the line, its name, and its direction."""
+    for s in mechanism.sliders:
+        turned = _turned(s.along, sketch)
+        if turned is not None and s.through and sketch.has_all((s.point, s.through)):
+            yield s.point, s.through, f"the guide through {s.through}", turned
+    for slot in mechanism.slots:
+        if sketch.has_all((slot.point, slot.tail, slot.head)):
+            x, y = sketch.vector(slot.tail, slot.head)
+            line = f"the slot {slot.tail}{slot.head}"
+            yield slot.point, slot.tail, line, math.atan2(y, x)
+
+
+def _turned(direction: Direction, sketch: Sketch) -> float | None:
+    """Return a direction in radians where it is an angle with a value."""
+    if isinstance(direction, Absolute) and symbols(direction.angle) <= sketch.values.keys():
+        return evaluate(direction.angle, sketch.values)
+    return None
+
+
+# ------------------------------------------------------------------------ as it is drawn
+
+
+def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
+    """Return the mechanism with every vector as it is drawn; a guide is then but a direction."""
+    for slot in mechanism.slots:
+        if sketch.places.keys() >= {slot.tail, slot.head, slot.point}:
+            sketch.lay_on_line(slot.point, slot.tail, slot.head)
+    found: list[Geometry] = []
+    for body in _bodies(mechanism):
+        for hub, point in _star(body, sketch):
+            direction = sketch.direction(hub, point)
+            found.append(
+                Arrow(hub, point, sketch.length(hub, point), direction, sketch.span(point))
+            )
+    sliders = tuple(
+        replace(s, through=None) if s.point in sketch.places else s for s in mechanism.sliders
+    )
+    return replace(mechanism, sliders=sliders, geometry=(*mechanism.geometry, *found))
+
+
+def _bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:
+    """Yield the points of each body, and the ends of the telescopes."""
+    yield from (link.points for link in mechanism.links)
+    yield from (slide.points for slide in mechanism.slides)
+    yield from (telescope.points for telescope in mechanism.telescopes)
+
+
+def _star(points: Sequence[str], sketch: Sketch) -> Iterator[tuple[str, str]]:
+    """Yield the arms of a body's drawn points, from a pivot where it has one."""
+    known = [p for p in points if p in sketch.places]
+    hub = next((p for p in known if p in sketch.pivots), known[0] if known else "")
+    yield from ((hub, p) for p in known if p != hub)
+
+
+# ------------------------------------------------------------------- by closing the loops
+
+
+def _closing(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
+    """Return the mechanism with the shapes of its bodies as drawn, for loops to close."""
+    mechanism = _through_places(mechanism, sketch)
+    geometry = list(mechanism.geometry)
+    for link in mechanism.links:
+        _shape(link, geometry, sketch)
+    for slide in mechanism.slides:
+        _lay_out(slide, geometry, sketch)
+    known = {frozenset((g.tail, g.head)) for g in geometry if not isinstance(g, Turn)}
+    for telescope in mechanism.telescopes:
+        if frozenset(telescope.points) not in known and sketch.has_all(telescope.points):
+            geometry.append(Arrow(*telescope.points, None, None, telescope.span))
+    return _with_coordinates(replace(mechanism, geometry=tuple(geometry)), sketch)
+
+
+def _through_places(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
+    """Let guides that have no place pass through where their points are drawn."""
+    pivots, offsets, sliders = list[Pivot](), list[Geometry](), list[Slider]()
+    for slider in mechanism.sliders:
+        if slider.through is None and slider.point in sketch.places:
+            name, span = f"{slider.point}_0", sketch.span(slider.point)
+            place = sketch.places[slider.point]
+            pivots.append(Pivot(name, span))
+            offsets.append(Offset("", name, place.x, place.y, span))
+            slider = replace(slider, through=name)
+        sliders.append(slider)
+    return replace(
+        mechanism,
+        pivots=(*mechanism.pivots, *pivots),
+        sliders=tuple(sliders),
+        geometry=(*mechanism.geometry, *offsets),
+    )
+
+
+def _shape(link: Link, geometry: list[Geometry], sketch: Sketch) -> None:
+    """Add the lengths and angles of a body that are not given."""
+    arms = list(_star(link.points, sketch))
+    given = Independent(row for g in geometry if _inside(g, link) for row in rows_of(g, sketch))
+    for hub, point in arms:
+        if given.takes(distance(hub, point, sketch)):
+            _give_length(geometry, hub, point, sketch)
+    for hub, point in arms[1:]:
+        first = arms[0][1]
+        if given.takes(turn(first, hub, point, sketch)):
+            angle = sketch.turn(first, hub, point)
+            geometry.append(Turn(first, hub, point, angle, sketch.span(point)))
+
+
+def _inside(entry: Geometry, link: Link) -> bool:
+    match entry:
+        case Turn(first, vertex, second):
+            return {first, vertex, second} <= set(link.points)
+        case Arrow(tail, head, _, Along(start, end)):
+            return {tail, head, start, end} <= set(link.points)
+        case _:
+            return {entry.tail, entry.head} <= set(link.points)
+
+
+def _give_length(geometry: list[Geometry], hub: str, point: str, sketch: Sketch) -> None:
+    """Give a vector its length: the entry that has its direction, or one of its own."""
+    for i, entry in enumerate(geometry):
+        if isinstance(entry, Arrow) and {entry.tail, entry.head} == {hub, point}:
+            geometry[i] = replace(entry, length=sketch.length(entry.tail, entry.head))
+            return
+    geometry.append(Arrow(hub, point, sketch.length(hub, point), None, sketch.span(point)))
+
+
+def _lay_out(slide: Slide, geometry: list[Geometry], sketch: Sketch) -> None:
+    """Add the vectors of a slide, which does not turn."""
+    known = {frozenset((g.tail, g.head)) for g in geometry if not isinstance(g, Turn)}
+    for hub, point in _star(slide.points, sketch):
+        if frozenset((hub, point)) not in known:
+            geometry.append(Offset(hub, point, *sketch.offset(hub, point), sketch.span(point)))
+
+
+def _with_coordinates(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
+    """Return the mechanism with all that moves it standing as drawn.
+
+    A parameter that has no value, and that no loop gives one, has that of the drawing. A
+    link that neither a loop nor a drive turns has the direction of the drawing.
+    """
+    waiting = {p.name: p for p in mechanism.parameters if p.value is None}
+    held = Independent(_held(mechanism, waiting, sketch))
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    found = dict[str, Parameter]()
+    for entry in mechanism.geometry:
+        for name in sorted(mentioned(entry) & waiting.keys() - found.keys()):
+            value = drawn_value(name, entry, sketch)
+            moved = sum(held.takes(row) for row in rows_of(entry, sketch))
+            if value is not None and (moved or name == drive):
+                found[name] = with_value(waiting[name], value)
+    standing = list[Geometry]()
+    for link in mechanism.links:
+        arm = next(_star(link.points, sketch), None)
+        if arm and held.takes(direction(*arm, sketch)):
+            standing.append(Arrow(*arm, None, sketch.direction(*arm), sketch.span(arm[1])))
+    parameters = tuple(found.get(p.name, p) for p in mechanism.parameters)
+    return replace(mechanism, parameters=parameters, geometry=(*mechanism.geometry, *standing))
+
+
+def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Iterator[Row]:
+    """Yield what holds the drawn points: pivots, guides, slots, vectors.
+
+    A vector holds none while a parameter in it is ``waiting`` for its value.
+    """
+    for pivot in mechanism.pivots:
+        yield from (fixed(pivot.point, turned) for turned in (0.0, math.pi / 2))
+    guided = [(s.point, s.along) for s in mechanism.sliders]
+    guided += [(s.points[0], s.along) for s in mechanism.slides]
+    for point, along in guided:
+        if (turned := _turned(along, sketch)) is not None:
+            yield fixed(point, turned)
+    for slot in mechanism.slots:
+        if sketch.has_all((slot.tail, slot.head, slot.point)):
+            yield turn(slot.head, slot.tail, slot.point, sketch)
+    for entry in mechanism.geometry:
+        if mentioned(entry).isdisjoint(waiting):
+            yield from rows_of(entry, sketch)
+
+
+def mentioned(entry: Geometry) -> frozenset[str]:
+    """Return the parameters in what is given of a vector or an angle."""
+    match entry:
+        case Arrow(_, _, length, towards):
+            given = [length] if length else []
+            given += [towards.angle] if isinstance(towards, Absolute) else []
+        case Offset(_, _, x, y):
+            given = [x, y]
+        case Turn(angle=angle):
+            given = [angle]
+    return frozenset().union(*map(symbols, given))

@@ -1,0 +1,192 @@
+"""A mechanism as it is drawn: the places of its points, and quantities that follow from them.
+
+A derived length, direction or angle has a name and is a parameter: a constant where the
+coordinates are numbers, or a formula of the parameters that they rest on.
+"""
+
+import math
+from collections.abc import Iterable, Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from ..algebra.from_formula import to_product
+from ..algebra.product import Product
+from ..algebra.sums import add
+from ..formula.tree import Call, Formula, Number, Symbol, degrees, total
+from ..formula.walk import evaluate, symbols
+from ..source import Span
+from ..units import ANGLE, LENGTH, UNITS, Dimension
+from .constants import rational
+from .mechanism import Absolute, Arrow, Geometry, Mechanism, Offset, Parameter, Turn
+
+NEAR_ZERO = 1e-9
+"""Places nearer to one another than this part of the drawing are one."""
+
+
+class Place(NamedTuple):
+    """Where a point is drawn: its coordinates as formulas, and in metres."""
+
+    x: Formula
+    y: Formula
+    at: tuple[float, float]
+    span: Span
+
+
+Components = tuple[Product, Product]
+
+
+class Sketch:
+    """The drawn points and the pivots with a place; ``parameters`` are the named quantities."""
+
+    def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
+        self.values = values
+        self.pivots = frozenset(p.point for p in mechanism.pivots)
+        self.places: dict[str, Place] = {}
+        self.parameters: dict[str, Parameter] = {}
+        self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
+        self._unit = next((d.unit for d in mechanism.drawn if d.unit), "")
+        self._directions: list[tuple[Components, Formula]] = []
+        for entry in mechanism.geometry:
+            if isinstance(entry, Offset) and not entry.tail:
+                self._place(entry.head, entry.x, entry.y, entry.span)
+        for drawn in mechanism.drawn:
+            self._place(drawn.point, drawn.x, drawn.y, drawn.span)
+
+    def _place(self, point: str, x: Formula, y: Formula, span: Span) -> None:
+        if symbols(x) | symbols(y) <= self.values.keys():
+            at = evaluate(x, self.values), evaluate(y, self.values)
+            self.places[point] = Place(x, y, at, span)
+
+    def has_all(self, points: Iterable[str]) -> bool:
+        """Tell whether points are drawn."""
+        return self.places.keys() >= set(points)
+
+    def has(self, entry: Geometry) -> bool:
+        """Tell whether the points of an entry are drawn; the origin is in every drawing."""
+        match entry:
+            case Arrow(tail, head) | Offset(tail, head):
+                return self.has_all({tail, head} - {""})
+            case Turn(first, vertex, second):
+                return self.has_all((first, vertex, second))
+
+    def span(self, point: str) -> Span:
+        """Return where a point's place is written."""
+        return self.places[point].span
+
+    @property
+    def size(self) -> float:
+        """Return the width or height of the drawing, whichever is greater."""
+        far = [place.at for place in self.places.values()]
+        wide, high = ([at[i] for at in far] for i in (0, 1))
+        return max(max(wide) - min(wide), max(high) - min(high))
+
+    @property
+    def rounding(self) -> float:
+        """Return the gap in metres below which places are one."""
+        return NEAR_ZERO * self.size
+
+    def shown(self, gap: float) -> str:
+        """Return a length in the unit of the drawing."""
+        unit = self._unit or "m"
+        return f"{gap / float(UNITS[unit].factor):.3g} {unit}"
+
+    def coincide(self, first: str, second: str) -> bool:
+        """Tell whether two points are drawn at one place."""
+        gap = math.dist(self.places[first].at, self.places[second].at)
+        return gap <= self.rounding
+
+    def vector(self, tail: str, head: str) -> tuple[float, float]:
+        """Return the vector between two points in metres; the origin's name is empty."""
+        ax, ay = self.places[tail].at if tail else (0.0, 0.0)
+        bx, by = self.places[head].at
+        return bx - ax, by - ay
+
+    # ------------------------------------------------------------------ named quantities
+
+    def offset(self, tail: str, head: str) -> tuple[Formula, Formula]:
+        """Return the vector between two points by its components."""
+        x, y = self._components(tail, head)
+        return x.formula(), y.formula()
+
+    def length(self, tail: str, head: str) -> Formula:
+        """Return the distance of two points, ``len_AB`` unless it is a parameter by itself."""
+        x, y = self._components(tail, head)
+        if x and y:
+            value: Formula = Call("hypot", (x.formula(), y.formula()))
+        else:
+            value = self._positive(x or y).formula()
+        if isinstance(value, Symbol):
+            return value
+        return self._named(f"len_{tail}{head}", value, LENGTH, self._unit, head)
+
+    def direction(self, tail: str, head: str) -> Absolute:
+        """Return the direction between two points: along an axis, as another one, or named."""
+        components = self._components(tail, head)
+        angle = self._axis(*components) or self._parallel(components)
+        if angle is None:
+            x, y = components
+            value = Call("atan2", (y.formula(), x.formula()))
+            angle = self._named(f"phi_{tail}{head}", value, ANGLE, "deg", head)
+            self._directions.append((components, angle))
+        return Absolute(angle, self.span(head))
+
+    def turn(self, first: str, vertex: str, second: str) -> Formula:
+        """Return the counter-clockwise angle at a point between two others."""
+        (ax, ay), (bx, by) = self._components(vertex, first), self._components(vertex, second)
+        ahead, across = add([ax * bx, ay * by]), add([ax * by, -(ay * bx)])
+        axis = self._axis(ahead, across)
+        if axis is not None:
+            return axis
+        value = Call("atan2", (across.formula(), ahead.formula()))
+        return self._named(f"delta_{first}{vertex}{second}", value, ANGLE, "deg", second)
+
+    def lay_on_line(self, point: str, tail: str, head: str) -> None:
+        """Move a drawn point to the line through two others, where it is not quite on it."""
+        x, y = self._components(tail, head)
+        px, py = self._components(tail, point)
+        if not add([x * py, -(y * px)]):
+            return
+        part = self._value(add([x * px, y * py])) / self._value(add([x * x, y * y]))
+        start, share = self.places[tail], Product(Fraction(part))
+        ends = ((start.x, x), (start.y, y))
+        moved = [add([to_product(at), step * share]).formula() for at, step in ends]
+        self._place(point, moved[0], moved[1], self.span(point))
+
+    def _components(self, tail: str, head: str) -> Components:
+        start, end = self.places[tail], self.places[head]
+        x = add([to_product(end.x), -to_product(start.x)])
+        return x, add([to_product(end.y), -to_product(start.y)])
+
+    def _axis(self, x: Product, y: Product) -> Formula | None:
+        """Return the direction of a vector along an axis."""
+        if x and y:
+            return None
+        quarter = 90 if y else 0
+        return degrees(quarter if self._value(x or y) > 0 else quarter - 180)
+
+    def _parallel(self, components: Components) -> Formula | None:
+        """Return the direction of a vector that is parallel to an earlier one."""
+        x, y = components
+        for (other_x, other_y), angle in self._directions:
+            if not add([other_x * y, -(other_y * x)]):
+                behind = self._value(add([other_x * x, other_y * y])) < 0
+                return total([angle, degrees(180)]) if behind else angle
+        return None
+
+    def _positive(self, length: Product) -> Product:
+        return length if self._value(length) >= 0 else -length
+
+    def _value(self, product: Product) -> float:
+        return product.evaluate(self.values)
+
+    def _named(
+        self, name: str, value: Formula, dimension: Dimension, unit: str, point: str
+    ) -> Formula:
+        """Return a parameter of this value, a number if possible, by this name or one like it."""
+        if not symbols(value):
+            value = Number(rational(value) or Fraction(repr(evaluate(value, {}))))
+        while name in self._taken and name not in self.parameters:
+            name += "_"
+        made = Parameter(name, dimension, self.span(point), value, unit=unit, dependent=True)
+        self.parameters.setdefault(name, made)
+        return Symbol(name)

@@ -1,0 +1,63 @@
+"""Where points are drawn, against where they are at the default pose."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+
+from ..diagnostics import Diagnostic
+from ..diagnostics import drawn as messages
+from ..formula.walk import evaluate, symbols
+from ..model.mechanism import Drawn
+from ..units import UNITS
+from .loops.vector_graph import mentioned
+from .pose import evaluate_vector
+from .samples import Values
+from .vectors import Vectors
+
+Place = tuple[float, float]
+
+ACCOUNTED = 4
+"""A gap of so many times what the digits written leave open is accounted for."""
+
+ROUNDED = 1e-6
+"""A gap below this part of the drawing is one of rounding."""
+
+
+def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Place]:
+    """Return where points are drawn, in metres."""
+    known = (d for d in drawn if symbols(d.x) | symbols(d.y) <= values.keys())
+    return {d.point: (evaluate(d.x, values), evaluate(d.y, values)) for d in known}
+
+
+def drawn_elsewhere(
+    drawn: Sequence[Drawn], vectors: Vectors, values: Values
+) -> Iterator[Diagnostic]:
+    """Yield W320 for the point that is farthest from where it is drawn."""
+    places = places_of(drawn, values)
+    real = dict(_real(places, vectors, values))
+    gaps = {point: math.dist(at, places[point]) for point, at in real.items()}
+    farthest = max(gaps, key=lambda point: gaps[point], default="")
+    slack = ACCOUNTED * max((d.slack for d in drawn), default=0.0)
+    if farthest and gaps[farthest] > slack + ROUNDED * _size(places):
+        (one,) = (d for d in drawn if d.point == farthest)
+        x, y = (_shown(part, one.unit) for part in real[farthest])
+        gap = _shown(gaps[farthest], one.unit)
+        yield messages.drawn_elsewhere(one.span, farthest, f"({x}, {y})", gap)
+
+
+def _real(
+    places: Mapping[str, Place], vectors: Vectors, values: Values
+) -> Iterator[tuple[str, Place]]:
+    """Yield where drawn points are, as far as their vectors have values."""
+    for point in places:
+        path = vectors.path("", point)
+        if path and not vectors.is_open(path) and mentioned(path) <= values.keys():
+            yield point, evaluate_vector(path, values)
+
+
+def _size(places: Mapping[str, Place]) -> float:
+    return max((math.hypot(*at) for at in places.values()), default=0.0)
+
+
+def _shown(size: float, unit: str) -> str:
+    unit = unit or "m"
+    return f"{size / float(UNITS[unit].factor):.4g} {unit}"

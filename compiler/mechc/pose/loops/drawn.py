@@ -1,0 +1,83 @@
+"""What drawn places say of closures: how far each is from the drawing, and where to begin."""
+
+import math
+from collections.abc import Collection, Mapping, Sequence
+from itertools import combinations
+
+from ...algebra.product import Product
+from ..drawn import Place, places_of
+from ..samples import Values
+from .groups import Block
+from .state import State
+from .vector_graph import mentioned
+
+ALIKE = 1e-6
+"""Closures whose gaps differ by less than this part of the drawing's size are equally near."""
+
+
+def nearest(
+    poses: Sequence[Values], indices: Sequence[int], state: State, within: Collection[str] | None
+) -> list[int]:
+    """Return which of some closures is nearest to the drawing; none where it does not tell.
+
+    ``within`` are the points of a body that closes by itself, whose places are not known yet.
+    """
+    drawn = places_of(state.mechanism.drawn, state.base)
+    if not drawn:
+        return []
+    of_body = within is not None
+    gaps = [_within(poses[i], drawn, state, within) if within is not None
+            else _gap(poses[i], drawn, state) for i in indices]  # fmt: skip
+    size = max(math.dist(a, b) for a, b in combinations([*drawn.values(), (0.0, 0.0)], 2))
+    slack = ALIKE * size ** (2 if of_body else 1)
+    order = sorted(range(len(indices)), key=lambda i: gaps[i])
+    is_told = len(order) > 1 and gaps[order[1]] - gaps[order[0]] > slack
+    return [indices[order[0]]] if is_told else []
+
+
+def _gap(values: Values, drawn: Mapping[str, Place], state: State) -> float:
+    """Return the way from the drawn places to those of a closure, of all points together."""
+    places = state.web.places("", values)
+    return math.hypot(*(math.dist(places[p], at) for p, at in drawn.items() if p in places))
+
+
+def _within(
+    values: Values, drawn: Mapping[str, Place], state: State, points: Collection[str]
+) -> float:
+    """Return how much a body differs from the drawn one, by its triangles, which have a sense."""
+    known = [p for p in points if p in drawn]
+    places = state.web.places(known[0], values) if known else {}
+    triples = combinations([p for p in known if p in places], 3)
+    return math.fsum(
+        abs(_area([places[p] for p in triple]) - _area([drawn[p] for p in triple]))
+        for triple in triples
+    )
+
+
+def _area(corners: Sequence[Place]) -> float:
+    (ax, ay), (bx, by), (cx, cy) = corners
+    return ((bx - ax) * (cy - ay) - (by - ay) * (cx - ax)) / 2
+
+
+def start(block: Block, state: State) -> Values:
+    """Return what the unknowns of a block are in the drawing, as far as it shows them."""
+    places = {**places_of(state.mechanism.drawn, state.base), **state.web.places("", state.base)}
+    shown = [e for e in block.cycle if len(e.arms) == 1 and {e.tail, e.head} <= places.keys()]
+    values = dict(state.base)
+    for edge in shown:
+        ((_, angle),) = edge.arms
+        (ax, ay), (bx, by) = places[edge.tail], places[edge.head]
+        open_terms = [(n, c) for n, c in angle.terms if n not in values]
+        if len(open_terms) == 1:
+            ((name, factor),) = open_terms
+            at_zero = angle.evaluate({**values, name: 0.0})
+            turned = math.remainder(math.atan2(by - ay, bx - ax) - at_zero, 2 * math.pi)
+            values[name] = turned / float(factor)
+    for edge in shown:
+        ((length, angle),) = edge.arms
+        (ax, ay), (bx, by) = places[edge.tail], places[edge.head]
+        for name in mentioned(edge.arms) & block.unknown - values.keys():
+            if length == Product.symbol(name) and angle.names <= values.keys():
+                turned = angle.evaluate(values)
+                values[name] = (bx - ax) * math.cos(turned) + (by - ay) * math.sin(turned)
+    return {name: values[name] for name in block.unknown & values.keys()}
