@@ -75,6 +75,8 @@ CONSTRUCTS = [
     ("link ABC", "links: [ABC]"),
     ('link ABC "handle"', "links: {ABC: handle}"),
     ("slide WXY along 30 deg", "slides: {WXY: 30 deg}"),
+    ("A at (20 mm, 2*a)", "points: {A: [20 mm, 2*a]}"),
+    ("drive OA from 10 deg to 80 deg", "drive: {OA: 10 deg .. 80 deg}"),
     ("slot B in OC", "slots: {B: OC}"),
     ("slot B in OC\nslot B in DE", "slots: {B: [OC, DE]}"),
     ("slot B in OAC about C radius r", "slots: {B: {in: OAC, about: C, radius: r}}"),

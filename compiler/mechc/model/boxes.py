@@ -6,12 +6,18 @@ from ..algebra.intervals import Box, Interval, widened
 from ..formula.walk import evaluate
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter
+from .values import is_constant
 
 
 def range_box(mechanism: Mechanism) -> Box:
     """Return the box over which trends are stated."""
-    box = {p.name: _range(p) for p in mechanism.parameters if not p.dependent}
+    box = {p.name: _range(p) for p in mechanism.parameters if _is_known(p)}
     return {name: interval for name, interval in box.items() if interval is not None}
+
+
+def _is_known(parameter: Parameter) -> bool:
+    """Tell whether a parameter follows from no other: a constant of a drawing is known, too."""
+    return not parameter.dependent or is_constant(parameter)
 
 
 POSITIVE = Interval(1e-150, 1e150)
@@ -22,13 +28,13 @@ NEGATIVE = Interval(-POSITIVE.high, -POSITIVE.low)
 
 def allowed_box(mechanism: Mechanism) -> Box:
     """Return the box of all values that parameters may take, beyond the default pose."""
-    box = {p.name: _allowed(p) for p in mechanism.parameters if not p.dependent}
+    box = {p.name: _allowed(p) for p in mechanism.parameters if _is_known(p)}
     return {name: interval for name, interval in box.items() if interval is not None}
 
 
 def _allowed(parameter: Parameter) -> Interval | None:
     """Return the range of a parameter; without one, lengths and the like keep their sign."""
-    if parameter.range is not None:
+    if parameter.range is not None or is_constant(parameter):
         return _range(parameter)
     if parameter.dimension == ANGLE:
         return None

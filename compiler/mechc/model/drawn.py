@@ -16,6 +16,7 @@ from ..diagnostics import Diagnostic, Report
 from ..diagnostics import drawn as messages
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
+from .doubts import directions
 from .driving import drawn_value, fault_of, is_outside, with_driven, with_value
 from .mechanism import (
     Absolute,
@@ -23,6 +24,7 @@ from .mechanism import (
     Arrow,
     Direction,
     Drive,
+    ForcePair,
     Geometry,
     Link,
     Mechanism,
@@ -99,7 +101,7 @@ def _off_line(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
     """Yield the points that are drawn off the line along which they slide."""
     slack = {d.point: d.slack for d in mechanism.drawn}
     for point, start, line, turned in _lines(mechanism, sketch):
-        x, y = sketch.vector(start, point)
+        x, y = sketch.way(start, point)
         gap = abs(y * math.cos(turned) - x * math.sin(turned))
         if gap > ACCOUNTED * (slack.get(point, 0.0) + slack.get(start, 0.0)) + sketch.rounding:
             yield messages.drawn_off_guide(sketch.span(point), point, line, sketch.shown(gap))
@@ -113,7 +115,7 @@ def _lines(mechanism: Mechanism, sketch: Sketch) -> Iterator[tuple[str, str, str
             yield s.point, s.through, f"the guide through {s.through}", turned
     for slot in mechanism.slots:
         if sketch.has_all((slot.point, slot.tail, slot.head)):
-            x, y = sketch.vector(slot.tail, slot.head)
+            x, y = sketch.way(slot.tail, slot.head)
             line = f"the slot {slot.tail}{slot.head}"
             yield slot.point, slot.tail, line, math.atan2(y, x)
 
@@ -134,12 +136,9 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
         if sketch.places.keys() >= {slot.tail, slot.head, slot.point}:
             sketch.lay_on_line(slot.point, slot.tail, slot.head)
     found: list[Geometry] = []
-    for body in _bodies(mechanism):
-        for hub, point in _star(body, sketch):
-            direction = sketch.direction(hub, point)
-            found.append(
-                Arrow(hub, point, sketch.length(hub, point), direction, sketch.span(point))
-            )
+    for points in (*_bodies(mechanism), *_aims(mechanism)):
+        for hub, point in _star(points, sketch):
+            found.append(Arrow(hub, point, *sketch.vector(hub, point), sketch.span(point)))
     sliders = tuple(
         replace(s, through=None) if s.point in sketch.places else s for s in mechanism.sliders
     )
@@ -151,6 +150,12 @@ def _bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:
     yield from (link.points for link in mechanism.links)
     yield from (slide.points for slide in mechanism.slides)
     yield from (telescope.points for telescope in mechanism.telescopes)
+
+
+def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Yield the two points between which a pair of forces acts, or which give a direction."""
+    yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
+    yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
 
 
 def _star(points: Sequence[str], sketch: Sketch) -> Iterator[tuple[str, str]]:

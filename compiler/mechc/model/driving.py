@@ -105,15 +105,15 @@ def _drawn(entry: Geometry, sketch: Sketch) -> list[tuple[Formula, float]]:
     """Return the formulas of an entry, and what they are in the drawing."""
     match entry:
         case Arrow(tail, head, length, direction):
-            x, y = sketch.vector(tail, head)
+            x, y = sketch.way(tail, head)
             found = [(length, math.hypot(x, y))] if length else []
             turned = (
                 [(direction.angle, math.atan2(y, x))] if isinstance(direction, Absolute) else []
             )
             return [*turned, *found]
         case Offset(tail, head, along_x, along_y):
-            x, y = sketch.vector(tail, head)
+            x, y = sketch.way(tail, head)
             return [(along_x, x), (along_y, y)]
         case Turn(first, vertex, second, angle):
-            (ax, ay), (bx, by) = sketch.vector(vertex, first), sketch.vector(vertex, second)
+            (ax, ay), (bx, by) = sketch.way(vertex, first), sketch.way(vertex, second)
             return [(angle, math.atan2(ax * by - ay * bx, ax * bx + ay * by))]

@@ -82,6 +82,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     """Add bodies, joints, and where they are."""
     pivots, places = read_pivots(file, scope)
     sliders, guides, guide_places = read_sliders(file, scope)
+    drawn, fixed_places = read_drawn(file, scope)
     slides, telescopes = read_slides(file, scope), read_telescopes(file, scope)
     joints = read_joints(file, slides, scope)
     check_belts(joints, places, scope)
@@ -96,8 +97,8 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
         joints=(*pivots, *guides, *sliders, *joints),
         drive=drive,
         assemblies=tuple(assemblies),
-        geometry=(*places, *guide_places, *geometry),
-        drawn=tuple(read_drawn(file, scope)),
+        geometry=(*places, *fixed_places, *guide_places, *geometry),
+        drawn=tuple(drawn),
     )
     return with_arcs(built, read_arcs(file, scope), scope)
 

@@ -88,10 +88,14 @@ def read_pivots(file: ast.File, scope: Scope) -> tuple[list[Pivot], list[Geometr
     return pivots, places
 
 
-def read_drawn(file: ast.File, scope: Scope) -> list[Drawn]:
-    """Return where points are drawn; report a second place, and one without a value."""
+def read_drawn(file: ast.File, scope: Scope) -> tuple[list[Drawn], list[Offset]]:
+    """Return where points are drawn, and the places of pivots among them.
+
+    Reports a second place, and one without a value.
+    """
     first = {s.point.text: s.at.span for s in every(file, ast.Pivot) if s.at}
     found: list[Drawn] = []
+    fixed: list[Offset] = []
     for statement in every(file, ast.Drawn):
         point, span = statement.point.text, statement.at.span
         place = read_place("", point, statement.at, scope)
@@ -99,15 +103,21 @@ def read_drawn(file: ast.File, scope: Scope) -> list[Drawn]:
             continue
         if first.setdefault(point, span) != span:
             scope.report.add(drawn_words.drawn_again(span, point, first[point]))
+        elif point in scope.points.fixed:
+            fixed.append(place)
         elif value_of(place.x, scope) is None or value_of(place.y, scope) is None:
             scope.report.add(drawn_words.place_without_value(span, point))
         else:
-            numbers = [n for part in (statement.at.x, statement.at.y) for n in leaves(part)]
-            written = [n for n in numbers if isinstance(n, ast.Number)]
-            slack = float(min((last_digit(n) / 2 for n in written if n.value), default=0))
-            unit = next((n.unit for n in written if n.unit), "")
-            found.append(Drawn(point, place.x, place.y, slack, unit, statement.span))
-    return found
+            found.append(_drawn(statement, place))
+    return found, fixed
+
+
+def _drawn(statement: ast.Drawn, place: Offset) -> Drawn:
+    leaves_of_both = (leaf for part in (statement.at.x, statement.at.y) for leaf in leaves(part))
+    numbers = [leaf for leaf in leaves_of_both if isinstance(leaf, ast.Number)]
+    slack = float(min((last_digit(n) / 2 for n in numbers if n.value), default=0))
+    unit = next((n.unit for n in numbers if n.unit), "")
+    return Drawn(place.head, place.x, place.y, slack, unit, statement.span)
 
 
 def read_sliders(file: ast.File, scope: Scope) -> tuple[list[Slider], list[Pivot], list[Geometry]]:

@@ -23,6 +23,10 @@ NEAR_ZERO = 1e-9
 """Places nearer to one another than this part of the drawing are one."""
 
 
+PARALLEL = 1e-11
+"""Vectors of numbers at a smaller angle, in radians, are parallel."""
+
+
 class Place(NamedTuple):
     """Where a point is drawn: its coordinates as formulas, and in metres."""
 
@@ -35,6 +39,12 @@ class Place(NamedTuple):
 Components = tuple[Product, Product]
 
 
+class _Vector(NamedTuple):
+    components: Components
+    length: Formula
+    angle: Formula
+
+
 class Sketch:
     """The drawn points and the pivots with a place; ``parameters`` are the named quantities."""
 
@@ -45,7 +55,7 @@ class Sketch:
         self.parameters: dict[str, Parameter] = {}
         self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
         self._unit = next((d.unit for d in mechanism.drawn if d.unit), "")
-        self._directions: list[tuple[Components, Formula]] = []
+        self._vectors: list[_Vector] = []
         for entry in mechanism.geometry:
             if isinstance(entry, Offset) and not entry.tail:
                 self._place(entry.head, entry.x, entry.y, entry.span)
@@ -95,7 +105,7 @@ class Sketch:
         gap = math.dist(self.places[first].at, self.places[second].at)
         return gap <= self.rounding
 
-    def vector(self, tail: str, head: str) -> tuple[float, float]:
+    def way(self, tail: str, head: str) -> tuple[float, float]:
         """Return the vector between two points in metres; the origin's name is empty."""
         ax, ay = self.places[tail].at if tail else (0.0, 0.0)
         bx, by = self.places[head].at
@@ -120,15 +130,32 @@ class Sketch:
         return self._named(f"len_{tail}{head}", value, LENGTH, self._unit, head)
 
     def direction(self, tail: str, head: str) -> Absolute:
-        """Return the direction between two points: along an axis, as another one, or named."""
-        components = self._components(tail, head)
-        angle = self._axis(*components) or self._parallel(components)
+        """Return the direction between two points: along an axis, or named."""
+        x, y = self._components(tail, head)
+        angle = self._axis(x, y)
         if angle is None:
-            x, y = components
             value = Call("atan2", (y.formula(), x.formula()))
             angle = self._named(f"phi_{tail}{head}", value, ANGLE, "deg", head)
-            self._directions.append((components, angle))
         return Absolute(angle, self.span(head))
+
+    def vector(self, tail: str, head: str) -> tuple[Formula, Absolute]:
+        """Return the length and direction between two points.
+
+        Of vectors that are parallel, or equal, in the drawing the later has those of the first.
+        """
+        components, span = self._components(tail, head), self.span(head)
+        alike = [v for v in self._vectors if self._parallel(v.components, components)]
+        equal = [v for v in alike if self._same_size(v.components, components)]
+        if alike:
+            first = next(iter(equal or alike))
+            ahead = add([a * b for a, b in zip(components, first.components, strict=True)])
+            turned = [] if self._value(ahead) > 0 else [degrees(180)]
+            direction = Absolute(total([first.angle, *turned]), span)
+        else:
+            direction = self.direction(tail, head)
+        length = equal[0].length if equal else self.length(tail, head)
+        self._vectors.append(_Vector(components, length, direction.angle))
+        return length, direction
 
     def turn(self, first: str, vertex: str, second: str) -> Formula:
         """Return the counter-clockwise angle at a point between two others."""
@@ -164,14 +191,18 @@ class Sketch:
         quarter = 90 if y else 0
         return degrees(quarter if self._value(x or y) > 0 else quarter - 180)
 
-    def _parallel(self, components: Components) -> Formula | None:
-        """Return the direction of a vector that is parallel to an earlier one."""
-        x, y = components
-        for (other_x, other_y), angle in self._directions:
-            if not add([other_x * y, -(other_y * x)]):
-                behind = self._value(add([other_x * x, other_y * y])) < 0
-                return total([angle, degrees(180)]) if behind else angle
-        return None
+    def _parallel(self, one: Components, other: Components) -> bool:
+        """Tell whether two vectors are parallel, those of numbers but for rounding."""
+        across = add([one[0] * other[1], -(one[1] * other[0])])
+        if not across or symbols(across.formula()):
+            return not across
+        sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
+        return abs(self._value(across)) <= PARALLEL * math.prod(sizes)
+
+    def _same_size(self, one: Components, other: Components) -> bool:
+        sizes = [math.hypot(*map(self._value, vector)) for vector in (one, other)]
+        varies = any(symbols(part.formula()) for part in (*one, *other))
+        return math.isclose(*sizes, rel_tol=PARALLEL) and not varies
 
     def _positive(self, length: Product) -> Product:
         return length if self._value(length) >= 0 else -length

@@ -7,7 +7,7 @@ import math
 import operator
 from collections.abc import Callable, Iterable, Mapping
 
-from ..formula.tree import Formula, Symbol
+from ..formula.tree import Formula, Number, Symbol
 from ..formula.walk import Evaluation, evaluate, straight_line, symbols
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter, Require
@@ -117,6 +117,11 @@ def independent(mechanism: Mechanism) -> list[Parameter]:
 def dependent(mechanism: Mechanism) -> dict[str, Formula]:
     """Return the formulas of the parameters that follow from others."""
     return {p.name: p.value for p in mechanism.parameters if p.dependent and p.value}
+
+
+def is_constant(parameter: Parameter) -> bool:
+    """Tell whether a parameter is the name of a number: a length or angle of a drawing."""
+    return parameter.dependent and isinstance(parameter.value, Number)
 
 
 def defaults(mechanism: Mechanism) -> dict[str, float]:

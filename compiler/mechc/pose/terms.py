@@ -11,6 +11,7 @@ from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula
 from ..formula.walk import substitute, symbols
 from ..model.mechanism import Mechanism, Parameter
+from ..model.values import is_constant
 from ..units import ANGLE
 from .pose import Definition
 
@@ -37,8 +38,8 @@ class Terms:
                 self._define(waiting[name], waiting)
         formula = self._inside(parameter.value)
         settled = _angle_formula(formula) if parameter.dimension == ANGLE else _length(formula)
-        is_constant = not symbols(parameter.value)  # it has its name for the sake of readers
-        if settled is not None and not is_constant and count_operations(settled) <= LONG:
+        is_named = is_constant(parameter)
+        if settled is not None and not is_named and count_operations(settled) <= LONG:
             self._inner[parameter.name] = settled
         else:
             self.definitions.append(Definition(parameter.name, formula))

@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
-from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
+from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Torque
 from ..model.result import Definition, Result
+from ..model.values import is_constant
 from ..units import ANGLE, NUMBER, UNITS, si_unit
 
 FREE_FALL = Symbol("g")
@@ -71,7 +72,7 @@ def constant_units(mechanism: Mechanism) -> dict[str, str]:
     """Return the loads and the named constants that are numbers, with their units."""
     given = {let.name: let.value for let in mechanism.lets}
     units = {load.name: literal_unit(load, given.get(load.name)) for load in mechanism.loads}
-    units |= {p.name: p.unit or "m" for p in mechanism.parameters if _is_constant(p)}
+    units |= {p.name: p.unit or "m" for p in mechanism.parameters if is_constant(p)}
     return {name: unit for name, unit in units.items() if unit}
 
 
@@ -79,10 +80,6 @@ def literal_units(results: Iterable[Result]) -> dict[str, str]:
     """Return the results that are numbers in some unit of the SI, with the unit; no angles."""
     numbers = (r for r in results if isinstance(r.formula, Number) and r.formula != ZERO)
     return {r.name: si_unit(r.dimension) for r in numbers if r.dimension not in (ANGLE, NUMBER)}
-
-
-def _is_constant(parameter: Parameter) -> bool:
-    return parameter.dependent and isinstance(parameter.value, Number)
 
 
 DIGITS = 6

@@ -4,7 +4,7 @@ from collections.abc import Iterable, Iterator, Set
 from typing import NamedTuple, assert_never
 
 from ...formula.names import split_points
-from ...formula.tree import ZERO, Formula, Number, Sum, number
+from ...formula.tree import ZERO, Formula, Sum, number
 from ...formula.walk import symbols
 from ...model.mechanism import (
     GRAVITY,
@@ -22,6 +22,7 @@ from ...model.mechanism import (
     Torque,
     Turn,
 )
+from ...model.values import is_constant
 from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
@@ -66,7 +67,7 @@ def parameter_row(parameter: Parameter, locale: Locale, style: Notation) -> Para
 def _value(parameter: Parameter, locale: Locale, style: Notation) -> str:
     if parameter.value is None:
         return locale.any_value
-    if parameter.dependent and not isinstance(parameter.value, Number):
+    if parameter.dependent and not is_constant(parameter):
         return math(latex(parameter.value, style, parameter.name in style.angles))
     dimension, unit = parameter.dimension, parameter.unit
     value = quantity(parameter.value, dimension, unit, locale, style)
