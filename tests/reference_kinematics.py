@@ -13,6 +13,7 @@ import numpy.typing as npt
 from mechc.syntax import ast
 from reference_geometry import (
     Action,
+    Arms,
     Assembly,
     Values,
     arms_of,
@@ -100,14 +101,17 @@ def null_space(matrix: Array) -> Array:
 # ------------------------------------------------------------------------- results
 
 
-def results(file: ast.File, at: Values | None = None, seed: int = 1) -> Values:
+def results(
+    file: ast.File, at: Values | None = None, seed: int = 1, arms: Arms | None = None
+) -> Values:
     """Return every ``find`` and ``let`` of a description but forces at joints, by name, in SI.
 
     ``at`` replaces default values; ``seed`` chooses the lengths that are not given.
-    An unnamed ``find`` goes by the name of the load it asks for.
+    An unnamed ``find`` goes by the name of the load it asks for. ``arms`` are the vectors
+    between points where not the description has them.
     """
     values = defined(file, at) if at else defaults(file)
-    motion = Motion(assemble(file, values, seed))
+    motion = Motion(assemble(file, values, seed, arms))
     known = _known_loads(file, values)
     for item in file.statements:
         if isinstance(item, ast.Find) and not _is_joint_force(item):

@@ -59,7 +59,7 @@ def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
         if undriven := fault_of(drive, drive.ends, mechanism, sketch):
             report.add(undriven)
         else:
-            mechanism = with_driven(mechanism, drive, drive.ends)
+            mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
     report.stop_on_errors()
     is_given = _is_given(mechanism, sketch)
     drawn = _closing(mechanism, sketch) if is_given else _as_drawn(mechanism, sketch)
@@ -138,11 +138,19 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     found: list[Geometry] = []
     for points in (*_bodies(mechanism), *_aims(mechanism)):
         for hub, point in _star(points, sketch):
-            found.append(Arrow(hub, point, *sketch.vector(hub, point), sketch.span(point)))
+            found.append(_vector(hub, point, sketch))
     sliders = tuple(
         replace(s, through=None) if s.point in sketch.places else s for s in mechanism.sliders
     )
     return replace(mechanism, sliders=sliders, geometry=(*mechanism.geometry, *found))
+
+
+def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
+    """Return a vector by length and direction; by components where they are formulas."""
+    x, y = sketch.offset(tail, head)
+    if symbols(x) | symbols(y):
+        return Offset(tail, head, x, y, sketch.span(head))
+    return Arrow(tail, head, *sketch.vector(tail, head), sketch.span(head))
 
 
 def _bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:

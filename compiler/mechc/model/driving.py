@@ -36,8 +36,11 @@ def fault_of(drive: Drive, ends: Ends, mechanism: Mechanism, sketch: Sketch) -> 
     return messages.driven_not_drawn(drive.span, "".join(ends), missing[0]) if missing else None
 
 
-def with_driven(mechanism: Mechanism, drive: Drive, ends: Ends) -> Mechanism:
-    """Return the mechanism in which a parameter is the direction, or length, of what is driven."""
+def with_driven(mechanism: Mechanism, drive: Drive, ends: Ends, unit: str) -> Mechanism:
+    """Return the mechanism in which a parameter is the direction, or length, of what is driven.
+
+    A length is shown in the ``unit`` of the drawing.
+    """
     old, moved = _entry(ends, mechanism), Symbol(drive.parameter)
     span = old.span if old else drive.span
     if drive.turns:
@@ -45,7 +48,7 @@ def with_driven(mechanism: Mechanism, drive: Drive, ends: Ends) -> Mechanism:
         entry = Arrow(*ends, length, Absolute(moved, drive.span), span)
     else:
         entry = Arrow(*ends, moved, None, span)
-    dimension, unit = (ANGLE, "deg") if drive.turns else (LENGTH, "")
+    dimension, unit = (ANGLE, "deg") if drive.turns else (LENGTH, unit)
     made = Parameter(drive.parameter, dimension, drive.span, range=_stroke(drive), unit=unit)
     others = tuple(g for g in mechanism.geometry if g is not old)
     return replace(mechanism, parameters=(*mechanism.parameters, made), geometry=(entry, *others))

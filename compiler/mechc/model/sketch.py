@@ -46,7 +46,10 @@ class _Vector(NamedTuple):
 
 
 class Sketch:
-    """The drawn points and the pivots with a place; ``parameters`` are the named quantities."""
+    """The drawn points and the pivots with a place.
+
+    ``parameters`` are the named quantities so far, ``unit`` is that of the drawing.
+    """
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
         self.values = values
@@ -54,7 +57,7 @@ class Sketch:
         self.places: dict[str, Place] = {}
         self.parameters: dict[str, Parameter] = {}
         self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
-        self._unit = next((d.unit for d in mechanism.drawn if d.unit), "")
+        self.unit = next((d.unit for d in mechanism.drawn if d.unit), "")
         self._vectors: list[_Vector] = []
         for entry in mechanism.geometry:
             if isinstance(entry, Offset) and not entry.tail:
@@ -97,7 +100,7 @@ class Sketch:
 
     def shown(self, gap: float) -> str:
         """Return a length in the unit of the drawing."""
-        unit = self._unit or "m"
+        unit = self.unit or "m"
         return f"{gap / float(UNITS[unit].factor):.3g} {unit}"
 
     def coincide(self, first: str, second: str) -> bool:
@@ -127,7 +130,7 @@ class Sketch:
             value = self._positive(x or y).formula()
         if isinstance(value, Symbol):
             return value
-        return self._named(f"len_{tail}{head}", value, LENGTH, self._unit, head)
+        return self._named(f"len_{tail}{head}", value, LENGTH, self.unit, head)
 
     def direction(self, tail: str, head: str) -> Absolute:
         """Return the direction between two points: along an axis, or named."""
@@ -139,7 +142,7 @@ class Sketch:
         return Absolute(angle, self.span(head))
 
     def vector(self, tail: str, head: str) -> tuple[Formula, Absolute]:
-        """Return the length and direction between two points.
+        """Return the length and direction between two points with numbers for coordinates.
 
         Of vectors that are parallel, or equal, in the drawing the later has those of the first.
         """
@@ -192,17 +195,14 @@ class Sketch:
         return degrees(quarter if self._value(x or y) > 0 else quarter - 180)
 
     def _parallel(self, one: Components, other: Components) -> bool:
-        """Tell whether two vectors are parallel, those of numbers but for rounding."""
+        """Tell whether two vectors are parallel but for rounding."""
         across = add([one[0] * other[1], -(one[1] * other[0])])
-        if not across or symbols(across.formula()):
-            return not across
         sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
         return abs(self._value(across)) <= PARALLEL * math.prod(sizes)
 
     def _same_size(self, one: Components, other: Components) -> bool:
-        sizes = [math.hypot(*map(self._value, vector)) for vector in (one, other)]
-        varies = any(symbols(part.formula()) for part in (*one, *other))
-        return math.isclose(*sizes, rel_tol=PARALLEL) and not varies
+        sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
+        return math.isclose(*sizes, rel_tol=PARALLEL)
 
     def _positive(self, length: Product) -> Product:
         return length if self._value(length) >= 0 else -length

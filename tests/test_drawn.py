@@ -1,0 +1,143 @@
+"""Mechanisms by drawn coordinates, against singular values of the motion at those places."""
+
+import cmath
+import math
+import re
+from itertools import permutations
+
+import pytest
+
+import reference_kinematics
+from drawn_mechanisms import DRAWN
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation, compile_source
+from mechc.source import Source
+from mechc.syntax import ast
+from reference_geometry import Arms, evaluate, every
+
+DRIVEN = [name for name, text in DRAWN.items() if "\ndrive" in text]
+
+
+def compiled(text: str) -> Compilation:
+    return compile_source(Source("drawn.mech", text))
+
+
+def value(text: str, name: str = "k") -> float:
+    found = {r.name: r.default for r in compiled(text).results}[name]
+    assert found is not None
+    return found
+
+
+def codes(text: str) -> list[str]:
+    try:
+        return [d.code for d in compiled(text).report.diagnostics]
+    except MechcError as error:
+        return [d.code for d in error.diagnostics]
+
+
+def without_drive(text: str) -> str:
+    return re.sub(r"(?m)^drive .*\n", "", text)
+
+
+def arms(file: ast.File) -> Arms:
+    """Return every vector between two points that have a place."""
+    statements = [*every(file, ast.Pivot), *every(file, ast.Drawn)]
+    at = {
+        s.point.text: complex(evaluate(s.at.x, {}), evaluate(s.at.y, {}))
+        for s in statements
+        if s.at
+    }
+    found = Arms({}, {})
+    for tail, head in permutations(at, 2):
+        size, turn = cmath.polar(at[head] - at[tail])
+        found.set_length(tail, head, size)
+        found.set_angle(tail, head, turn)
+    return found
+
+
+@pytest.mark.parametrize("name", DRAWN)
+def test_the_drawn_pose_agrees_with_singular_values(name):
+    # From a pivot, what pushes two points apart is a force on the second.
+    text = re.sub(r"actuator P between (.) and (.)", r"force P at \2 along \1\2", DRAWN[name])
+    file = Compilation(Source("drawn.mech", text)).tree
+    reference = reference_kinematics.results(file, arms=arms(file))["k"]
+    assert value(without_drive(DRAWN[name])) == pytest.approx(reference, rel=1e-9)
+
+
+@pytest.mark.parametrize("name", DRIVEN)
+def test_closing_the_loops_gives_the_drawn_pose(name):
+    drawn = value(without_drive(DRAWN[name]))
+    assert value(DRAWN[name]) == pytest.approx(drawn, rel=1e-9)
+    assert not {"E307", "W320"} & set(codes(DRAWN[name]))
+
+
+FOUR_BAR = DRAWN["four_bar"]
+
+
+def test_a_parameter_without_a_value_has_that_of_the_drawing():
+    text = FOUR_BAR.replace("drive OA", "param phi: angle\nOA = @ phi\ndrive phi")
+    assert value(text) == pytest.approx(value(FOUR_BAR), rel=1e-12)
+
+
+@pytest.mark.parametrize(("place", "mode"), [("(80 mm, 60 mm)", "cw"), ("(60 mm, -50 mm)", "ccw")])
+def test_with_lengths_given_the_nearest_closure_is_meant(place, mode):
+    given = "OA = 40 mm\nAB = 65 mm\nCB = 63 mm\n"
+    text = re.sub(r"B at .*", f"B at {place}", FOUR_BAR)
+    told = re.sub(r"B at .*", f"assembly ABC {mode}", FOUR_BAR)
+    assert value(text + given) == value(told + given)
+
+
+def test_lengths_given_hold_and_a_gap_is_told():
+    assert "W320" not in codes(FOUR_BAR + "OA = 40 mm\nAB = 65 mm\n")
+    assert "W320" in codes(FOUR_BAR + "OA = 42 mm\nAB = 65 mm\n")
+
+
+def test_an_angle_that_is_not_the_drawn_one_holds():
+    given = FOUR_BAR.replace("drive OA", "param phi = 50 deg\nOA = @ phi\ndrive phi")
+    (gap,) = (d for d in compiled(given).report.diagnostics if d.code == "W320")
+    driven = FOUR_BAR + "expect k = 0 at phi_OA = 50 deg\n"
+    with pytest.raises(MechcError, match=f"{value(given):.5f}"):
+        compiled(driven)
+    assert gap.message.startswith("A is drawn 6.97")
+
+
+def test_coordinates_may_be_formulas():
+    text = (
+        "param a = 20 mm\nparam b = 30 mm in 20 mm .. 40 mm\npivot O at (0 mm, 0 mm)\n"
+        "slider K along y\nlink OB\nlink BK\nB at (b, 2*a)\nK at (0 mm, 4*a)\n"
+        "force P at B along x\nforce F at K along y\nfind k = P/F\nexpect k = b/a\n"
+    )
+    assert codes(text) == []
+
+
+def test_turned_moved_and_scaled_it_is_the_same_mechanism():
+    text = without_drive(DRAWN["toggle_clamp"]).replace("torque M on HE", "force M at E along HN")
+    turn = cmath.rect(3, 0.7)
+
+    def moved(match: re.Match[str]) -> str:
+        z = complex(float(match[1]), float(match[2])) * turn + 5 - 2j
+        return f"at ({z.real!r} m, {z.imag!r} m)"
+
+    other = re.sub(r"at \((\S+) m, (\S+) m\)", moved, text).replace("along -y", "along 0.7 - pi/2")
+    assert value(other) == pytest.approx(value(text), rel=1e-9)
+
+
+def test_derived_quantities_are_constants_with_names():
+    text = FOUR_BAR + "let l = len_OA\nlet turned = phi_OA\n"
+    found = compiled(text)
+    assert value(text, "l") == pytest.approx(math.hypot(0.02, 0.03464), rel=1e-15)
+    assert value(text, "turned") == pytest.approx(math.atan2(0.03464, 0.02), rel=1e-15)
+    (k, *_) = found.routine.functions
+    assert [i.name for i in k.inputs] == ["phi_OA"]
+    named = {p.name: (p.unit, p.dependent) for p in found.mechanism.parameters}
+    assert named == {
+        "phi_OA": ("deg", False),
+        **dict.fromkeys(("len_OA", "len_AB", "len_CB"), ("mm", True)),
+    }
+
+
+def test_a_pin_a_little_off_its_slot_is_laid_on_it():
+    text = without_drive(DRAWN["inverted_slider_crank"])
+    rounded = text.replace("A at (20 mm, 20 mm)", "A at (20.0 mm, 20.1 mm)")
+    assert value(rounded) == pytest.approx(value(text), rel=0.01)
+    assert codes(text.replace("A at (20 mm, 20 mm)", "A at (20.0 mm, 21.0 mm)")) == ["E322"]
