@@ -57,7 +57,7 @@ def messages(source: Source) -> list[str]:
     for diagnostic in found:
         assert diagnostic.span is not None
         place = source.position(diagnostic.span.start)
-        hint = f" | {diagnostic.hint}" if diagnostic.hint else ""
+        hint = f" | {diagnostic.hint}".replace("\n", " // ") if diagnostic.hint else ""
         at = f"{place.line}:{place.column}"
         lines.append(f"#! {diagnostic.code} {at} {diagnostic.message}{hint}")
     return lines

@@ -69,7 +69,9 @@ def _full(diagnostic: Diagnostic, source: Source | None, paint: Paint) -> str:
             lines.append(f"  {_place(source, span)}: {_shown(message)}")
             lines += _excerpt(source, span, paint, "blue")
     if diagnostic.hint:
-        lines.append(f"  {paint('hint:', fg='cyan')} {_shown(diagnostic.hint)}")
+        first, *table = diagnostic.hint.split("\n")
+        lines.append(f"  {paint('hint:', fg='cyan')} {_shown(first)}")
+        lines += [f"        {_shown(row)}" for row in table]
     return "\n".join(lines)
 
 

@@ -10,6 +10,7 @@ given holds, and of several closures the one nearest to the drawn places is mean
 """
 
 import math
+from collections import Counter
 from collections.abc import Collection, Iterable, Iterator, Sequence
 
 from ..diagnostics import Diagnostic, Report
@@ -254,26 +255,39 @@ def _lay_out(slide: Slide, geometry: list[Geometry], sketch: Sketch) -> None:
 def _with_coordinates(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     """Return the mechanism with all that moves it standing as drawn.
 
-    A parameter that has no value, and that no loop gives one, has that of the drawing. A
-    link that neither a loop nor a drive turns has the direction of the drawing.
+    The drive has its value of the drawing, where it has none. Where all pins are drawn, so
+    has a parameter that no loop gives one, and a link that neither a loop nor a drive turns
+    has the direction of the drawing.
     """
     waiting = {p.name: p for p in mechanism.parameters if p.value is None}
     held = Independent(_held(mechanism, waiting, sketch))
     drive = mechanism.drive.parameter if mechanism.drive else ""
+    is_whole = sketch.has_all(_pins(mechanism))
     found = dict[str, Parameter]()
     for entry in mechanism.geometry:
         for name in sorted(mentioned(entry) & waiting.keys() - found.keys()):
             value = drawn_value(name, entry, sketch)
             moved = sum(held.takes(row) for row in rows_of(entry, sketch))
-            if value is not None and (moved or name == drive):
+            if value is not None and ((moved and is_whole) or name == drive):
                 found[name] = with_value(waiting[name], value)
-    standing = list[Geometry]()
+    parameters = tuple(found.get(p.name, p) for p in mechanism.parameters)
+    standing = _standing(mechanism, held, sketch) if is_whole else ()
+    return replace(mechanism, parameters=parameters, geometry=(*mechanism.geometry, *standing))
+
+
+def _pins(mechanism: Mechanism) -> frozenset[str]:
+    """Return the points at which bodies are joined."""
+    carried = Counter(p for points in _bodies(mechanism) for p in points)
+    ground = {p.point for p in mechanism.pivots} | {s.point for s in mechanism.sliders}
+    return frozenset(p for p, number in carried.items() if number > 1 or p in ground)
+
+
+def _standing(mechanism: Mechanism, held: Independent, sketch: Sketch) -> Iterator[Geometry]:
+    """Yield the drawn directions of links that nothing turns."""
     for link in mechanism.links:
         arm = next(_star(link.points, sketch), None)
         if arm and held.takes(direction(*arm, sketch)):
-            standing.append(Arrow(*arm, None, sketch.direction(*arm), sketch.span(arm[1])))
-    parameters = tuple(found.get(p.name, p) for p in mechanism.parameters)
-    return replace(mechanism, parameters=parameters, geometry=(*mechanism.geometry, *standing))
+            yield Arrow(*arm, None, sketch.direction(*arm), sketch.span(arm[1]))
 
 
 def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Iterator[Row]:

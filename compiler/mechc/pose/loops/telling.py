@@ -40,6 +40,9 @@ class Loops(Protocol):
 Measure = Callable[[Assembly, Values], float | None]
 """Twice the area of three points, or a place along a guide; None where that is open."""
 
+FEW = 3
+"""Closures that are told in a line; more are told in a table, and by so many directions."""
+
 FLAT = 1e-9
 """Places that differ by less than this part are one."""
 
@@ -72,6 +75,8 @@ class Telling:
             return messages.MEET
         if alike:
             return messages.no_line_tells(self._apart(alike), drive)
+        if len(poses) > FEW and not refuted:
+            return self._table(poses, lines)
         found = (self._described(p, own) for p, own in zip(poses, lines, strict=True))
         return messages.the_closures(list(found)) if refuted else messages.one_of(list(found))
 
@@ -98,6 +103,17 @@ class Telling:
         """Return the lines that choose a closure, and its angles in degrees."""
         shown, quoted = self._shown(values), " with ".join(f"`{line}`" for line in lines)
         return f"{quoted} ({shown})" if quoted and shown else quoted
+
+    def _table(self, poses: Sequence[Values], lines: Sequence[Sequence[str]]) -> str:
+        """Return the hint that lists many closures, with the first of the directions."""
+        told = [{points: mode for _, points, mode in map(str.split, own)} for own in lines]
+        angles = [
+            {n: f"{math.degrees(math.remainder(p[n], 2 * math.pi)):.4g}" for n in names}
+            for p in poses
+            for names in ([n for n in self._angles if n in p][:FEW],)
+        ]
+        point = next((triple[1] for triple in self._group.triples()), self._group.cycle[0].head)
+        return messages.one_row(point, told, angles)
 
     def _shown(self, values: Values) -> str:
         return ", ".join(f"{n} = {_degrees(values[n])}" for n in self._angles if n in values)
