@@ -350,6 +350,16 @@ def test_show_every_stage(run: Mechc, stage: str) -> None:
     assert max(map(len, out.splitlines())) < 400
 
 
+@pytest.mark.parametrize("kind", ["four-bar", "slider-crank", "gripper", "cylinder"])
+def test_new_by_coordinates_compiles_as_it_is(run: Mechc, kind: str) -> None:
+    for name in ("a.mech", "b.yaml"):
+        run("new", name, f"--{kind}")
+        status, out, err = run("check", name)
+        assert (status, err) == (0, "")
+        assert "len_O" in out
+        assert run("fmt", "--check", name).status == 0
+
+
 def test_new_compiles_as_it_is(run: Mechc) -> None:
     for name in ("clamp2.mech", "clamp3.yaml"):
         assert run("new", name).out == f"{name}\n"

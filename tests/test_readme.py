@@ -32,6 +32,10 @@ def test_the_description_is_the_example() -> None:
     )
 
 
+def test_the_drawn_description_is_the_example() -> None:
+    assert blocks("mech")[0] == (ROOT / "examples" / "gripper.mech").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("text", blocks("mech"))
 def test_descriptions_compile(text: str) -> None:
     assert mechc.loads(text, "README.mech").warnings == []

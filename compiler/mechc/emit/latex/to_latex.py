@@ -24,7 +24,7 @@ from ...report.latex.given import (
     has_literal_lengths,
     parameter_row,
     scheme,
-    vector_row,
+    vector_rows,
 )
 from ...report.latex.notation import Notation, notation, of_first_order, of_force, spellings
 from ...report.latex.printer import Box, box, plain, row
@@ -163,7 +163,7 @@ def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool)
         source=escape(mechanism.source),
         parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
         scheme=scheme(mechanism, locale, style),
-        vectors=tuple(vector_row(entry, locale, style) for entry in mechanism.geometry),
+        vectors=tuple(vector_rows(mechanism, locale, style)),
         steps=tuple(_step(step, locale, style) for step in derivation.steps),
         several=_several(derivation, locale),
         balances=_balances(derivation.balances, locale, style),

@@ -91,15 +91,22 @@ def _range(parameter: Parameter, locale: Locale, style: Notation) -> str:
     return math(rf"{low}\ \ldots\ {{{high}}}")
 
 
-def vector_row(entry: Geometry, locale: Locale, style: Notation) -> VectorRow:
-    """Return one entry of the geometry."""
+def vector_rows(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[VectorRow]:
+    """Yield the entries of the geometry, and points as drawn rather than what follows from them."""
+    drawn = {d.span: Offset("", d.point, d.x, d.y, d.span) for d in mechanism.drawn}
+    given = [entry for entry in mechanism.geometry if entry.span not in drawn]
+    unit = next((d.unit for d in mechanism.drawn), "")
+    yield from (_vector_row(entry, unit, locale, style) for entry in (*given, *drawn.values()))
+
+
+def _vector_row(entry: Geometry, unit: str, locale: Locale, style: Notation) -> VectorRow:
     match entry:
         case Arrow(tail, head, length, line):
             along = math(direction(line, style)) if line else ""
             size = math(length_of(length, locale, style)) if length else ""
             return VectorRow(_vector(tail, head), size, along)
         case Offset(tail, head, x, y):
-            across, up = (length_of(part, locale, style) for part in (x, y))
+            across, up = (length_of(part, locale, style, unit) for part in (x, y))
             return VectorRow(_vector(tail, head), math(rf"({across};\ {up})"), "")
         case Turn(first, vertex, second, angle):
             corner = rf"\angle {''.join(map(points, (first, vertex, second)))}"

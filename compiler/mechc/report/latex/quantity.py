@@ -34,10 +34,10 @@ def quantity(
     return decimal(_in_unit(value, chosen), style) + unit_symbol(chosen, locale)
 
 
-def length_of(formula: Formula, locale: Locale, style: Notation) -> str:
-    """Return a length; a number with its unit."""
+def length_of(formula: Formula, locale: Locale, style: Notation, unit: str = "") -> str:
+    """Return a length; a number with its unit, the metre unless another is named."""
     if isinstance(formula, Number) and formula != ZERO:
-        return quantity(formula, LENGTH, "", locale, style)
+        return quantity(formula, LENGTH, unit, locale, style)
     return latex(formula, style)
 
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterable, Set
 
+from ...algebra.from_formula import to_product
 from ...formula.tree import (
     Call,
     Formula,
@@ -87,6 +88,8 @@ def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
     said = [as_ratio(e) for e in step.relations]
     hence = [e for e in dict.fromkeys(map(as_ratio, step.results)) if e not in said]
     if len(said) == len(hence) == 1 and said[0].left == hence[0].left:
+        if to_product(said[0].right) == to_product(hence[0].right):
+            return (tuple(said[0]),), ()
         return ((*said[0], hence[0].right),), ()
     return tuple(map(tuple, said)), tuple(map(tuple, hence))
 
