@@ -27,6 +27,7 @@ from .mechanism import (
     Drive,
     ForcePair,
     Geometry,
+    Joint,
     Link,
     Mechanism,
     Offset,
@@ -34,6 +35,7 @@ from .mechanism import (
     Pivot,
     Slide,
     Slider,
+    Slot,
     Turn,
 )
 from .rigidity import Independent, Row, direction, distance, fixed, rows_of, turn
@@ -110,11 +112,11 @@ def _off_line(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
 
 def _lines(mechanism: Mechanism, sketch: Sketch) -> Iterator[tuple[str, str, str, float]]:
     """Yield each drawn point on a line, a point of the line, its name, and its direction."""
-    for s in mechanism.sliders:
+    for s in mechanism.each(Slider):
         turned = _turned(s.along, sketch)
         if turned is not None and s.through and sketch.has_all((s.point, s.through)):
             yield s.point, s.through, f"the guide through {s.through}", turned
-    for slot in mechanism.slots:
+    for slot in mechanism.each(Slot):
         if sketch.has_all((slot.point, slot.tail, slot.head)):
             x, y = sketch.way(slot.tail, slot.head)
             line = f"the slot {slot.tail}{slot.head}"
@@ -133,17 +135,20 @@ def _turned(direction: Direction, sketch: Sketch) -> float | None:
 
 def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     """Return the mechanism with every vector as it is drawn; a guide is then but a direction."""
-    for slot in mechanism.slots:
+    for slot in mechanism.each(Slot):
         if sketch.places.keys() >= {slot.tail, slot.head, slot.point}:
             sketch.lay_on_line(slot.point, slot.tail, slot.head)
     found: list[Geometry] = []
     for points in (*_bodies(mechanism), *_aims(mechanism)):
         for hub, point in _star(points, sketch):
             found.append(_vector(hub, point, sketch))
-    sliders = tuple(
-        replace(s, through=None) if s.point in sketch.places else s for s in mechanism.sliders
+    joints = tuple(
+        replace(joint, through=None)
+        if isinstance(joint, Slider) and joint.point in sketch.places
+        else joint
+        for joint in mechanism.joints
     )
-    return replace(mechanism, sliders=sliders, geometry=(*mechanism.geometry, *found))
+    return replace(mechanism, joints=joints, geometry=(*mechanism.geometry, *found))
 
 
 def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
@@ -194,21 +199,17 @@ def _closing(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 
 def _through_places(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     """Let guides that have no place pass through where their points are drawn."""
-    pivots, offsets, sliders = list[Pivot](), list[Geometry](), list[Slider]()
-    for slider in mechanism.sliders:
-        if slider.through is None and slider.point in sketch.places:
-            name, span = f"{slider.point}_0", sketch.span(slider.point)
-            place = sketch.places[slider.point]
+    pivots, offsets, joints = list[Pivot](), list[Geometry](), list[Joint]()
+    for joint in mechanism.joints:
+        if isinstance(joint, Slider) and not joint.through and joint.point in sketch.places:
+            name, span = f"{joint.point}_0", sketch.span(joint.point)
+            place = sketch.places[joint.point]
             pivots.append(Pivot(name, span))
             offsets.append(Offset("", name, place.x, place.y, span))
-            slider = replace(slider, through=name)
-        sliders.append(slider)
-    return replace(
-        mechanism,
-        pivots=(*mechanism.pivots, *pivots),
-        sliders=tuple(sliders),
-        geometry=(*mechanism.geometry, *offsets),
-    )
+            joint = replace(joint, through=name)
+        joints.append(joint)
+    geometry = (*mechanism.geometry, *offsets)
+    return replace(mechanism, joints=(*pivots, *joints), geometry=geometry)
 
 
 def _shape(link: Link, geometry: list[Geometry], sketch: Sketch) -> None:
@@ -278,7 +279,7 @@ def _with_coordinates(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 def _pins(mechanism: Mechanism) -> frozenset[str]:
     """Return the points at which bodies are joined."""
     carried = Counter(p for points in _bodies(mechanism) for p in points)
-    ground = {p.point for p in mechanism.pivots} | {s.point for s in mechanism.sliders}
+    ground = mechanism.fixed | {s.point for s in mechanism.each(Slider)}
     return frozenset(p for p, number in carried.items() if number > 1 or p in ground)
 
 
@@ -295,14 +296,14 @@ def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Ite
 
     A vector holds none while a parameter in it is ``waiting`` for its value.
     """
-    for pivot in mechanism.pivots:
+    for pivot in mechanism.each(Pivot):
         yield from (fixed(pivot.point, turned) for turned in (0.0, math.pi / 2))
-    guided = [(s.point, s.along) for s in mechanism.sliders]
+    guided = [(s.point, s.along) for s in mechanism.each(Slider)]
     guided += [(s.points[0], s.along) for s in mechanism.slides]
     for point, along in guided:
         if (turned := _turned(along, sketch)) is not None:
             yield fixed(point, turned)
-    for slot in mechanism.slots:
+    for slot in mechanism.each(Slot):
         if sketch.has_all((slot.tail, slot.head, slot.point)):
             yield turn(slot.head, slot.tail, slot.point, sketch)
     for entry in mechanism.geometry:

@@ -53,7 +53,7 @@ class Sketch:
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
         self.values = values
-        self.pivots = frozenset(p.point for p in mechanism.pivots)
+        self.pivots = mechanism.fixed
         self.places: dict[str, Place] = {}
         self.parameters: dict[str, Parameter] = {}
         self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
