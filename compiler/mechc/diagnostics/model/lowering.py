@@ -71,7 +71,7 @@ def spread_along_rod(at: Span, link: str) -> Message:
     )
 
 
-@coded("E264")
+@coded("E299")
 def normal_of_arc(at: Span, point: str, centre: str) -> Message:
     """The force of a circular slot on its pin acts along the line from the centre to the pin.
 
