@@ -24,7 +24,18 @@ from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.files import library, read
 from mechc.formula.derivative import jacobian
-from mechc.formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from mechc.formula.tree import (
+    Call,
+    Constant,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+)
 from mechc.formula.walk import solution
 
 DIGITS = 50
@@ -59,6 +70,8 @@ def exact(formula: Formula, known: Mapping[str, Wide]) -> Wide:
             return mpmath.mpf(value.numerator) / value.denominator
         case Pi():
             return +mpmath.pi
+        case Constant(_, value):
+            return exact(value, known)
         case Symbol(name):
             return known[name]
         case Sum(terms):
@@ -110,7 +123,12 @@ class Case(NamedTuple):
         known = dict(values)
         for name, formula in self.formulas:
             known[name] = exact(formula, known)
-        return {name: known[name] for name, _ in self.formulas}
+        return {name: known[name] for name in self.quantities}
+
+    @property
+    def quantities(self) -> list[str]:
+        """Return the names of what is computed, numbers of the description apart."""
+        return [name for name, formula in self.formulas if not isinstance(formula, Number)]
 
 
 def case(name: str) -> tuple[Case, Compilation]:
@@ -187,7 +205,7 @@ def _edge(case: Case, name: str) -> tuple[float, float]:
 
 def errors(case: Case, poses: Iterable[Mapping[str, float]]) -> dict[str, Errors]:
     """Return how far code was off at poses, the worst of all languages at each."""
-    found = {name: Errors([], []) for name, _ in case.formulas}
+    found = {name: Errors([], []) for name in case.quantities}
     with mpmath.workdps(DIGITS):
         for values in poses:
             computed = [code(values) for code in case.codes]

@@ -8,7 +8,7 @@ from mechc.cli.dump import dump
 from mechc.diagnostics import MechcError, Report
 from mechc.driver import Compilation
 from mechc.formula.to_text import text
-from mechc.formula.tree import PI, ZERO, Number, Symbol
+from mechc.formula.tree import PI, ZERO, Constant, Number, Symbol
 from mechc.formula.walk import evaluate
 from mechc.model.from_syntax import resolve
 from mechc.model.mechanism import (
@@ -142,7 +142,7 @@ def test_pivot_with_a_place() -> None:
     mechanism = model("pivot Q at (a, -30 mm)", "link QB")
     (place,) = (g for g in mechanism.geometry if isinstance(g, Offset))
     assert (place.tail, place.head, place.x) == ("", "Q", Symbol("a"))
-    assert place.y == Number(Fraction(-3, 100))
+    assert place.y == Constant("y_Q", Number(Fraction(-3, 100)))
 
 
 def test_a_guide_through_a_place_gets_a_fixed_point() -> None:
@@ -152,7 +152,8 @@ def test_a_guide_through_a_place_gets_a_fixed_point() -> None:
     assert isinstance(mechanism.each(Pivot)[-1], Pivot)
     place = mechanism.geometry[0]
     assert isinstance(place, Offset)
-    assert (place.head, place.x, place.y) == ("L_0", ZERO, Number(Fraction(5, 1000)))
+    assert (place.head, place.x) == ("L_0", ZERO)
+    assert place.y == Constant("y_L0", Number(Fraction(5, 1000)))
 
 
 def test_weights_hang_down_by_the_standard_gravity() -> None:

@@ -16,7 +16,7 @@ from .files import find, read
 from .formula.to_sympy import to_sympy
 from .formula.to_text import text
 from .formula.tree import Formula
-from .formula.walk import symbols
+from .formula.walk import constants, symbols
 from .model.values import dependent
 from .report.derivation.steps import Derivation
 from .routine.freed import freed, given_loads
@@ -92,8 +92,11 @@ class SolvedMechanism:
 
     @property
     def where(self) -> dict[str, "sympy.Expr"]:
-        """The named intermediates that results mention, in order of definition."""
-        return {d.name: to_sympy(d.formula) for r in self.results.values() for d in r.where}
+        """The named numbers and intermediates that results mention, in order of definition."""
+        where = [d for r in self.results.values() for d in r.where]
+        formulas = [*(r.formula for r in self.results.values()), *(d.formula for d in where)]
+        numbers = {c.name: to_sympy(c.value) for c in constants(formulas)}
+        return numbers | {d.name: to_sympy(d.formula) for d in where}
 
     def _result(self, name: str) -> "Analysis":
         if name in self.results:

@@ -13,6 +13,7 @@ from typing import assert_never
 
 from ..formula.tree import (
     Call,
+    Constant,
     Formula,
     Implicit,
     Number,
@@ -110,11 +111,13 @@ class _Place:
         """Return the value of a formula."""
         point = self._point
         match formula:
+            case Constant(_, known):
+                return self.residue(known)
             case Number(value):
                 return point.rational(value)
             case Symbol(name):
-                known = self._values.get(name)
-                return point.length(name) if known is None else known
+                given = self._values.get(name)
+                return point.length(name) if given is None else given
             case Sum(terms):
                 return sum(map(self.residue, terms)) % point.prime
             case Product(factors):

@@ -5,7 +5,8 @@ from collections.abc import Hashable, Mapping
 from functools import lru_cache
 from typing import Literal, Protocol
 
-from ..formula.tree import Call, Formula, Pi, Symbol
+from ..formula.tree import Call, Formula, Number, Pi, Symbol
+from ..formula.tree import Constant as ConstantFormula
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from .angle import Angle
@@ -55,6 +56,27 @@ class Length:
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
         return (0, self.name)
+
+
+@frozen
+class Constant(Length):
+    """A symbol that has a value: what is decided about it is decided by that."""
+
+    value: Formula
+
+    def evaluate(self, values: Mapping[str, float]) -> float:
+        """Return the value, whatever symbols are worth."""
+        return evaluate(self.value, {})
+
+    def residue(self, point: Point) -> int:
+        """Return the value in the field; of a root, a random value of its own."""
+        if isinstance(self.value, Number):
+            return point.rational(self.value.value)
+        return point.length(str(self.value))
+
+    def formula(self) -> Formula:
+        """Return the symbol with its value."""
+        return ConstantFormula(self.name, self.value)
 
 
 @frozen

@@ -11,8 +11,20 @@
 from fractions import Fraction
 from typing import assert_never
 
-from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from ..formula.tree import (
+    Call,
+    Constant,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+)
 from .angle import RADIAN, Angle, rational
+from .factors import Constant as Known
 from .factors import Opaque
 from .modular import PARTS
 from .product import Product as Factored
@@ -81,6 +93,8 @@ def to_product(formula: Formula) -> Factored:
     match formula:
         case Number(value):
             return Factored(rational(value))
+        case Constant(name, value):
+            return Factored.of(Known(name, value))
         case Symbol(name):
             return Factored.symbol(name)
         case Sum(terms):

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from .angle import RADIAN, Angle
-from .factors import CIRCLE, Factor, Length, Trig
+from .factors import CIRCLE, Constant, Factor, Length, Trig
 from .product import Product, Sum
 
 SLACK = 4e-16
@@ -54,6 +54,8 @@ def bounds(product: Product, box: Box) -> Interval:
 def factor_bounds(factor: Factor, box: Box) -> Interval:
     """Return an interval that holds all values of a factor in a box."""
     match factor:
+        case Constant():
+            return widened(factor.evaluate({}), factor.evaluate({}))
         case Length(name):
             return box.get(name, Interval(-math.inf, math.inf))
         case Trig(function, angle):

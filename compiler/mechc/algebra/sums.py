@@ -15,7 +15,7 @@ from ..work import spend
 from .angle import Rational, rational
 from .cancelling import LIMIT, canonical
 from .factoring import factored
-from .factors import Factor
+from .factors import Constant, Factor
 from .laurent import size
 from .modular import Point
 from .product import ZERO, Bound, Product, Sum
@@ -35,6 +35,8 @@ def add(products: Iterable[Product]) -> Product:
         terms = _merged(terms)
     if len(terms) <= 1:
         return canonical(terms[0]) if terms else ZERO
+    if any(map(_has_constants, terms)) and _vanishes(terms):
+        return ZERO
     common = _common(terms)
     rests = [t / common for t in terms]
     if sum(map(size, rests)) <= LIMIT and not any(map(_rests_on_names, rests)):
@@ -51,6 +53,14 @@ def _rests_on_names(product: Product) -> bool:
     """Tell whether a product has a bound sum in it, about which the name says nothing."""
     return any(
         isinstance(f, Bound) or (isinstance(f, Sum) and any(map(_rests_on_names, f.terms)))
+        for f in product.factors
+    )
+
+
+def _has_constants(product: Product) -> bool:
+    """Tell whether a product has a named number in it, which may cancel another one."""
+    return any(
+        isinstance(f, Constant) or (isinstance(f, Sum) and any(map(_has_constants, f.terms)))
         for f in product.factors
     )
 

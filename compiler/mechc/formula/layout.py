@@ -190,14 +190,34 @@ def short_decimal(value: Fraction) -> str | None:
     return None if value.denominator in {1, 2, 4, 8} else decimal(value)
 
 
+LONGEST = 12
+"""Digits of a fraction, above and below the line, beyond which it is given as a decimal."""
+
+
 def decimal(value: Fraction) -> str | None:
-    """Return a decimal of at most six digits behind the point that is exact, else None.
+    """Return a decimal that is exact in six digits behind the point, else None.
+
+    A fraction longer than anybody reads is rounded to twelve digits.
 
     >>> decimal(Fraction(45, 2)), decimal(Fraction(10)), decimal(Fraction(1, 3))
     ('22.5', '10', None)
+    >>> decimal(Fraction(243549291, 250000000))
+    '0.974197164'
     """
+    if is_long(value):
+        return f"{float(value):.12g}"
     if 10**6 % value.denominator:
         return None
     digits = str(value.numerator * (10**6 // value.denominator)).lstrip("-").rjust(7, "0")
     whole, decimals = digits[:-6], digits[-6:].rstrip("0")
     return f"{'-' if value < 0 else ''}{whole}{'.' if decimals else ''}{decimals}"
+
+
+def is_long(value: Fraction) -> bool:
+    """Tell whether a fraction has more digits than anybody reads, and a float is as near.
+
+    >>> is_long(Fraction(9806650, 1)), is_long(Fraction(243549291, 250000000))
+    (False, True)
+    """
+    digits = len(str(abs(value.numerator))) + len(str(value.denominator))
+    return value.denominator != 1 and digits > LONGEST and 1e-4 <= abs(float(value)) < 1e12

@@ -9,7 +9,18 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
-from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from .tree import (
+    Call,
+    Constant,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+)
 from .walk import evaluate, solution, symbols
 
 EPS = 2.0**-52
@@ -80,7 +91,7 @@ class Rounding:
                 self.values[name] = self.of(formula)
 
     def _of(self, formula: Formula) -> Rounded:
-        if isinstance(formula, Symbol):
+        if isinstance(formula, Symbol) and not isinstance(formula, Constant):
             return self.values[formula.name]
         known = self._known.get(id(formula))
         if known is None:
@@ -89,6 +100,8 @@ class Rounding:
 
     def _compute(self, formula: Formula) -> Rounded:
         match formula:
+            case Constant(_, known):
+                return self._of(known)
             case Number(value):
                 number = value.numerator / value.denominator
                 return Rounded(number, EPS / 2 * abs(number))

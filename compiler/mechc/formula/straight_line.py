@@ -12,7 +12,19 @@ from typing import Any, assert_never
 
 from ..work import spend
 from .functions import FUNCTIONS
-from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, System
+from .tree import (
+    Call,
+    Constant,
+    Formula,
+    Implicit,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    System,
+)
 
 Solution = Callable[[tuple[float, ...]], tuple[float, ...]]
 """Returns the unknowns of a system at values of its outer symbols."""
@@ -122,10 +134,12 @@ class _Maker:
 
     def _value(self, formula: Formula) -> _Value:
         match formula:
-            case Symbol(name):
-                return self._named[name]
+            case Constant(_, number):
+                return self.value(number)
             case Number(number):
                 return self._constant(number.numerator / number.denominator)
+            case Symbol(name):
+                return self._named[name]
             case Pi():
                 return self._constant(math.pi)
             case Sum(parts):

@@ -8,7 +8,7 @@ from functools import cache, reduce
 from typing import TYPE_CHECKING, Any, assert_never
 
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, System
-from .walk import solution
+from .walk import constants, solution
 
 if TYPE_CHECKING:
     import sympy
@@ -64,6 +64,8 @@ def _solution(system: System, index: int) -> Any:
     """
     import sympy
 
+    named = constants(system.equations)
+
     def _eval_evalf(self: Any, precision: int) -> Any:
         outer = [a.evalf(n=15) for a in self.args]
         if not all(a.is_Float or a.is_Integer for a in outer):
@@ -72,6 +74,7 @@ def _solution(system: System, index: int) -> Any:
         if near[index] != near[index]:
             return sympy.nan
         values = {sympy.Symbol(n): a for (n, _), a in zip(system.anchor, self.args, strict=True)}
+        values |= {sympy.Symbol(c.name): _convert(c.value, sympy) for c in named}
         exact = [_convert(e, sympy).subs(values) for e in system.equations]
         unknowns = [sympy.Symbol(name) for name in system.unknowns]
         digits = sympy.core.evalf.prec_to_dps(precision) + 2

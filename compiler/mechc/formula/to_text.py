@@ -1,8 +1,10 @@
 """Formulas in the notation of the language."""
 
+from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
+from .layout import is_long
 from .operations import split_fraction
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
 from .walk import equations
@@ -23,7 +25,7 @@ def _text(formula: Formula, level: int) -> str:
     """Print; ``level`` is 0 in a sum, 1 in a product, 2 under a power or a division."""
     match formula:
         case Number(value):
-            plain = str(value)
+            plain = repr(float(value)) if is_long(value) else str(value)
             return f"({plain})" if level and (value < 0 or (level > 1 and "/" in plain)) else plain
         case Pi():
             return "pi"
@@ -60,7 +62,10 @@ def _join(left: str, right: str) -> str:
 def _product_text(formula: Product, level: int) -> str:
     coefficient, above, below = split_fraction(formula)
     upper = [_text(f, 1) for f in above]
-    if abs(coefficient.numerator) != 1 or not upper:
+    if is_long(coefficient):
+        upper.insert(0, repr(abs(float(coefficient))))
+        coefficient = Fraction(1 if coefficient > 0 else -1)
+    elif abs(coefficient.numerator) != 1 or not upper:
         upper.insert(0, str(abs(coefficient.numerator)))
     lower = [_text(f, 2 if len(below) == 1 and coefficient.denominator == 1 else 1) for f in below]
     if coefficient.denominator != 1:

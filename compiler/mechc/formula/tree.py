@@ -41,6 +41,13 @@ class Symbol:
 
 
 @frozen
+class Constant(Symbol):
+    """A number of the description under a name: printed as a symbol, but open in nothing."""
+
+    value: "Formula"
+
+
+@frozen
 class Sum:
     """Two or more terms; a subtracted term is a Product with a negative leading Number."""
 

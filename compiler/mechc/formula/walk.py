@@ -12,6 +12,7 @@ from .newton import Equations, Matrix, Status, follow, side_of
 from .straight_line import Solution, StraightLine
 from .tree import (
     Call,
+    Constant,
     Formula,
     Implicit,
     Number,
@@ -73,15 +74,31 @@ def walk(formula: Formula) -> Iterator[Formula]:
 
 
 def symbols(formula: Formula) -> frozenset[str]:
-    """Return the names that a formula depends on."""
+    """Return the names that a formula depends on; a number under a name is none of them."""
     names, stack = set[str](), [formula]
     while stack:
         node = stack.pop()
         if isinstance(node, Symbol):
-            names.add(node.name)
+            if not isinstance(node, Constant):
+                names.add(node.name)
         else:
             stack.extend(children(node))
     return frozenset(names)
+
+
+def constants(formulas: Iterable[Formula]) -> list[Constant]:
+    """Return the numbers under names that are read in formulas, each once, systems included."""
+    found: dict[Constant, None] = {}
+    waiting, systems = list(formulas)[::-1], set[System]()
+    while waiting:
+        part = waiting.pop()
+        if isinstance(part, Constant):
+            found[part] = None
+        if isinstance(part, Implicit) and part.system not in systems:
+            systems.add(part.system)
+            waiting.extend(part.system.equations)
+        waiting.extend(reversed(children(part)))
+    return list(found)
 
 
 def substitute(formula: Formula, values: Mapping[str, Formula]) -> Formula:
@@ -127,6 +144,8 @@ class Evaluation:
 
     def _of(self, formula: Formula) -> float:
         match formula:
+            case Constant(_, value):
+                return self._of(value)
             case Symbol(name):
                 return self._values[name]
             case Number(value):

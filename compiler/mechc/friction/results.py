@@ -248,7 +248,13 @@ class FrictionResults:
     def _taken(self) -> set[str]:
         mechanism = self._mechanism
         pose = self._plan.graph.pose
-        named = (*mechanism.parameters, *mechanism.loads, *mechanism.finds, *mechanism.lets)
+        named = (
+            *mechanism.parameters,
+            *mechanism.literals,
+            *mechanism.loads,
+            *mechanism.finds,
+            *mechanism.lets,
+        )
         return {item.name for item in (*named, *pose.definitions)}
 
     # -------------------------------------------------------------------------- forces

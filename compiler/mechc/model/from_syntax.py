@@ -21,6 +21,7 @@ from .force_pairs import inside_telescopes, spring_name
 from .friction import read_friction
 from .geometry import read_geometry
 from .joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
+from .literals import with_names
 from .loads import read_loads
 from .lower import with_arcs, with_loaded_points
 from .mechanism import Find, LoadForm, Mechanism, Slider
@@ -64,7 +65,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     _warn_lonely(points)
     for doubt in doubts(mechanism):
         report.add(doubt)
-    return judged(mechanism, report)
+    return with_names(judged(mechanism, report), file)
 
 
 def _headed(file: ast.File, report: Report) -> Mechanism:

@@ -126,8 +126,7 @@ def _distributed(
         scope.report.add(stretch_without_length(statement.line.span, *ends[:2]))
         return None
     spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
-    tie = _resultant(spread) if intensities else None
-    name = statement.name.text
+    name, tie = statement.name.text, spread.resultant
     return Force(name, point, along, statement.span, tie, times, spread=spread)
 
 
@@ -140,12 +139,6 @@ def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
             case Offset(x=x, y=y) if {entry.tail, entry.head} == {tail, head}:
                 return Call("hypot", (x, y))
     return None
-
-
-def _resultant(spread: Spread) -> Formula:
-    """Return q·l, or (q₁ + q₂)·l/2."""
-    q = total(spread.intensities)
-    return product([(q, 1), (spread.length, 1), (number(len(spread.intensities)), -1)])
 
 
 def _centroid(intensities: tuple[Formula, ...]) -> Formula:

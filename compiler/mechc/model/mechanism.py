@@ -11,7 +11,7 @@ from math import prod
 from types import MappingProxyType
 from typing import Literal, NamedTuple, TypeVar
 
-from ..formula.tree import Formula, Number, product
+from ..formula.tree import Formula, Number, number, product, total
 from ..frozen import frozen
 from ..source import Span
 from ..units import Dimension
@@ -149,6 +149,14 @@ class Spread:
     length: Formula
     part: Formula
     intensities: tuple[Formula, ...] = ()
+
+    @property
+    def resultant(self) -> Formula | None:
+        """Return q·l, or (q₁ + q₂)·l/2; None where the intensity is open."""
+        if not self.intensities:
+            return None
+        mean = (number(len(self.intensities)), -1)
+        return product([(total(self.intensities), 1), (self.length, 1), mean])
 
     @property
     def reach(self) -> Formula:
@@ -293,13 +301,18 @@ class Expect:
 
 @frozen
 class Mechanism:
-    """A whole description, resolved and checked."""
+    """A whole description, resolved and checked.
+
+    ``literals`` are the lengths that it gives by numbers, each once, under names that it does
+    not use: formulas have a :class:`~..formula.tree.Constant` for each.
+    """
 
     name: str
     title: str
     source: str
     span: Span
     parameters: tuple[Parameter, ...] = ()
+    literals: tuple[Parameter, ...] = ()
     links: tuple[Link, ...] = ()
     slides: tuple[Slide, ...] = ()
     telescopes: tuple[Telescope, ...] = ()

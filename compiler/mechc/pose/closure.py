@@ -10,7 +10,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
-from ..algebra.factors import Factor, Length, Trig
+from ..algebra.factors import Constant, Factor, Length, Trig
 from ..algebra.modular import Point
 from ..algebra.product import Product, Sum
 from ..algebra.sums import add
@@ -155,7 +155,7 @@ def _names(product: Product) -> Iterator[str]:
 
 
 def _factor_names(factor: Factor) -> Iterator[str]:
-    if isinstance(factor, Length):
+    if isinstance(factor, Length) and not isinstance(factor, Constant):
         yield factor.name
     elif isinstance(factor, Trig):
         yield from dict(factor.angle.terms)

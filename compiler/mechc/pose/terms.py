@@ -25,6 +25,7 @@ class Terms:
     def __init__(self, mechanism: Mechanism) -> None:
         self.definitions: list[Definition] = []
         self._inner: dict[str, Formula] = {}
+        self._taken = {literal.name for literal in mechanism.literals}
         dependent = {p.name: p for p in mechanism.parameters if p.dependent}
         while dependent:
             self._define(next(iter(dependent.values())), dependent)
@@ -63,7 +64,9 @@ class Terms:
 
     def _defined(self, name: str, formula: Formula) -> str:
         """Define a name, or another like it where it means something else already."""
-        while any(d.name == name and d.formula != formula for d in self.definitions):
+        while name in self._taken or any(
+            d.name == name and d.formula != formula for d in self.definitions
+        ):
             name += "_"
         if Definition(name, formula) not in self.definitions:
             self.definitions.append(Definition(name, formula))

@@ -5,10 +5,10 @@ from itertools import zip_longest
 from types import MappingProxyType
 
 from ..formula.operations import count_operations
-from ..formula.tree import Call, Formula, Implicit, Symbol, System
-from ..formula.walk import symbols
+from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
+from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
-from ..model.mechanism import Mechanism, Reaction, Target, WithFriction
+from ..model.mechanism import Mechanism, Parameter, Reaction, Target, WithFriction
 from ..model.result import Definition
 from ..study.analysis import Analysis
 from .definitions import as_written, constant_units, literal_units, usual_weights
@@ -23,7 +23,7 @@ LONG = 24
 class Section:
     """Results that are told under one heading, how they came about, and what they rest on.
 
-    ``units`` are those of loads and lets that are numbers.
+    ``units`` are those of loads and lets that are numbers, ``literals`` the lengths that are.
     """
 
     paragraphs: tuple[Paragraph, ...]
@@ -31,6 +31,7 @@ class Section:
     where: tuple[Definition, ...]
     has_usual_g: bool = False
     units: Mapping[str, str] = MappingProxyType({})
+    literals: tuple[Parameter, ...] = ()
 
 
 def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
@@ -45,9 +46,9 @@ def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
         fresh = [*rested, *(d for r in results for d in told.of(r))]
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
         weighs = any(d.name in usual for d in fresh)
-        yield Section(
-            explanation.paragraphs, shown, tuple(as_written(fresh, usual, units)), weighs, units
-        )
+        where = tuple(as_written(fresh, usual, units))
+        numbers = tuple(told.new_literals(explanation, shown, where, mechanism))
+        yield Section(explanation.paragraphs, shown, where, weighs, units, numbers)
 
 
 class Shown:
@@ -81,6 +82,24 @@ class Shown:
             for left, right in paragraph.equations:
                 if isinstance(left, Symbol):
                     self._known[left.name] = right
+
+    def new_literals(
+        self,
+        explanation: Explanation,
+        results: Iterable[Analysis],
+        where: Iterable[Definition],
+        mechanism: Mechanism,
+    ) -> Iterator[Parameter]:
+        """Yield the lengths given by numbers that are met here first, and note them."""
+        said = [
+            side for p in explanation.paragraphs for equation in p.equations for side in equation
+        ]
+        formulas = [*said, *(r.formula for r in results), *(d.formula for d in where)]
+        met = {constant.name for constant in constants(formulas)}
+        for literal in mechanism.literals:
+            if literal.name in met and literal.name not in self._known:
+                self._known[literal.name] = literal.value or ZERO
+                yield literal
 
     def _needed(self, formulas: Iterable[Formula], where: Sequence[Definition]) -> list[Definition]:
         """Return what formulas rest on, not looking behind results that were told."""

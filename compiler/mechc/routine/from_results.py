@@ -1,6 +1,6 @@
 """From results to straight-line programs, one function per ``find`` and ``let``."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import starmap
 
 from ..formula.tree import Formula
@@ -14,7 +14,7 @@ from .functions import Asked, asked, function
 from .lengths import with_roots
 from .scope import Scope
 from .sharing import share
-from .steps import Function, Input, Pose, Routine, formulas_of, names_of
+from .steps import Function, Input, Pose, Routine, Statement, formulas_of, names_of
 
 LONG = 24
 """Definitions beyond which functions may compute together what they have in common."""
@@ -73,11 +73,22 @@ def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
         return None
     names = {*inputs, *scope.results, *(name for name, _ in found.formulas)}
     rooted, _ = with_roots(found.formulas, [], names)
-    steps, _ = share(rooted, [], [*inputs, *scope.results])
+    shared, _ = share(rooted, [], [*inputs, *scope.results])
+    steps = _leading_to(found.names, shared)
     used = frozenset[str]().union(*(symbols(f) for step in steps for f in formulas_of(step)))
     defined = {name for step in steps for name in names_of(step)}
     known = tuple(item for name, item in inputs.items() if name in used - defined)
     return Pose(known, steps, tuple(found.names))
+
+
+def _leading_to(names: Iterable[str], steps: Sequence[Statement]) -> tuple[Statement, ...]:
+    """Return the steps that names need: of a length whose square is enough, not the root."""
+    needed, kept = set(names), list[Statement]()
+    for step in reversed(steps):
+        if not needed.isdisjoint(names_of(step)):
+            kept.append(step)
+            needed.update(*map(symbols, formulas_of(step)))
+    return tuple(kept[::-1])
 
 
 # -------------------------------------------------------------------------- inputs

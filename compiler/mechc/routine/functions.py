@@ -5,7 +5,7 @@ from typing import NamedTuple, assert_never
 
 from ..formula.operations import count_operations
 from ..formula.tree import Formula
-from ..formula.walk import symbols
+from ..formula.walk import constants, symbols
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -24,7 +24,7 @@ from ..pose.pose import ClosedLoop
 from ..study.analysis import as_printed
 from .loops import closing_guard, unseen_loops
 from .scope import Scope, rename
-from .sharing import Shared, share
+from .sharing import Shared, named, share
 from .steps import Function, Guard, Input, Solve, Statement, Step, formulas_of
 from .unit_vectors import in_unit_vectors
 
@@ -104,7 +104,10 @@ def steps_to(
     names: Iterable[str],
 ) -> Shared:
     """Return the steps to formulas, and those in their terms; names of guards are kept."""
-    asked = {name for g in guards for side in (g.left, g.right) for name in symbols(side)}
+    sides = [side for guard in guards for side in (guard.left, guard.right)]
+    known = constants(sides)
+    asked = {name for side in sides for name in symbols(side)}.union(c.name for c in known)
+    definitions = [*map(named, known), *definitions]
     taken = {*names, *(name for name, _ in definitions)}
     return share(*in_unit_vectors(definitions, formulas, asked, taken), names)
 
@@ -163,7 +166,7 @@ class Read(NamedTuple):
 def _readable(result: Result, formula: Formula, known: Iterable[tuple[str, Formula]]) -> Read:
     """Return a result as people read it: a case where there is one, no system's coefficients."""
     if not isinstance(result, FrictionResult) or (result.case is None and not result.inside):
-        return Read(formula, tuple(Step(name, f) for name, f in known))
+        return Read(formula, _with_literals(formula, [Step(name, f) for name, f in known]))
     printed = as_printed(result)
     used, where = set(symbols(printed.formula)), []
     named = {d.name for d in printed.where}
@@ -173,7 +176,13 @@ def _readable(result: Result, formula: Formula, known: Iterable[tuple[str, Formu
             used |= symbols(found)
     holds = tuple(Guard(h.left, h.operator, h.right) for h in printed.holds)
     iterated = tuple(d.name for d in printed.where if d.name in used & result.inside)
-    return Read(printed.formula, tuple(where[::-1]), holds, iterated)
+    return Read(printed.formula, _with_literals(printed.formula, where[::-1]), holds, iterated)
+
+
+def _with_literals(formula: Formula, where: Sequence[Step]) -> tuple[Step, ...]:
+    """Return what a reader sees behind a formula, the numbers under names first."""
+    known = constants([formula, *(step.formula for step in where)])
+    return (*(Step(*named(constant)) for constant in known), *where)
 
 
 def title(target: Target | None) -> str:

@@ -14,6 +14,7 @@ from ..algebra.product import Product as Factored
 from ..algebra.sums import add
 from ..formula.tree import (
     Call,
+    Constant,
     Formula,
     Number,
     Power,
@@ -26,7 +27,7 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import children, rebuild, walk
+from ..formula.walk import children, evaluate, rebuild, walk
 
 Definitions = Sequence[tuple[str, Formula]]
 Named = list[tuple[str, Formula]]
@@ -155,6 +156,8 @@ def size(x: Formula, y: Formula, positive: Collection[str] = ()) -> Formula | No
 
 
 def _absolute(formula: Formula, positive: Collection[str]) -> Formula:
+    if isinstance(formula, Constant):
+        return formula if evaluate(formula, {}) > 0 else negative(formula)
     known = isinstance(formula, Symbol) and formula.name in positive
     return formula if known else Call("abs", (formula,))
 

@@ -11,8 +11,8 @@ from typing import NamedTuple
 from ..formula.operations import split_fraction
 from ..formula.tree import Formula, Number, Product
 
-LARGEST_DENOMINATOR = 10**15
-"""Beyond it a decimal has more digits than a float keeps."""
+LARGEST_DENOMINATOR = 10**22
+"""The largest power of ten that is a float; a decimal finer than that is no measured number."""
 
 
 class Quotient(NamedTuple):

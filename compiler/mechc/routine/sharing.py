@@ -11,8 +11,19 @@ from itertools import count
 from typing import NamedTuple, assert_never
 
 from ..formula.derivative import jacobian
-from ..formula.tree import Call, Formula, Number, Pi, Power, Product, Sum, Symbol, System
-from ..formula.walk import side, symbols
+from ..formula.tree import (
+    Call,
+    Constant,
+    Formula,
+    Number,
+    Pi,
+    Power,
+    Product,
+    Sum,
+    Symbol,
+    System,
+)
+from ..formula.walk import side, symbols, walk
 from .angle_offsets import turned_alike
 from .steps import Solve, Solver, Statement, Step
 from .table import (
@@ -52,6 +63,7 @@ def share(
     >>> share([], [Sum((sin, Power(sin, Number(Fraction(2)))))], ["x"]).steps
     (Step(name='sin_x', formula=Call(function='sin', arguments=(Symbol(name='x'),))),)
     """
+    definitions = _with_constants(definitions, results)
     table, roots = tabulate([*(formula for _, formula in definitions), *results])
     names = [name for name, _ in definitions]
     writer = _Writer(table, _used_twice(table, roots), {*taken, *names})
@@ -60,6 +72,24 @@ def share(
         writer.define(name, root)
     formulas = tuple(writer.write(root) for root in roots[len(names) :])
     return Shared(tuple(writer.steps), formulas)
+
+
+def _with_constants(
+    definitions: Sequence[tuple[str, Formula]], results: Sequence[Formula]
+) -> list[tuple[str, Formula]]:
+    """Return definitions with those of the numbers that have names before them.
+
+    Those that are in the equations of a system only are its solver's.
+    """
+    formulas = [*(formula for _, formula in definitions), *results]
+    used = dict.fromkeys(p for f in formulas for p in walk(f) if isinstance(p, Constant))
+    names = {name for name, _ in definitions}
+    return [*(named(c) for c in used if c.name not in names), *definitions]
+
+
+def named(constant: Constant) -> tuple[str, Formula]:
+    """Return a number that has a name as a definition."""
+    return constant.name, constant.value
 
 
 def solver(system: System) -> Solver:

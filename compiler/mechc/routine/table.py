@@ -12,6 +12,7 @@ from typing import NamedTuple, assert_never
 
 from ..formula.tree import (
     Call,
+    Constant,
     Formula,
     Implicit,
     Number,
@@ -135,6 +136,8 @@ class Table:
 
     def _lower_one(self, node: Formula, arguments: tuple[int, ...]) -> int:
         match node:
+            case Constant(name, _):
+                return self._add(Leaf(Symbol(name)), Symbol(name))
             case Number() | Pi() | Symbol():
                 return self._add(Leaf(node), node)
             case Sum():

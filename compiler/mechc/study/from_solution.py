@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ..algebra.derivative import depends_openly, derivative
 from ..algebra.equality import equal
-from ..algebra.factors import Length
+from ..algebra.factors import Constant, Length
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..formula.tree import Formula, Symbol
@@ -117,7 +117,8 @@ def _proportional(value: Product, result: Result) -> Mapping[str, int]:
     One that an intermediate angle depends on, too, is in no simple proportion, nor is what loops
     find: nothing else stays as it is where that changes.
     """
-    factors = {f.name: e for f, e in value.factors.items() if isinstance(f, Length)}
+    lengths = {f: e for f, e in value.factors.items() if isinstance(f, Length)}
+    factors = {f.name: e for f, e in lengths.items() if not isinstance(f, Constant)}
     rest = Product(1, {f: e for f, e in value.factors.items() if not isinstance(f, Length)})
     inside = symbols(rest.formula()).union(*(symbols(d.formula) for d in result.where))
     inside |= {d.name for d in result.where}

@@ -342,6 +342,12 @@ DOCUMENT: Kind[Compiled] = record(
     member("title", "Or empty.", TEXT, lambda c: c.mechanism.title),
     member("source", "Where it is from, or empty.", TEXT, lambda c: c.mechanism.source),
     member("parameters", "In order.", list_of(PARAMETER), lambda c: c.mechanism.parameters),
+    member(
+        "constants",
+        "Lengths that the description gives by numbers, under the names that formulas have.",
+        list_of(PARAMETER),
+        lambda c: c.mechanism.literals,
+    ),
     member("results", "In order.", list_of(RESULT), lambda c: c.derivation.results),
     member("derivation", "How they follow.", DERIVATION, lambda c: c.derivation),
     member("referee", "What statics says.", VERDICT, lambda c: c.verdict),

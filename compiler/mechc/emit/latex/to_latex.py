@@ -4,7 +4,7 @@ A fragment needs amsmath, array, booktabs and longtable; where it holds Cyrillic
 also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
@@ -13,7 +13,7 @@ from ...data import data
 from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
-from ...model.mechanism import Geometry, Parameter, WithFriction
+from ...model.mechanism import Parameter, WithFriction
 from ...report.derivation.steps import Derivation, Equation, Step
 from ...report.languages import registry
 from ...report.languages.locale import Locale
@@ -21,7 +21,7 @@ from ...report.latex.display import LINE, Line, display, vanishing
 from ...report.latex.given import (
     ParameterRow,
     VectorRow,
-    has_literal_lengths,
+    in_vectors,
     parameter_row,
     scheme,
     vector_rows,
@@ -135,7 +135,7 @@ def _style(compiled: Compiled, style: Notation) -> Notation:
 
 def _names(compiled: Compiled) -> Iterator[str]:
     mechanism = compiled.mechanism
-    yield from (p.name for p in mechanism.parameters)
+    yield from (p.name for p in (*mechanism.parameters, *mechanism.literals))
     yield from dict.fromkeys(load.name for load in mechanism.loads)
     for result in compiled.derivation.results:
         yield result.name
@@ -144,19 +144,26 @@ def _names(compiled: Compiled) -> Iterator[str]:
 
 
 def _given(compiled: Compiled) -> Iterator[Parameter]:
-    """Yield the parameters that are given; those that a loop gives stand with the results."""
+    """Yield the parameters that are given; those that a loop gives stand with the results.
+
+    Behind them the numbers that the description gives lengths by, but for those that the table of
+    vectors has.
+    """
     found = {d.name for result in compiled.derivation.results for d in result.where}
     for parameter in compiled.mechanism.parameters:
         if parameter.value is not None or parameter.name not in found:
             yield parameter
+    shown = in_vectors(compiled.mechanism)
+    yield from (p for p in compiled.mechanism.literals if p.name not in shown)
 
 
 def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> Report:
     mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
+    literals = {literal.name: literal for literal in mechanism.literals}
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
-        conventions=_conventions(mechanism.geometry, locale),
+        conventions=locale.conventions.format(x="$x$"),
         convention_of_speeds=_convention(derivation, locale),
         section="subsection" if fragment else "section",
         title=escape(mechanism.title or mechanism.name),
@@ -173,12 +180,6 @@ def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool)
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
     )
-
-
-def _conventions(geometry: Sequence[Geometry], locale: Locale) -> str:
-    """Return from where angles are counted, and the unit of lengths written as numbers."""
-    angles = locale.conventions.format(x="$x$")
-    return f"{angles} {locale.metres}" if has_literal_lengths(geometry) else angles
 
 
 def _step(step: Step, locale: Locale, style: Notation) -> StepBlock:

@@ -18,7 +18,7 @@ from ...diagnostics.pose import Stretch
 from ...formula.roots import roots
 from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Number, negative, total
-from ...formula.walk import evaluate, symbols, walk
+from ...formula.walk import constants, evaluate, symbols, walk
 from ...model.values import Chain, dependent
 from ...units import ANGLE, Dimension
 from ..pose import Limit
@@ -153,7 +153,11 @@ def _closed_forms(
 def _shown(formula: Formula) -> str:
     """Return a limit as a formula in the user's lengths, '' where it has figures in it."""
     numbers = [n.value for n in walk(formula) if isinstance(n, Number)]
-    if not symbols(formula) or any(max(abs(n.numerator), n.denominator) > 9 for n in numbers):
+    if (
+        not symbols(formula)
+        or constants([formula])
+        or any(max(abs(n.numerator), n.denominator) > 9 for n in numbers)
+    ):
         return ""
     shown = text(formula)
     return shown if len(shown) <= LONGEST else ""

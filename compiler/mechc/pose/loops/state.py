@@ -48,7 +48,12 @@ class State:
         self.loops: list[ClosedLoop] = []
         self.values = poses_nearby(mechanism, terms.definitions)
         self.signed = frozenset({*_passing_zero(mechanism), *(r.length for r in self.rails)})
-        named_items = (*mechanism.parameters, *mechanism.loads, *terms.definitions)
+        named_items = (
+            *mechanism.parameters,
+            *mechanism.literals,
+            *mechanism.loads,
+            *terms.definitions,
+        )
         self._taken = {item.name for item in named_items} | web.sought
         for values in self.values:
             for name in named:

@@ -13,7 +13,6 @@ LOCALE = Locale(
     made_by="Derived by mechc {version}",
     given="Given",
     conventions="Directions are angles counter-clockwise from the {x} axis.",
-    metres="Numbers that stand for lengths in formulas are in metres.",
     symbol="Symbol",
     quantity="Quantity",
     value="Value",

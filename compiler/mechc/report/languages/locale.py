@@ -30,7 +30,6 @@ class Locale(NamedTuple):
 
     given: str
     conventions: str
-    metres: str
     symbol: str
     quantity: str
     value: str

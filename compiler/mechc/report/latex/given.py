@@ -1,11 +1,10 @@
 """The report's first part: what was given, as tables and sentences."""
 
-from collections.abc import Iterable, Iterator, Set
+from collections.abc import Iterable, Iterator, Mapping, Set
 from typing import NamedTuple, assert_never
 
 from ...formula.names import split_points
-from ...formula.tree import ZERO, Formula, Sum, number
-from ...formula.walk import symbols
+from ...formula.tree import Constant, number
 from ...model.mechanism import (
     GRAVITY,
     Arrow,
@@ -96,14 +95,18 @@ def vector_rows(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterat
     drawn = {d.span: Offset("", d.point, d.x, d.y, d.span) for d in mechanism.drawn}
     given = [entry for entry in mechanism.geometry if entry.span not in drawn]
     unit = next((d.unit for d in mechanism.drawn), "")
-    yield from (_vector_row(entry, unit, locale, style) for entry in (*given, *drawn.values()))
+    literals = {literal.name: literal for literal in mechanism.literals}
+    for entry in (*given, *drawn.values()):
+        yield _vector_row(entry, literals, unit, locale, style)
 
 
-def _vector_row(entry: Geometry, unit: str, locale: Locale, style: Notation) -> VectorRow:
+def _vector_row(
+    entry: Geometry, literals: Mapping[str, Parameter], unit: str, locale: Locale, style: Notation
+) -> VectorRow:
     match entry:
-        case Arrow(tail, head, length, line):
+        case Arrow(tail, head, _, line):
             along = math(direction(line, style)) if line else ""
-            size = math(length_of(length, locale, style)) if length else ""
+            size = _length(entry, literals, locale, style)
             return VectorRow(_vector(tail, head), size, along)
         case Offset(tail, head, x, y):
             across, up = (length_of(part, locale, style, unit) for part in (x, y))
@@ -115,25 +118,30 @@ def _vector_row(entry: Geometry, unit: str, locale: Locale, style: Notation) -> 
             assert_never(entry)
 
 
-def has_literal_lengths(geometry: Iterable[Geometry]) -> bool:
-    """Tell whether a length of the geometry is given by a number."""
-    return any(map(_has_number, _lengths(geometry)))
+def _length(
+    entry: Arrow, literals: Mapping[str, Parameter], locale: Locale, style: Notation
+) -> str:
+    """Return a vector's length; a number with its unit, and the name of the first such length."""
+    if entry.length is None:
+        return ""
+    symbol = latex(entry.length, style)
+    if not isinstance(entry.length, Constant):
+        return math(symbol)
+    literal = literals[entry.length.name]
+    value = quantity(entry.length.value, literal.dimension, literal.unit, locale, style)
+    return math(value if _is_own(entry) else f"{symbol}={value}")
 
 
-def _lengths(geometry: Iterable[Geometry]) -> Iterator[Formula]:
-    for entry in geometry:
-        match entry:
-            case Arrow(length=length) if length is not None:
-                yield length
-            case Offset(x=x, y=y):
-                yield from (x, y)
+def _is_own(entry: Arrow) -> bool:
+    """Tell whether a length is a number that has its name from this very vector."""
+    name = f"len_{entry.tail}{entry.head}"
+    return isinstance(entry.length, Constant) and entry.length.name == name
 
 
-def _has_number(length: Formula) -> bool:
-    """Tell whether a term of a length has no symbol: it is a number of metres."""
-    if isinstance(length, Sum):
-        return any(map(_has_number, length.terms))
-    return length != ZERO and not symbols(length)
+def in_vectors(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names of the lengths that the table of vectors shows the numbers of."""
+    arrows = [entry for entry in mechanism.geometry if isinstance(entry, Arrow)]
+    return frozenset(f"len_{a.tail}{a.head}" for a in arrows if _is_own(a))
 
 
 def _vector(tail: str, head: str) -> str:

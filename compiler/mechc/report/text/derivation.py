@@ -7,11 +7,12 @@ from typing import NamedTuple
 
 from ...formula.layout import is_angle
 from ...formula.tree import ZERO, Formula, Symbol
+from ...formula.walk import evaluate
 from ...frozen import replace
-from ...model.mechanism import GRAVITY, Mechanism
+from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
 from ...study.analysis import Analysis
-from ...units import ANGLE
+from ...units import ANGLE, in_unit
 from ..definitions import Solved, grouped
 from ..derivation.steps import Derivation, Step
 from ..languages.en import LOCALE
@@ -48,6 +49,12 @@ class Speller(NamedTuple):
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         return print_point(names, self.signs)
+
+    def literal(self, literal: Parameter) -> str:
+        """Return the line on a length that is given by a number."""
+        assert literal.value
+        name = self.relation((Symbol(literal.name),), (), False)
+        return f"{_DEEP}{name} = {in_unit(evaluate(literal.value, {}), literal.unit, 10)}"
 
 
 def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True) -> str:
@@ -115,8 +122,9 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
         yield f"     {LOCALE.hence}"
     for result in section.results:
         yield from _result(result, spell, section.units)
-    if section.where:
+    if section.where or section.literals:
         yield f"     {LOCALE.where}"
+        yield from map(spell.literal, section.literals)
         for group in grouped(section.where):
             yield from _group(group, spell, section.units)
     if section.has_usual_g:

@@ -1,0 +1,129 @@
+"""Lengths that a description gives by numbers: named, listed, decided by their value."""
+
+import re
+
+import pytest
+
+import mechc
+from mechc.algebra.equality import equal
+from mechc.formula.operations import count_operations
+from mechc.formula.to_text import text
+from mechc.formula.tree import Symbol
+from mechc.formula.walk import substitute
+
+CRANK = """
+param phi = 40 deg in 0 deg .. 360 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (100 mm, 20 mm)
+link OA
+link AB
+link QB
+OA = 30 mm @ phi
+AB = 90 mm
+QB = 70 mm
+assembly ABQ cw
+drive phi from 0 deg to 360 deg
+torque M on OA
+torque T on QB
+find k = M/T
+"""
+
+NAMED = {"30 mm": "a", "90 mm": "b", "70 mm": "c", "100 mm": "d", "20 mm": "h"}
+
+
+def with_parameters(description: str) -> str:
+    """Return a description with a parameter for each of its lengths."""
+    lines = [f"param {name} = {length}" for length, name in NAMED.items()]
+    for length, name in NAMED.items():
+        description = re.sub(rf"\b{length}", name, description)
+    return "\n".join([*lines, description])
+
+
+def test_a_number_reads_as_a_parameter_does() -> None:
+    literal, declared = mechc.loads(CRANK), mechc.loads(with_parameters(CRANK))
+    assert literal.evaluate()["k"] == pytest.approx(declared.evaluate()["k"], rel=1e-13)
+    names = {"len_OA": "a", "len_AB": "b", "len_QB": "c", "x_Q": "d", "y_Q": "h"}
+    short = {name: Symbol(other) for name, other in names.items()}
+    mine, theirs = literal.results["k"], declared.results["k"]
+    assert equal(substitute(mine.formula, short), theirs.formula)
+    assert count_operations(mine.formula) == count_operations(theirs.formula)
+
+
+def test_code_takes_no_number_and_has_it_as_a_constant() -> None:
+    code = mechc.loads(CRANK).emit("python")
+    assert "def k(phi):" in code
+    assert "def pose(phi):" in code
+    assert " len_AB = 0.09" in code
+    assert "where len_AB = 0.09" in code
+    assert '"len_AB"' not in code
+
+
+def test_numbers_are_given_with_their_units() -> None:
+    mechanism = mechc.loads(CRANK)
+    latex = mechanism.emit("latex")
+    assert r"$Q$ & $(x_Q;\ y_Q)$" in latex
+    assert r"$x_Q$ & $100\,\text{mm}$" in latex
+    assert r"$AB$ & $90\,\text{mm}$" in latex
+
+
+def test_formulas_scale_with_all_lengths() -> None:
+    """What has no length in it but by names is the same for a mechanism ten times as large."""
+    large = re.sub(r"(\d+) mm", r"\1 cm", CRANK)
+    one, ten = (mechc.loads(d).results["k"] for d in (CRANK, large))
+    assert text(one.formula) == text(ten.formula)
+    assert one.default == pytest.approx(ten.default, rel=1e-12)
+
+
+PARALLELOGRAM = """
+param phi = 40 deg in 10 deg .. 80 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (200 mm, 0 mm)
+link OA
+link AB
+link QB
+OA = 60 mm @ phi
+AB = 200 mm
+QB = 60 mm
+assembly ABQ cw
+drive phi from 10 deg to 80 deg
+torque M on OA
+torque T on QB
+find k = M/T
+"""
+
+
+def test_equal_numbers_are_one_quantity() -> None:
+    assert mechc.loads(PARALLELOGRAM).k == -1
+
+
+THREE_CRANKS = """
+param phi = 40 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (200 mm, 0 mm)
+pivot S at (500 mm, 0 mm)
+link OA
+link ABC
+link QB
+link SC
+OA = 60 mm @ phi
+AB = 200 mm @ 0 deg
+AC = 500 mm @ 0 deg
+QB = 60 mm @ phi
+SC = 60 mm @ phi
+torque M on OA
+torque T on SC
+find k = M/T
+"""
+
+
+def test_whether_a_mechanism_moves_is_decided_by_the_numbers() -> None:
+    """One body on three equal cranks: the third is redundant where 200 + 300 = 500."""
+    mechanism = mechc.loads(THREE_CRANKS)
+    assert mechanism.k == -1
+    assert "W401" in [w.code for w in mechanism.warnings]
+
+
+def test_names_do_not_clash_with_those_of_the_description() -> None:
+    mechanism = mechc.loads(CRANK + "let x_Q = 2*k\n")
+    assert {"x_Q_", "len_AB"} <= mechanism.where.keys()
+    assert mechanism.evaluate()["x_Q"] == pytest.approx(2 * mechanism.evaluate()["k"])
