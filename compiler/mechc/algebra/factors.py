@@ -66,6 +66,8 @@ class Constant(Length):
 
     def evaluate(self, values: Mapping[str, float]) -> float:
         """Return the value, whatever symbols are worth."""
+        if isinstance(self.value, Number):
+            return self.value.value.numerator / self.value.value.denominator
         return evaluate(self.value, {})
 
     def residue(self, point: Point) -> int:
