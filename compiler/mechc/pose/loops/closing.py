@@ -65,7 +65,7 @@ def close(
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
     lengths = _open_lengths(edges, terms) - {p.name for p in mechanism.parameters}
     if not (compass.sought or named or (lines and mechanism.drive)):
-        crossed = _crossed(lines)
+        crossed = _crossed(lines, edges, lengths)
         if not crossed:
             return Closed(mechanism, frozenset(), {}, (), (), NOTHING, mechanism.assemblies)
         edges = [e for e in edges if mentioned(e.arms) & lengths <= crossed]
@@ -92,13 +92,20 @@ def _open_lengths(edges: Iterable[Edge], terms: Terms) -> Names:
     return frozenset(named - {d.name for d in terms.definitions})
 
 
-def _crossed(lines: Sequence[GuideLine]) -> Names:
+def _crossed(lines: Sequence[GuideLine], edges: Iterable[Edge], lengths: Names) -> Names:
     """Return the distances along lines to the pins that two lines give a place.
 
-    They follow with all directions given, with no drive, and tie nothing.
+    They follow with all directions given, with no drive, and tie nothing. The second line of a
+    slot's pin may be a vector of open length.
     """
-    pins = Counter(rail.pin for rail in lines)
-    return frozenset(rail.length for rail in lines if pins[rail.pin] == 2)
+    number, along = Counter(rail.pin for rail in lines), {rail.length for rail in lines}
+    crossed = {rail.length for rail in lines if number[rail.pin] == 2}
+    open_ = [(e, mentioned(e.arms) & lengths) for e in edges]
+    rods = [(e, names) for e, names in open_ if names and names.isdisjoint(along)]
+    for rail in (rail for rail in lines if rail.in_slot and number[rail.pin] == 1):
+        beside = [names for e, names in rods if rail.pin in (e.tail, e.head)]
+        crossed |= {rail.length, *beside[0]} if len(beside) == 1 else set()
+    return frozenset(crossed)
 
 
 def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:

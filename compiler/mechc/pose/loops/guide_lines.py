@@ -38,6 +38,7 @@ class GuideLine(NamedTuple):
     angle: Angle
     length: str
     span: Span
+    in_slot: bool = False
 
     @property
     def edge(self) -> Edge:
@@ -59,14 +60,16 @@ def rails(mechanism: Mechanism, compass: Directions) -> Iterator[GuideLine]:
             case _:
                 assert_never(joint)
         if start and angle is not None:
-            yield GuideLine(start, pin, angle, _length(start, pin, mechanism), span)
+            name, in_slot = _length(start, pin, mechanism), isinstance(joint, Slot)
+            yield GuideLine(start, pin, angle, name, span, in_slot)
 
 
 def _length(start: str, pin: str, mechanism: Mechanism) -> str:
     """Return a name for the distance; that of a spring's ends means what is never negative."""
+    name = f"len_{start}{pin}"
     springs = (t for t in mechanism.loads if isinstance(t, ForcePair) and t.spring)
     taken = any((t.first, t.second) == (start, pin) for t in springs)
-    return f"len_{start}{pin}" + "_" * taken
+    return name + "_" * (taken or any(literal.name == name for literal in mechanism.literals))
 
 
 def with_lines(mechanism: Mechanism) -> Mechanism:
