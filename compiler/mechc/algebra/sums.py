@@ -9,18 +9,18 @@
 'sin(alpha + beta)/(cos(alpha)*cos(beta))'
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..work import spend
 from .angle import Rational, rational
 from .cancelling import LIMIT, canonical
 from .factoring import factored
-from .factors import Constant, Factor
+from .factors import Constant, Factor, Length
 from .laurent import size
 from .modular import Point
 from .product import ZERO, Bound, Product, Sum
 
-__all__ = ["LIMIT", "add", "canonical"]
+__all__ = ["LIMIT", "add", "canonical", "put"]
 
 
 def add(products: Iterable[Product]) -> Product:
@@ -47,6 +47,27 @@ def add(products: Iterable[Product]) -> Product:
         if sum(size(r, deep) for r in rests) <= LIMIT:
             return canonical(common * factored(rests, deep))
     return _kept(terms)
+
+
+def put(product: Product, values: Mapping[str, Product]) -> Product:
+    """Return a product with symbols that stand outside angles replaced by products.
+
+    >>> from ..formula.to_text import text
+    >>> a, g, s = map(Product.symbol, "ags")
+    >>> text(put(add([s, a]), {"s": g / cosine(Angle.of("phi"))}).formula())
+    '(a*cos(phi) + g)/cos(phi)'
+    """
+    result = Product(product.coefficient)
+    for factor, exponent in product.factors.items():
+        match factor:
+            case Length(name) if name in values:
+                part = values[name]
+            case Sum(terms=terms):
+                part = add(put(term, values) for term in terms)
+            case _:
+                part = Product.of(factor)
+        result = result * part**exponent
+    return result
 
 
 def _rests_on_names(product: Product) -> bool:

@@ -11,7 +11,7 @@ from typing import Literal, NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..algebra.sums import add
+from ..algebra.sums import add, put
 from ..algebra.trigonometry import cosine, sine
 from ..formula.tree import Formula
 from ..frozen import frozen
@@ -170,6 +170,11 @@ def reverse(vector: Vector) -> Vector:
 def turned_by(vector: Vector, values: Mapping[str, Angle]) -> Vector:
     """Return a vector with symbols in its directions replaced by what they were found to be."""
     return tuple(Arm(arm.length, arm.angle.put(values)) for arm in vector)
+
+
+def measured_by(vector: Vector, values: Mapping[str, Product]) -> Vector:
+    """Return a vector with symbols in its lengths replaced by what they were found to be."""
+    return tuple(Arm(put(arm.length, values), arm.angle) for arm in vector)
 
 
 def gathered(arms: Iterable[Arm]) -> Vector:

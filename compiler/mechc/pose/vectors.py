@@ -1,7 +1,7 @@
 """Vectors between points: given arms as edges of a graph, paths through it as sums."""
 
 from collections import deque
-from collections.abc import Collection, Iterable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
 from ..source import Span
 from .directions import Directions
 from .loops.vector_graph import Edge
-from .pose import Arm, Vector, components, gathered, reverse, turned_by
+from .pose import Arm, Vector, components, gathered, measured_by, reverse, turned_by
 from .terms import Terms
 
 
@@ -143,12 +143,13 @@ class Vectors:
         self.edges.append(Edge(tail, head, vector, span))
         self._join(tail, head, vector)
 
-    def put(self, values: Mapping[str, Angle]) -> None:
-        """Replace symbols in all directions by what they were found to be."""
+    def put(self, angles: Mapping[str, Angle], lengths: Mapping[str, Product]) -> None:
+        """Replace symbols in all vectors by what they were found to be."""
+        found: Callable[[Vector], Vector] = lambda v: measured_by(turned_by(v, angles), lengths)  # noqa: E731
         for ways in self._edges.values():
             for head, vector in ways.items():
-                ways[head] = turned_by(vector, values)
-        self.loops = [loop._replace(arms=turned_by(loop.arms, values)) for loop in self.loops]
+                ways[head] = found(vector)
+        self.loops = [loop._replace(arms=found(loop.arms)) for loop in self.loops]
 
     def lay(self, edges: Iterable[Edge]) -> None:
         """Enter vectors to points that no given one leads to."""

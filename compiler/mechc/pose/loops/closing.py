@@ -11,7 +11,9 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ...algebra.angle import Angle
-from ...algebra.product import Product
+from ...algebra.from_formula import is_transparent, to_product
+from ...algebra.product import Product, Sum
+from ...algebra.sums import put
 from ...diagnostics import Report
 from ...diagnostics import open_loops as open_words
 from ...diagnostics import pose as messages
@@ -78,13 +80,24 @@ def close(
     closing.run()
     report.stop_on_errors()
     compass.put(state.directions)
-    vectors.put(state.directions)
     vectors.lay(state.laid())
+    vectors.put(state.directions, _in_one_term(state))
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
     limits, loops = tuple(state.limits), tuple(state.loops)
     mechanism = _with_solved(mechanism, state)
     left, idle = left_open(state), closing.idle
     return Closed(mechanism, frozenset(state.found), state.rates, limits, loops, left, idle)
+
+
+def _in_one_term(state: State) -> dict[str, Product]:
+    """Return the lengths that closing found as one product, such as ``g/cos(phi)``."""
+    found: dict[str, Product] = {}
+    for name, formula in state.definitions:
+        if name in state.found - state.angles - state.named:
+            length = put(to_product(formula), found)
+            if is_transparent(length) and not any(isinstance(f, Sum) for f in length.factors):
+                found[name] = length
+    return found
 
 
 def _open_lengths(edges: Iterable[Edge], terms: Terms) -> Names:
