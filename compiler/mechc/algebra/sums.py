@@ -55,7 +55,7 @@ def put(product: Product, values: Mapping[str, Product]) -> Product:
     >>> from ..formula.to_text import text
     >>> a, g, s = map(Product.symbol, "ags")
     >>> text(put(add([s, a]), {"s": g / cosine(Angle.of("phi"))}).formula())
-    '(a*cos(phi) + g)/cos(phi)'
+    'a + g/cos(phi)'
     """
     result = Product(product.coefficient)
     for factor, exponent in product.factors.items():

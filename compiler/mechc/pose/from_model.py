@@ -82,6 +82,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
         limits=closed.limits,
         loops=closed.loops,
         closing=tuple(terms.definitions),
+        put_in=tuple(d for d in terms.definitions if d.name in closed.put_in),
         vectors=vectors.given(),
     )
     unfound = survey.report_unfound(pose, found, closed.left)

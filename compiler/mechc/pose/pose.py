@@ -116,7 +116,8 @@ class Pose:
     direction in which a pair of forces pushes its second point, or its first one where the
     second is the twin of it. ``radii`` is what each radius and pitch comes to.
     ``limits`` are where the closures of the loops meet, in names that ``closing`` defines,
-    those among them that nothing else needs. ``loops`` are the loops that may fail to close,
+    those among them that nothing else needs; ``put_in`` are those of ``closing`` that vectors
+    do not mention, as they are one product. ``loops`` are the loops that may fail to close,
     each after those that it rests on. ``vectors`` are those between two points that
     the description gives, or that a loop gives it a place by, whatever bodies they are on.
     ``left[point]`` is the direction of a guide that was let go, along which a rack or a nut
@@ -138,6 +139,7 @@ class Pose:
     limits: tuple[Limit, ...] = ()
     loops: tuple[ClosedLoop, ...] = ()
     closing: tuple[Definition, ...] = ()
+    put_in: tuple[Definition, ...] = ()
     vectors: Mapping[tuple[str, str], Vector] = MappingProxyType({})
     left: Mapping[str, Angle] = MappingProxyType({})
 

@@ -16,7 +16,7 @@ from ..friction.solution import Solution, SolvedWithFriction
 from ..frozen import replace
 from ..model.boxes import range_box
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
-from ..model.result import Result
+from ..model.result import Definition, Result
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
 from ..power.numbers import default_values
@@ -56,12 +56,13 @@ def _concluded(
     balance = solution.balance
     if isinstance(item, SolvedWithFriction) or item.value is None:
         return _with_friction(item.result, balance, study)
-    mechanism = balance.plan.graph.pose.mechanism
+    pose = balance.plan.graph.pose
+    mechanism = pose.mechanism
     result = replace(
         as_printed(item.result),
         zeros=zeros(item, balance, values),
         poles=poles(item, balance, values),
-        breaks=breaks(item.result.where, values),
+        breaks=breaks((*item.result.where, *(Definition(*d) for d in pose.put_in)), values),
         proportional=_proportional(item.value, item.result),
         independent=_independent(item.result, mechanism),
     )
@@ -70,7 +71,7 @@ def _concluded(
     if len(names) > MANY or not depends_openly(item.value):
         return result
     if result.where:
-        return replace(result, derivatives=_along_the_stroke(item.value, balance.plan.graph.pose))
+        return replace(result, derivatives=_along_the_stroke(item.value, pose))
     slopes = {name: derivative(item.value, name) for name in names}
     box = range_box(mechanism)
     trends: dict[str, Trend] = {name: trend(item.value, slopes[name], name, box) for name in names}

@@ -59,7 +59,8 @@ def _conditions(
     None is known where something that loops find is infinite.
     """
     assert item.value is not None
-    far = {factor for d in item.result.where for factor in divisors(d.formula)}
+    found = (*item.result.where, *balance.plan.graph.pose.put_in)
+    far = {factor for _, formula in found for factor in divisors(formula)}
     chain = _chain(item)
     for factor, exponent in item.value.factors.items():
         if exponent * side > 0 and factor not in far and may_vanish(factor, near):

@@ -43,7 +43,8 @@ class Closed(NamedTuple):
 
     ``rates`` are the derivatives by the drive of all that moves with it; ``limits`` are where
     the closures of the loops meet, ``loops`` those that may fail to close. ``left`` are the
-    unknowns of the loops that did not close, ``idle`` the lines that decided nothing.
+    unknowns of the loops that did not close, ``idle`` the lines that decided nothing. Lengths
+    that are ``put_in`` are no longer mentioned by vectors.
     """
 
     mechanism: Mechanism
@@ -53,6 +54,7 @@ class Closed(NamedTuple):
     loops: tuple[ClosedLoop, ...]
     left: Open
     idle: tuple[Assembly, ...]
+    put_in: frozenset[str] = frozenset()
 
 
 def close(
@@ -81,12 +83,13 @@ def close(
     report.stop_on_errors()
     compass.put(state.directions)
     vectors.lay(state.laid())
-    vectors.put(state.directions, _in_one_term(state))
+    short = _in_one_term(state)
+    vectors.put(state.directions, short)
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
     limits, loops = tuple(state.limits), tuple(state.loops)
     mechanism = _with_solved(mechanism, state)
-    left, idle = left_open(state), closing.idle
-    return Closed(mechanism, frozenset(state.found), state.rates, limits, loops, left, idle)
+    left, idle, found = left_open(state), closing.idle, frozenset(state.found)
+    return Closed(mechanism, found, state.rates, limits, loops, left, idle, frozenset(short))
 
 
 def _in_one_term(state: State) -> dict[str, Product]:
