@@ -9,8 +9,12 @@
 'sin(alpha + beta)/(cos(alpha)*cos(beta))'
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections import Counter
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from functools import reduce
+from operator import mul, or_
 
+from ..formula.operations import count_operations
 from ..work import spend
 from .angle import Rational, rational
 from .cancelling import LIMIT, canonical
@@ -20,7 +24,7 @@ from .laurent import size
 from .modular import Point
 from .product import ZERO, Bound, Product, Sum
 
-__all__ = ["LIMIT", "add", "canonical", "put"]
+__all__ = ["LIMIT", "add", "canonical", "put", "settled", "shortest"]
 
 
 def add(products: Iterable[Product]) -> Product:
@@ -47,6 +51,47 @@ def add(products: Iterable[Product]) -> Product:
         if sum(size(r, deep) for r in rests) <= LIMIT:
             return canonical(common * factored(rests, deep))
     return _kept(terms)
+
+
+def shortest(products: Iterable[Product]) -> Product:
+    """Return the sum of products multiplied out, or as it stands where that is shorter."""
+    terms = _merged(p for p in products if p)
+    whole = add(terms)
+    return _shorter(whole, lambda: _kept(terms)) if len(terms) > 1 else whole
+
+
+def settled(product: Product) -> Product:
+    """Return a product with its sums multiplied out, or as they stand where that is shorter."""
+    product = canonical(product)
+    if not any(isinstance(f, Sum) for f in product.factors):
+        return product
+    parts = [(add(f.terms) if isinstance(f, Sum) else Product.of(f), e)
+             for f, e in product.factors.items()]  # fmt: skip
+    whole = reduce(mul, (part**e for part, e in parts), Product(product.coefficient))
+    return _shorter(canonical(whole), lambda: product)
+
+
+def _shorter(whole: Product, standing: Callable[[], Product]) -> Product:
+    """Return what is multiplied out, or the same as it stands where that is shorter.
+
+    As it stands it is divided by nothing that cancels when it is multiplied out: it has a value
+    wherever that has one.
+    """
+    if not any(isinstance(f, Sum) and len(f.terms) > 2 for f in whole.factors):
+        return whole
+    plain = standing()
+    longer = count_operations(plain.formula()) >= count_operations(whole.formula())
+    return whole if longer or not _divisors(plain) <= _divisors(whole) else plain
+
+
+def _divisors(product: Product) -> Counter[Factor]:
+    """Return the sines and sums that a product is divided by, also inside its sums."""
+    found = Counter[Factor]()
+    for factor, exponent in product.factors.items():
+        if exponent < 0 and not isinstance(factor, Length):
+            found[factor] = -exponent
+    inner = [_divisors(t) for f in product.factors if isinstance(f, Sum) for t in f.terms]
+    return found + reduce(or_, inner, Counter[Factor]())
 
 
 def put(product: Product, values: Mapping[str, Product]) -> Product:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..algebra.sums import add
+from ..algebra.sums import shortest
 from ..frozen import frozen
 from .forms import projection, spin
 from .graph import Form, Graph, Relation
@@ -55,7 +55,8 @@ class Plan:
     def value(self, form: Form) -> Speeds:
         """Return a linear form in the unknowns as one in the drives."""
         return tuple(
-            add(size * self.speeds[u][i] for u, size in form.items()) for i in range(self.mobility)
+            shortest(size * self.speeds[u][i] for u, size in form.items())
+            for i in range(self.mobility)
         )
 
     def component(self, point: str, direction: Angle) -> Speeds:

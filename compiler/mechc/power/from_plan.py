@@ -5,7 +5,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from ..algebra.product import Product
-from ..algebra.sums import canonical
+from ..algebra.sums import settled
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import power as messages
 from ..formula.tree import Formula, Symbol, product, total
@@ -141,7 +141,7 @@ class _Asked:
             return None
         if lower not in columns:
             return self._solved(find, Product(0), above, below)
-        value = canonical(factor * self._equations.solve(upper, unknown, lower))
+        value = settled(factor * self._equations.solve(upper, unknown, lower))
         return self._solved(find, value, above, below)
 
     def _solved(self, find: Find, value: Product, above: str, below: str) -> Solved:
@@ -274,7 +274,7 @@ class _Asked:
             ratio = f"{_called(above)}/{_called(below)}"
             self._report.add(messages.speeds_independent(find.span, ratio))
             return None
-        value = canonical(upper[moving[0]] / lower[moving[0]])
+        value = settled(upper[moving[0]] / lower[moving[0]])
         if not (signed and signed_below):
             value = magnitude(value, self._mechanism)
         dimension = _rate(above).over(_rate(below))
