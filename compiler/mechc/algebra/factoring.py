@@ -163,13 +163,13 @@ def _as_sum(ring: Ring, terms: Terms) -> Product:
     read = _readable(ring, terms)
     if len(read) == 1:
         return read[0]
-    content = _content(t.coefficient for t in read)
+    content = content_of(t.coefficient for t in read)
     if read[0].coefficient < 0:
         content = -content
     return Product(content, {Sum(tuple(t.scaled(1 / Fraction(content)) for t in read)): 1})
 
 
-def _content(values: Iterable[Rational]) -> Rational:
+def content_of(values: Iterable[Rational]) -> Rational:
     """Return the largest positive rational of which all values are integer multiples."""
     parts = [Fraction(x) for x in values]
     return rational(

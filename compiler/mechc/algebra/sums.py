@@ -12,7 +12,7 @@
 from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from functools import reduce
-from operator import mul, or_
+from operator import or_
 
 from ..formula.operations import count_operations
 from ..work import spend
@@ -22,6 +22,7 @@ from .factoring import factored
 from .factors import Constant, Factor, Length
 from .laurent import size
 from .modular import Point
+from .pairing import paired
 from .product import ZERO, Bound, Product, Sum
 
 __all__ = ["LIMIT", "add", "canonical", "put", "settled", "shortest"]
@@ -57,31 +58,43 @@ def shortest(products: Iterable[Product]) -> Product:
     """Return the sum of products multiplied out, or as it stands where that is shorter."""
     terms = _merged(p for p in products if p)
     whole = add(terms)
-    return _shorter(whole, lambda: _kept(terms)) if len(terms) > 1 else whole
+    return _shortest(whole, [_kept(terms)]) if len(terms) > 1 and _is_long(whole) else whole
 
 
 def settled(product: Product) -> Product:
-    """Return a product with its sums multiplied out, or as they stand where that is shorter."""
+    """Return a product with its sums multiplied out, in pairs of sines, or as they stand.
+
+    What is shortest is taken.
+    """
     product = canonical(product)
     if not any(isinstance(f, Sum) for f in product.factors):
         return product
-    parts = [(add(f.terms) if isinstance(f, Sum) else Product.of(f), e)
-             for f, e in product.factors.items()]  # fmt: skip
-    whole = reduce(mul, (part**e for part, e in parts), Product(product.coefficient))
-    return _shorter(canonical(whole), lambda: product)
+    whole = canonical(_with_sums(product, lambda f: add(f.terms)))
+    return _shortest(whole, [product, _with_sums(whole, paired)]) if _is_long(whole) else whole
 
 
-def _shorter(whole: Product, standing: Callable[[], Product]) -> Product:
-    """Return what is multiplied out, or the same as it stands where that is shorter.
+def _with_sums(product: Product, written: Callable[[Sum], Product]) -> Product:
+    """Return a product with its sums written in another way."""
+    result = Product(product.coefficient)
+    for factor, exponent in product.factors.items():
+        part = written(factor) if isinstance(factor, Sum) else Product.of(factor)
+        result = result * part**exponent
+    return result
 
-    As it stands it is divided by nothing that cancels when it is multiplied out: it has a value
+
+def _is_long(whole: Product) -> bool:
+    """Tell whether a sum in a product has more than two terms."""
+    return any(isinstance(f, Sum) and len(f.terms) > 2 for f in whole.factors)
+
+
+def _shortest(whole: Product, others: Iterable[Product]) -> Product:
+    """Return what is multiplied out, or another form of it that is shorter.
+
+    Another form is divided by nothing that cancels when it is multiplied out: it has a value
     wherever that has one.
     """
-    if not any(isinstance(f, Sum) and len(f.terms) > 2 for f in whole.factors):
-        return whole
-    plain = standing()
-    longer = count_operations(plain.formula()) >= count_operations(whole.formula())
-    return whole if longer or not _divisors(plain) <= _divisors(whole) else plain
+    safe = (form for form in others if _divisors(form) <= _divisors(whole))
+    return min((whole, *safe), key=lambda form: count_operations(form.formula()))
 
 
 def _divisors(product: Product) -> Counter[Factor]:
