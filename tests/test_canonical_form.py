@@ -8,6 +8,7 @@ import pytest
 
 import mechc
 from good_mechanisms import ALL
+from mechc.algebra.equality import equal
 from mechc.formula.to_text import text
 
 NAMES = [
@@ -31,6 +32,9 @@ NAMES = [
     "two_coupled_triads",
     "watt_six_bar",
 ]
+TOO_LONG = ["ternary_chain"]
+"""What is read as the speeds stand, in their order: multiplied out it has 101 operations."""
+
 POINT = r"[A-Z]\d?"
 AXES = {"x": "0 deg", "y": "90 deg", "-x": "180 deg", "-y": "270 deg"}
 
@@ -41,8 +45,16 @@ def source(name):
     return [line for line in bare if line and not line.startswith(("expect", "source"))]
 
 
+def results(lines):
+    return mechc.loads("\n".join(lines), "a.mech").results
+
+
 def formulas(lines):
-    return {n: text(r.formula) for n, r in mechc.loads("\n".join(lines), "a.mech").results.items()}
+    """Return the results as text; a length has its name from the vector as it is written."""
+    found = {n: text(r.formula) for n, r in results(lines).items()}
+    return {
+        n: re.sub(r"(?<=len_)[A-Z]+", lambda m: "".join(sorted(m[0])), f) for n, f in found.items()
+    }
 
 
 @cache
@@ -113,6 +125,10 @@ def test_the_formula_does_not_depend_on_how_it_is_written(name, rewritten):
     lines = source(name)
     if rewritten(lines) == lines:
         pytest.skip("nothing to rewrite")
+    if name in TOO_LONG:
+        found, filed = results(rewritten(lines)), results(lines)
+        assert all(equal(found[n].formula, filed[n].formula) for n in filed)
+        return
     found, expected = formulas(rewritten(lines)), as_filed(name)
     same = [n for n in found if rewritten is not wound or n == "k"]  # a guide has a sense
     assert {n: found[n] for n in same} == {n: expected[n] for n in same}

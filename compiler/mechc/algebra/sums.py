@@ -25,7 +25,7 @@ from .modular import Point
 from .pairing import paired
 from .product import ZERO, Bound, Product, Sum
 
-__all__ = ["LIMIT", "add", "canonical", "put", "settled", "shortest"]
+__all__ = ["LIMIT", "add", "canonical", "is_long", "put", "readable", "shortest"]
 
 
 def add(products: Iterable[Product]) -> Product:
@@ -54,23 +54,19 @@ def add(products: Iterable[Product]) -> Product:
     return _kept(terms)
 
 
-def shortest(products: Iterable[Product]) -> Product:
-    """Return the sum of products multiplied out, or as it stands where that is shorter."""
-    terms = _merged(p for p in products if p)
-    whole = add(terms)
-    return _shortest(whole, [_kept(terms)]) if len(terms) > 1 and _is_long(whole) else whole
+def shortest(products: Iterable[Product], whole: Product | None = None) -> Product:
+    """Return the sum of products multiplied out, or as it stands where that is shorter.
 
-
-def settled(product: Product) -> Product:
-    """Return a product with its sums multiplied out, in pairs of sines, or as they stand.
-
-    What is shortest is taken.
+    ``whole`` is the sum multiplied out, where it is known.
     """
-    product = canonical(product)
-    if not any(isinstance(f, Sum) for f in product.factors):
-        return product
-    whole = canonical(_with_sums(product, lambda f: add(f.terms)))
-    return _shortest(whole, [product, _with_sums(whole, paired)]) if _is_long(whole) else whole
+    terms = _merged(p for p in products if p)
+    whole = add(terms) if whole is None else whole
+    return _shortest(whole, [_kept(terms)]) if len(terms) > 1 and is_long(whole) else whole
+
+
+def readable(whole: Product, others: Iterable[Product]) -> Product:
+    """Return a product as it is read: its sums multiplied out, in pairs of sines, or as others."""
+    return _shortest(whole, [*others, _with_sums(whole, paired)]) if is_long(whole) else whole
 
 
 def _with_sums(product: Product, written: Callable[[Sum], Product]) -> Product:
@@ -82,9 +78,13 @@ def _with_sums(product: Product, written: Callable[[Sum], Product]) -> Product:
     return result
 
 
-def _is_long(whole: Product) -> bool:
+def is_long(whole: Product) -> bool:
     """Tell whether a sum in a product has more than two terms."""
     return any(isinstance(f, Sum) and len(f.terms) > 2 for f in whole.factors)
+
+
+SHORTER = 0.75
+"""What another form than the canonical one must come to in operations, to be worth it."""
 
 
 def _shortest(whole: Product, others: Iterable[Product]) -> Product:
@@ -93,8 +93,13 @@ def _shortest(whole: Product, others: Iterable[Product]) -> Product:
     Another form is divided by nothing that cancels when it is multiplied out: it has a value
     wherever that has one.
     """
-    safe = (form for form in others if _divisors(form) <= _divisors(whole))
-    return min((whole, *safe), key=lambda form: count_operations(form.formula()))
+    safe = [form for form in others if _divisors(form) <= _divisors(whole)]
+    short = min(safe, key=_length, default=whole)
+    return short if _length(short) <= SHORTER * _length(whole) else whole
+
+
+def _length(product: Product) -> int:
+    return count_operations(product.formula())
 
 
 def _divisors(product: Product) -> Counter[Factor]:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
-from ..algebra.sums import shortest
+from ..algebra.sums import add
 from ..frozen import frozen
 from .forms import projection, spin
 from .graph import Form, Graph, Relation
@@ -55,8 +55,7 @@ class Plan:
     def value(self, form: Form) -> Speeds:
         """Return a linear form in the unknowns as one in the drives."""
         return tuple(
-            shortest(size * self.speeds[u][i] for u, size in form.items())
-            for i in range(self.mobility)
+            add(size * self.speeds[u][i] for u, size in form.items()) for i in range(self.mobility)
         )
 
     def component(self, point: str, direction: Angle) -> Speeds:

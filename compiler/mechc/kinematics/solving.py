@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from ..algebra.determinant import determinant
 from ..algebra.modular import PRIME, Point
 from ..algebra.product import ZERO, Bound, Product, Sum
-from ..algebra.sums import add, shortest
+from ..algebra.sums import add
 from .graph import Form
 from .plan import Binding, Speeds
 
@@ -85,22 +85,15 @@ def solve(
     Cramer's rule: numerator and denominator are canonical sums, so that nothing but
     the determinant of the block is ever divided by.
     """
-    if len(unknowns) == 1:
-        (form,), (unknown,) = forms, unknowns
-        return [tuple(_quotient(form, unknown, known, i) for i in range(drives))]
     matrix = [[form.get(u, ZERO) for u in unknowns] for form in forms]
     sides = [[_side(form, unknowns, known, i) for form in forms] for i in range(drives)]
+    if len(unknowns) == 1:
+        return [tuple(add([s[0] / matrix[0][0]]) for s in sides)]
     whole = determinant(matrix)
     return [
         tuple(determinant(_replaced(matrix, column, s)) / whole for s in sides)
         for column in range(len(unknowns))
     ]
-
-
-def _quotient(form: Form, unknown: int, known: Mapping[int, Speeds], drive: int) -> Product:
-    """Return the unknown of one relation, as a sum of the known speeds where that is shorter."""
-    lead = form[unknown]
-    return shortest(-(p * known[u][drive] / lead) for u, p in form.items() if u != unknown)
 
 
 def _side(form: Form, unknowns: Sequence[int], known: Mapping[int, Speeds], drive: int) -> Product:

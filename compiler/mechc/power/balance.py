@@ -5,7 +5,7 @@ from collections.abc import Mapping, Sequence
 from ..algebra.angle import Angle
 from ..algebra.determinant import determinant
 from ..algebra.product import Product
-from ..algebra.sums import add, canonical, settled
+from ..algebra.sums import add, canonical
 from ..frozen import frozen
 from ..kinematics.plan import Plan, Speeds
 from ..model.mechanism import Load
@@ -76,7 +76,7 @@ class Equations:
         """
         matrix = [self.columns[u] for u in unknown]
         replaced = [self.columns[per] if u == load else self.columns[u] for u in unknown]
-        return settled(-(determinant(replaced) / determinant(matrix)))
+        return canonical(-(determinant(replaced) / determinant(matrix)))
 
     def determines(self, unknown: Sequence[str]) -> bool:
         """Return whether the equations can be solved for these loads."""

@@ -5,14 +5,16 @@ from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from ..algebra.product import Product
-from ..algebra.sums import settled
+from ..algebra.sums import canonical, is_long, readable
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import power as messages
+from ..formula.operations import count_operations
 from ..formula.tree import Formula, Symbol, product, total
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
+from ..kinematics.standing import standing
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -29,7 +31,7 @@ from ..model.mechanism import (
 from ..model.result import Definition, Result
 from ..source import Span
 from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
-from .balance import Balance, Solved
+from .balance import Balance, Equations, Solved
 from .definitions import intermediates, open_lengths, resting_on
 from .equations import equations_of
 from .loads import given_size, terms
@@ -39,6 +41,10 @@ from .speeds import magnitude, speed
 
 if TYPE_CHECKING:
     from .reactions import Reactions
+
+
+LONG = 64
+"""Operations of a ratio that nobody reads: the canonical form is not kept for its own sake."""
 
 
 def balance(plan: Plan, report: Report) -> Balance:
@@ -141,13 +147,37 @@ class _Asked:
             return None
         if lower not in columns:
             return self._solved(find, Product(0), above, below)
-        value = settled(factor * self._equations.solve(upper, unknown, lower))
-        return self._solved(find, value, above, below)
+        value = canonical(factor * self._equations.solve(upper, unknown, lower))
+        if not self._is_read_otherwise(value):
+            return self._solved(find, value, above, below)
+        stands = factor * self._standing.solve(upper, unknown, lower)
+        return self._solved(find, value, above, below, readable(value, [stands]))
 
-    def _solved(self, find: Find, value: Product, above: str, below: str) -> Solved:
+    def _solved(
+        self, find: Find, value: Product, above: str, below: str, read: Product | None = None
+    ) -> Solved:
         dimension = self._dimension(above).over(self._dimension(below))
-        result = self._result(find, value.formula(), dimension, [value])
+        shown = value if read is None else read
+        result = self._result(find, shown.formula(), dimension, [shown])
         return Solved(result, value, above, below)
+
+    def _is_read_otherwise(self, value: Product) -> bool:
+        """Tell whether a ratio may be shorter as the speeds stand than multiplied out.
+
+        In the free angles of an open pose k has one form, however the mechanism is written down,
+        unless that is too long to be read.
+        """
+        closed = bool(self._plan.graph.pose.definitions)
+        return (
+            is_long(value)
+            and not self._plan.bindings
+            and (closed or count_operations(value.formula()) > LONG)
+        )
+
+    @cached_property
+    def _standing(self) -> Equations:
+        """Return the power equations with speeds as they follow from one another."""
+        return equations_of(terms(standing(self._plan)))
 
     def _form(self, find: Find, load: str) -> Solved | None:
         asked = [f.target.load for f in self._mechanism.finds if isinstance(f.target, LoadForm)]
@@ -274,7 +304,7 @@ class _Asked:
             ratio = f"{_called(above)}/{_called(below)}"
             self._report.add(messages.speeds_independent(find.span, ratio))
             return None
-        value = settled(upper[moving[0]] / lower[moving[0]])
+        value = canonical(upper[moving[0]] / lower[moving[0]])
         if not (signed and signed_below):
             value = magnitude(value, self._mechanism)
         dimension = _rate(above).over(_rate(below))
