@@ -11,6 +11,7 @@ from ...kinematics.forms import parting, projection, spin
 from ...kinematics.graph import Form, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...kinematics.plan import Block
+from ...kinematics.standing import standing
 from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque
 from ...power.balance import Balance, Term
 from ...study.analysis import Analysis
@@ -39,11 +40,17 @@ class _Writer:
 
     def __init__(self, balance: Balance) -> None:
         self._balance, self._plan, self._graph = balance, balance.plan, balance.plan.graph
+        self._read = standing(balance.plan) if self._is_closed else balance.plan
         self._notation = Notation(balance)
         self._names: dict[int, Named] = {}
         self._levered: set[str] = set()
         self._along: dict[str, Symbol] = {}
         self._pivots = self._graph.pose.mechanism.fixed
+
+    @property
+    def _is_closed(self) -> bool:
+        """Tell whether speeds are read as they stand, as a ratio in a closed pose is."""
+        return bool(self._graph.pose.definitions) and not self._plan.bindings
 
     # -------------------------------------------------------------------------- steps
 
@@ -107,7 +114,7 @@ class _Writer:
 
     def _by_drives(self, unknown: int) -> Formula:
         """Return an unknown's symbol in terms of the drives' symbols."""
-        speeds = zip(self._plan.speeds[unknown], self._plan.drives, strict=True)
+        speeds = zip(self._read.speeds[unknown], self._plan.drives, strict=True)
         own = self._names[unknown].factor
         return total(
             _times(speed * self._names[drive].factor / own, self._names[drive])
@@ -258,7 +265,7 @@ class _Writer:
         self._along[name] = symbol = Symbol(f"V_{point}_{name}")
         drive = self._names[self._plan.drives[0]]
         said = Equation(symbol, _sum(form, self._names_at(form, point)))
-        result = Equation(symbol, _times(term.speed[0] * drive.factor, drive))
+        result = Equation(symbol, _times(self._read.value(form)[0] * drive.factor, drive))
         yield Step(Rule.COMPONENT, (point, name), (said,), (result,))
 
     def _parting(self, load: ForcePair, term: Term) -> Iterator[Step]:
@@ -272,7 +279,7 @@ class _Writer:
         drive = self._names[self._plan.drives[0]]
         named = {u: p for u, p in form.items() if any(self._plan.speeds[u])}
         said = Equation(symbol, _sum(named, self._names))
-        result = Equation(symbol, _times(term.speed[0] * drive.factor, drive))
+        result = Equation(symbol, _times(self._read.value(form)[0] * drive.factor, drive))
         yield Step(Rule.PARTING, acting_on(load, self._graph), (said,), (result,))
 
     def balances(self) -> Iterator[Equation]:

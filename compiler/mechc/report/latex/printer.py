@@ -183,10 +183,12 @@ class _Latex(Typesetter[Box]):
 
 
 def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
+    """Tell whether factors side by side would be read as one: figures, ``df``, a vector's name."""
     is_function = isinstance(formula, Call) and not after.tex.startswith(("(", r"\left"))
     raised = isinstance(formula, Power) and isinstance(formula.base, Call)
+    is_letter = isinstance(formula, Symbol)
     return (before.open and not (is_function or raised)) or (
-        before.tex[-1].isdigit() and after.tex[0].isdigit()
+        (before.tex[-1].isdigit() and after.tex[0].isdigit()) or (before.tex == "d" and is_letter)
     )
 
 

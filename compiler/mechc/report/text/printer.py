@@ -127,7 +127,7 @@ class _Terminal(Typesetter[str]):
         """Return factors side by side, letters close together and functions apart."""
         line = pieces[0]
         for (before, factor), piece in zip(pairwise(formulas), pieces[1:], strict=True):
-            close = _is_letter(before) and _is_letter(factor)
+            close = _is_letter(before) and _is_letter(factor) and before != DIFFERENTIAL
             line += (self.signs.joint if close else self.signs.times) + piece
         return line
 
@@ -171,6 +171,10 @@ class _Terminal(Typesetter[str]):
 
     def _word(self, function: str) -> str:
         return _INVERSE.get(function, function) if self.signs.fancy else function
+
+
+DIFFERENTIAL = Symbol("d")
+"""A letter that makes another sign of the next one: ``d·f``, as ``df`` is a differential."""
 
 
 def _is_letter(factor: Formula) -> bool:
