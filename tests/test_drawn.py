@@ -129,11 +129,9 @@ def test_derived_quantities_are_constants_with_names():
     assert value(text, "turned") == pytest.approx(math.atan2(0.03464, 0.02), rel=1e-15)
     (k, *_) = found.routine.functions
     assert [i.name for i in k.inputs] == ["phi_OA"]
-    named = {p.name: (p.unit, p.dependent) for p in found.mechanism.parameters}
-    assert named == {
-        "phi_OA": ("deg", False),
-        **dict.fromkeys(("len_OA", "len_AB", "len_CB"), ("mm", True)),
-    }
+    assert {p.name: p.unit for p in found.mechanism.parameters} == {"phi_OA": "deg"}
+    lengths = {p.name: p.unit for p in found.mechanism.literals}
+    assert lengths == dict.fromkeys(("len_OA", "len_AB", "len_CB", "x_C"), "mm")
 
 
 def test_a_pin_a_little_off_its_slot_is_laid_on_it():

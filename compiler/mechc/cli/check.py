@@ -8,8 +8,8 @@ from ..diagnostics import MechcError
 from ..driver import Compilation, complete, warnings
 from ..formula.to_text import text
 from ..formula.tree import Number
-from ..formula.walk import symbols
-from ..model.mechanism import GRAVITY
+from ..formula.walk import evaluate, symbols
+from ..model.mechanism import GRAVITY, Parameter
 from ..model.result import Definition
 from ..report.definitions import Solved, as_written, constant_units, grouped, usual_weights
 from ..report.languages.en import LOCALE
@@ -24,7 +24,7 @@ from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
 from ..study.expectations import Finding
 from ..syntax.settings import Settings
-from ..units import si_unit
+from ..units import in_unit, si_unit
 from .inputs import expanded, settings_option, stdin_option
 from .open import begin
 from .session import Command, session, session_options, status
@@ -96,7 +96,10 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     before: Analysis | None = None
     for result in compilation.results:
         where = [d for d in told.of(result) if d.name not in given]
-        yield from _of_result(in_short(result, compilation.results), where, usual, units, before)
+        formulas = [result.formula, *(d.formula for d in where)]
+        literals = [*told.new_literals(formulas, compilation.mechanism)]
+        shown = in_short(result, compilation.results)
+        yield from _of_result(shown, where, literals, usual, units, before)
         before = result
         yield from (f"    {line}" for line in friction_remarks(result, LOCALE, spell))
     for finding in compilation.findings:
@@ -112,6 +115,7 @@ def _is_given(result: Analysis) -> bool:
 def _of_result(
     result: Analysis,
     where: Iterable[Definition],
+    literals: Iterable[Parameter],
     usual: Set[str],
     units: Mapping[str, str],
     before: Analysis | None,
@@ -121,6 +125,9 @@ def _of_result(
         yield f"  {result.name} = {result.default:.9g} {si_unit(result.dimension)}".rstrip()
         return
     yield f"  {result.name} = {text(result.formula)}"
+    for literal in literals:
+        assert literal.value
+        yield f"    where {literal.name} = {in_unit(evaluate(literal.value, {}), literal.unit, 9)}"
     for group in grouped(as_written(where, usual, units)):
         yield from _of_definition(group, usual, units)
     sizes = _sizes(result)

@@ -6,7 +6,7 @@ this vanish, are these relations independent?) is decided by the number. Numbers
 size are one quantity under one name, so that a parallelogram stays one.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, assert_never
 
 from ..formula.tree import ZERO, Constant, Formula, Sum, negative, number
@@ -149,12 +149,13 @@ def _free(name: str, taken: set[str]) -> str:
     return name
 
 
-def _parameter(symbol: Constant, place: Span, written: Iterable[ast.Number]) -> Parameter:
+def _parameter(symbol: Constant, place: Span, written: Sequence[ast.Number]) -> Parameter:
     """Return a number as a quantity, with the unit that it was written in."""
     inside = (n for n in written if place.start <= n.span.start and n.span.end <= place.end)
     units = {n.unit: number(n.value * UNITS[n.unit].factor) for n in inside}
     exact = (unit for unit, value in units.items() if symbol.value in (value, negative(value)))
-    unit = next(exact, next(iter(units), ""))
+    anywhere = next((n.unit for n in written), "m")
+    unit = next(exact, next(iter(units), anywhere))
     return Parameter(symbol.name, LENGTH, place, symbol.value, unit=unit)
 
 

@@ -130,6 +130,8 @@ class Sketch:
             value = self._positive(x or y).formula()
         if isinstance(value, Symbol):
             return value
+        if not symbols(value):
+            return self._number(value)
         return self._named(f"len_{tail}{head}", value, LENGTH, self.unit, head)
 
     def direction(self, tail: str, head: str) -> Absolute:
@@ -210,12 +212,16 @@ class Sketch:
     def _value(self, product: Product) -> float:
         return product.evaluate(self.values)
 
+    def _number(self, value: Formula) -> Number:
+        """Return what a formula of numbers comes to."""
+        return Number(rational(value) or Fraction(repr(evaluate(value, {}))))
+
     def _named(
         self, name: str, value: Formula, dimension: Dimension, unit: str, point: str
     ) -> Formula:
         """Return a parameter of this value, a number if possible, by this name or one like it."""
         if not symbols(value):
-            value = Number(rational(value) or Fraction(repr(evaluate(value, {}))))
+            value = self._number(value)
         while name in self._taken and name not in self.parameters:
             name += "_"
         made = Parameter(name, dimension, self.span(point), value, unit=unit, dependent=True)

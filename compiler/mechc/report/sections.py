@@ -47,7 +47,9 @@ def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
         weighs = any(d.name in usual for d in fresh)
         where = tuple(as_written(fresh, usual, units))
-        numbers = tuple(told.new_literals(explanation, shown, where, mechanism))
+        said = (side for p in explanation.paragraphs for pair in p.equations for side in pair)
+        formulas = [*said, *(r.formula for r in shown), *(d.formula for d in where)]
+        numbers = tuple(told.new_literals(formulas, mechanism))
         yield Section(explanation.paragraphs, shown, where, weighs, units, numbers)
 
 
@@ -84,17 +86,9 @@ class Shown:
                     self._known[left.name] = right
 
     def new_literals(
-        self,
-        explanation: Explanation,
-        results: Iterable[Analysis],
-        where: Iterable[Definition],
-        mechanism: Mechanism,
+        self, formulas: Iterable[Formula], mechanism: Mechanism
     ) -> Iterator[Parameter]:
         """Yield the lengths given by numbers that are met here first, and note them."""
-        said = [
-            side for p in explanation.paragraphs for equation in p.equations for side in equation
-        ]
-        formulas = [*said, *(r.formula for r in results), *(d.formula for d in where)]
         met = {constant.name for constant in constants(formulas)}
         for literal in mechanism.literals:
             if literal.name in met and literal.name not in self._known:

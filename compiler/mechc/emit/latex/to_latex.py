@@ -159,7 +159,6 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
 
 def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> Report:
     mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
-    literals = {literal.name: literal for literal in mechanism.literals}
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
