@@ -101,7 +101,7 @@ def _weight(statement: ast.Weight, along: Direction | None, scope: Scope) -> For
     mass = Reader(scope, DESCRIPTION).wanted(statement.mass, MASS, "a mass")
     check_sign(mass, statement.mass.span, "a mass", scope)
     times = _times(statement.times, scope)
-    g = _acceleration(statement.span, scope)
+    g = _acceleration(scope)
     if not points or link is None or not mass or not along or not g:
         return None
     name, tie = statement.name.text, product([(mass, 1), (g, 1)])
@@ -150,12 +150,13 @@ def _centroid(intensities: tuple[Formula, ...]) -> Formula:
     return product([(weighted, 1), (number(3), -1), (total([first, second]), -1)])
 
 
-def _acceleration(span: Span, scope: Scope) -> Formula | None:
+def _acceleration(scope: Scope) -> Formula | None:
     """Return g: the parameter of that name if there is one."""
-    if "g" not in scope.entries:
+    declared = scope.declared("g")
+    if declared is None:
         return GRAVITY
-    what = "the parameter g of a description with weights"
-    return Reader(scope, DESCRIPTION).wanted(ast.Symbol("g", span), ACCELERATION, what)
+    what = "'g', the acceleration of free fall where there are weights"
+    return Reader(scope, DESCRIPTION).wanted(ast.Symbol("g", declared), ACCELERATION, what)
 
 
 def _gravity(file: ast.File, scope: Scope) -> Direction | None:

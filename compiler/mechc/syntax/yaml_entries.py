@@ -166,8 +166,11 @@ def check_keys(entry: Entry, given: set[str], spare: list[Key], span: Span, wher
 
 
 def several(value: Node, section: Section) -> tuple[Node, ...]:
-    """Return the values of a key: a list stands for several, unless it is ``[x, y]``."""
+    """Return the values of a key: a list stands for several, unless it is ``[x, y]``.
+
+    A parameter has one value: a list of them is a mistake of its own.
+    """
     short = section.entries[0].short
-    coordinates = short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN)
-    listed = section.shape is Shape.NAMED and not coordinates
+    single = short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN, Kind.MEASURE)
+    listed = section.shape is Shape.NAMED and not single
     return value.items if listed and isinstance(value, Listing) else (value,)

@@ -139,8 +139,8 @@ def list_of_values(span: Span, name: str, kind: str) -> Message:
 
     A list of two stands for two things of one name.
 
-        l: [200, mm]         # wrong
-        l: 200 mm            # right
+        P: [{at: A, along: x}, {at: B, along: y}]    # wrong
+        P: {at: A, along: x}                         # right
     """
     message = f"{kind} '{name}' has a list of values, expected one"
     return Message(span, message, f"write {name}: … without brackets, or two names")

@@ -44,8 +44,12 @@ def wrong_dimension(
     bare = name and unit and found == NUMBER
     hint = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else ""
     if (found, wanted) == (MASS, FORCE):
-        hint = "a mass acts as a load by `weight W mass … at G`; a force is in N"
-    related = (Related(declared, f"'{name}' is declared here"),) if declared else ()
+        hint = "a mass acts as a load by `weight W mass … at G`; a force is in N or lbf"
+    if declared and wanted in (LENGTH, ANGLE) and found not in (LENGTH, ANGLE, NUMBER):
+        return Message(declared, said, hint, (Related(span, f"'{name}' is {what} here"),))
+    related = (
+        (Related(declared, f"'{name}' is declared here"),) if declared and declared != span else ()
+    )
     return Message(span, said, hint, related)
 
 
