@@ -3,6 +3,7 @@
 Those of YAML's shape are in :mod:`.syntax_yaml`, those of size in :mod:`.syntax_limits`.
 """
 
+import re
 from collections.abc import Iterable
 
 from ..source import Span
@@ -174,7 +175,8 @@ def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Messa
     angle ABC = 30 deg       # right
     """
     points = "1 point" if found == 1 else f"{found} points"
-    return Message(span, f"'{text}' names {points}, expected {expected}")
+    hint = "a link is named by its points, written together: OA" if found == 1 else ""
+    return Message(span, f"'{text}' names {points}, expected {expected}", hint)
 
 
 @coded("E112")
@@ -250,7 +252,9 @@ def not_a_name(span: Span, text: str, expected: str) -> Message:
     params: {2a: 40 mm}      # wrong
     params: {a2: 40 mm}      # right
     """
-    return Message(span, f"found '{text}', expected {expected}")
+    meant = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_")
+    hint = f"write {meant}" if meant[:1].isalpha() else ""
+    return Message(span, f"found '{text}', expected {expected}", hint)
 
 
 @coded("E129")

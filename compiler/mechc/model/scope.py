@@ -149,6 +149,8 @@ class Scope:
     def _unknown(self, symbol: ast.Symbol, usage: Usage) -> None:
         vector = len(points_of(symbol.name)) > 1
         hint = messages.vector_as_quantity(symbol.name, usage.posed) if vector else ""
+        if symbol.name.lower() in ("inf", "infinity", "nan"):
+            hint = "a value is a number, and finite"
         self.unknown(symbol.span, symbol.name, self._offered(usage), hint)
 
     def unknown(self, span: Span, name: str, offered: list[str], hint: str = "") -> None:

@@ -16,7 +16,6 @@ NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DR
 """After these words a name is given."""
 
 OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
-OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
 
 SAID_OTHERWISE = {
     "/": "a comment begins with '#'",
@@ -87,8 +86,7 @@ def unfinished(line: Sequence[Token], allowed: set[str], end: int, start: Start)
         return syntax.unclosed_bracket(span_of(innermost_open(line)), "(")
     if start == "statement" and len(line) == 1 and line[0].type == "NAME":
         return unknown_statement(line)
-    open_ended = bool(line) and line[-1].type in OPERATORS
-    hint = f"the '{line[-1]}' has no right side" if open_ended else ""
+    hint = slips.unfinished(line, allowed)
     return syntax.unfinished_statement(Span(end, end), expected_words(allowed), hint)
 
 
@@ -162,9 +160,9 @@ def expected_words(allowed: set[str]) -> list[str]:
     if rest >= OPERAND:
         words.append("an expression")
         rest -= OPERAND | {"PLUS", "MINUS"}
-    elif rest & OPERATORS:
+    elif rest & slips.OPERATORS:
         words.append("an operator")
-        rest -= OPERATORS | {"LEFT"}
+        rest -= slips.OPERATORS | {"LEFT"}
     signs = sorted(rest - HUMAN.keys(), key=lambda name: spelling().get(name, name))
     words += [HUMAN[name] for name in HUMAN if name in rest]
     return words + [f"'{spelling()[name]}'" for name in signs if name in spelling()]

@@ -11,6 +11,8 @@ from .vocabulary import FUNCTIONS, NAME, RANGE, TWINS, split_quantity
 ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these."""
 
+OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
+
 DOUBLED = {"*": "a power is written with '^'", "=": "equality is written '='"}
 
 STATED = {
@@ -18,13 +20,17 @@ STATED = {
     ("FORCE", "on"): "a force acts at a point: force F at A along x",
     ("SLIDER", "at"): "a guide has a direction: slider K along 90 deg",
     ("PIVOT", "("): "the place of a pivot stands behind 'at': pivot O at (0 mm, 0 mm)",
-    ("DRIVE", "="): "a stroke is written: drive phi from 10 deg to 80 deg",
-    ("DRIVE", "in"): "a stroke is written: drive phi from 10 deg to 80 deg",
     ("SPRING", "between"): "the rate comes first: spring 5 N/mm between A and B",
     ("WEIGHT", "="): "a weight has a mass: weight W mass 2 kg at G",
     ("WEIGHT", "at"): "a weight has a mass: weight W mass 2 kg at G",
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""
+
+WRITTEN = {
+    "DRIVE": "a stroke is written: drive phi from 10 deg to 80 deg",
+    "ASSEMBLY": "ccw is counter-clockwise, cw clockwise; along a guide it is forward or back",
+}
+"""How a statement is written, whatever does not fit in it."""
 
 
 def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
@@ -36,7 +42,31 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         or _of_name(line, position)
         or _of_neighbours(token, before, allowed)
         or _of_sign(token, before, allowed)
+        or _of_vector(line, position, allowed)
+        or WRITTEN.get(line[0].type, "")
     )
+
+
+def unfinished(line: Sequence[Token], allowed: set[str]) -> str:
+    """Return a hint where a statement ends too early."""
+    last = line[-1] if line else None
+    if last is not None and last.type in OPERATORS:
+        return f"the '{last}' has no right side"
+    if last == "@":
+        return "a direction stands behind '@', as in OA = a @ 30 deg"
+    return RANGE if ".." in {spelling().get(name) for name in allowed} else ""
+
+
+def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
+    """Return a hint where a vector, a place or a named result is written otherwise."""
+    token, before = str(line[position]), str(line[position - 1]) if position else ""
+    if "AT_SIGN" in allowed and token in (",", "<", "at"):
+        return "a direction stands behind '@', as in OA = a @ 30 deg"
+    if before == "at" and allowed == {"LEFT"}:
+        return "a place stands in brackets: (0 mm, 0 mm)"
+    if line[0].type == "FIND" and token == "=":
+        return "the name stands first, as in find k = P/F"
+    return ""
 
 
 def _of_list(token: Token, first: Token) -> str:
@@ -92,6 +122,12 @@ def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
         return "decimals are written with a point"
     if text == "+-":
         return "a tolerance belongs to a param or an expect; a difference is written a - b"
+    if previous + text == "+/":
+        return "a tolerance is written '+-' or '±'"
+    if before is not None and before.type in OPERATORS:
+        return f"the '{before}' has no right side"
+    if text in ("to", "from") and {"..", "in"} & {spelling().get(name) for name in allowed}:
+        return RANGE
     if text == ":" and "TIMES_SIGN" in allowed:
         return "a quotient is written with '/'"
     if text in keywords() and "NAME" in allowed:

@@ -46,6 +46,8 @@ LOOKALIKES = {
     "≠": "write '!='",
     "…": "a range is written with two dots",
     "—": "the minus sign is '-'",
+    "°": "degrees belong to a number, as in 30°; a parameter has its own unit",
+    "∈": "a range stands behind 'in', as in 10 deg in 2 deg .. 40 deg",
     "∠": "a direction is an angle behind '@', as in OB = l @ 30 deg",
     "%": "a comment begins with '#'; a hundredth is written 0.01",
     "_": "digits stand together, as in 1200",

@@ -118,6 +118,7 @@ def not_yaml(at: int, problem: str, text: str) -> Diagnostic:
     elif found == "\t":
         hint = "YAML is indented with spaces"
     elif slip := GLUED.search(text[:at]):
+        at = slip.start(1)
         hint = f"a colon needs a space behind it: {slip[1]}: {slip[2]}"
     elif "mapping values" in problem:
         hint = "a text with ': ' inside needs quotes"
