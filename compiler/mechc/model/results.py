@@ -9,7 +9,7 @@ from ..diagnostics.model import results as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, substitute, symbols
 from ..syntax import ast
-from ..units import Dimension
+from ..units import NUMBER, Dimension
 from .constants import last_digit
 from .definitions import Definitions, written_out
 from .expressions import Quantity, Reader
@@ -169,6 +169,9 @@ def _settings(statement: ast.Expect, scope: Scope) -> dict[str, Formula]:
             scope.unknown(name.span, name.text, known)
         elif entry.kind not in ("parameter", "load"):
             scope.report.add(messages.not_a_setting(name.span, name.text, f"a {entry.kind}"))
+        elif value and entry.bare and value.dimension != NUMBER:
+            bare = entry.bare
+            scope.report.add(quantities.bare_number(bare.span, bare.digits, value.dimension))
         elif value and _suits(value, entry.dimension, f"the value of '{name.text}'", scope):
             at[name.text] = value.formula
     return at
