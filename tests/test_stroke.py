@@ -339,6 +339,25 @@ def test_errors(drive, code):
     assert [d.code for d in caught.value.diagnostics if d.code[0] == "E"] == [code]
 
 
+def test_angles_could_drive_and_coefficients_of_friction_could_not():
+    lever = """
+    param f = 0.1
+    param a = 40 mm
+    param alpha = 30 deg
+    pivot O
+    link OA
+    OA = a @ alpha
+    force P at A along x
+    force F at A along y
+    friction pins f diameter 5 mm
+    find k = P/F
+    """
+    with pytest.raises(mechc.MechcError) as caught:
+        stroke(lever)
+    (found,) = (d for d in caught.value.diagnostics if d.code == "E591")
+    assert found.message == "no driving coordinate is named, expected alpha"
+
+
 # ------------------------------------------------------------------------ velocities
 
 

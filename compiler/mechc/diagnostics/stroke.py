@@ -1,15 +1,16 @@
 """Messages for strokes (E59x)."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ..source import Span
 from ..units import ANGLE, Dimension
 from .diagnostic import Message, Related, coded
+from .syntax import listed
 
 
 @coded("E591")
-def no_drive(span: Span, free: Iterable[str], example: str, unit: str) -> Message:
+def no_drive(span: Span, able: Sequence[str], unit: str) -> Message:
     """A stroke was asked for, and the description names no driving coordinate.
 
     ::
@@ -17,11 +18,12 @@ def no_drive(span: Span, free: Iterable[str], example: str, unit: str) -> Messag
         param phi = 30 deg
         drive phi from 10 deg to 80 deg
     """
-    names = ", ".join(free)
+    message = (
+        f"no driving coordinate is named, expected {listed(able)}" if able else "nothing drives"
+    )
+    example = able[0] if able else "phi"
     return Message(
-        span,
-        f"no driving coordinate is named, expected one of {names}" if names else "nothing drives",
-        f"add a line such as `drive {example} from 10 {unit} to 80 {unit}`",
+        span, message, f"add a line such as `drive {example} from 10 {unit} to 80 {unit}`"
     )
 
 

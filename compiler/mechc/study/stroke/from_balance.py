@@ -53,8 +53,7 @@ def run(solution: Solution, results: Sequence[Analysis], points: int, report: Re
     pose = solution.plan.graph.pose
     drive = pose.mechanism.drive
     if drive is None:
-        example = _drivable(pose)
-        raise report.fail(messages.no_drive(pose.mechanism.span, pose.free, *example))
+        raise report.fail(messages.no_drive(pose.mechanism.span, *_drivable(pose)))
     parameter = next(p for p in pose.mechanism.parameters if p.name == drive.parameter)
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
@@ -63,13 +62,13 @@ def run(solution: Solution, results: Sequence[Analysis], points: int, report: Re
     return runner.stroke(points)
 
 
-def _drivable(pose: Pose) -> tuple[str, str]:
-    """Return a parameter that could drive, an angle if there is one, and the unit of its ends."""
+def _drivable(pose: Pose) -> tuple[list[str], str]:
+    """Return the parameters that could drive, angles if there are any, and the unit of ends."""
     free = [p for p in pose.mechanism.parameters if p.name in pose.free]
     for dimension, unit in ((ANGLE, "deg"), (LENGTH, "mm")):
-        if found := next((p for p in free if p.dimension == dimension), None):
-            return found.name, unit
-    return "phi", "deg"
+        if found := [p.name for p in free if p.dimension == dimension]:
+            return found, unit
+    return [], "deg"
 
 
 class _Runner:
