@@ -11,8 +11,8 @@ from .drawing import HATCH, Arc, Label, Pen, Polyline, Run
 from .lettering import SIZE, box
 from .occupied import Box, Occupied, stretches
 
-TURNS = 16
-"""How many directions from a point are tried."""
+TURNS, TURNS_FAR = 16, 64
+"""How many directions from a point are tried, near to it and farther off."""
 
 NEAR = (0.5, 1.2, 2.0, 3.2)
 """The distances from a point at which a label is tried first, in millimetres."""
@@ -24,7 +24,7 @@ ALONG = (0.5, 0.42, 0.58, 0.34, 0.66, 0.25, 0.75, 0.15, 0.85)
 """The parts of a line beside which its label is tried."""
 
 
-PATIENCE = 1000
+PATIENCE = 6400
 """After so many places a line may lead to a label across another one."""
 
 
@@ -107,12 +107,12 @@ def write(name: Name, occupied: Occupied) -> Written:
     """Return a label in the first free place, which is then taken."""
     width, height = box(name.runs, SIZE)
     for tried, (place, far) in enumerate(name.candidates(width, height)):
+        if not occupied.free(place, width, height):
+            continue
         label = Label(place, name.runs, name.pen, SIZE, width, height)
         leader = (_leader(name.at, label),) if far else ()
-        hidden = any(
-            occupied.written_on(*stretch) for line in leader for stretch in stretches(line)
-        )
-        if occupied.free(place, width, height) and (not hidden or tried > PATIENCE):
+        ways = (stretch for line in leader for stretch in stretches(line))
+        if tried > PATIENCE or not any(occupied.written_on(*way) for way in ways):
             break
     occupied.write(Box(label.at, width, height))
     occupied.add(*leader)
@@ -128,11 +128,11 @@ def _rings(
     at: Plane, towards: float, gap: float, width: float, height: float
 ) -> Iterator[Candidate]:
     """Yield places around a point, the near ones first; there is no end to them."""
-    angles = [towards + math.tau / TURNS * _alternating(i) for i in range(TURNS)]
     for number in count():
         late = number - len(NEAR) + 1
         distance = gap + (NEAR[number] if late <= 0 else NEAR[-1] + STEP * late)
-        for unit in map(direction, angles):
+        turns = TURNS_FAR if late > 0 else TURNS
+        for unit in (direction(towards + math.tau / turns * _alternating(i)) for i in range(turns)):
             place = at.plus(unit.times(distance + _support(unit, width, height)))
             yield Candidate(place, late > 0)
 

@@ -70,7 +70,7 @@ def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) 
     """Draw a length; one of a name that is ``known`` already only where nothing is in the way."""
     tail, tip = paper.at(dimension.tail), paper.at(dimension.head)
     runs = formula(dimension.text)
-    if frozenset((dimension.tail, dimension.head)) in _rods(paper):
+    if _is_rod(paper, dimension):
         sheet.name(Beside(tail, tip, runs, MEASURE))
         return
     lines = list(_lines(tail, tip, dimension.along))
@@ -84,13 +84,17 @@ def _draw_length(sheet: Sheet, paper: Paper, dimension: Dimension, known: bool) 
     sheet.name(Beside(best.start, best.end, runs, MEASURE))
 
 
-def _rods(paper: Paper) -> set[frozenset[str]]:
-    """Return the ends of the bodies that are a single bar: its length is written beside it."""
-    return {
-        frozenset(part.points)
-        for part in paper.figure.parts
-        if isinstance(part, Link | Telescope) and len(part.points) == 2
-    }
+def _is_rod(paper: Paper, dimension: Dimension) -> bool:
+    """Return whether a dimension is the length of a body that is a single bar."""
+    ends = {dimension.tail, dimension.head}
+    bodies = (part for part in paper.figure.parts if isinstance(part, Link | Telescope))
+    return _is_lengthwise(paper, dimension) and any(ends == {*body.points} for body in bodies)
+
+
+def _is_lengthwise(paper: Paper, dimension: Dimension) -> bool:
+    """Return whether a dimension is taken along the line between its points."""
+    way = paper.at(dimension.head).minus(paper.at(dimension.tail)).unit()
+    return way is not None and abs(way.dot(dimension.along)) > SAME
 
 
 def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[Line]:
@@ -135,7 +139,9 @@ def _is_bar(paper: Paper, dimension: Dimension) -> bool:
     ends = {dimension.tail, dimension.head}
     for part in paper.figure.parts:
         if isinstance(part, Link) and ends in map(set, part.rods):
-            return not any(_between(paper, dimension, p) for p in {*part.points} - ends)
+            return _is_lengthwise(paper, dimension) and not any(
+                _between(paper, dimension, p) for p in {*part.points} - ends
+            )
     return False
 
 

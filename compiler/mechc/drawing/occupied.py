@@ -99,21 +99,21 @@ class Occupied:
 
     def crossings(self, start: Plane, end: Plane) -> int:
         """Return how many lines, faint ones apart, a straight line meets."""
-        low = Plane(min(start.x, end.x), min(start.y, end.y))
-        high = Plane(max(start.x, end.x), max(start.y, end.y))
-        near = (i for i in self._near(low, high) if not self._faint[i])
-        return sum(_meet((start, end), self._lines[i]) for i in near)
+        near = self._in(_squares(start, end))
+        return sum(not self._faint[i] and _meet((start, end), self._lines[i]) for i in near)
 
     def crossed(self, shapes: Iterable[Shape]) -> int:
         """Return how many lines shapes would meet."""
         return sum(self.crossings(*line) for shape in shapes for line in stretches(shape))
 
-    def _near(self, low: Plane, high: Plane) -> list[int]:
-        """Return the lines in the squares that a rectangle touches, in order."""
+    def _near(self, low: Plane, high: Plane) -> set[int]:
+        """Return the lines in the squares that a rectangle touches."""
         columns = range(_cell(low.x), _cell(high.x) + 1)
         rows = range(_cell(low.y), _cell(high.y) + 1)
-        found = {i for x in columns for y in rows for i in self._squares.get((x, y), ())}
-        return sorted(found)
+        return self._in((x, y) for x in columns for y in rows)
+
+    def _in(self, squares: Iterable[Square]) -> set[int]:
+        return {i for square in squares for i in self._squares.get(square, ())}
 
 
 def _cell(place: float) -> int:
@@ -129,22 +129,25 @@ def _squares(start: Plane, end: Plane) -> set[Square]:
 
 def _meet(one: Stretch, other: Stretch) -> bool:
     """Return whether two straight lines cross, or lie on each other."""
-    (a, b), (c, d) = one, other
-    return _side_by_side(one, other) and _apart(a, b, c, d) and _apart(c, d, a, b)
+    return _side_by_side(one, other) and _reaches(one, other) and _reaches(other, one)
 
 
 def _side_by_side(one: Stretch, other: Stretch) -> bool:
     """Return whether the upright rectangles around two straight lines touch."""
-    return all(
-        min(a, b) <= max(c, d) + TOUCH and min(c, d) <= max(a, b) + TOUCH
-        for a, b, c, d in zip(*one, *other, strict=True)
+    ((ax, ay), (bx, by)), ((cx, cy), (dx, dy)) = one, other
+    return (
+        min(ax, bx) <= max(cx, dx) + TOUCH
+        and min(cx, dx) <= max(ax, bx) + TOUCH
+        and min(ay, by) <= max(cy, dy) + TOUCH
+        and min(cy, dy) <= max(ay, by) + TOUCH
     )
 
 
-def _apart(a: Plane, b: Plane, c: Plane, d: Plane) -> bool:
-    """Return whether two points are not both on one side of a line, near which is on it."""
-    normal = b.minus(a).unit()
-    if normal is None:
-        return False
-    first, second = (normal.turned().dot(p.minus(a)) for p in (c, d))
-    return min(first, second) <= TOUCH and max(first, second) >= -TOUCH
+def _reaches(line: Stretch, other: Stretch) -> bool:
+    """Return whether the other's ends are not both clearly on one side of a line."""
+    ((ax, ay), (bx, by)), ((cx, cy), (dx, dy)) = line, other
+    length = math.hypot(bx - ax, by - ay)
+    first = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
+    second = (bx - ax) * (dy - ay) - (by - ay) * (dx - ax)
+    near = TOUCH * length
+    return length > 0 and min(first, second) <= near and max(first, second) >= -near
