@@ -290,7 +290,10 @@ def test_what_cannot_be_assembled_is_not_drawn(tmp_path, capsys):
         force F at B along y
         find k = P/F
     """
+    (tmp_path / "empty.mech").write_text("mechanism m\nparam a = 1 m\nlet b = a\n")
     (tmp_path / "r.mech").write_text(text)
+    assert main(["draw", str(tmp_path / "empty.mech")]) == 1
+    assert "E720" in capsys.readouterr().err
     target = tmp_path / "r.svg"
     target.write_text("as it was")
     assert main(["draw", str(tmp_path / "r.mech"), "-o", str(target)]) == 1

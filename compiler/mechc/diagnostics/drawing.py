@@ -8,7 +8,7 @@ LACKING = frozenset({"E721"})
 
 @coded("E720")
 def nothing_to_draw() -> Message:
-    """A picture of a mechanism that cannot be assembled at the values given.
+    """A picture of a mechanism that cannot be assembled at the values given, or has no points.
 
     A loop of given lengths is open there: two links of 20 mm do not bridge 50 mm, whatever
     their angles. Or the halves of a mirror do not meet on its line.
@@ -18,8 +18,8 @@ def nothing_to_draw() -> Message:
     """
     return Message(
         None,
-        "there is no picture: the mechanism cannot be assembled at these values",
-        "set other values with -D, or in the description",
+        "there is no picture: expected points that can be assembled at these values, found none",
+        "describe links and pivots, or set other values with -D",
     )
 
 

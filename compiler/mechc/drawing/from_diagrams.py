@@ -4,7 +4,7 @@ import math
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from ..figure.figure import Figure, Link, Slide, Slider, Torque
+from ..figure.figure import Figure, Link, Slide, Slider, Telescope, Torque
 from ..frozen import frozen, replace
 from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import Acting, Diagram, FreeBody
@@ -26,6 +26,9 @@ SHORTEST = 3.0
 
 VISIBLE = 0.3
 """A friction circle with a smaller radius than this, in millimetres, is not drawn."""
+
+AT_PINS = ("pin", "ground")
+"""Where the couple of friction shifts the force off its point; elsewhere it is a couple."""
 
 LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "T"}
 """What forces of joints are called by their kind; others are R."""
@@ -95,6 +98,8 @@ class _Maker:
                     yield from link(self.paper, part)
                 case Slide() if part.name == body.name:
                     yield from slide(self.paper, part)
+                case Telescope() if part.name == body.name:
+                    yield from symbols.cylinder(*map(self.paper.at, part.points))
                 case Slider() if body.kind == "slider" and part.point == body.name:
                     yield symbols.block(self.paper.at(part.point), part.along)
                 case _:
@@ -110,15 +115,17 @@ class _Maker:
             sheet.name(Around(self._place(body, acting), unknown, FORCE, 0.0, symbols.PIN))
             return
         size, unit = math.hypot(*acting.force), acting.force.unit()
-        if acting.point and unit is not None and size > LEAST * self._largest:
+        pushes = bool(acting.point) and unit is not None and size > LEAST * self._largest
+        if pushes and unit is not None:
             self._draw_arrow(sheet, body, acting, unit)
-        elif abs(acting.moment) > LEAST * self._largest * self.paper.figure.size:
+        turns = abs(acting.moment) > LEAST * self._largest * self.paper.figure.size
+        if turns and not (pushes and acting.kind in AT_PINS):
             self._draw_couple(sheet, body, acting)
 
     def _draw_arrow(self, sheet: Sheet, body: FreeBody, acting: Acting, unit: Plane) -> None:
         """Draw a force along its line of action, which touches the friction circle."""
         size = math.hypot(*(acting.force or NOWHERE))
-        radius = (acting.offset or 0.0) * self.paper.scale
+        radius = (acting.offset or 0.0) * self.paper.scale if acting.kind in AT_PINS else 0.0
         at = self.paper.at(acting.point)
         length = max(SHORTEST, LARGEST * size / self._largest)
         gap = symbols.PIN + symbols.GAP
@@ -138,7 +145,7 @@ class _Maker:
         start = math.pi / 2
         sheet.draw(Layer.LOADS, symbols.couple(at, start, acting.moment > 0))
         value = self._value(acting, abs(acting.moment), not self.turning, "N\u2009m", 1)
-        runs = (*self._name(body, acting), *value)
+        runs = (*self._name(body, acting, couple=True), *value)
         outside = at.plus(Plane(0.0, symbols.COUPLE + 1))
         sheet.name(Around(outside, runs, FORCE, start))
 
@@ -160,16 +167,17 @@ class _Maker:
 
     # ------------------------------------------------------------------- names
 
-    def _name(self, body: FreeBody, acting: Acting) -> tuple[Run, ...]:
-        """Return what a force is called: a load by its name, others by kind and point."""
+    def _name(self, body: FreeBody, acting: Acting, couple: bool = False) -> tuple[Run, ...]:
+        """Return what a force or couple is called: a load by its name, others by their point."""
         if acting.kind == "load":
             return name(acting.by)
-        letter = LETTERS.get(acting.kind, "R") if acting.point else "M"
+        letter = LETTERS.get(acting.kind, "R")
         same = Counter((LETTERS.get(a.kind, "R"), a.point) for a in body.forces if a.kind != "load")
         index = "".join(run.text for run in name(acting.point))
         if same[letter, acting.point] > 1:
             index = f"{index},{self._called(acting.by)}"
-        return (Run(letter, italic=True), *([Run(index, level=-1)] if index else []))
+        shown = "M" if couple else letter
+        return (Run(shown, italic=True), *([Run(index, level=-1)] if index else []))
 
     def _called(self, body: str) -> str:
         """Return a body's name by its points, with their primes: B'K is the twin of BK."""

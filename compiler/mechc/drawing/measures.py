@@ -59,8 +59,9 @@ def draw_measures(sheet: Sheet, paper: Paper) -> None:
     for dimension in sorted(lengths, key=lambda d: d.value):
         _draw_length(sheet, paper, dimension, dimension.text in known)
         known.add(dimension.text)
-    for mark in dict.fromkeys(part for part in parts if isinstance(part, AngleMark)):
-        _draw_angle(sheet, paper, mark)
+    for mark in parts:
+        if isinstance(mark, AngleMark):
+            _draw_angle(sheet, paper, mark)
 
 
 # ---------------------------------------------------------------------------- lengths

@@ -44,9 +44,9 @@ def off(at: Plane, along: Plane, by: float, across: float = 0.0) -> Plane:
     return at.plus(along.times(by)).plus(along.turned().times(across))
 
 
-def pin(at: Plane, pen: Pen = SYMBOL) -> Arc:
+def pin(at: Plane) -> Arc:
     """Return a pin."""
-    return Arc(at, PIN, pen, fill="white")
+    return Arc(at, PIN, SYMBOL, fill="white")
 
 
 def hatched(start: Plane, end: Plane, ground: Plane) -> Iterator[Shape]:
@@ -74,10 +74,10 @@ def block(at: Plane, along: Plane) -> Polyline:
     return Polyline(tuple(off(at, along, *c) for c in corners), SYMBOL, True, "white")
 
 
-def guide(at: Plane, along: Plane, half: float = BORE) -> Iterator[Shape]:
-    """Yield the two hatched edges between which something slides; ``half`` of its width apart."""
+def guide(at: Plane, along: Plane) -> Iterator[Shape]:
+    """Yield the two hatched edges between which something slides."""
     for side in (1, -1):
-        start, end = (off(at, along, side * d, side * half) for d in (-GUIDE, GUIDE))
+        start, end = (off(at, along, side * d, side * BORE) for d in (-GUIDE, GUIDE))
         yield from hatched(start, end, along.turned().times(side))
 
 
@@ -134,12 +134,12 @@ def head(tip: Plane, along: Plane, pen: Pen, length: float = _HEAD) -> Polyline:
     return Polyline((tip, *feet), pen, closed=True, fill="solid")
 
 
-def arrow(tail: Plane, tip: Plane, pen: Pen = FORCE) -> Iterator[Shape]:
-    """Yield an arrow."""
+def arrow(tail: Plane, tip: Plane) -> Iterator[Shape]:
+    """Yield the arrow of a force."""
     along = tip.minus(tail).unit() or Plane(1.0, 0.0)
     size = min(_HEAD, 0.6 * math.dist(tail, tip))
-    yield line(tail, off(tip, along, -size), pen)
-    yield head(tip, along, pen, size)
+    yield line(tail, off(tip, along, -size), FORCE)
+    yield head(tip, along, FORCE, size)
 
 
 def couple(at: Plane, start: float, counterclockwise: bool) -> Iterator[Shape]:

@@ -9,7 +9,7 @@ from ..model.values import Chain, bounds, completed, defaults, dependent, indepe
 from ..pose.places import Plane
 from ..pose.pose import Pose
 from .figure import Figure, MirrorLine, Part
-from .layout import Layout, lay_out
+from .layout import Layout, lay_out, points_of
 from .marks import marks
 from .parts import Half
 from .ways import Ways
@@ -68,7 +68,9 @@ def _settled(pose: Pose, given: Mapping[str, float]) -> dict[str, float] | None:
 
 
 def _laid_out(pose: Pose, values: Mapping[str, float]) -> Layout | None:
-    """Return the layout, None at a pose where some vector has no value, or does not fit."""
+    """Return the layout, None without points, or where a vector has no value or does not fit."""
+    if not any(points_of(pose.mechanism)):
+        return None
     try:
         layout = lay_out(Ways(pose, values))
     except ZeroDivisionError:

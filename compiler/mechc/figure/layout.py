@@ -20,7 +20,7 @@ ORIGIN = ""
 NEARLY = 0.15
 """A point and its twin that are nearer to each other than this, in usual lengths, should not be."""
 
-STRETCHED = (1.0, 1.3, 1.6, 2.0, 2.5, 0.7, 0.5)
+STRETCHED = (1.3, 1.6, 2.0, 2.5, 0.7, 0.5)
 """By what usual lengths are multiplied where nothing gives a length, until no twins are so near."""
 
 ROOM = 0.5
@@ -49,7 +49,7 @@ def lay_out(ways: Ways) -> Layout:
     are such that a point and its twin are in one place, or clearly in two.
     """
     found = _laid_out(ways, 1.0)
-    for factor in STRETCHED[1:] if found.lengths and _nearly_meet(ways, found) else ():
+    for factor in STRETCHED if found.lengths and _nearly_meet(ways, found) else ():
         other = _laid_out(ways, factor)
         if not _nearly_meet(ways, other) and other.gap <= max(found.gap, SAME):
             return other
