@@ -114,6 +114,20 @@ def drawn_outside_range(at: Span, name: str) -> Message:
     return Message(at, message, "widen the range, or correct the drawing")
 
 
+@coded("E327")
+def drawn_nowhere(at: Span, point: str, is_pivot: bool) -> Message:
+    """Of a mechanism by coordinates, one point has none, and nothing else says where it is.
+
+    pivot O at (0 mm, 0 mm)
+    link OAB
+    A at (20 mm, 35 mm)
+    B at (60 mm, 35 mm)      # without this: wrong
+    OB = 70 mm @ OA          # or like this
+    """
+    line = f"{'pivot ' if is_pivot else ''}{point} at (x, y)"
+    return Message(at, f"nothing says where {point} is", f"add its place: `{line}`")
+
+
 @coded("W320")
 def drawn_elsewhere(at: Span, point: str, place: str, gap: str) -> Message:
     """With the lengths and directions given, a point is not where it is drawn.

@@ -11,19 +11,19 @@ given holds, and of several closures the one nearest to the drawn places is mean
 
 import math
 from collections import Counter
-from collections.abc import Collection, Iterable, Iterator, Sequence
+from collections.abc import Collection, Iterable, Iterator
 
-from ..diagnostics import Diagnostic, Report
+from ..diagnostics import Report
 from ..diagnostics import drawn as messages
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..frozen import replace
 from .doubts import directions
+from .drawn_checks import faults
 from .driving import drawn_value, fault_of, is_outside, with_driven, with_value
+from .entries import bodies, mentioned
 from .mechanism import (
-    Absolute,
     Along,
     Arrow,
-    Direction,
     Drive,
     ForcePair,
     Geometry,
@@ -42,9 +42,6 @@ from .rigidity import Independent, Row, direction, distance, fixed, rows_of, tur
 from .sketch import Sketch
 from .values import Chain, defaults, dependent
 
-ACCOUNTED = 4
-"""A gap of so many times what the digits of its points leave open is accounted for."""
-
 
 def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     """Return the mechanism with the geometry that the drawn places give.
@@ -55,7 +52,7 @@ def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     if not mechanism.drawn and not (mechanism.drive and mechanism.drive.ends):
         return mechanism
     sketch = Sketch(mechanism, Chain(dependent(mechanism)).complete(defaults(mechanism)))
-    for fault in (*_coinciding(mechanism, sketch), *_off_line(mechanism, sketch)):
+    for fault in faults(mechanism, sketch):
         report.add(fault)
     drive = mechanism.drive
     if drive and drive.ends:
@@ -91,45 +88,6 @@ def _is_given(mechanism: Mechanism, sketch: Sketch) -> bool:
     return mechanism.drive is not None or any(map(sketch.has, pairs))
 
 
-def _coinciding(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield the points of a body at the place of another one of it."""
-    for points in _bodies(mechanism):
-        for hub, point in _star(points, sketch):
-            if sketch.coincide(hub, point):
-                at, first = sketch.span(point), sketch.span(hub)
-                yield messages.drawn_together(at, "".join(points), point, hub, first)
-
-
-def _off_line(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield the points that are drawn off the line along which they slide."""
-    slack = {d.point: d.slack for d in mechanism.drawn}
-    for point, start, line, turned in _lines(mechanism, sketch):
-        x, y = sketch.way(start, point)
-        gap = abs(y * math.cos(turned) - x * math.sin(turned))
-        if gap > ACCOUNTED * (slack.get(point, 0.0) + slack.get(start, 0.0)) + sketch.rounding:
-            yield messages.drawn_off_guide(sketch.span(point), point, line, sketch.shown(gap))
-
-
-def _lines(mechanism: Mechanism, sketch: Sketch) -> Iterator[tuple[str, str, str, float]]:
-    """Yield each drawn point on a line, a point of the line, its name, and its direction."""
-    for s in mechanism.each(Slider):
-        turned = _turned(s.along, sketch)
-        if turned is not None and s.through and sketch.has_all((s.point, s.through)):
-            yield s.point, s.through, f"the guide through {s.through}", turned
-    for slot in mechanism.each(Slot):
-        if sketch.has_all((slot.point, slot.tail, slot.head)):
-            x, y = sketch.way(slot.tail, slot.head)
-            line = f"the slot {slot.tail}{slot.head}"
-            yield slot.point, slot.tail, line, math.atan2(y, x)
-
-
-def _turned(direction: Direction, sketch: Sketch) -> float | None:
-    """Return a direction in radians where it is an angle with a value."""
-    if isinstance(direction, Absolute) and symbols(direction.angle) <= sketch.values.keys():
-        return evaluate(direction.angle, sketch.values)
-    return None
-
-
 # ------------------------------------------------------------------------ as it is drawn
 
 
@@ -139,8 +97,8 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
         if sketch.places.keys() >= {slot.tail, slot.head, slot.point}:
             sketch.lay_on_line(slot.point, slot.tail, slot.head)
     found: list[Geometry] = []
-    for points in (*_bodies(mechanism), *_aims(mechanism)):
-        for hub, point in _star(points, sketch):
+    for points in (*bodies(mechanism), *_aims(mechanism)):
+        for hub, point in sketch.arms(points):
             found.append(_vector(hub, point, sketch))
     joints = tuple(
         replace(joint, through=None)
@@ -159,24 +117,10 @@ def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
     return Arrow(tail, head, *sketch.vector(tail, head), sketch.span(head))
 
 
-def _bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:
-    """Yield the points of each body, and the ends of the telescopes."""
-    yield from (link.points for link in mechanism.links)
-    yield from (slide.points for slide in mechanism.slides)
-    yield from (telescope.points for telescope in mechanism.telescopes)
-
-
 def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     """Yield the two points between which a pair of forces acts, or which give a direction."""
     yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
     yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
-
-
-def _star(points: Sequence[str], sketch: Sketch) -> Iterator[tuple[str, str]]:
-    """Yield the arms of a body's drawn points, from a pivot where it has one."""
-    known = [p for p in points if p in sketch.places]
-    hub = next((p for p in known if p in sketch.pivots), known[0] if known else "")
-    yield from ((hub, p) for p in known if p != hub)
 
 
 # ------------------------------------------------------------------- by closing the loops
@@ -214,7 +158,7 @@ def _through_places(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 
 def _shape(link: Link, geometry: list[Geometry], sketch: Sketch) -> None:
     """Add the lengths and angles of a body that are not given."""
-    arms = list(_star(link.points, sketch))
+    arms = list(sketch.arms(link.points))
     given = Independent(row for g in geometry if _inside(g, link) for row in rows_of(g, sketch))
     for hub, point in arms:
         if given.takes(distance(hub, point, sketch)):
@@ -248,7 +192,7 @@ def _give_length(geometry: list[Geometry], hub: str, point: str, sketch: Sketch)
 def _lay_out(slide: Slide, geometry: list[Geometry], sketch: Sketch) -> None:
     """Add the vectors of a slide, which does not turn."""
     known = {frozenset((g.tail, g.head)) for g in geometry if not isinstance(g, Turn)}
-    for hub, point in _star(slide.points, sketch):
+    for hub, point in sketch.arms(slide.points):
         if frozenset((hub, point)) not in known:
             geometry.append(Offset(hub, point, *sketch.offset(hub, point), sketch.span(point)))
 
@@ -278,7 +222,7 @@ def _with_coordinates(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 
 def _pins(mechanism: Mechanism) -> frozenset[str]:
     """Return the points at which bodies are joined."""
-    carried = Counter(p for points in _bodies(mechanism) for p in points)
+    carried = Counter(p for points in bodies(mechanism) for p in points)
     ground = mechanism.fixed | {s.point for s in mechanism.each(Slider)}
     return frozenset(p for p, number in carried.items() if number > 1 or p in ground)
 
@@ -286,7 +230,7 @@ def _pins(mechanism: Mechanism) -> frozenset[str]:
 def _standing(mechanism: Mechanism, held: Independent, sketch: Sketch) -> Iterator[Geometry]:
     """Yield the drawn directions of links that nothing turns."""
     for link in mechanism.links:
-        arm = next(_star(link.points, sketch), None)
+        arm = next(sketch.arms(link.points), None)
         if arm and held.takes(direction(*arm, sketch)):
             yield Arrow(*arm, None, sketch.direction(*arm), sketch.span(arm[1]))
 
@@ -301,7 +245,7 @@ def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Ite
     guided = [(s.point, s.along) for s in mechanism.each(Slider)]
     guided += [(s.points[0], s.along) for s in mechanism.slides]
     for point, along in guided:
-        if (turned := _turned(along, sketch)) is not None:
+        if (turned := sketch.turned(along)) is not None:
             yield fixed(point, turned)
     for slot in mechanism.each(Slot):
         if sketch.has_all((slot.tail, slot.head, slot.point)):
@@ -309,16 +253,3 @@ def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Ite
     for entry in mechanism.geometry:
         if mentioned(entry).isdisjoint(waiting):
             yield from rows_of(entry, sketch)
-
-
-def mentioned(entry: Geometry) -> frozenset[str]:
-    """Return the parameters in what is given of a vector or an angle."""
-    match entry:
-        case Arrow(_, _, length, towards):
-            given = [length] if length else []
-            given += [towards.angle] if isinstance(towards, Absolute) else []
-        case Offset(_, _, x, y):
-            given = [x, y]
-        case Turn(angle=angle):
-            given = [angle]
-    return frozenset().union(*map(symbols, given))

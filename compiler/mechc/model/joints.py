@@ -13,6 +13,9 @@ from .points import Points
 from .scope import Scope
 from .statements import every
 
+ACCOUNTED = 2
+"""Units of the last digit of coordinates that a gap may be wide."""
+
 
 def declare_points(file: ast.File, points: Points) -> None:
     """Enter the points of every joint and body, and the links through them."""
@@ -115,7 +118,7 @@ def read_drawn(file: ast.File, scope: Scope) -> tuple[list[Drawn], list[Offset]]
 def _drawn(statement: ast.Drawn, place: Offset) -> Drawn:
     leaves_of_both = (leaf for part in (statement.at.x, statement.at.y) for leaf in leaves(part))
     numbers = [leaf for leaf in leaves_of_both if isinstance(leaf, ast.Number)]
-    slack = float(min((last_digit(n) / 2 for n in numbers if n.value), default=0))
+    slack = float(min((ACCOUNTED * last_digit(n) for n in numbers if n.value), default=0))
     unit = next((n.unit for n in numbers if n.unit), "")
     return Drawn(place.head, place.x, place.y, slack, unit, statement.span)
 

@@ -329,7 +329,7 @@ class Drive:
 class Drawn:
     """Where a point is drawn, at the default pose.
 
-    ``slack`` is what the digits written leave open, in metres; ``unit`` is the user's.
+    Gaps up to ``slack``, in metres, the digits written account for; ``unit`` is the user's.
     """
 
     point: str

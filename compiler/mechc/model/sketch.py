@@ -5,7 +5,7 @@ coordinates are numbers, or a formula of the parameters that they rest on.
 """
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -17,7 +17,8 @@ from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH, UNITS, Dimension
 from .constants import rational
-from .mechanism import Absolute, Arrow, Geometry, Mechanism, Offset, Parameter, Turn
+from .entries import points_of
+from .mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
 
 NEAR_ZERO = 1e-9
 """Places nearer to one another than this part of the drawing are one."""
@@ -76,11 +77,7 @@ class Sketch:
 
     def has(self, entry: Geometry) -> bool:
         """Tell whether the points of an entry are drawn; the origin is in every drawing."""
-        match entry:
-            case Arrow(tail, head) | Offset(tail, head):
-                return self.has_all({tail, head} - {""})
-            case Turn(first, vertex, second):
-                return self.has_all((first, vertex, second))
+        return self.has_all(set(points_of(entry)) - {""})
 
     def span(self, point: str) -> Span:
         """Return where a point's place is written."""
@@ -113,6 +110,18 @@ class Sketch:
         ax, ay = self.places[tail].at if tail else (0.0, 0.0)
         bx, by = self.places[head].at
         return bx - ax, by - ay
+
+    def arms(self, points: Sequence[str]) -> Iterator[tuple[str, str]]:
+        """Yield the arms of a body's drawn points, from a pivot where it has one."""
+        known = [p for p in points if p in self.places]
+        hub = next((p for p in known if p in self.pivots), known[0] if known else "")
+        yield from ((hub, p) for p in known if p != hub)
+
+    def turned(self, direction: Direction) -> float | None:
+        """Return a direction in radians where it is an angle with a value."""
+        if isinstance(direction, Absolute) and symbols(direction.angle) <= self.values.keys():
+            return evaluate(direction.angle, self.values)
+        return None
 
     # ------------------------------------------------------------------ named quantities
 

@@ -15,9 +15,6 @@ from .vectors import Vectors
 
 Place = tuple[float, float]
 
-ACCOUNTED = 4
-"""A gap of so many times what the digits written leave open is accounted for."""
-
 ROUNDED = 1e-6
 """A gap below this part of the drawing is one of rounding."""
 
@@ -36,7 +33,7 @@ def drawn_elsewhere(
     real = dict(_real(places, vectors, values))
     gaps = {point: math.dist(at, places[point]) for point, at in real.items()}
     farthest = max(gaps, key=lambda point: gaps[point], default="")
-    slack = ACCOUNTED * max((d.slack for d in drawn), default=0.0)
+    slack = max((d.slack for d in drawn), default=0.0)
     if farthest and gaps[farthest] > slack + ROUNDED * _size(places):
         (one,) = (d for d in drawn if d.point == farthest)
         x, y = (_shown(part, one.unit) for part in real[farthest])

@@ -6,19 +6,17 @@ from typing import NamedTuple, assert_never
 from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...frozen import replace
+from ...model.entries import points_of
 from ...model.mechanism import (
     Arrow,
     Contact,
     ForcePair,
-    Geometry,
     Mechanism,
-    Offset,
     Pivot,
     Rack,
     Screw,
     Slider,
     Slot,
-    Turn,
     WheelPair,
 )
 from ...source import Span
@@ -79,7 +77,7 @@ def with_lines(mechanism: Mechanism) -> Mechanism:
     A slide does not turn, so the direction of a slot in it is the user's to give.
     """
     slides = {slide.name for slide in mechanism.slides}
-    known = {frozenset(ends(g)) for g in mechanism.geometry}
+    known = {frozenset(points_of(g)) for g in mechanism.geometry}
     lines = {
         frozenset((s.tail, s.head)): Arrow(s.tail, s.head, None, None, s.span)
         for s in mechanism.each(Slot)
@@ -87,14 +85,3 @@ def with_lines(mechanism: Mechanism) -> Mechanism:
     }
     fresh = tuple(line for pair, line in lines.items() if pair not in known)
     return replace(mechanism, geometry=(*mechanism.geometry, *fresh)) if fresh else mechanism
-
-
-def ends(entry: Geometry) -> tuple[str, ...]:
-    """Return the points of an entry of the geometry."""
-    match entry:
-        case Arrow(tail, head) | Offset(tail, head):
-            return (tail, head)
-        case Turn(first, vertex, second):
-            return (first, vertex, second)
-        case _:
-            assert_never(entry)

@@ -1,0 +1,35 @@
+"""What the geometry and the bodies of a mechanism name: points, and parameters."""
+
+from collections.abc import Iterator
+
+from ..formula.walk import symbols
+from .mechanism import Absolute, Arrow, Geometry, Mechanism, Offset, Turn
+
+
+def bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:
+    """Yield the points of each body, and the ends of the telescopes."""
+    yield from (link.points for link in mechanism.links)
+    yield from (slide.points for slide in mechanism.slides)
+    yield from (telescope.points for telescope in mechanism.telescopes)
+
+
+def points_of(entry: Geometry) -> tuple[str, ...]:
+    """Return the points of a vector or an angle."""
+    match entry:
+        case Arrow(tail, head) | Offset(tail, head):
+            return tail, head
+        case Turn(first, vertex, second):
+            return first, vertex, second
+
+
+def mentioned(entry: Geometry) -> frozenset[str]:
+    """Return the parameters in what is given of a vector or an angle."""
+    match entry:
+        case Arrow(_, _, length, towards):
+            given = [length] if length else []
+            given += [towards.angle] if isinstance(towards, Absolute) else []
+        case Offset(_, _, x, y):
+            given = [x, y]
+        case Turn(angle=angle):
+            given = [angle]
+    return frozenset().union(*map(symbols, given))
