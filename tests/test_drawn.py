@@ -87,6 +87,19 @@ def test_with_lengths_given_the_nearest_closure_is_meant(place, mode):
     assert value(text + given) == value(told + given)
 
 
+def test_a_few_drawn_points_tell_many_closures_apart():
+    text = DRAWN["double_butterfly"]
+    shape = [  # of the bodies through C and G, which are then not drawn
+        ("link ABC", "AC = 2.7374799 m", "angle BAC = -58.4692 deg"),
+        ("link BFG", "BG = 4.9404362 m", "angle FBG = 37.4152 deg"),
+        ("link CD", "CD = 6.9400693 m", ""),
+        ("link SG", "SG = 11.0001574 m", ""),
+    ]
+    given = "\n".join(line for _, *lines in shape for line in lines)
+    few = re.sub(r"(?m)^[CG] at .*\n", "", text) + given + "\n"
+    assert value(few) == pytest.approx(value(text), rel=1e-4)
+
+
 def test_lengths_given_hold_and_a_gap_is_told():
     assert "W320" not in codes(FOUR_BAR + "OA = 40 mm\nAB = 65 mm\n")
     assert "W320" in codes(FOUR_BAR + "OA = 42 mm\nAB = 65 mm\n")

@@ -17,6 +17,8 @@ NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DR
 
 OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
 
+PLACED = "the place of a point is written A at (20 mm, 35 mm)"
+
 SAID_OTHERWISE = {
     "/": "a comment begins with '#'",
     "ground": "a pin on the ground is a pivot: pivot O",
@@ -25,7 +27,10 @@ SAID_OTHERWISE = {
     "bar": "a bar is a link of two points: link AB",
     "crank": "a crank is a link of two points: link OA",
     "body": "a body is a link of its points: link OAB",
-    "pin": "points that links share are pins; a pin on the ground is a pivot",
+    "pin": "points that links share are pins, A at (20 mm, 35 mm); on the ground they are pivots",
+    "point": PLACED,
+    "joint": PLACED,
+    "node": PLACED,
     "motor": "a couple on a link is a torque: torque M on OA",
     "moment": "a couple on a link is a torque: torque M on OA",
     "cylinder": "a link of variable length is a telescope: telescope AB",
@@ -130,6 +135,8 @@ def unknown_statement(line: Sequence[Token]) -> Diagnostic:
     hint = f"a parameter is declared: param {word} = …" if assigned else ""
     if assigned and word[:2].isupper():
         hint = "points are capital letters with digits, as in OB1 = …; for a parameter write param"
+    if len(points_of(word)) == 1 or (len(word) == 1 and line[1:2] and line[1] == "at"):
+        hint = f"the place of a point is written {word.upper()} at (20 mm, 35 mm)"
     if len(points_of(word)) > 1:
         hint = f"a vector is written {word} = length @ direction"
     if word.lower() in statement_words():

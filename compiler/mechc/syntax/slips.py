@@ -18,7 +18,8 @@ DOUBLED = {"*": "a power is written with '^'", "=": "equality is written '='"}
 STATED = {
     ("TORQUE", "at"): "a couple acts on a link: torque M on OA",
     ("FORCE", "on"): "a force acts at a point: force F at A along x",
-    ("SLIDER", "at"): "a guide has a direction: slider K along 90 deg",
+    ("SLIDER", "at"): "a guide has a direction, slider K along 90 deg, and its point a place in a "
+    "line of its own: K at (0 mm, 80 mm)",
     ("PIVOT", "("): "the place of a pivot stands behind 'at': pivot O at (0 mm, 0 mm)",
     ("SPRING", "between"): "the rate comes first: spring 5 N/mm between A and B",
     ("WEIGHT", "="): "a weight has a mass: weight W mass 2 kg at G",

@@ -61,6 +61,8 @@ def _area(corners: Sequence[Place]) -> float:
 
 def start(block: Block, state: State) -> Values:
     """Return what the unknowns of a block are in the drawing, as far as it shows them."""
+    if not state.mechanism.drawn:
+        return {}
     places = {**places_of(state.mechanism.drawn, state.base), **state.web.places("", state.base)}
     shown = [e for e in block.cycle if len(e.arms) == 1 and {e.tail, e.head} <= places.keys()]
     values = dict(state.base)
