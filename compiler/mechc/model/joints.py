@@ -6,6 +6,7 @@ from ..diagnostics import drawn as drawn_words
 from ..diagnostics.model import joints as messages
 from ..source import Span
 from ..syntax import ast
+from ..units import LENGTH, UNITS
 from .constants import last_digit, leaves
 from .directions import read_direction, read_place, value_of
 from .mechanism import Drawn, Geometry, Joint, Link, Offset, Pivot, Slider
@@ -116,10 +117,14 @@ def read_drawn(file: ast.File, scope: Scope) -> tuple[list[Drawn], list[Offset]]
 
 
 def _drawn(statement: ast.Drawn, place: Offset) -> Drawn:
-    leaves_of_both = (leaf for part in (statement.at.x, statement.at.y) for leaf in leaves(part))
-    numbers = [leaf for leaf in leaves_of_both if isinstance(leaf, ast.Number)]
-    slack = float(min((ACCOUNTED * last_digit(n) for n in numbers if n.value), default=0))
-    unit = next((n.unit for n in numbers if n.unit), "")
+    parts = (leaf for part in (statement.at.x, statement.at.y) for leaf in leaves(part))
+    lengths = [
+        number
+        for number in parts
+        if isinstance(number, ast.Number) and number.unit and UNITS[number.unit].dimension == LENGTH
+    ]
+    slack = float(min((ACCOUNTED * last_digit(n) for n in lengths if n.value), default=0))
+    unit = next((n.unit for n in lengths), "")
     return Drawn(place.head, place.x, place.y, slack, unit, statement.span)
 
 
