@@ -71,6 +71,18 @@ torque M on OA
 force F at E along x
 find k = M/F
 """,
+    "quick_return": """
+pivot O at (0 m, 0 m)
+pivot Q at (5 m, 0 m)
+link OA
+link QC
+slot A in QC
+A at (1.2 m, 1.6 m)
+drive OA from 20 deg to 160 deg
+torque M on OA
+torque T on QC
+find k = M/T
+""",
     "double_butterfly": """
 pivot O at (0 m, 0 m)
 pivot R at (7.4 m, 4.2 m)

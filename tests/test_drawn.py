@@ -47,6 +47,8 @@ def arms(file: ast.File) -> Arms:
         for s in statements
         if s.at
     }
+    for slot in every(file, ast.Slot):
+        at.setdefault(slot.line.text[-1], at[slot.point.text])
     found = Arms({}, {})
     for tail, head in permutations(at, 2):
         size, turn = cmath.polar(at[head] - at[tail])

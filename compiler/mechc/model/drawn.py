@@ -118,9 +118,14 @@ def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
 
 
 def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
-    """Yield the two points between which a pair of forces acts, or which give a direction."""
+    """Yield two points between which a pair of forces acts, or which give a direction.
+
+    A slot has the direction of its pin where it is drawn by that only.
+    """
     yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
     yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
+    drawn = {d.point for d in mechanism.drawn}
+    yield from ((s.tail, s.point) for s in mechanism.slots if s.head not in drawn)
 
 
 # ------------------------------------------------------------------- by closing the loops
