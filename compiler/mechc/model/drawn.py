@@ -46,21 +46,20 @@ from .values import Chain, defaults, dependent
 def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     """Return the mechanism with the geometry that the drawn places give.
 
-    Reports E320 and E323 where a link cannot be driven, E321 where points of a body
-    coincide, E322 where a point is not on the line that guides it.
+    Reports E320 and E323 where a link cannot be driven, E321, E322 and E327 where points
+    coincide, are off their lines or have no place, E326 where a range leaves out a value.
     """
     if not mechanism.drawn and not (mechanism.drive and mechanism.drive.ends):
         return mechanism
     sketch = Sketch(mechanism, Chain(dependent(mechanism)).complete(defaults(mechanism)))
     for fault in faults(mechanism, sketch):
         report.add(fault)
+    report.stop_on_errors()
     drive = mechanism.drive
     if drive and drive.ends:
         if undriven := fault_of(drive, drive.ends, mechanism, sketch):
-            report.add(undriven)
-        else:
-            mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
-    report.stop_on_errors()
+            raise report.fail(undriven)
+        mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
     is_given = _is_given(mechanism, sketch)
     drawn = _closing(mechanism, sketch) if is_given else _as_drawn(mechanism, sketch)
     parameters = (*drawn.parameters, *sketch.parameters.values())
