@@ -124,7 +124,7 @@ def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
     yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
     drawn = {d.point for d in mechanism.drawn}
-    yield from ((s.tail, s.point) for s in mechanism.slots if s.head not in drawn)
+    yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.head not in drawn)
 
 
 # ------------------------------------------------------------------- by closing the loops

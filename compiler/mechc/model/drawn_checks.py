@@ -20,7 +20,7 @@ def faults(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
 def _without_place(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
     """Yield the points of links that are drawn nowhere, and that no vector leads to."""
     placed = sketch.places.keys() | {p for g in mechanism.geometry for p in points_of(g)}
-    placed |= {slot.head for slot in mechanism.slots}  # it may but name the line
+    placed |= {slot.head for slot in mechanism.each(Slot)}  # it may but name the line
     for point in dict.fromkeys(p for link in mechanism.links for p in link.points):
         if mechanism.drawn and point not in placed:
             is_pivot = point in sketch.pivots

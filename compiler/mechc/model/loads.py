@@ -17,11 +17,12 @@ from ..formula.tree import (
     Sum,
     Symbol,
     degrees,
+    negative,
     number,
     product,
     total,
 )
-from ..formula.walk import symbols
+from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
 from ..units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
@@ -131,7 +132,9 @@ def _distributed(
 
 
 def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
-    """Return the distance of two points, as far as one entry of the geometry gives it."""
+    """Return the distance of two points, as far as they are drawn or one entry gives it."""
+    if length := _drawn_length(tail, head, built):
+        return length
     for entry in built.geometry:
         match entry:
             case Arrow(length=length) if length and {entry.tail, entry.head} == {tail, head}:
@@ -139,6 +142,17 @@ def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
             case Offset(x=x, y=y) if {entry.tail, entry.head} == {tail, head}:
                 return Call("hypot", (x, y))
     return None
+
+
+def _drawn_length(tail: str, head: str, built: Mechanism) -> Formula | None:
+    """Return the distance of two points that are drawn, a number where it can be."""
+    places = {g.head: (g.x, g.y) for g in built.geometry if isinstance(g, Offset) and not g.tail}
+    places |= {drawn.point: (drawn.x, drawn.y) for drawn in built.drawn}
+    if not places.keys() >= {tail, head}:
+        return None
+    way = (total([b, negative(a)]) for a, b in zip(places[tail], places[head], strict=True))
+    length = Call("hypot", tuple(way))
+    return length if symbols(length) else Number(Fraction(repr(evaluate(length, {}))))
 
 
 def _centroid(intensities: tuple[Formula, ...]) -> Formula:
