@@ -7,7 +7,7 @@ from typing import assert_never
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
 from ..formula.to_text import text
-from ..formula.tree import Formula, Number, Sum, Symbol, number, product, total
+from ..formula.tree import Constant, Formula, Number, Sum, Symbol, number, product, total
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import (
     Absolute,
@@ -112,8 +112,8 @@ def _origin(half: Half) -> str:
 def _length(formula: Formula) -> str:
     """Return a length's formula, its plain numbers in millimetres."""
     match formula:
-        case Number(value):
-            return f"{float(1000 * value):.6g} mm"
+        case Number() | Constant():
+            return f"{1000 * evaluate(formula, {}):.6g} mm"
         case Sum(terms):
             return text(total(map(_with_unit, terms)))
         case _:
@@ -122,10 +122,11 @@ def _length(formula: Formula) -> str:
 
 def _with_unit(term: Formula) -> Formula:
     """Return a term that is printed with its unit."""
-    if not isinstance(term, Number):
+    if not isinstance(term, Number | Constant):
         return term
-    size = Symbol(_length(number(abs(term.value))))
-    return size if term.value > 0 else product([(number(-1), 1), (size, 1)])
+    value = evaluate(term, {})
+    size = Symbol(f"{abs(1000 * value):.6g} mm")
+    return size if value > 0 else product([(number(-1), 1), (size, 1)])
 
 
 def _angle(vertex: str, line: Direction, half: Half) -> Iterator[AngleMark]:
