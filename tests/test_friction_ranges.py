@@ -190,7 +190,7 @@ find k = P/F
 """Forces that grow without end before all of the friction is there: no load balances."""
 
 
-def test_what_sticks_is_told_where_corrections_run_out_in_code():
+def test_what_sticks_is_told_where_it_takes_many_corrections():
     made = made_of(FAR_OFF)
     for degrees, state in ((-0.85, "locked"), (36.8, "jammed"), (54.2, "jammed")):
         place = math.radians(degrees)
