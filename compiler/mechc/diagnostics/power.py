@@ -143,9 +143,10 @@ def loads_stand_still(at: Span) -> Message:
     What is asked for is 0/0 there: any load is balanced by the joints alone, so equilibrium leaves
     them open. Such poses come with right angles::
 
-        slider A along x
+        slider A along y
         slider B along x
-        AB = @ alpha      # with alpha = 90 deg the rod only turns while A stands still
+        AB = @ 90 deg       # the rod holds A, whatever pushes it, and lets B slide
+        AB = @ 89 deg       # right: both move
 
     The formulas hold beside the pose, where they go on without a break.
     """

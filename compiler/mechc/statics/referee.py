@@ -296,7 +296,7 @@ def _evaluate(question: Question, at: Balanced) -> float:
 def _one_of_several(trial: Trial, pose: Pose) -> Diagnostic:
     span = next(f.span for f in pose.mechanism.finds if f.name == trial.result)
     given = defaults(pose.mechanism).items()
-    is_default = all(trial.values[name] == value for name, value in given)
+    is_default = all(trial.values.get(name) == value for name, value in given)
     place = {} if is_default else free_values(pose, trial.values)
     return several_balances(span, trial.result, trial.power, place)
 

@@ -194,9 +194,9 @@ def _stuck(found: JammedInterval, stroke: Stroke) -> str:
     }
     ends = {
         (False, False): "",
-        (True, False): ", but not at the first",
-        (False, True): ", but not at the second",
-        (True, True): ", but at neither",
+        (True, False): ", the lower end left out",
+        (False, True): ", the upper end left out",
+        (True, True): ", both ends left out",
     }
     span = _span(found.low, found.high, stroke)
     return f"{found.result}: {says[found.state]} from {span}{ends[found.left_out]}"
