@@ -28,7 +28,7 @@ Status = Literal[0, 1, 2]
 CORRECTIONS = 96
 """Corrections of the unknowns altogether, those of steps that are given up among them."""
 
-LONGER = 3 * CORRECTIONS
+LONGER = 2 * CORRECTIONS
 """The same where a branch that ends says something of the mechanism: that friction jams it."""
 
 CONTRACTION = 0.4
