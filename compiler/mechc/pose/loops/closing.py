@@ -243,8 +243,8 @@ class _Closing:
         if len(wanted) == 1:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
-        name, base = state.free_name, state.base
-        group = Group(cycle, wanted, state.named, self._fixed, name, base, state.signed)
+        name, base, found = state.free_name, state.base, state.definitions
+        group = Group(cycle, wanted, state.named, self._fixed, name, base, state.signed, found)
         ways = group.closures()
         if not ways:
             return False

@@ -22,8 +22,8 @@ from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula, negative, product, total
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
 from ..samples import Values, is_behind
-from .triangle import along, common_turn, heron, principal
-from .vector_graph import Cycle, Names, loop_name, mentioned
+from .triangle import along, common_turn, heron, is_of_vector, principal
+from .vector_graph import Cycle, Names, known_span, loop_name, mentioned
 
 HALF_TURN, QUARTER = Angle.constant(180), Angle.constant(90)
 
@@ -81,14 +81,17 @@ class Group:
         name: Namer,
         values: Values,
         signed: Names = frozenset(),
+        defined: Iterable[Definition] = (),
     ) -> None:
         """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
 
-        ``signed`` are the names of lengths that may be negative somewhere on the stroke.
+        ``signed`` are the names of lengths that may be negative somewhere on the stroke,
+        ``defined`` what was found before.
         Once closures were made, ``root`` is what has no value where there is none.
         """
         self._name, self._kept, self._fixed, self._values = name, kept, fixed, values
         self._signed = signed
+        self._vectors = {d.name for d in defined if is_of_vector(d.formula)}
         self._shared: list[Definition] = []
         self.limit: Limit | None = None
         self.root: Call | None = None
@@ -190,16 +193,16 @@ class Group:
     def _may_turn(self, length: Product) -> bool:
         return not self._signed.isdisjoint(mentioned((Arm(length, Angle()),)))
 
-    def _span_name(self) -> str:
-        """Return the name of the known side of the loop, by the points at its ends."""
-        fixed = [self.unknown.isdisjoint(mentioned(e.arms)) for e in self.cycle]
-        starts = [i for i, k in enumerate(fixed) if k and not fixed[i - 1]]
-        if len(starts) != 1:
-            return "".join(dict.fromkeys(e.tail for e in self.cycle)) or "0"
-        first = last = starts[0]
-        while fixed[(last + 1) % len(fixed)]:
-            last = (last + 1) % len(fixed)
-        return f"{self.cycle[first].tail or '0'}{self.cycle[last].head or '0'}"
+    def _known_side(self, positive: bool) -> tuple[Product, Angle]:
+        """Return the known side of the loop; one that has a name keeps it, whatever leads there."""
+        ends = known_span(self.cycle, self.unknown)
+        for tail, head, turn in ((*ends, Angle()), (*ends[::-1], HALF_TURN)) if ends else ():
+            size, way = f"len_{tail or '0'}{head or '0'}", f"phi_{tail or '0'}{head or '0'}"
+            if len(self.known) > 1 and {size, way} <= self._vectors:
+                return Product.symbol(size), Angle.of(way) + turn
+        around = "".join(dict.fromkeys(e.tail for e in self.cycle)) or "0"
+        name = "".join(point or "0" for point in ends) if ends else around
+        return self._polar(self.known, name, positive)
 
     def knee(self) -> str:
         """Return the point between the two unknown edges, '' where they do not meet."""
@@ -215,7 +218,7 @@ class Group:
         """RRR: a triangle of three known sides d, p, q."""
         if not self.known:
             return
-        d, psi = self._polar(self.known, self._span_name(), positive=True)
+        d, psi = self._known_side(positive=True)
         p, q = first.size, second.size
         self.limit = Limit(loop_name(self.cycle), "triangle", self.known, (p, q))
         self.root = area = heron(d, p, q)
@@ -298,7 +301,7 @@ class Group:
         gamma = reach.direction - Angle.of(turn.name) * turn.sense
         lean = turn.offset - gamma
         across, ahead = turn.size * sine(lean), turn.size * cosine(lean)
-        d, psi = self._polar(self.known, self._span_name(), positive=bool(across))
+        d, psi = self._known_side(positive=bool(across))
         self.limit = Limit(loop_name(self.cycle), "slot", self.known, (across,))
         if not across:
             for side, way in ((d, psi + HALF_TURN), (-d, psi)):

@@ -4,7 +4,7 @@ from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine
-from ...formula.tree import Call, product
+from ...formula.tree import Call, Formula, product
 from ..pose import Vector
 
 
@@ -31,3 +31,8 @@ def heron(d: Product, p: Product, q: Product) -> Call:
     """
     factors = (add([p, q, d]), add([p, q, -d]), add([d, p, -q]), add([d, q, -p]))
     return Call("sqrt", (product((f.formula(), 1) for f in factors),))
+
+
+def is_of_vector(formula: Formula) -> bool:
+    """Tell whether something is the length or the direction of a vector between two points."""
+    return isinstance(formula, Call) and formula.function in ("hypot", "atan2")

@@ -64,6 +64,18 @@ def chained(points: Iterable[str]) -> str:
     return "-".join(dict.fromkeys(p for p in points if p and "_" not in p))
 
 
+def known_span(cycle: Cycle, unknown: Names) -> tuple[str, str] | None:
+    """Return the points at the ends of the known side of a loop, None where it has several."""
+    fixed = [unknown.isdisjoint(mentioned(e.arms)) for e in cycle]
+    starts = [i for i, k in enumerate(fixed) if k and not fixed[i - 1]]
+    if len(starts) != 1:
+        return None
+    first = last = starts[0]
+    while fixed[(last + 1) % len(fixed)]:
+        last = (last + 1) % len(fixed)
+    return cycle[first].tail, cycle[last].head
+
+
 class VectorGraph:
     """Edges, and the unknowns that are still sought."""
 

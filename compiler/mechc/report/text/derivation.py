@@ -54,7 +54,8 @@ class Speller(NamedTuple):
         """Return the line on a length that is given by a number."""
         assert literal.value
         name = self.relation((Symbol(literal.name),), (), False)
-        return f"{_DEEP}{name} = {in_unit(evaluate(literal.value, {}), literal.unit, 10)}"
+        value = in_unit(evaluate(literal.value, {}), literal.unit, 10)
+        return f"{_DEEP}{name} = {value.replace('-', self.signs.minus)}"
 
 
 def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True) -> str:
