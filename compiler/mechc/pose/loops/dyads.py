@@ -85,8 +85,7 @@ class Group:
     ) -> None:
         """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
 
-        ``signed`` are the names of lengths that may be negative somewhere on the stroke,
-        ``defined`` what was found before.
+        ``signed`` lengths may be negative somewhere on the stroke; ``defined`` was found before.
         Once closures were made, ``root`` is what has no value where there is none.
         """
         self._name, self._kept, self._fixed, self._values = name, kept, fixed, values
@@ -126,8 +125,6 @@ class Group:
             case _:
                 return None
         return tuple(c._replace(definitions=(*self._shared, *c.definitions)) for c in found) or None
-
-    # ---------------------------------------------------------------------- taking apart
 
     def _parts(self) -> tuple[list[Turning], list[Reaching]]:
         """Return what turns and what reaches; nothing where the loop is of no such kind."""
@@ -197,11 +194,11 @@ class Group:
         """Return the known side of the loop; one that has a name keeps it, whatever leads there."""
         ends = known_span(self.cycle, self.unknown)
         for tail, head, turn in ((*ends, Angle()), (*ends[::-1], HALF_TURN)) if ends else ():
-            size, way = f"len_{tail or '0'}{head or '0'}", f"phi_{tail or '0'}{head or '0'}"
+            size, way = f"len_{tail}{head}", f"phi_{tail}{head}"
             if len(self.known) > 1 and {size, way} <= self._vectors:
                 return Product.symbol(size), Angle.of(way) + turn
-        around = "".join(dict.fromkeys(e.tail for e in self.cycle)) or "0"
-        name = "".join(point or "0" for point in ends) if ends else around
+        around = dict.fromkeys(e.tail for e in self.cycle)
+        name = "".join(ends or around) or "0"
         return self._polar(self.known, name, positive)
 
     def knee(self) -> str:

@@ -65,7 +65,7 @@ def chained(points: Iterable[str]) -> str:
 
 
 def known_span(cycle: Cycle, unknown: Names) -> tuple[str, str] | None:
-    """Return the points at the ends of the known side of a loop, None where it has several."""
+    """Return the ends of the known side of a loop ("0" is the origin), None of several sides."""
     fixed = [unknown.isdisjoint(mentioned(e.arms)) for e in cycle]
     starts = [i for i, k in enumerate(fixed) if k and not fixed[i - 1]]
     if len(starts) != 1:
@@ -73,7 +73,7 @@ def known_span(cycle: Cycle, unknown: Names) -> tuple[str, str] | None:
     first = last = starts[0]
     while fixed[(last + 1) % len(fixed)]:
         last = (last + 1) % len(fixed)
-    return cycle[first].tail, cycle[last].head
+    return cycle[first].tail or "0", cycle[last].head or "0"
 
 
 class VectorGraph:
