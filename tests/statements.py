@@ -11,7 +11,7 @@ from types import CodeType
 
 from mechc.formula.to_text import text
 from mechc.formula.tree import Formula, Implicit
-from mechc.formula.walk import FUNCTIONS, symbols, walk
+from mechc.formula.walk import FUNCTIONS, constants, substitute, symbols, walk
 from mechc.formula.walk import evaluate as slowly
 from mechc.model.mechanism import Mechanism
 from mechc.model.values import bounds, defaults, dependent, independent
@@ -35,7 +35,8 @@ def _code(formula: Formula) -> CodeType | None:
     """Return a formula as code; None where a part of it is iterated."""
     if id(formula) not in CODE:
         is_iterated = any(isinstance(f, Implicit) for f in walk(formula))
-        source = text(formula).replace("^", "**")
+        numbers = {c.name: c.value for c in constants([formula])}
+        source = text(substitute(formula, numbers)).replace("^", "**")
         CODE[id(formula)] = (
             formula,
             None if is_iterated else compile(source, "formula", "eval"),
