@@ -7,7 +7,7 @@ from typing import assert_never
 from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
 from ..formula.to_text import text
-from ..formula.tree import Constant, Formula, Number, Sum, Symbol, number, product, total
+from ..formula.tree import Formula, Sum, Symbol, number, product, total
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import (
     Absolute,
@@ -111,18 +111,16 @@ def _origin(half: Half) -> str:
 
 def _length(formula: Formula) -> str:
     """Return a length's formula, its plain numbers in millimetres."""
-    match formula:
-        case Number() | Constant():
-            return f"{1000 * evaluate(formula, {}):.6g} mm"
-        case Sum(terms):
-            return text(total(map(_with_unit, terms)))
-        case _:
-            return text(formula)
+    if not symbols(formula):
+        return f"{1000 * evaluate(formula, {}):.6g} mm"
+    if isinstance(formula, Sum):
+        return text(total(map(_with_unit, formula.terms)))
+    return text(formula)
 
 
 def _with_unit(term: Formula) -> Formula:
     """Return a term that is printed with its unit."""
-    if not isinstance(term, Number | Constant):
+    if symbols(term):
         return term
     value = evaluate(term, {})
     size = Symbol(f"{abs(1000 * value):.6g} mm")
