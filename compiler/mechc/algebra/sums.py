@@ -116,6 +116,8 @@ def put(product: Product, values: Mapping[str, Product]) -> Product:
     """Return a product with symbols that stand outside angles replaced by products.
 
     >>> from ..formula.to_text import text
+    >>> from .angle import Angle
+    >>> from .trigonometry import cosine
     >>> a, g, s = map(Product.symbol, "ags")
     >>> text(put(add([s, a]), {"s": g / cosine(Angle.of("phi"))}).formula())
     'a + g/cos(phi)'

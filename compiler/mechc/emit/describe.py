@@ -47,6 +47,7 @@ def input_words(item: Input, name: str = "") -> str:
     ``name`` is what the target calls it.
 
     >>> import math
+    >>> from mechc.units import ANGLE
     >>> input_words(Input("a", ANGLE, "deg", math.pi / 6, 0.0, math.pi / 4))
     'rad; 30 deg, in 0 deg .. 45 deg'
     """

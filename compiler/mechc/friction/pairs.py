@@ -14,13 +14,14 @@ from ..formula.tree import PI, Formula, product
 from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
 from ..kinematics.plan import Plan, Speeds
-from ..kinematics.release import JointRef, Measure, members, mesh_ref
+from ..kinematics.release import JointRef, Measure, members, mesh_of
 from ..model.mechanism import (
     FaceFriction,
     GuideFriction,
     JointFriction,
     PinFriction,
     Rack,
+    Screw,
     ThreadFriction,
     WheelFriction,
     WheelPair,
@@ -74,12 +75,13 @@ def _of(rubbing: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
                     to_product(factor),
                     lambda graph: projection(graph.velocities[point], along),
                 )
-        case WheelFriction(wheels, factor):
-            name, joint = f"{rubbing.point}_{rubbing.kind}", mesh_ref(wheels)
-            yield FrictionPair(name, joint, to_product(factor), _rim(wheels, pose))
-        case ThreadFriction(screw, factor):
-            name, joint = f"{screw.point}_screw", mesh_ref(screw)
-            yield FrictionPair(name, joint, to_product(factor), _along_thread(rubbing, pose))
+        case WheelFriction(id, kind, point, factor):
+            joint = JointRef("mesh", point, id)
+            yield FrictionPair(f"{point}_{kind}", joint, to_product(factor), _rim(joint, pose))
+        case ThreadFriction(id, point, factor, thread):
+            joint = JointRef("mesh", point, id)
+            slip = _along_thread(joint, to_product(thread), pose)
+            yield FrictionPair(f"{point}_screw", joint, to_product(factor), slip)
         case FaceFriction(point, factor):
             yield _face(point, factor, pose)
         case _:
@@ -125,24 +127,25 @@ def _sliding(touch: PointContact) -> Measure:
     return slip
 
 
-def _rim(joint: WheelPair | Rack, pose: Pose) -> Measure:
+def _rim(joint: JointRef, pose: Pose) -> Measure:
     """Return the speed of the first wheel's rim, or of a rack."""
-    match joint:
-        case Rack(point):
-            return lambda graph: projection(graph.velocities[point], _guide(point, pose))
+    match mesh_of(pose, joint):
         case WheelPair(first_link=link, first_radius=radius):
             return lambda graph: scaled(spin(graph, link), pose.radii[radius])
-        case _:
-            assert_never(joint)
+        case Rack(point) | Screw(point):
+            return lambda graph: projection(graph.velocities[point], _guide(point, pose))
+        case other:
+            assert_never(other)
 
 
-def _along_thread(thread: ThreadFriction, pose: Pose) -> Measure:
+def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:
     """Return v·p/(πd) + ω·d/2: what the axial force times μ does work with.
 
     With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
     force F presses with F/cos ψ.
     """
-    screw, diameter = thread.joint, to_product(thread.thread)
+    screw = mesh_of(pose, joint)
+    assert isinstance(screw, Screw), "a thread is on a screw"
     slope = pose.radii[screw.pitch] / (to_product(PI) * diameter)
 
     def slip(graph: Graph) -> Form:

@@ -62,11 +62,6 @@ class JointRef(NamedTuple):
 Mesh = WheelPair | Rack | Screw
 
 
-def mesh_ref(joint: Mesh) -> JointRef:
-    """Return the reference to the teeth of wheels or a rack, to a belt, or to a thread."""
-    return JointRef("mesh", joint.points[0], joint.id)
-
-
 def held_end(mechanism: Mechanism, link: Link) -> str:
     """Return an end of a rod that something else holds: its last one, if that is.
 
@@ -319,7 +314,7 @@ def _without_mesh(pose: Pose, joint: JointRef) -> Released:
 def mesh_of(pose: Pose, joint: JointRef) -> Mesh:
     """Return the wheels, the rack or the screw that a reference names."""
     mesh = pose.mechanism.joint(joint.of)
-    assert isinstance(mesh, WheelPair | Rack | Screw), "a mesh is referred to by mesh_ref"
+    assert isinstance(mesh, WheelPair | Rack | Screw), "a mesh is of wheels, a rack or a screw"
     return mesh
 
 

@@ -191,21 +191,22 @@ def _transmission(
     point, span = statement.point, statement.span
     if not scope.points.acting(point) or f is None:
         return
-    kind, begun, joints = _transmissions(statement, file, built)
+    word, begun, joints = _transmissions(statement, file, built)
     here = [joint for joint in joints if joint.points[0] == point.text]
     if not here and point.text in begun:
         return  # what is wrong with that line was reported
     if not here:
         there = sorted(joint.points[0] for joint in joints)
-        scope.report.add(messages.no_transmission(point.span, kind, point.text, there))
+        scope.report.add(messages.no_transmission(point.span, word, point.text, there))
     elif len(here) > 1:
-        scope.report.add(messages.several_transmissions(point.span, kind, point.text))
+        scope.report.add(messages.several_transmissions(point.span, word, point.text))
     elif not isinstance(here[0], Screw):
-        yield WheelFriction(here[0], f, span)
+        kind = here[0].kind if isinstance(here[0], WheelPair) else "rack"
+        yield WheelFriction(here[0].id, kind, point.text, f, span)
     elif isinstance(statement, ast.ScrewFriction):
         thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:
-            yield ThreadFriction(here[0], f, thread, span)
+            yield ThreadFriction(here[0].id, point.text, f, thread, span)
 
 
 def _transmissions(

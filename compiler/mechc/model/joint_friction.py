@@ -7,7 +7,6 @@ from ..formula.tree import Call, Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
 from ..source import Span
-from .parts import Rack, Screw, WheelPair
 from .targets import Sense
 
 
@@ -50,38 +49,29 @@ class FaceFriction:
 class WheelFriction:
     """A pair of gears, a belt or a rack that loses ``factor`` of the force it passes on.
 
-    The loss resists the rim of the first wheel, or the rack. What arrives beyond is the
-    force passed on.
+    The loss resists the rim of the first wheel, or the rack: ``point`` is its pivot, or the
+    rack's, and ``joint`` the id. What arrives beyond is the force passed on.
     """
 
-    joint: WheelPair | Rack
+    joint: str
+    kind: Literal["gear", "belt", "rack"]
+    point: str
     factor: Formula
     span: Span
-
-    @property
-    def point(self) -> str:
-        """Return the pivot of the first wheel, or the rack's point."""
-        return self.joint.points[0]
-
-    @property
-    def kind(self) -> Literal["gear", "belt", "rack"]:
-        """Return the word of the language."""
-        return self.joint.kind if isinstance(self.joint, WheelPair) else "rack"
 
 
 @frozen
 class ThreadFriction:
-    """A screw on whose thread, of mean diameter ``thread``, Coulomb's friction acts."""
+    """A screw on whose thread, of mean diameter ``thread``, Coulomb's friction acts.
 
-    joint: Screw
+    ``joint`` is the screw's id, ``point`` the slider that it moves.
+    """
+
+    joint: str
+    point: str
     factor: Formula
     thread: Formula
     span: Span
-
-    @property
-    def point(self) -> str:
-        """Return the slider that the screw moves."""
-        return self.joint.point
 
 
 def coulomb(coefficient: Formula) -> Formula:

@@ -270,14 +270,14 @@ def _of(rubbing: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
                     yield Pair("pin", name, (*couples, *back), body, point, size)
         case GuideFriction(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
-        case WheelFriction(joint, factor_):
+        case WheelFriction(joint, kind, point, factor_):
             size = evaluate(factor_, unfolding.values)
-            name = f"{rubbing.kind} {rubbing.point}"
+            name = f"{kind} {point}"
             yield Pair("transmission", name, unfolding.rim(joint), name, "", size)
-        case ThreadFriction(screw, factor_, thread):
+        case ThreadFriction(joint, point, factor_, thread):
             size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
-            actions = unfolding.along_thread(screw, diameter)
-            name = f"screw {screw.point}"
+            actions = unfolding.along_thread(joint, diameter)
+            name = f"screw {point}"
             yield Pair("transmission", name, actions, name, "", size)
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)

@@ -207,22 +207,24 @@ class Unfolding:
             return push
         return (*push, *map(self._mirrored, push))
 
-    def rim(self, joint: WheelPair | Rack) -> tuple[Action, ...]:
-        """Return a unit force on the rim of a pair's first wheel, or on a rack."""
-        match joint:
-            case Rack(point, link=link):
-                return self._by(link, point, self.direction_of_guide(point))
+    def rim(self, joint: str) -> tuple[Action, ...]:
+        """Return a unit force on the rim of a pair's first wheel, or on a rack, by the id."""
+        match self.pose.mechanism.joint(joint):
             case WheelPair(first_link=link, first_radius=radius):
                 return self.couple(link, evaluate(radius, self.values))
-            case _:
-                assert_never(joint)
+            case Rack(point, link=link):
+                return self._by(link, point, self.direction_of_guide(point))
+            case other:
+                raise AssertionError(f"{other.id} has no rim")
 
-    def along_thread(self, screw: Screw, diameter: float) -> tuple[Action, ...]:
+    def along_thread(self, joint: str, diameter: float) -> tuple[Action, ...]:
         """Return the friction on a thread that an axial force of 1 times 1 gives, on nut and screw.
 
         F/cos ψ along the thread, whose slope is tan ψ = p/(πd): F·tan ψ along the axis, and
         F·d/2 about it.
         """
+        screw = self.pose.mechanism.joint(joint)
+        assert isinstance(screw, Screw), "a thread is on a screw"
         slope = evaluate(screw.pitch, self.values) / (math.pi * diameter)
         along = self.direction_of_guide(screw.point).times(slope)
         return (*self._by(screw.link, screw.point, along), *self.couple(screw.link, diameter / 2))

@@ -72,9 +72,9 @@ def _joint(rub: JointFriction, locale: Locale, style: Notation) -> Iterator[str]
             yield locale.rubbing[kind].format(point=point, value=math(latex(factor, style)))
         case FaceFriction(_, factor):
             yield locale.rubbing["face"].format(point=point, value=math(latex(factor, style)))
-        case WheelFriction(_, factor):
-            yield locale.rubbing[rub.kind].format(point=point, value=math(latex(factor, style)))
-        case ThreadFriction(_, factor, thread):
+        case WheelFriction(_, kind, _, factor):
+            yield locale.rubbing[kind].format(point=point, value=math(latex(factor, style)))
+        case ThreadFriction(_, _, factor, thread):
             value, diameter = math(latex(factor, style)), math(length_of(thread, locale, style))
             yield locale.rubbing["screw"].format(point=point, value=value, diameter=diameter)
         case _:
