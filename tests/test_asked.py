@@ -212,7 +212,7 @@ find k = M/F
     [
         ("cos(phi_AB - phi_CB)", "cos(mu_B)"),
         ("1 + 3*sin(phi_CB - phi_AB)^2", "1 + 3*sin(mu_B)^2"),
-        ("len_AB*cos(phi_BA - phi_OA)", "-cos(phi - phi_AB)/10"),
+        ("len_AB*cos(phi_BA - phi_OA)", "-len_AB*cos(phi - phi_AB)"),
         ("tan((phi_AB - phi_CB)/2)", "-tan(mu_B/2)"),
     ],
 )

@@ -35,7 +35,7 @@ TYPED = {
     "check karpenko_fig9_p": "check karpenko_fig9_packet_clamp",
     "compile x.mech --emit py": "compile x.mech --emit python",
     "show pos": "show pose",
-    "explain w60": "explain W601",
+    "explain w40": "explain W401",
 }
 
 

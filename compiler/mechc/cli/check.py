@@ -127,7 +127,7 @@ def _of_result(
     yield f"  {result.name} = {text(result.formula)}"
     for literal in literals:
         assert literal.value
-        yield f"    where {literal.name} = {in_unit(evaluate(literal.value, {}), literal.unit, 9)}"
+        yield f"    where {literal.name} = {in_unit(evaluate(literal.value, {}), literal.unit, 6)}"
     for group in grouped(as_written(where, usual, units)):
         yield from _of_definition(group, usual, units)
     sizes = _sizes(result)

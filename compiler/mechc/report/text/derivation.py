@@ -70,7 +70,8 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     before = ""
     for section in sections(derivation, mechanism):
         title = heading(section.results[0], LOCALE, spell) or LOCALE.results
-        lines += ["", *([title] if title != before else []), *_section(section, spell)]
+        again = title == before == LOCALE.results
+        lines += ["", *([] if again else [title]), *_section(section, spell)]
         before = title
     if mechanism.requires:
         lines += [
