@@ -2,7 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
-from ..figure.figure import Figure, Force, Link, Part, Pivot, Slide, Slider, Torque
+from ..figure.figure import Figure, Force, Link, Part, Pivot, Slide, Slider, SpreadLoad, Torque
 
 
 def describe(figure: Figure) -> str:
@@ -36,5 +36,7 @@ def _loads(parts: Iterable[Part]) -> Iterator[str]:
     for part in parts:
         if isinstance(part, Force):
             yield f"{part.name} at {part.point}"
+        elif isinstance(part, SpreadLoad):
+            yield f"{part.name} over {part.tail}{part.head}"
         elif isinstance(part, Torque):
             yield f"couple {part.name} on {part.link}"

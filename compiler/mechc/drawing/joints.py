@@ -6,6 +6,7 @@ from collections import Counter
 from collections.abc import Iterator
 
 from ..figure.figure import (
+    ArcSlot,
     Belt,
     Contact,
     Force,
@@ -50,6 +51,8 @@ def joint(paper: Paper, part: Part) -> Layered:
             ends = paper.ends(part.groove)
             yield Layer.JOINTS, symbols.groove_floor(*ends)
             yield from _in(Layer.JOINTS, symbols.groove(*ends))
+        case ArcSlot():
+            yield from _arc_slot(paper, part)
         case Gears():
             yield from _in(Layer.WHEELS, _gears(paper, part))
         case Belt():
@@ -64,6 +67,19 @@ def joint(paper: Paper, part: Part) -> Layered:
 
 def _in(layer: Layer, shapes: Iterator[Shape]) -> Layered:
     return ((layer, shape) for shape in shapes)
+
+
+def _arc_slot(paper: Paper, part: ArcSlot) -> Layered:
+    """Yield a groove along its circle, the arm by which the body carries it, and the radius."""
+    centre, pin = paper.at(part.centre), paper.at(part.point)
+    middle = pin.minus(centre).angle
+    groove = symbols.arc_groove(centre, part.radius * paper.scale, middle)
+    ends = [groove.at(0.0), groove.at(1.0)]
+    body = [paper.at(point) for point in _link(paper, part.body).points]
+    arm = min(((p, e) for p in body for e in ends), key=lambda pair: math.dist(*pair))
+    yield Layer.AXES, line(centre, pin, AXIS)
+    yield Layer.BODIES, line(*arm, BODY)
+    yield from _in(Layer.JOINTS, symbols.groove_along(groove))
 
 
 def _gears(paper: Paper, part: Gears) -> Iterator[Shape]:
@@ -113,7 +129,7 @@ def pins(paper: Paper) -> Iterator[Shape]:
         match part:
             case Link() | Slide() | Telescope():
                 count.update(part.points)
-            case Pivot() | Slider() | Slot():
+            case Pivot() | Slider() | Slot() | ArcSlot():
                 count[part.point] += 2
             case Contact():
                 rollers.add(part.point)

@@ -3,7 +3,7 @@
 import math
 from fractions import Fraction
 
-from ..figure.figure import Actuator, Force, Slider, Spring, Telescope, Torque
+from ..figure.figure import Actuator, Force, Slider, SpreadLoad, Spring, Telescope, Torque
 from ..pose.places import direction
 from .drawing import FORCE, SYMBOL, Run
 from .labels import Around, Beside
@@ -20,9 +20,16 @@ from .symbols import (
     centre_of_gravity,
     couple,
     cylinder,
+    line,
     off,
     spring,
 )
+
+SPACING, HEIGHT = 7.0, 9.0
+"""How far apart the arrows of a spread load are, and how long the longest is."""
+
+LEAST = 3.5
+"""How long an arrow of a spread load is at least."""
 
 DIRECTIONS = 12
 """In how many directions from its middle the arrow of a couple is tried."""
@@ -47,6 +54,8 @@ def draw_forces(sheet: Sheet, paper: Paper) -> None:
         match part:
             case Force():
                 _draw_force(sheet, paper, part)
+            case SpreadLoad():
+                _draw_spread(sheet, paper, part)
             case Torque():
                 _draw_torque(sheet, paper, part)
             case Actuator() | Spring():
@@ -68,6 +77,24 @@ def _draw_force(sheet: Sheet, paper: Paper, force: Force) -> None:
     tail, tip = min(ways, key=lambda way: sheet.occupied.crossings(*way))
     sheet.draw(Layer.LOADS, arrow(tail, tip))
     sheet.name(Beside(tail, tip, _times(force.times, force.name), FORCE))
+
+
+def _draw_spread(sheet: Sheet, paper: Paper, load: SpreadLoad) -> None:
+    """Draw a row of arrows, as long as the load is large at each place, and the line above them."""
+    start, end = paper.at(load.tail), paper.at(load.head)
+    first, last = load.tail_intensity, load.head_intensity
+    largest = max(abs(first), abs(last)) or 1.0
+    count = max(3, round(math.dist(start, end) / SPACING))
+    tails = []
+    for i in range(count + 1):
+        part = i / count
+        size = (first + part * (last - first)) / largest * HEIGHT
+        tip = off(start.plus(end.minus(start).times(part)), load.along, -GAP)
+        tails.append(off(tip, load.along, -size))
+        if abs(size) > LEAST:
+            sheet.draw(Layer.LOADS, arrow(tails[-1], tip))
+    sheet.draw(Layer.LOADS, [line(tails[0], tails[-1], FORCE)])
+    sheet.name(Beside(tails[0], tails[-1], _times(load.times, load.name), FORCE))
 
 
 def _reach(paper: Paper, force: Force) -> float:

@@ -18,6 +18,9 @@ BLOCK, BORE = 3.0, 1.9
 GUIDE = 5.5
 """Half the length of a guide beside its block."""
 
+GROOVE = 11.0
+"""Half the length of a circular slot."""
+
 ARROW = 13.0
 """The length of a force's arrow."""
 
@@ -88,6 +91,21 @@ def groove(start: Plane, end: Plane) -> Iterator[Shape]:
         yield line(off(start, along, 0, side * PIN), off(end, along, 0, side * PIN), SYMBOL)
     yield Arc(start, PIN, SYMBOL, along.angle + math.pi / 2, math.pi)
     yield Arc(end, PIN, SYMBOL, along.angle - math.pi / 2, math.pi)
+
+
+def arc_groove(centre: Plane, radius: float, middle: float) -> Arc:
+    """Return the middle line of a circular slot around the direction of its pin."""
+    half = min(math.radians(40), GROOVE / radius)
+    return Arc(centre, radius, SYMBOL, middle - half, 2 * half)
+
+
+def groove_along(way: Arc) -> Iterator[Shape]:
+    """Yield a slot with round ends along an arc."""
+    for side in (1, -1):
+        yield way._replace(radius=way.radius + side * PIN)
+    end = way.start + way.sweep
+    yield Arc(way.at(0.0), PIN, SYMBOL, way.start - math.pi, math.pi)
+    yield Arc(way.at(1.0), PIN, SYMBOL, end, math.pi)
 
 
 def groove_floor(start: Plane, end: Plane) -> Polyline:
