@@ -36,7 +36,7 @@ from mechc.formula.tree import (
     Sum,
     Symbol,
 )
-from mechc.formula.walk import solution
+from mechc.formula.walk import evaluate, solution
 
 DIGITS = 50
 Wide = Any
@@ -125,6 +125,13 @@ class Case(NamedTuple):
             known[name] = exact(formula, known)
         return {name: known[name] for name in self.quantities}
 
+    def has_values(self, values: Mapping[str, float]) -> bool:
+        """Tell whether the interpreter finds them all: at the very edge rounding decides."""
+        known = dict(values)
+        for name, formula in self.formulas:
+            known[name] = evaluate(formula, known)
+        return all(map(math.isfinite, known.values()))
+
     @property
     def quantities(self) -> list[str]:
         """Return the names of what is computed, numbers of the description apart."""
@@ -191,7 +198,8 @@ def _edge(case: Case, name: str) -> tuple[float, float]:
     start = case.values[name]
 
     def closed(value: float) -> bool:
-        return bool(case.codes[0](case.values | {name: value}))
+        known = case.values | {name: value}
+        return bool(case.codes[0](known)) and case.has_values(known)
 
     away = (start * (1 + sign * i / 64) for i in range(1, 128) for sign in (-1, 1))
     inside, outside = start, next(value for value in away if not closed(value))
