@@ -97,9 +97,11 @@ class _Reach:
         return [End(low), *sorted(inner), End(high)]
 
     def _zeros(self, margin: Product, low: float, high: float) -> Iterator[End]:
-        exact = list(_closed_forms(margin, self._drive, self._moving))
+        known = self._values(low)
+        forms = _closed_forms(margin, self._drive, self._moving)
+        exact = [(i, c) for i, c in forms if symbols(total([i, c.formula()])) <= known.keys()]
         for inverse, constant in exact:
-            place = evaluate(total([inverse, constant.formula()]), self._given)
+            place = evaluate(total([inverse, constant.formula()]), known)
             for turn in _turns(place, low, high):
                 whole = total([inverse, (constant + Angle.constant(360 * turn)).formula()])
                 yield End(place + turn * 2 * math.pi, _shown(whole))
