@@ -11,7 +11,7 @@ from ..kinematics.plan import Plan
 from ..model.mechanism import Axial, Normal, Reaction
 from ..pose.pose import Arm
 from ..power.balance import Term
-from ..power.joint_forces import bond_of, component, line_of
+from ..power.joint_forces import component, joint_of, line_of
 from ..power.reactions import Reactions
 from .closed_form import Named, Printed, conditions
 from .coupled import Sizes
@@ -38,7 +38,7 @@ class ForceWithFriction:
         pairs = [p.pair for p in pressed]
         known = (plan, *(other for p in pressed for other in p.plans))
         reactions = Reactions(self._pose, (driving,), partial(_terms, pairs), known)
-        self.transmitted = reactions.of(bond_of(target, self._pose))
+        self.transmitted = reactions.of(joint_of(target, self._pose))
 
     def at_any_pose(self) -> Named:
         """Return the force with signs that follow from the pose."""

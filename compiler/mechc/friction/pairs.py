@@ -32,7 +32,7 @@ from ..power.joint_forces import guiding
 
 
 class FrictionPair(NamedTuple):
-    """A pair of surfaces: ``factor · |force of the bond|`` resists its ``slip``.
+    """A pair of surfaces: ``factor · |force of the joint|`` resists its ``slip``.
 
     The factor is the radius of a friction circle in metres, against a relative rotation,
     or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``,

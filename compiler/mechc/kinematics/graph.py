@@ -78,7 +78,7 @@ class Rule(StrEnum):
     SCREW = "screw"
     """A screw moves its nut by the pitch for each turn: V = ωp/2π."""
     HELD = "held"
-    """Nothing moves that way while a bond is let go."""
+    """Nothing moves that way while a joint is released."""
 
 
 class Relation(NamedTuple):

@@ -1,12 +1,13 @@
-"""A bond let go: the mechanism with one freedom more, along which a reaction does work.
+"""A joint released: the mechanism with one freedom more, along which a reaction does work.
 
-By the principle of released constraints the force of a bond becomes a load once the bond
-is taken away. With the driving loads held still, what is left has one freedom, and the
-balance of power in it gives that force alone, as short as k itself.
+By release of constraints the force at a joint becomes a load once the joint is taken away.
+With the driving loads held still, what is left has one freedom, and the balance of power in
+it gives that force alone, as short as k itself.
 
-A bond is a *pin* of a link on what it meets there, a point on the *ground* (a pivot, a
-guide), or a *touch* (slot, contact). Let go along a direction, it keeps everything else:
-a pin does not part across it, a pivot moves along it only.
+A joint is a *pin* of a link on what it meets there, a point on the *ground* (a pivot, a
+guide), the guide of a *slide*, a *touch* (slot, contact), or a *mesh* (wheels, rack, screw).
+Released along a direction, it keeps everything else: a pin does not part across it, a pivot
+moves along it only.
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
@@ -99,7 +100,7 @@ Measure = Callable[[Graph], Form]
 
 @frozen
 class Released:
-    """A pose with a bond let go, the speed at which it parts, and what still holds there."""
+    """A pose with a joint released, the speed at which it parts, and what still holds there."""
 
     pose: Pose
     parting: Measure
@@ -108,7 +109,7 @@ class Released:
 
 @frozen
 class ReleasedLinkage:
-    """The plan of a mechanism with a bond let go, and the speed at which the bond parts."""
+    """The plan of a mechanism with a joint released, and the speed at which the joint parts."""
 
     plan: Plan
     parting: Speeds
@@ -125,22 +126,22 @@ def released_linkage(
     held: Iterable[Sequence[Share]],
     taken: frozenset[str],
 ) -> ReleasedLinkage | None:
-    """Return the motions that are left with a bond let go along a direction.
+    """Return the motions that are left with a joint released along a direction.
 
     Each free load in ``held`` does no work in them, with all that are tied to it. None where
-    nothing moves: then other bonds do the same as this one. Long sums get names that are not
+    nothing moves: then other joints do the same as this one. Long sums get names that are not
     ``taken``.
     """
-    let_go = _released(pose, joint, along)
-    moved = {load.name: load for load in let_go.pose.mechanism.loads}
+    released = _released(pose, joint, along)
+    moved = {load.name: load for load in released.pose.mechanism.loads}
     shares = [[(part, moved[load.name]) for part, load in free] for free in held]
-    measures = [*let_go.holding, *map(work_of, shares)]
-    graph = _held_still(Builder(let_go.pose).graph(), measures, pose.mechanism.span)
+    measures = [*released.holding, *map(work_of, shares)]
+    graph = _held_still(Builder(released.pose).graph(), measures, pose.mechanism.span)
     try:
         plan = plan_of(graph, Report(Source("", "")), taken)
     except MechcError:
         return None
-    return ReleasedLinkage(plan, plan.value(let_go.parting(graph)))
+    return ReleasedLinkage(plan, plan.value(released.parting(graph)))
 
 
 def work_of(shares: Sequence[Share]) -> Measure:
@@ -349,7 +350,7 @@ def _without_touch(pose: Pose, point: str) -> Released:
 
 
 def unclear(mechanism: Mechanism) -> frozenset[str]:
-    """Return the pivots on which wheels and screws press in directions that nothing tells.
+    """Return the pivots on which wheels and screws press in directions that are undetermined.
 
     Teeth press across the line of centres, belts are tightened beforehand, and a screw's
     thrust is out of the plane. A rack presses along its guide.
@@ -361,7 +362,7 @@ def unclear(mechanism: Mechanism) -> frozenset[str]:
 
 
 def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:
-    """Return the points of all that a bond joins; it is shared by halves where they all are."""
+    """Return the points of all that a joint holds; it is shared by halves where they all are."""
     if joint.kind == "touch":
         return (joint.point, *pose.frames[touch_at(pose, joint.point).body])
     if joint.kind == "mesh":

@@ -120,7 +120,7 @@ class Pose:
     do not mention, as they are one product. ``loops`` are the loops that may fail to close,
     each after those that it rests on. ``vectors`` are those between two points that
     the description gives, or that a loop gives it a place by, whatever bodies they are on.
-    ``left[point]`` is the direction of a guide that was let go, along which a rack or a nut
+    ``left[point]`` is the direction of a guide that was released, along which a rack or a nut
     is still led.
     """
 

@@ -87,10 +87,10 @@ class Equations:
 
 @frozen
 class Release:
-    """One component of the force at a joint: a bond that is let go along a direction.
+    """One component of the force at a joint: a joint that is released along a direction.
 
-    ``kind``, ``point`` and ``of`` are the bond's; the loads that are ``held`` do no work. Of
-    the ``terms`` the last one is that of the force itself, its speed that at which the bond
+    ``kind``, ``point`` and ``of`` are the joint's; the loads that are ``held`` do no work. Of
+    the ``terms`` the last one is that of the force itself, its speed that at which the joint
     parts; ``amounts`` is the force per unit of each load.
     """
 

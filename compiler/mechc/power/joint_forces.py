@@ -46,7 +46,7 @@ class Found(NamedTuple):
 
 def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactions) -> Found | None:
     """Return a force at a joint; None where equilibrium leaves it open."""
-    transmitted = reactions.of(bond_of(target, pose))
+    transmitted = reactions.of(joint_of(target, pose))
     if transmitted is None:
         return None
     match target:
@@ -67,8 +67,8 @@ def called(target: Reaction | Axial | Normal) -> str:
             return f"N_{point}"
 
 
-def bond_of(target: Reaction | Axial | Normal, pose: Pose) -> JointRef:
-    """Return the bond whose force is asked for."""
+def joint_of(target: Reaction | Axial | Normal, pose: Pose) -> JointRef:
+    """Return the joint whose force is asked for."""
     match target:
         case Reaction(point, link):
             return JointRef("pin", point, link) if link else JointRef("ground", point)
@@ -120,7 +120,7 @@ def line_of(target: Reaction | Axial | Normal, pose: Pose) -> Vector:
         case Reaction(part=part):
             return (Arm(ONE, QUARTER if part == "y" else Angle()),)
         case Axial(link, tail, head):
-            end = bond_of(target, pose).point
+            end = joint_of(target, pose).point
             return _outwards(link, *((tail, head) if end == head else (head, tail)), pose)
         case Normal(point):
             touch = next((t for t in pose.touches if t.point == point), None)

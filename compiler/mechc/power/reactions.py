@@ -1,4 +1,4 @@
-"""Forces at joints, by virtual power: the bond let go, the driving loads held still.
+"""Forces at joints, by virtual power: the joint released, the driving loads held still.
 
 A reaction is a linear form in the loads that are given; those that drive follow from them,
 and do no work while they are held.
@@ -23,7 +23,7 @@ from .equations import equations_of
 from .loads import shares, terms
 
 HERE = "reaction"
-"""What the force of a bond is called while it is a load; no name of a description."""
+"""What the force at a joint is called while it is a load; no name of a description."""
 
 
 More = Callable[[Plan], Iterable[Term]]
@@ -44,7 +44,7 @@ class ForceTerm(NamedTuple):
 
 @frozen
 class Transmitted:
-    """The force of a bond as the sum of pushes, and how each was found."""
+    """The force at a joint as the sum of pushes, and how each was found."""
 
     force_terms: tuple[ForceTerm, ...]
     releases: tuple[Release, ...]
@@ -64,7 +64,7 @@ class Transmitted:
 
 
 class Reactions:
-    """Finds the force of one bond after another, each once.
+    """Finds the force at one joint after another, each once.
 
     ``driving`` loads are held; ``more`` gives terms of further loads, such as friction.
     Long sums get names that those of the ``known`` plans do not have.
@@ -84,9 +84,9 @@ class Reactions:
         self._taken = frozenset(b.name for plan in known for b in plan.bindings)
 
     def of(self, joint: JointRef) -> Transmitted | None:
-        """Return what a bond transmits to the link or point that it holds.
+        """Return what a joint transmits to the link or point that it holds.
 
-        None where the other bonds leave that undetermined.
+        None where the other joints leave that undetermined.
         """
         if joint not in self._known:
             self._known[joint] = self._find(joint)
@@ -106,7 +106,7 @@ class Reactions:
         return Transmitted(force_terms, tuple(releases))
 
     def _powers(self, loose: ReleasedLinkage, joint: JointRef) -> tuple[Term, ...]:
-        """Return the terms of all loads, that of the bond's force last."""
+        """Return the terms of all loads, that of the joint's force last."""
         plan, span = loose.plan, self._pose.mechanism.span
         load = Force(HERE, joint.loose, Absolute(ZERO, span), span)
         count = Product(self._pose.mechanism.repeats(members(self._pose, joint)))
@@ -122,7 +122,7 @@ class Reactions:
 
 
 def directions(pose: Pose, joint: JointRef) -> tuple[Angle, ...]:
-    """Return the directions in which a bond is asked for its force, which add up to all of it.
+    """Return the directions in which a joint is asked for its force, which add up to all of it.
 
     What both mirrored halves share is pushed along the line only, as the pushes across it
     cancel.

@@ -1,4 +1,4 @@
-"""How forces at joints come about: a bond is let go, and the powers are written down."""
+"""How forces at joints come about: a joint is released, and the powers are written down."""
 
 from collections.abc import Iterator, Sequence, Set
 from itertools import groupby
@@ -70,7 +70,7 @@ class _Writer:
         self._said: list[tuple[Release, list[Product]]] = []
 
     def paragraphs(self) -> Iterator[Paragraph]:
-        """Yield one passage for each direction in which the bond is let go."""
+        """Yield one passage for each direction in which the joint is released."""
         releases = self._releases
         if isinstance(self._target, Axial) and self._is_slanting():
             told = [self._passage(release) for release in releases]

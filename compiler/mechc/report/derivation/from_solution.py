@@ -156,7 +156,7 @@ class _Writer:
             case Law.SCREW:
                 return Rule.SCREW, (relation.link, *relation.points)
             case Law.HELD:
-                raise ValueError("only a released bond is held, and no step of a motion")
+                raise ValueError("only a released joint is held, and no step of a motion")
             case _:
                 assert_never(relation.rule)
 
