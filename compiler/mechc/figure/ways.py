@@ -104,7 +104,7 @@ class Ways:
     def _beside_screw(self, screw: Screw) -> Way:
         """Return where to draw a nut: nuts on one screw stand in a row."""
         mechanism = self.pose.mechanism
-        link = next(k for k in mechanism.links if k.name == screw.link)
+        link = mechanism.link(screw.link)
         number = mechanism.each(Screw).index(screw) + 1
         return along(link.points[0], screw.point, self.guide(screw.point).times(number))
 

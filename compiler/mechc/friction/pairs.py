@@ -14,7 +14,7 @@ from ..formula.tree import PI, Formula, product
 from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
 from ..kinematics.plan import Plan, Speeds
-from ..kinematics.release import JointRef, Measure, members, mesh_of
+from ..kinematics.release import JointRef, Measure, members, mesh_of, touch_at
 from ..model.mechanism import (
     FaceFriction,
     GuideFriction,
@@ -90,12 +90,12 @@ def _of(rubbing: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
 
 def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:
     """Return the pair of a pin and the face or the slot that it slides along."""
-    rod = next((k for k in pose.mechanism.links if k.arc and k.points[1] == point), None)
-    if rod is not None and rod.arc is not None:
-        radius = product([(rod.arc.radius, 1), (coulomb(factor), 1)])
-        joint, slip = JointRef("pin", rod.arc.centre, rod.name), _turning(rod.name, rod.arc.link)
+    if found := pose.mechanism.arc_at(point):
+        rod, arc = found
+        radius = product([(arc.radius, 1), (coulomb(factor), 1)])
+        joint, slip = JointRef("pin", arc.centre, rod.name), _turning(rod.name, arc.link)
         return FrictionPair(f"{point}_face", joint, to_product(radius), slip)
-    touch = next(t for t in pose.touches if t.point == point)
+    touch = touch_at(pose, point)
     slip, joint = _sliding(touch), JointRef("touch", point)
     return FrictionPair(f"{point}_face", joint, to_product(factor), slip)
 

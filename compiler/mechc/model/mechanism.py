@@ -270,6 +270,19 @@ class Mechanism:
         """Return the joint of an ``id``; KeyError where there is none."""
         return {joint.id: joint for joint in self.joints}[id]
 
+    def parameter(self, name: str) -> Parameter:
+        """Return the parameter of a name."""
+        return next(p for p in self.parameters if p.name == name)
+
+    def link(self, name: str) -> Link:
+        """Return the link of a name."""
+        return next(link for link in self.links if link.name == name)
+
+    def arc_at(self, pin: str) -> tuple[Link, ArcSlot] | None:
+        """Return the circular slot in which a pin slides, behind the rod that stands for it."""
+        found = ((k, k.arc) for k in self.links if k.arc and k.points[1] == pin)
+        return next(found, None)
+
     @property
     def fixed(self) -> frozenset[str]:
         """Return the points that are pinned to the ground."""

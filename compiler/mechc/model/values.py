@@ -142,7 +142,7 @@ def bounds(parameter: Parameter) -> tuple[float, float]:
 def range_of(name: str, mechanism: Mechanism) -> tuple[float, float] | None:
     """Return the drive's stroke, or a parameter's range, from its lower end; None without."""
     drive = mechanism.drive
-    ends = next(p.range for p in mechanism.parameters if p.name == name)
+    ends = mechanism.parameter(name).range
     if drive and drive.parameter == name and drive.low and drive.high:
         low, high = evaluate(drive.low, {}), evaluate(drive.high, {})
     elif ends is not None:

@@ -73,7 +73,7 @@ def joint_of(target: Reaction | Axial | Normal, pose: Pose) -> JointRef:
         case Reaction(point, link):
             return JointRef("pin", point, link) if link else JointRef("ground", point)
         case Axial(link):
-            rod = next(k for k in pose.mechanism.links if k.name == link)
+            rod = pose.mechanism.link(link)
             return JointRef("pin", held_end(pose.mechanism, rod), link)
         case Normal(point):
             return holding(point, pose)

@@ -300,9 +300,9 @@ def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:
 
 def _face(point: str, size: float, unfolding: Unfolding) -> Pair:
     """Push the pin along the face, and the body under it back at the same place."""
-    rod = next((k for k in unfolding.pose.mechanism.links if k.arc and k.points[1] == point), None)
-    if rod is not None and rod.arc is not None:
-        return _arc(point, size, rod.name, rod.arc, unfolding)
+    if found := unfolding.pose.mechanism.arc_at(point):
+        rod, arc = found
+        return _arc(point, size, rod.name, arc, unfolding)
     touch = next(t for t in unfolding.pose.touches if t.point == point)
     along = direction(touch.normal.evaluate(unfolding.values)).turned()
     return Pair("face", f"face {point}", unfolding.apart(touch, along), touch.body, point, size)

@@ -134,8 +134,7 @@ def _pressed(mechanism: Mechanism) -> Iterator[Bearing]:
                 yield from ((pivot, link), (pivot, "ground"), (point, "ground"))
                 yield from ((slide.name, "ground") for slide in mechanism.slides_at(point))
             case Screw(link=link):
-                points = next(k.points for k in mechanism.links if k.name == link)
-                for pivot in mechanism.fixed.intersection(points):
+                for pivot in mechanism.fixed.intersection(mechanism.link(link).points):
                     yield from ((pivot, link), (pivot, "ground"))
             case Pivot() | Slider() | Slot() | Contact():
                 pass

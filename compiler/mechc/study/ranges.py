@@ -49,7 +49,7 @@ def turns(name: str, mechanism: Mechanism) -> bool:
 
 def unit_of(name: str, mechanism: Mechanism) -> str:
     """Return the unit that was written, "" for angles and numbers."""
-    parameter = next(p for p in mechanism.parameters if p.name == name)
+    parameter = mechanism.parameter(name)
     if parameter.dimension == ANGLE:
         return ""
     return parameter.unit or ("m" if parameter.dimension == LENGTH else "")
@@ -86,7 +86,7 @@ def spans(places: Sequence[float], holds: Callable[[float], bool]) -> Iterator[R
 
 def shown(name: str, ends: Range, mechanism: Mechanism) -> str:
     """Return a stretch as a message says it: ``alpha = 1 deg .. 7.1 deg``."""
-    parameter = next(p for p in mechanism.parameters if p.name == name)
+    parameter = mechanism.parameter(name)
     unit = parameter.unit or ("rad" if parameter.dimension == ANGLE else "")
     low, high = (in_unit(end, unit, 4) for end in ends)
     return f"{name} = {low} .. {high}"

@@ -26,7 +26,7 @@ def branches(block: Block, state: State) -> list[Stretch]:
     drive = state.mechanism.drive
     if drive is None:
         return []
-    parameter = next(p for p in state.mechanism.parameters if p.name == drive.parameter)
+    parameter = state.mechanism.parameter(drive.parameter)
     low, high = limits_of_drive(state, parameter.dimension)
     found: list[Stretch] = []
     curve = _curve(block, state, drive.parameter, parameter.dimension == ANGLE)

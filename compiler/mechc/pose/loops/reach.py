@@ -45,7 +45,7 @@ def reach_of(state: State, closure: Closure, limit: Limit | None) -> list[Stretc
     drive = state.mechanism.drive
     if drive is None:
         return []
-    parameter = next(p for p in state.mechanism.parameters if p.name == drive.parameter)
+    parameter = state.mechanism.parameter(drive.parameter)
     low, high = limits_of_drive(state, parameter.dimension)
     reach = _Reach(state, closure, drive.parameter)
     limits = [*state.limits, *([limit] if limit else [])]

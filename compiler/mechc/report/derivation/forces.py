@@ -110,7 +110,7 @@ class _Writer:
 
     def _rod(self, release: Release) -> Vector:
         """Return the vector of a rod from its other end to the point of a release."""
-        link = next(k for k in self._mechanism.links if k.name == release.of)
+        link = self._mechanism.link(release.of)
         other = next(p for p in link.points if p != release.point)
         return self._pose.vector(link.name, other, release.point)
 
@@ -194,7 +194,7 @@ class _Writer:
 
     def _outwards(self, release: Release) -> int:
         """Return 1 if a push at the point of a rod pulls it: away from its other end."""
-        link = next(k for k in self._mechanism.links if k.name == release.of)
+        link = self._mechanism.link(release.of)
         return 1 if release.point == link.points[-1] else -1
 
 

@@ -197,7 +197,7 @@ class _Writer:
                     yield from self._lever(flow.unknown, named)
 
     def _points(self, link: str) -> Sequence[str]:
-        return next(k.points for k in self._graph.pose.mechanism.links if k.name == link)
+        return self._graph.pose.mechanism.link(link).points
 
     # ------------------------------------------------------------------------ outputs
 

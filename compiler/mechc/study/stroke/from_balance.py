@@ -54,7 +54,7 @@ def run(solution: Solution, results: Sequence[Analysis], points: int, report: Re
     drive = pose.mechanism.drive
     if drive is None:
         raise report.fail(messages.no_drive(pose.mechanism.span, *_drivable(pose)))
-    parameter = next(p for p in pose.mechanism.parameters if p.name == drive.parameter)
+    parameter = pose.mechanism.parameter(drive.parameter)
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
         raise report.fail(messages.no_stroke(drive.span, drive.parameter))

@@ -29,7 +29,7 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
     ends = range_of(drive.parameter, mechanism) if drive else None
     if not drive or not ends or not plan.graph.pose.loops:
         return ()
-    parameter = next(p for p in mechanism.parameters if p.name == drive.parameter)
+    parameter = mechanism.parameter(drive.parameter)
     wide = FLAT * (ends[1] - ends[0])
     along, places = Along(plan, {}), spaced(*ends, CELLS)
     parts = _parts(along, places)

@@ -115,7 +115,7 @@ def _own_rate(plan: Plan) -> Velocity | None:
     pose = plan.graph.pose
     assert pose.mechanism.drive is not None
     drive, rates = pose.mechanism.drive.parameter, rates_of(pose)
-    dimension = next(p.dimension for p in pose.mechanism.parameters if p.name == drive)
+    dimension = pose.mechanism.parameter(drive).dimension
     per_second = Dimension(dimension.length, dimension.mass, dimension.time - 1)
     for link in pose.mechanism.links:
         vectors = [v for v in pose.frames[link.name].values() if len(v) == 1]
