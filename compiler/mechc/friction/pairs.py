@@ -13,8 +13,9 @@ from ..algebra.product import Product
 from ..formula.tree import PI, Formula, product
 from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
+from ..kinematics.meshes import mesh_of
 from ..kinematics.plan import Plan, Speeds
-from ..kinematics.release import JointRef, Measure, members, mesh_of, touch_at
+from ..kinematics.release import JointRef, Measure, members, touch_at
 from ..model.mechanism import (
     FaceFriction,
     GuideFriction,
@@ -129,7 +130,7 @@ def _sliding(touch: PointContact) -> Measure:
 
 def _rim(joint: JointRef, pose: Pose) -> Measure:
     """Return the speed of the first wheel's rim, or of a rack."""
-    match mesh_of(pose, joint):
+    match mesh_of(pose, joint.of):
         case WheelPair(first_link=link, first_radius=radius):
             return lambda graph: scaled(spin(graph, link), pose.radii[radius])
         case Rack(point) | Screw(point):
@@ -144,7 +145,7 @@ def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:
     With tan ψ = p/(πd) a nut slips at v·sin ψ + ω·(d/2)·cos ψ along the thread, and its axial
     force F presses with F/cos ψ.
     """
-    screw = mesh_of(pose, joint)
+    screw = mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a thread is on a screw"
     slope = pose.radii[screw.pitch] / (to_product(PI) * diameter)
 

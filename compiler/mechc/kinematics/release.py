@@ -14,10 +14,8 @@ from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from typing import Literal, NamedTuple, assert_never
 
 from ..algebra.angle import Angle
-from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..diagnostics import MechcError, Report
-from ..formula.tree import PI
 from ..frozen import frozen, replace
 from ..model.mechanism import (
     Contact,
@@ -37,8 +35,9 @@ from ..model.mechanism import (
 from ..pose.pose import PointContact, Pose
 from ..source import Source, Span
 from .builder import Builder
-from .forms import QUARTER, combined, leaving, parting, projection, scaled, spin, subtract
+from .forms import QUARTER, combined, leaving, parting, projection, spin, subtract
 from .graph import Form, Graph, Relation, Rule
+from .meshes import mesh_of, slipping
 from .plan import Plan, Speeds
 from .planning import plan_of
 
@@ -58,9 +57,6 @@ class JointRef(NamedTuple):
     def loose(self) -> str:
         """Return the name of the link's own point, once it has left the pin."""
         return f"{self.point} of {self.of}" if self.kind == "pin" else self.point
-
-
-Mesh = WheelPair | Rack | Screw
 
 
 def held_end(mechanism: Mechanism, link: Link) -> str:
@@ -308,36 +304,8 @@ def _without_mesh(pose: Pose, joint: JointRef) -> Released:
     """Let the teeth of a pair, a rack or a thread lose each other."""
     joints = tuple(j for j in pose.mechanism.joints if j.id != joint.of)
     free = replace(pose, mechanism=replace(pose.mechanism, joints=joints))
-    mesh = mesh_of(pose, joint)
-    return Released(free, lambda graph: _slipping(graph, pose, mesh))
-
-
-def mesh_of(pose: Pose, joint: JointRef) -> Mesh:
-    """Return the wheels, the rack or the screw that a reference names."""
-    mesh = pose.mechanism.joint(joint.of)
-    assert isinstance(mesh, WheelPair | Rack | Screw), "a mesh is of wheels, a rack or a screw"
-    return mesh
-
-
-def _slipping(graph: Graph, pose: Pose, mesh: Mesh) -> Form:
-    """Return the speed at which rims, a rack and its wheel, or nut and thread, part."""
-    match mesh:
-        case WheelPair():
-            sign = -1 if mesh.same else 1
-            first = scaled(spin(graph, mesh.first_link), pose.radii[mesh.first_radius])
-            second = scaled(spin(graph, mesh.second_link), pose.radii[mesh.second_radius])
-            return subtract(first, scaled(second, Product(-sign)))
-        case Rack(point, pivot, link):
-            guide = pose.guide_of(point) or Angle()
-            ahead = projection(graph.velocities[point], guide)
-            rim = scaled(spin(graph, link), pose.radii[mesh.radius])
-            return subtract(subtract(ahead, rim), projection(graph.velocities[pivot], guide))
-        case Screw(point, pitch, link):
-            ahead = projection(graph.velocities[point], pose.guide_of(point) or Angle())
-            lead = pose.radii[pitch] / to_product(PI).scaled(2)
-            return subtract(ahead, scaled(spin(graph, link), lead))
-        case _:
-            assert_never(mesh)
+    mesh = mesh_of(pose, joint.of)
+    return Released(free, lambda graph: slipping(graph, pose, mesh))
 
 
 def _without_touch(pose: Pose, point: str) -> Released:

@@ -1,0 +1,42 @@
+"""What meshes: the rims of wheels, a rack and its wheel, a thread; how fast they slip."""
+
+from typing import assert_never
+
+from ..algebra.angle import Angle
+from ..algebra.from_formula import to_product
+from ..algebra.product import Product
+from ..formula.tree import PI
+from ..model.mechanism import Rack, Screw, WheelPair
+from ..pose.pose import Pose
+from .forms import projection, scaled, spin, subtract
+from .graph import Form, Graph
+
+Mesh = WheelPair | Rack | Screw
+
+
+def mesh_of(pose: Pose, id: str) -> Mesh:
+    """Return the wheels, the rack or the screw of an id."""
+    mesh = pose.mechanism.joint(id)
+    assert isinstance(mesh, WheelPair | Rack | Screw), "a mesh is of wheels, a rack or a screw"
+    return mesh
+
+
+def slipping(graph: Graph, pose: Pose, mesh: Mesh) -> Form:
+    """Return the speed at which rims, a rack and its wheel, or nut and thread, part."""
+    match mesh:
+        case WheelPair():
+            sign = -1 if mesh.same else 1
+            first = scaled(spin(graph, mesh.first_link), pose.radii[mesh.first_radius])
+            second = scaled(spin(graph, mesh.second_link), pose.radii[mesh.second_radius])
+            return subtract(first, scaled(second, Product(-sign)))
+        case Rack(point, pivot, link):
+            guide = pose.guide_of(point) or Angle()
+            ahead = projection(graph.velocities[point], guide)
+            rim = scaled(spin(graph, link), pose.radii[mesh.radius])
+            return subtract(subtract(ahead, rim), projection(graph.velocities[pivot], guide))
+        case Screw(point, pitch, link):
+            ahead = projection(graph.velocities[point], pose.guide_of(point) or Angle())
+            lead = pose.radii[pitch] / to_product(PI).scaled(2)
+            return subtract(ahead, scaled(spin(graph, link), lead))
+        case _:
+            assert_never(mesh)
