@@ -6,6 +6,7 @@ from fractions import Fraction
 from typing import assert_never
 
 from ..formula.tree import Formula, Number, Power, Product, Sum
+from ..formula.walk import evaluate
 from ..syntax import ast
 from ..units import ANGLE, LENGTH, UNITS, Dimension
 
@@ -88,6 +89,21 @@ def last_digit(number: ast.Number) -> Fraction:
     factor = unit.factor if unit else Fraction(1)
     factor *= Fraction(math.pi) if unit and unit.pi else 1
     return Fraction(10) ** (int(exponent or 0) - len(decimals)) * factor
+
+
+def decimal(value: float) -> Number:
+    """Return a float as the number that its shortest decimal is.
+
+    >>> decimal(0.1).value
+    Fraction(1, 10)
+    """
+    return Number(Fraction(repr(value)))
+
+
+def number_of(formula: Formula) -> Number:
+    """Return what a formula without symbols comes to: exactly, or in the digits of a float."""
+    exact = rational(formula)
+    return decimal(evaluate(formula, {})) if exact is None else Number(exact)
 
 
 def rational(formula: Formula) -> Fraction | None:

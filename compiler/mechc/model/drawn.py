@@ -93,7 +93,7 @@ def _is_given(mechanism: Mechanism, sketch: Sketch) -> bool:
 def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     """Return the mechanism with every vector as it is drawn; a guide is then but a direction."""
     for slot in mechanism.each(Slot):
-        if sketch.places.keys() >= {slot.tail, slot.head, slot.point}:
+        if sketch.has_all((slot.tail, slot.head, slot.point)):
             sketch.lay_on_line(slot.point, slot.tail, slot.head)
     found: list[Geometry] = []
     for points in (*bodies(mechanism), *_aims(mechanism)):

@@ -2,14 +2,15 @@
 
 import math
 from collections.abc import Mapping
-from fractions import Fraction
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import drawn as messages
-from ..formula.tree import Formula, Number, Symbol
+from ..formula.tree import Formula, Symbol
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..units import ANGLE, LENGTH
+from .constants import decimal
+from .entries import vector_between
 from .mechanism import (
     Absolute,
     Arrow,
@@ -30,7 +31,7 @@ Ends = tuple[str, str]
 def fault_of(drive: Drive, ends: Ends, mechanism: Mechanism, sketch: Sketch) -> Diagnostic | None:
     """Return why a link cannot be driven: it is not drawn, or its direction is given."""
     missing = [p for p in ends if p not in sketch.places]
-    entry = _entry(ends, mechanism)
+    entry = vector_between(ends, mechanism.geometry)
     if entry is not None and _is_given(entry, drive):
         return messages.driven_is_given(drive.span, "".join(ends), entry.span)
     return messages.driven_not_drawn(drive.span, "".join(ends), missing[0]) if missing else None
@@ -41,7 +42,7 @@ def with_driven(mechanism: Mechanism, drive: Drive, ends: Ends, unit: str) -> Me
 
     A length is shown in the ``unit`` of the drawing.
     """
-    old, moved = _entry(ends, mechanism), Symbol(drive.parameter)
+    old, moved = vector_between(ends, mechanism.geometry), Symbol(drive.parameter)
     span = old.span if old else drive.span
     if drive.turns:
         length = old.length if isinstance(old, Arrow) else None
@@ -61,11 +62,6 @@ def _stroke(drive: Drive) -> Interval | None:
     return Interval(low, high)
 
 
-def _entry(ends: Ends, mechanism: Mechanism) -> Arrow | Offset | None:
-    vectors = (g for g in mechanism.geometry if isinstance(g, Arrow | Offset))
-    return next((g for g in vectors if {g.tail, g.head} == set(ends)), None)
-
-
 def _is_given(entry: Arrow | Offset, drive: Drive) -> bool:
     if isinstance(entry, Offset):
         return True
@@ -78,7 +74,7 @@ def with_value(parameter: Parameter, value: float) -> Parameter:
     if ends and parameter.dimension == ANGLE:
         middle = (evaluate(ends.low, {}) + evaluate(ends.high, {})) / 2
         value = middle + math.remainder(value - middle, 2 * math.pi)
-    return replace(parameter, value=Number(Fraction(repr(value))))
+    return replace(parameter, value=decimal(value))
 
 
 def is_outside(parameter: Parameter) -> bool:

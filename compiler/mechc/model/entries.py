@@ -1,6 +1,6 @@
 """What the geometry and the bodies of a mechanism name: points, and parameters."""
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterable, Iterator
 
 from ..formula.walk import symbols
 from .mechanism import Absolute, Arrow, Geometry, Mechanism, Offset, Turn
@@ -20,6 +20,12 @@ def points_of(entry: Geometry) -> tuple[str, ...]:
             return tail, head
         case Turn(first, vertex, second):
             return first, vertex, second
+
+
+def vector_between(ends: Collection[str], geometry: Iterable[Geometry]) -> Arrow | Offset | None:
+    """Return the vector that is given between two points, in whichever sense."""
+    vectors = (g for g in geometry if isinstance(g, Arrow | Offset))
+    return next((g for g in vectors if {g.tail, g.head} == set(ends)), None)
 
 
 def mentioned(entry: Geometry) -> frozenset[str]:

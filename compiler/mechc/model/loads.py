@@ -22,11 +22,11 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import symbols
 from ..source import Span
 from ..syntax import ast
 from ..units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
-from .constants import rational
+from .constants import number_of, rational
 from .directions import check_sign, read_direction
 from .expressions import Reader
 from .force_pairs import carrying, read_thrust
@@ -152,7 +152,7 @@ def _drawn_length(tail: str, head: str, built: Mechanism) -> Formula | None:
         return None
     way = (total([b, negative(a)]) for a, b in zip(places[tail], places[head], strict=True))
     length = Call("hypot", tuple(way))
-    return length if symbols(length) else Number(Fraction(repr(evaluate(length, {}))))
+    return length if symbols(length) else number_of(length)
 
 
 def _centroid(intensities: tuple[Formula, ...]) -> Formula:

@@ -12,11 +12,11 @@ from typing import NamedTuple
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..algebra.sums import add
-from ..formula.tree import Call, Formula, Number, Symbol, degrees, total
+from ..formula.tree import Call, Formula, Symbol, degrees, total
 from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH, UNITS, Dimension
-from .constants import rational
+from .constants import number_of
 from .entries import points_of
 from .mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
 
@@ -140,7 +140,7 @@ class Sketch:
         if isinstance(value, Symbol):
             return value
         if not symbols(value):
-            return self._number(value)
+            return number_of(value)
         return self._named(f"len_{tail}{head}", value, LENGTH, self.unit, head)
 
     def direction(self, tail: str, head: str) -> Absolute:
@@ -221,16 +221,12 @@ class Sketch:
     def _value(self, product: Product) -> float:
         return product.evaluate(self.values)
 
-    def _number(self, value: Formula) -> Number:
-        """Return what a formula of numbers comes to."""
-        return Number(rational(value) or Fraction(repr(evaluate(value, {}))))
-
     def _named(
         self, name: str, value: Formula, dimension: Dimension, unit: str, point: str
     ) -> Formula:
         """Return a parameter of this value, a number if possible, by this name or one like it."""
         if not symbols(value):
-            value = self._number(value)
+            value = number_of(value)
         while name in self._taken and name not in self.parameters:
             name += "_"
         made = Parameter(name, dimension, self.span(point), value, unit=unit, dependent=True)

@@ -4,6 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 
 from ..algebra.angle import Angle
 from ..algebra.product import Product
+from ..model.entries import vector_between
 from ..model.mechanism import (
     Along,
     Arrow,
@@ -33,17 +34,12 @@ def aligned(mechanism: Mechanism) -> tuple[Geometry, ...]:
     found = list(mechanism.geometry)
     for slot in mechanism.each(Slot):
         line, pin = (slot.tail, slot.head), (slot.tail, slot.point)
-        given, placed = _entry(found, line), _entry(found, pin)
+        given, placed = vector_between(line, found), vector_between(pin, found)
         if _directed(placed) and not _directed(given):
             _lay(found, given, line, Along(*pin, 0, slot.span))
         elif _directed(given) and placed is not None and not _directed(placed):
             _lay(found, placed, pin, Along(*line, 0, slot.span))
     return tuple(found)
-
-
-def _entry(geometry: Sequence[Geometry], ends: tuple[str, str]) -> Arrow | Offset | None:
-    vectors = (g for g in geometry if isinstance(g, Arrow | Offset))
-    return next((g for g in vectors if {g.tail, g.head} == set(ends)), None)
 
 
 def _directed(entry: Arrow | Offset | None) -> bool:
