@@ -9,7 +9,7 @@ import mechc
 from force_trains import train
 from mechc.driver import Compilation, complete
 from mechc.source import Source
-from mechc.statics.settled import Pressed, others, settled
+from mechc.statics.settled import SurfacePair, others, settled
 
 
 def drawn(seed, size, largest):
@@ -17,7 +17,7 @@ def drawn(seed, size, largest):
     dice = Random(f"settled {seed}")
     pairs = range(dice.randint(1, 5))
     return [
-        Pressed(
+        SurfacePair(
             dice.uniform(0, largest),
             [
                 (dice.gauss(0, 1), [dice.gauss(0, size) for _ in pairs])
@@ -52,22 +52,22 @@ def test_frictions_follow_from_the_forces_that_they_make(size, largest, least):
 
 def test_what_takes_thousands_of_repetitions_is_followed():
     """f = 0.9999·|1 + f| comes to 9999, each repetition a ten-thousandth nearer."""
-    assert settled([Pressed(0.9999, [(1.0, [1.0])])]) == pytest.approx([9999], rel=1e-9)
+    assert settled([SurfacePair(0.9999, [(1.0, [1.0])])]) == pytest.approx([9999], rel=1e-9)
 
 
 def test_what_overshoots_is_followed():
     """f = 3·|1 - f| comes to 3/4, and repetition to anything but that."""
-    assert settled([Pressed(3.0, [(1.0, [-1.0])])]) == pytest.approx([0.75], rel=1e-12)
-    assert pytest.approx(settled([Pressed(3.0, [(1.0, [-1.0])])]), rel=1e-12) == [0.75]
+    assert settled([SurfacePair(3.0, [(1.0, [-1.0])])]) == pytest.approx([0.75], rel=1e-12)
+    assert pytest.approx(settled([SurfacePair(3.0, [(1.0, [-1.0])])]), rel=1e-12) == [0.75]
 
 
 def test_what_grows_without_end_has_no_end():
-    assert settled([Pressed(2.0, [(1.0, [1.0])])]) is None
+    assert settled([SurfacePair(2.0, [(1.0, [1.0])])]) is None
 
 
 def test_a_second_balance_is_found():
     """f = 3·|1 - f| holds at 3/4, and at 3/2, where the joint is pressed the other way."""
-    found = sorted({round(f, 9) for (f,) in others([Pressed(3.0, [(1.0, [-1.0])])])})
+    found = sorted({round(f, 9) for (f,) in others([SurfacePair(3.0, [(1.0, [-1.0])])])})
     assert found == [0.75, 1.5]
 
 

@@ -26,7 +26,7 @@ from .statements import every, only
 
 
 def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
-    """Return all that rubs; report what names no such joint or is said twice."""
+    """Return the friction of all joints; report what names no joint, or names one twice."""
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
     pins = Pins(named, built, scope)

@@ -120,7 +120,10 @@ def dependent(mechanism: Mechanism) -> dict[str, Formula]:
 
 
 def is_constant(parameter: Parameter) -> bool:
-    """Tell whether a parameter is the name of a number: a length or angle of a drawing."""
+    """Tell whether a parameter is the name of a number: an angle of a drawing.
+
+    Lengths that are numbers have names, too, as ``literals`` of the mechanism.
+    """
     return parameter.dependent and isinstance(parameter.value, Number)
 
 

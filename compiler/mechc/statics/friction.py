@@ -31,7 +31,7 @@ from .assembly import Action, direction, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
 from .joint_forces import Weights, wanted_of
-from .settled import Pressed, others, settled
+from .settled import SurfacePair, others, settled
 from .solve import Factors, factor
 from .speeds import dual_speed
 from .unfold import Unfolding
@@ -95,7 +95,7 @@ class Loaded(NamedTuple):
     right: Row
     pairs: tuple[Pair, ...]
     senses: tuple[float, ...]
-    pressed: list[Pressed]
+    pressed: list[SurfacePair]
 
     def under(self, frictions: Iterable[float]) -> FrictionForces:
         """Return the same with frictions of these sizes."""
@@ -230,10 +230,10 @@ def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:
 
 def _pressed(
     question: Question, pairs: Sequence[Pair], ideal: Found, responses: Sequence[Found]
-) -> list[Pressed]:
+) -> list[SurfacePair]:
     """Return what presses each pair: without friction, and per unit of each friction."""
     return [
-        Pressed(
+        SurfacePair(
             pair.factor,
             [(ideal[c], [r[c] for r in responses]) for c in _pressing(question.system, pair)],
         )

@@ -57,20 +57,20 @@ Components = Sequence[tuple[float, Sequence[float]]]
 """Perpendicular components of a force: without friction, and what each friction adds."""
 
 
-class Pressed(NamedTuple):
+class SurfacePair(NamedTuple):
     """A pair of surfaces: its coefficient, and what presses it."""
 
     factor: float
     components: Components
 
 
-def settled(pairs: Sequence[Pressed]) -> list[float] | None:
+def settled(pairs: Sequence[SurfacePair]) -> list[float] | None:
     """Return the frictions that grow from none; None where none are found."""
     found = _repeated(pairs)
     return _followed(pairs) if found is None else found
 
 
-def others(pairs: Sequence[Pressed]) -> Iterator[list[float]]:
+def others(pairs: Sequence[SurfacePair]) -> Iterator[list[float]]:
     """Yield frictions that agree with their forces as well, from various starts.
 
     They are no more than are found: there may be others.
@@ -84,7 +84,7 @@ def others(pairs: Sequence[Pressed]) -> Iterator[list[float]]:
             yield way.frictions(found)
 
 
-def _repeated(pairs: Sequence[Pressed]) -> list[float] | None:
+def _repeated(pairs: Sequence[SurfacePair]) -> list[float] | None:
     """Let frictions follow from one another until all stay; None where they do not soon."""
     work = 1 + len(pairs) * sum(len(p.components) for p in pairs) // QUICK
     frictions, most = [0.0] * len(pairs), math.inf
@@ -106,8 +106,8 @@ def _size(components: Components, frictions: Sequence[float]) -> float:
     return math.hypot(*(ideal + sum(map(mul, frictions, by)) for ideal, by in components))
 
 
-def _followed(pairs: Sequence[Pressed]) -> list[float] | None:
-    """Follow frictions from none of them; None where they end, or the loads are turned round."""
+def _followed(pairs: Sequence[SurfacePair]) -> list[float] | None:
+    """Follow frictions from none of them; None where they end, or the loads are reversed."""
     way = _Way(pairs)
     found = way.followed()
     return way.frictions(found) if found is not None and found[-1] > 0 else None
@@ -119,7 +119,7 @@ class _Way:
     All are per unit of ``loads``, the size of what presses all pairs without friction.
     """
 
-    def __init__(self, pairs: Sequence[Pressed]) -> None:
+    def __init__(self, pairs: Sequence[SurfacePair]) -> None:
         self._factors = [p.factor for p in pairs]
         self._loads = math.hypot(*(ideal for p in pairs for ideal, _ in p.components)) or 1.0
         self.pairs = [[self._scaled(*c) for c in p.components] for p in pairs]

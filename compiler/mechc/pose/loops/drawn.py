@@ -18,7 +18,7 @@ ALIKE = 1e-6
 def nearest(
     poses: Sequence[Values], indices: Sequence[int], state: State, within: Collection[str] | None
 ) -> list[int]:
-    """Return which of some closures is nearest to the drawing; none where it does not tell.
+    """Return which of some closures is nearest to the drawing; none where several are.
 
     ``within`` are the points of a body that closes by itself, whose places are not known yet.
     """
@@ -31,8 +31,8 @@ def nearest(
     size = max(math.dist(a, b) for a, b in combinations([*drawn.values(), (0.0, 0.0)], 2))
     slack = ALIKE * size ** (2 if of_body else 1)
     order = sorted(range(len(indices)), key=lambda i: gaps[i])
-    is_told = len(order) > 1 and gaps[order[1]] - gaps[order[0]] > slack
-    return [indices[order[0]]] if is_told else []
+    is_clear = len(order) > 1 and gaps[order[1]] - gaps[order[0]] > slack
+    return [indices[order[0]]] if is_clear else []
 
 
 def _gap(values: Values, drawn: Mapping[str, Place], state: State) -> float:

@@ -41,7 +41,7 @@ Measure = Callable[[Assembly, Values], float | None]
 """Twice the area of three points, or a place along a guide; None where that is open."""
 
 FEW = 3
-"""Closures that are told in a line; more are told in a table, and by so many directions."""
+"""Closures that are listed in a line; more are listed in a table, and by so many directions."""
 
 FLAT = 1e-9
 """Places that differ by less than this part are one."""

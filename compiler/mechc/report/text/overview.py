@@ -1,6 +1,6 @@
 """What a description gives and what follows from it, for ``mechc check --verbose``.
 
-Where a pose cannot be found this tells what is still missing: points without a place,
+Where a pose cannot be found this shows what is still missing: points without a place,
 parameters without a value, vectors without a direction.
 """
 
