@@ -13,6 +13,11 @@ def bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:
     yield from (telescope.points for telescope in mechanism.telescopes)
 
 
+def unit_of_drawing(mechanism: Mechanism) -> str:
+    """Return the unit in which the first drawn point with one has its place, '' without any."""
+    return next((drawn.unit for drawn in mechanism.drawn if drawn.unit), "")
+
+
 def points_of(entry: Geometry) -> tuple[str, ...]:
     """Return the points of a vector or an angle."""
     match entry:

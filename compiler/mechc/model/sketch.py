@@ -15,9 +15,9 @@ from ..algebra.sums import add
 from ..formula.tree import Call, Formula, Symbol, degrees, total
 from ..formula.walk import evaluate, symbols
 from ..source import Span
-from ..units import ANGLE, LENGTH, UNITS, Dimension
+from ..units import ANGLE, LENGTH, Dimension, in_unit
 from .constants import number_of
-from .entries import points_of
+from .entries import points_of, unit_of_drawing
 from .mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
 
 NEAR_ZERO = 1e-9
@@ -58,7 +58,7 @@ class Sketch:
         self.places: dict[str, Place] = {}
         self.parameters: dict[str, Parameter] = {}
         self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
-        self.unit = next((d.unit for d in mechanism.drawn if d.unit), "")
+        self.unit = unit_of_drawing(mechanism)
         self._vectors: list[_Vector] = []
         for entry in mechanism.geometry:
             if isinstance(entry, Offset) and not entry.tail:
@@ -97,8 +97,7 @@ class Sketch:
 
     def shown(self, gap: float) -> str:
         """Return a length in the unit of the drawing."""
-        unit = self.unit or "m"
-        return f"{gap / float(UNITS[unit].factor):.3g} {unit}"
+        return in_unit(gap, self.unit or "m", 3)
 
     def coincide(self, first: str, second: str) -> bool:
         """Tell whether two points are drawn at one place."""

@@ -7,7 +7,7 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import drawn as messages
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Drawn
-from ..units import UNITS
+from ..units import in_unit
 from .loops.vector_graph import mentioned
 from .pose import evaluate_vector
 from .samples import Values
@@ -56,5 +56,4 @@ def _size(places: Mapping[str, Place]) -> float:
 
 
 def _shown(size: float, unit: str) -> str:
-    unit = unit or "m"
-    return f"{size / float(UNITS[unit].factor):.4g} {unit}"
+    return in_unit(size, unit or "m", 4)

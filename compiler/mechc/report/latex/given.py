@@ -5,6 +5,7 @@ from typing import NamedTuple, assert_never
 
 from ...formula.names import split_points
 from ...formula.tree import Constant, number
+from ...model.entries import unit_of_drawing
 from ...model.mechanism import (
     GRAVITY,
     Arrow,
@@ -94,7 +95,7 @@ def vector_rows(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterat
     """Yield the entries of the geometry, and points as drawn rather than what follows from them."""
     drawn = {d.span: Offset("", d.point, d.x, d.y, d.span) for d in mechanism.drawn}
     given = [entry for entry in mechanism.geometry if entry.span not in drawn]
-    unit = next((d.unit for d in mechanism.drawn), "")
+    unit = unit_of_drawing(mechanism)
     literals = {literal.name: literal for literal in mechanism.literals}
     for entry in (*given, *drawn.values()):
         yield _vector_row(entry, literals, unit, locale, style)
