@@ -1,7 +1,7 @@
 """Vectors between points: given arms as edges of a graph, paths through it as sums."""
 
 from collections import deque
-from collections.abc import Callable, Collection, Iterable, Mapping, Sequence
+from collections.abc import Collection, Iterable, Mapping, Sequence
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -145,7 +145,10 @@ class Vectors:
 
     def put(self, angles: Mapping[str, Angle], lengths: Mapping[str, Product]) -> None:
         """Replace symbols in all vectors by what they were found to be."""
-        found: Callable[[Vector], Vector] = lambda v: measured_by(turned_by(v, angles), lengths)  # noqa: E731
+
+        def found(vector: Vector) -> Vector:
+            return measured_by(turned_by(vector, angles), lengths)
+
         for ways in self._edges.values():
             for head, vector in ways.items():
                 ways[head] = found(vector)

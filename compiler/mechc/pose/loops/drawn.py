@@ -25,11 +25,12 @@ def nearest(
     drawn = places_of(state.mechanism.drawn, state.base)
     if not drawn:
         return []
-    of_body = within is not None
-    gaps = [_within(poses[i], drawn, state, within) if within is not None
-            else _gap(poses[i], drawn, state) for i in indices]  # fmt: skip
+    if within is None:
+        gaps = [_gap(poses[i], drawn, state) for i in indices]
+    else:
+        gaps = [_within(poses[i], drawn, state, within) for i in indices]
     size = max(math.dist(a, b) for a, b in combinations([*drawn.values(), (0.0, 0.0)], 2))
-    slack = ALIKE * size ** (2 if of_body else 1)
+    slack = ALIKE * (size if within is None else size**2)
     order = sorted(range(len(indices)), key=lambda i: gaps[i])
     is_clear = len(order) > 1 and gaps[order[1]] - gaps[order[0]] > slack
     return [indices[order[0]]] if is_clear else []
