@@ -1,12 +1,14 @@
 """Circular slots and spread loads, against statics by hand on coordinates."""
 
 import math
+from fractions import Fraction
 
 import pytest
 
 import mechc
 from mechc.driver import Compilation
-from mechc.model.mechanism import ArcSlot
+from mechc.formula.tree import Constant, Number
+from mechc.model.mechanism import ArcSlot, Force
 from mechc.source import Source
 
 ROCKER = """
@@ -32,6 +34,19 @@ find k = M / F
 """
 SLOT = "slot A in DCE about C radius R"
 ROD = "link CA\nCA = R"
+
+DRAWN_STRETCH = """
+pivot O at (0 mm, 0 mm)
+link OAB
+link AC
+slider C along 0 deg
+A at (20 mm, 30 mm)
+B at (50 mm, 70 mm)
+C at (100 mm, 0 mm)
+load q intensity 3 N/mm on AB along -y
+force P at C along 180 deg
+find P
+"""
 
 BEAM = """
 param l = 400 mm
@@ -171,6 +186,14 @@ def test_made_points_have_names_of_their_own():
     text = BEAM.replace("link OAB", "link OABM\nOM = 10 mm @ phi").format(loads=SPREAD)
     points = [k.point for k in Compilation(Source("a.mech", text)).mechanism.loads[:2]]
     assert points == ["M1", "M2"]
+
+
+def test_a_load_over_a_drawn_stretch_has_its_length_by_name():
+    """0.05 − 0.02 is no 0.03 in floats: the stretch is as long as the drawing says."""
+    drawn = Compilation(Source("", DRAWN_STRETCH)).mechanism
+    (spread,) = (k.spread for k in drawn.loads if isinstance(k, Force) and k.spread)
+    assert isinstance(spread.length, Constant)
+    assert spread.length.value == Number(Fraction(1, 20))
 
 
 @pytest.mark.parametrize("word", ["radius", "load", "intensity"])

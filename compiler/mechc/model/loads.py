@@ -150,9 +150,11 @@ def _drawn_length(tail: str, head: str, built: Mechanism) -> Formula | None:
     places |= {drawn.point: (drawn.x, drawn.y) for drawn in built.drawn}
     if not places.keys() >= {tail, head}:
         return None
-    way = (total([b, negative(a)]) for a, b in zip(places[tail], places[head], strict=True))
-    length = Call("hypot", tuple(way))
-    return length if symbols(length) else number_of(length)
+    ends = zip(places[tail], places[head], strict=True)
+    way = tuple(total([b, negative(a)]) for a, b in ends)
+    if any(map(symbols, way)):
+        return Call("hypot", way)
+    return number_of(Call("hypot", tuple(map(number_of, way))))
 
 
 def _centroid(intensities: tuple[Formula, ...]) -> Formula:
