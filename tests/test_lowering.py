@@ -7,7 +7,7 @@ import pytest
 
 import mechc
 from mechc.driver import Compilation
-from mechc.formula.tree import Constant, Number
+from mechc.formula.tree import Number
 from mechc.model.mechanism import ArcSlot, Force
 from mechc.source import Source
 
@@ -188,12 +188,28 @@ def test_made_points_have_names_of_their_own():
     assert points == ["M1", "M2"]
 
 
-def test_a_load_over_a_drawn_stretch_has_its_length_by_name():
+def test_a_load_over_a_drawn_stretch_has_its_exact_length():
     """0.05 − 0.02 is no 0.03 in floats: the stretch is as long as the drawing says."""
     drawn = Compilation(Source("", DRAWN_STRETCH)).mechanism
     (spread,) = (k.spread for k in drawn.loads if isinstance(k, Force) and k.spread)
-    assert isinstance(spread.length, Constant)
-    assert spread.length.value == Number(Fraction(1, 20))
+    assert spread.length == Number(Fraction(1, 20))
+
+
+DRAWN_AND_DRIVEN = """
+pivot O at (0 mm, 0 mm)
+link OAB
+A at (300 mm, 100 mm)
+B at (100 mm, 250 mm)
+drive OA from 10 deg to 40 deg
+load Q intensity 2 N/mm on AB along -y
+torque M on OAB
+find M
+"""
+
+
+def test_a_load_off_the_pivot_of_a_drawn_link_that_is_driven():
+    """Its middle is at x = 200 mm, the stretch 250 mm long."""
+    assert mechc.loads(DRAWN_AND_DRIVEN).evaluate()["M"] == pytest.approx(2000 * 0.25 * 0.2)
 
 
 @pytest.mark.parametrize("word", ["radius", "load", "intensity"])

@@ -2,6 +2,7 @@
 
 from collections.abc import Collection, Iterable, Iterator
 
+from ..formula.tree import Formula
 from ..formula.walk import symbols
 from .mechanism import Absolute, Arrow, Geometry, Mechanism, Offset, Turn
 
@@ -16,6 +17,14 @@ def bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:
 def unit_of_drawing(mechanism: Mechanism) -> str:
     """Return the unit in which the first drawn point with one has its place, '' without any."""
     return next((drawn.unit for drawn in mechanism.drawn if drawn.unit), "")
+
+
+def drawn_places(mechanism: Mechanism) -> dict[str, tuple[Formula, Formula]]:
+    """Return the coordinates of the points that are drawn, pivots with a place among them."""
+    places = {
+        g.head: (g.x, g.y) for g in mechanism.geometry if isinstance(g, Offset) and not g.tail
+    }
+    return places | {drawn.point: (drawn.x, drawn.y) for drawn in mechanism.drawn}
 
 
 def points_of(entry: Geometry) -> tuple[str, ...]:

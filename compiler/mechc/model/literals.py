@@ -38,6 +38,10 @@ Known = Mapping[tuple[str, Formula], Formula]
 """What stands for a number of metres, by the kind of length and the number."""
 
 
+Reaches = Mapping[tuple[str, str], Formula]
+"""The lengths of vectors, by their ends."""
+
+
 class Quantity(NamedTuple):
     """A length of the description under the name that it gets where it is a number.
 
@@ -76,9 +80,13 @@ def with_names(mechanism: Mechanism, file: ast.File) -> Mechanism:
 
 
 def _lengths(mechanism: Mechanism) -> Iterator[Quantity]:
-    made = {load.point for load in mechanism.loads if isinstance(load, Force) and load.spread}
+    made = _reaches(mechanism.loads).keys()
     for entry in mechanism.geometry:
-        if isinstance(entry, Arrow) and entry.length is not None and entry.head not in made:
+        if (
+            isinstance(entry, Arrow)
+            and entry.length is not None
+            and (entry.tail, entry.head) not in made
+        ):
             yield Quantity("len", f"{entry.tail}{entry.head}", entry.length, entry.span)
 
 
@@ -173,7 +181,7 @@ def _written_lengths(node: object) -> Iterator[ast.Number]:
 def _put(mechanism: Mechanism, known: Known) -> Mechanism:
     """Return the mechanism with numbers replaced by what stands for them."""
     loads = tuple(_load(load, known) for load in mechanism.loads)
-    reach = {k.point: k.spread.reach for k in loads if isinstance(k, Force) and k.spread}
+    reach = _reaches(loads)
     return replace(
         mechanism,
         loads=loads,
@@ -206,6 +214,12 @@ def _joint(joint: Joint, known: Known) -> Joint:
             assert_never(joint)
 
 
+def _reaches(loads: Iterable[Load]) -> Reaches:
+    """Return how far along its stretch each spread load acts, by the vector to its point."""
+    spread = [(k.point, k.spread) for k in loads if isinstance(k, Force) and k.spread]
+    return {(found.tail, point): found.reach for point, found in spread}
+
+
 def _load(load: Load, known: Known) -> Load:
     """Return a load; one that is spread out over a length that is a number, by its name."""
     if not isinstance(load, Force) or load.spread is None:
@@ -214,10 +228,10 @@ def _load(load: Load, known: Known) -> Load:
     return replace(load, spread=spread, tie=spread.resultant)
 
 
-def _entry(entry: Geometry, known: Known, reach: Mapping[str, Formula]) -> Geometry:
+def _entry(entry: Geometry, known: Known, reach: Reaches) -> Geometry:
     match entry:
-        case Arrow(head=head) if head in reach:
-            return replace(entry, length=reach[head])
+        case Arrow(tail, head) if (tail, head) in reach:
+            return replace(entry, length=reach[tail, head])
         case Arrow(length=length) if length is not None:
             return replace(entry, length=_named("len", length, known))
         case Offset(x=x, y=y):

@@ -28,6 +28,7 @@ from ..syntax import ast
 from ..units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
 from .constants import number_of, rational
 from .directions import check_sign, read_direction
+from .entries import drawn_places
 from .expressions import Reader
 from .force_pairs import carrying, read_thrust
 from .lower import free_point
@@ -146,8 +147,7 @@ def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
 
 def _drawn_length(tail: str, head: str, built: Mechanism) -> Formula | None:
     """Return the distance of two points that are drawn, a number where it can be."""
-    places = {g.head: (g.x, g.y) for g in built.geometry if isinstance(g, Offset) and not g.tail}
-    places |= {drawn.point: (drawn.x, drawn.y) for drawn in built.drawn}
+    places = drawn_places(built)
     if not places.keys() >= {tail, head}:
         return None
     ends = zip(places[tail], places[head], strict=True)

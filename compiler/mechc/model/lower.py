@@ -8,8 +8,10 @@ from itertools import count
 
 from ..diagnostics.model import joints as messages
 from ..diagnostics.model import lowering as words
+from ..formula.tree import negative, product, total
 from ..frozen import replace
-from .mechanism import Along, ArcSlot, Arrow, Force, Geometry, Link, Load, Mechanism
+from .entries import drawn_places, unit_of_drawing
+from .mechanism import Along, ArcSlot, Arrow, Drawn, Force, Geometry, Link, Load, Mechanism, Spread
 from .scope import Scope
 
 MIDDLE = "M"
@@ -55,18 +57,30 @@ def with_loaded_points(mechanism: Mechanism) -> Mechanism:
 def _with_point(mechanism: Mechanism, load: Force) -> Mechanism:
     """Add the point at which a spread load acts to its link, and the vector to it."""
     assert load.spread is not None
-    tail, head, link = load.spread.tail, load.spread.head, load.spread.link
-    along = Along(tail, head, 0, load.span)
-    arrow = Arrow(tail, load.point, load.spread.reach, along, load.span)
+    link = load.spread.link
     return replace(
-        mechanism,
+        _placed(mechanism, load, load.spread),
         links=tuple(
             replace(k, points=(*k.points, load.point)) if k.name == link else k
             for k in mechanism.links
         ),
-        geometry=(*mechanism.geometry, arrow),
         spans={**mechanism.spans, load.point: load.span},
     )
+
+
+def _placed(mechanism: Mechanism, load: Force, spread: Spread) -> Mechanism:
+    """Say where a spread load acts: drawn between its ends where they are, else by a vector."""
+    tail, head, span = spread.tail, spread.head, load.span
+    places = drawn_places(mechanism)
+    if places.keys() >= {tail, head}:
+        x, y = (
+            total([start, product([(spread.part, 1), (total([end, negative(start)]), 1)])])
+            for start, end in zip(places[tail], places[head], strict=True)
+        )
+        drawn = Drawn(load.point, x, y, 0.0, unit_of_drawing(mechanism), span)
+        return replace(mechanism, drawn=(*mechanism.drawn, drawn))
+    arrow = Arrow(tail, load.point, spread.reach, Along(tail, head, 0, span), span)
+    return replace(mechanism, geometry=(*mechanism.geometry, arrow))
 
 
 def free_point(loads: Sequence[Load], scope: Scope) -> str:
