@@ -51,15 +51,34 @@ def singular_poses(
     """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
     conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
     conditions += [(v, "infinite") for v in result.poles]
+    known = list[float]()
     for vanishing, value in conditions:
         for root in places_of(result, vanishing, along, stretch, places):
             exact = _exact(vanishing, drive, along, root)
+            known.append(root.place)
             yield Singular(result.name, value, vanishing.kind, *root, exact)
+    for root in _other_zeros(result, along, places, known):
+        yield Singular(result.name, "0", "other", *root, None)
     for broken in result.breaks:
         for root in places_of(result, broken, along, stretch, places):
             yield Singular(result.name, "undetermined", "far", *root, None)
     for jump in jumps(lambda x: along.of(result.formula, result, x), places):
         yield _jumping(result.name, jump, along, places[-1] - places[0])
+
+
+def _other_zeros(
+    result: Analysis, along: Along, places: Sequence[float], known: Sequence[float]
+) -> Iterator[Root]:
+    """Yield the zeros of a result that no factor of it tells: of a sum too long to be split."""
+    near = 1e-6 * (places[-1] - places[0])
+
+    def size(place: float) -> float:
+        return along.of(result.formula, result, place)
+
+    for root in roots(size, places):
+        falls = abs(size(root.place + near / 10)) < abs(size(root.place + near))
+        if falls and all(abs(root.place - other) > near for other in known):
+            yield root
 
 
 def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
