@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from ..diagnostics.model import loads as messages
 from ..diagnostics.model import names
-from ..diagnostics.model.lowering import stretch_without_length
+from ..diagnostics.model.lowering import spread_without_resultant, stretch_without_length
 from ..formula.tree import (
     Call,
     Formula,
@@ -22,7 +22,7 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import symbols
+from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
 from ..units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
@@ -123,6 +123,9 @@ def _distributed(
     intensities = tuple(formula for formula in read if formula is not None)
     if link is None or not ends or not along or len(intensities) < len(written):
         return None
+    if intensities and _cancels(intensities, scope):
+        scope.report.add(spread_without_resultant(statement.line.span, statement.name.text))
+        return None
     length = _length(ends[0], ends[1], built)
     if length is None:
         scope.report.add(stretch_without_length(statement.line.span, *ends[:2]))
@@ -143,6 +146,12 @@ def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
             case Offset(x=x, y=y) if {entry.tail, entry.head} == {tail, head}:
                 return Call("hypot", (x, y))
     return None
+
+
+def _cancels(intensities: tuple[Formula, ...], scope: Scope) -> bool:
+    """Tell whether a spread load adds up to nothing, as far as its ends have values."""
+    mean = total(intensities)
+    return symbols(mean) <= scope.values.keys() and evaluate(mean, scope.values) == 0
 
 
 def _drawn_length(tail: str, head: str, built: Mechanism) -> Formula | None:

@@ -86,3 +86,19 @@ def normal_of_arc(at: Span, point: str, centre: str) -> Message:
         f"the slot of {point} is circular, its force acts along {centre}{point}",
         f"ask for N_{centre}{point}: positive towards {centre}",
     )
+
+
+@coded("E269")
+def spread_without_resultant(at: Span, load: str) -> Message:
+    """A spread load adds up to nothing: it is a couple, and has no point to act at.
+
+    With q at one end and -q at the other it is a couple of q·l²/6::
+
+        load Q intensity q to -q on AB along -y     # wrong
+        torque M = ... on AB                        # right
+    """
+    return Message(
+        at,
+        f"the load {load} adds up to nothing, so that it has no resultant",
+        "state it as a couple: torque M on the link",
+    )
