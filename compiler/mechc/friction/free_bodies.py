@@ -19,10 +19,7 @@ from ..model.mechanism import (
     Link,
     Load,
     PinFriction,
-    Rack,
-    Screw,
     Torque,
-    WheelPair,
 )
 from ..pose.pose import PointContact, Pose, Vector, gathered
 from ..power.definitions import bound_names
@@ -122,8 +119,7 @@ class Bodies:
         afloat = any(t.body not in held for t in self._pose.touches)
         named = {t.point for t in self._pose.touches}
         twice = len(named) < len(self._pose.touches)
-        meshes = any(isinstance(joint, WheelPair | Rack | Screw) for joint in m.joints)
-        if bodies or afloat or twice or meshes:
+        if bodies or afloat or twice or m.meshes:
             raise EquationsCoupled
         turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
         carried = [*turning, *(p for s in m.slides for p in s.points)]

@@ -36,8 +36,9 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
 
 def spinning(pose: Pose) -> set[str]:
     """Return the links whose angular velocity such a joint asks for."""
-    meshes = (j for j in pose.mechanism.joints if isinstance(j, WheelPair | Rack | Screw))
-    return {link for mesh in meshes for link in mesh.bodies} | {t.body for t in pose.touches}
+    return {link for mesh in pose.mechanism.meshes for link in mesh.bodies} | {
+        t.body for t in pose.touches
+    }
 
 
 def _touch(touch: PointContact, velocities: Velocities, spins: Spins) -> Relation:

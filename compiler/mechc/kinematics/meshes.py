@@ -6,12 +6,10 @@ from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..formula.tree import PI
-from ..model.mechanism import Rack, Screw, WheelPair
+from ..model.mechanism import Mesh, Rack, Screw, WheelPair
 from ..pose.pose import Pose
 from .forms import projection, scaled, spin, subtract
 from .graph import Form, Graph
-
-Mesh = WheelPair | Rack | Screw
 
 
 def mesh_of(pose: Pose, id: str) -> Mesh:

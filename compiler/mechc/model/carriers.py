@@ -68,8 +68,7 @@ class Carriers:
 
     def __init__(self, mechanism: Mechanism, values: Mapping[str, float]) -> None:
         self._mechanism, self._values = mechanism, values
-        links = (link for link in mechanism.links if link.arc is None)
-        self._bodies: list[Link | Telescope] = [*links, *mechanism.telescopes]
+        self._bodies: list[Link | Telescope] = [*mechanism.rigid_links, *mechanism.telescopes]
         self._ranks: dict[str, tuple[Any, ...]] = {}
 
     def of(self, point: str) -> str:

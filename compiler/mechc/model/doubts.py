@@ -24,7 +24,6 @@ from .mechanism import (
     Parameter,
     Pivot,
     Rack,
-    Screw,
     Slider,
     WheelPair,
 )
@@ -46,7 +45,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     """Yield a remark on each thing that is hardly meant."""
     chain = Chain(dependent(mechanism))
     values = chain.complete(defaults(mechanism))
-    if not any(isinstance(joint, WheelPair | Rack | Screw) for joint in mechanism.joints):
+    if not mechanism.meshes:
         yield from _turns(mechanism)
     yield from _vanishing(mechanism, chain, values)
     yield from _far_off(mechanism, values)

@@ -20,7 +20,7 @@ from ..frozen import replace
 from .doubts import directions
 from .drawn_checks import faults
 from .driving import drawn_value, fault_of, is_outside, with_driven, with_value
-from .entries import bodies, mentioned
+from .entries import mentioned
 from .mechanism import (
     Along,
     Arrow,
@@ -96,7 +96,7 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
         if sketch.has_all((slot.tail, slot.head, slot.point)):
             sketch.lay_on_line(slot.point, slot.tail, slot.head)
     found: list[Geometry] = []
-    for points in (*bodies(mechanism), *_aims(mechanism)):
+    for points in (*(body.points for body in mechanism.bodies), *_aims(mechanism)):
         for hub, point in sketch.arms(points):
             found.append(_vector(hub, point, sketch))
     joints = tuple(
@@ -226,7 +226,7 @@ def _with_coordinates(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 
 def _pins(mechanism: Mechanism) -> frozenset[str]:
     """Return the points at which bodies are joined."""
-    carried = Counter(p for points in bodies(mechanism) for p in points)
+    carried = Counter(p for body in mechanism.bodies for p in body.points)
     ground = mechanism.fixed | {s.point for s in mechanism.each(Slider)}
     return frozenset(p for p, number in carried.items() if number > 1 or p in ground)
 

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import drawn as messages
-from .entries import bodies, points_of
+from .entries import points_of
 from .mechanism import Mechanism, Slider, Slot
 from .sketch import Sketch
 
@@ -29,7 +29,7 @@ def _without_place(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]
 
 def _coinciding(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
     """Yield the points of a body at the place of another one of it."""
-    for points in bodies(mechanism):
+    for points in (body.points for body in mechanism.bodies):
         for hub, point in sketch.arms(points):
             if sketch.coincide(hub, point):
                 at, first = sketch.span(point), sketch.span(hub)

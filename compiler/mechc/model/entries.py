@@ -1,17 +1,10 @@
 """What the geometry and the bodies of a mechanism name: points, and parameters."""
 
-from collections.abc import Collection, Iterable, Iterator
+from collections.abc import Collection, Iterable
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from .mechanism import Absolute, Arrow, Geometry, Mechanism, Offset, Turn
-
-
-def bodies(mechanism: Mechanism) -> Iterator[tuple[str, ...]]:
-    """Yield the points of each body, and the ends of the telescopes."""
-    yield from (link.points for link in mechanism.links)
-    yield from (slide.points for slide in mechanism.slides)
-    yield from (telescope.points for telescope in mechanism.telescopes)
 
 
 def unit_of_drawing(mechanism: Mechanism) -> str:

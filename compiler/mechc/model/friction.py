@@ -19,7 +19,7 @@ from .joint_friction import (
     ThreadFriction,
     WheelFriction,
 )
-from .mechanism import Force, ForcePair, Load, Mechanism, Rack, Screw, Slot, Torque, WheelPair
+from .mechanism import Force, ForcePair, Load, Mechanism, Mesh, Rack, Screw, Slot, Torque, WheelPair
 from .pins import Pins, remark_on_pairs
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
@@ -213,7 +213,7 @@ def _transmissions(
     statement: ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction,
     file: ast.File,
     built: Mechanism,
-) -> tuple[str, set[str], Sequence[WheelPair | Rack | Screw]]:
+) -> tuple[str, set[str], Sequence[Mesh]]:
     """Return the word for a kind, the points at which its lines begin, and the sound ones."""
     pairs = built.each(WheelPair)
     match statement:

@@ -28,7 +28,7 @@ from ..syntax import ast
 from ..units import ACCELERATION, FORCE, MASS, NUMBER, STIFFNESS, TORQUE, Dimension
 from .constants import number_of, rational
 from .directions import check_sign, read_direction
-from .entries import drawn_places
+from .entries import drawn_places, vector_between
 from .expressions import Reader
 from .force_pairs import carrying, read_thrust
 from .lower import free_point
@@ -139,13 +139,13 @@ def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
     """Return the distance of two points, as far as they are drawn or one entry gives it."""
     if length := _drawn_length(tail, head, built):
         return length
-    for entry in built.geometry:
-        match entry:
-            case Arrow(length=length) if length and {entry.tail, entry.head} == {tail, head}:
-                return length
-            case Offset(x=x, y=y) if {entry.tail, entry.head} == {tail, head}:
-                return Call("hypot", (x, y))
-    return None
+    match vector_between((tail, head), built.geometry):
+        case Arrow(length=length):
+            return length
+        case Offset(x=x, y=y):
+            return Call("hypot", (x, y))
+        case None:
+            return None
 
 
 def _cancels(intensities: tuple[Formula, ...], scope: Scope) -> bool:

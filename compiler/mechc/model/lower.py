@@ -10,7 +10,7 @@ from ..diagnostics.model import joints as messages
 from ..diagnostics.model import lowering as words
 from ..formula.tree import negative, product, total
 from ..frozen import replace
-from .entries import drawn_places, unit_of_drawing
+from .entries import drawn_places, unit_of_drawing, vector_between
 from .mechanism import Along, ArcSlot, Arrow, Drawn, Force, Geometry, Link, Load, Mechanism, Spread
 from .scope import Scope
 
@@ -37,13 +37,13 @@ def with_arcs(mechanism: Mechanism, arcs: Sequence[tuple[str, ArcSlot]], scope: 
 
 def _lay(geometry: list[Geometry], ends: tuple[str, str], arc: ArcSlot, scope: Scope) -> None:
     """Give the vector between two points the radius for its length."""
-    for i, entry in enumerate(geometry):
-        if isinstance(entry, Arrow) and {entry.tail, entry.head} == {*ends}:
-            if entry.length is not None:
-                scope.report.add(words.radius_is_length(entry.span, "".join(ends), arc.span))
-            geometry[i] = replace(entry, length=arc.radius)
-            return
-    geometry.append(Arrow(*ends, arc.radius, None, arc.span))
+    entry = vector_between(ends, geometry)
+    if not isinstance(entry, Arrow):
+        geometry.append(Arrow(*ends, arc.radius, None, arc.span))
+        return
+    if entry.length is not None:
+        scope.report.add(words.radius_is_length(entry.span, "".join(ends), arc.span))
+    geometry[geometry.index(entry)] = replace(entry, length=arc.radius)
 
 
 def with_loaded_points(mechanism: Mechanism) -> Mechanism:

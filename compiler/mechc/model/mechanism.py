@@ -39,6 +39,7 @@ from .parts import Drawn as Drawn
 from .parts import Drive as Drive
 from .parts import Joint as Joint
 from .parts import Link as Link
+from .parts import Mesh as Mesh
 from .parts import Pivot as Pivot
 from .parts import Rack as Rack
 from .parts import Screw as Screw
@@ -266,9 +267,19 @@ class Mechanism:
         """Return the joints of one kind."""
         return tuple(joint for joint in self.joints if isinstance(joint, kind))
 
+    @property
+    def meshes(self) -> tuple[Mesh, ...]:
+        """Return the wheels, racks and screws."""
+        return tuple(j for j in self.joints if isinstance(j, WheelPair | Rack | Screw))
+
+    @property
+    def rigid_links(self) -> tuple[Link, ...]:
+        """Return the links that are bodies: no rods that stand for circular slots."""
+        return tuple(link for link in self.links if link.arc is None)
+
     def joint(self, id: str) -> Joint:
-        """Return the joint of an ``id``; KeyError where there is none."""
-        return {joint.id: joint for joint in self.joints}[id]
+        """Return the joint of an ``id``."""
+        return next(joint for joint in self.joints if joint.id == id)
 
     def parameter(self, name: str) -> Parameter:
         """Return the parameter of a name."""
@@ -341,6 +352,5 @@ class Mechanism:
 
     def turning_at(self, point: str) -> tuple[str, ...]:
         """Return the links and the cylinders that turn on a pin."""
-        bodies: list[Link | Telescope] = [link for link in self.links if link.arc is None]
-        bodies += self.cylinders
+        bodies: tuple[Link | Telescope, ...] = (*self.rigid_links, *self.cylinders)
         return tuple(body.name for body in bodies if point in body.points)

@@ -11,6 +11,7 @@ from typing import Literal
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..source import Span
+from .holding import OnePoint, OnGround, OnLink
 
 # ---------------------------------------------------------------------- directions
 
@@ -96,7 +97,7 @@ class Telescope:
 
 
 @frozen
-class Pivot:
+class Pivot(OnePoint, OnGround):
     """A point pinned to the ground."""
 
     point: str
@@ -107,19 +108,9 @@ class Pivot:
         """Return the joint's name among all joints."""
         return f"pivot {self.point}"
 
-    @property
-    def points(self) -> tuple[str, ...]:
-        """Return the points that it holds."""
-        return (self.point,)
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Return the bodies that it names."""
-        return ()
-
 
 @frozen
-class Slider:
+class Slider(OnePoint, OnGround):
     """A point guided by the ground; ``through`` is a point of the guide's line, if given."""
 
     point: str
@@ -132,19 +123,9 @@ class Slider:
         """Return the joint's name among all joints."""
         return f"slider {self.point}"
 
-    @property
-    def points(self) -> tuple[str, ...]:
-        """Return the points that it holds."""
-        return (self.point,)
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Return the bodies that it names."""
-        return ()
-
 
 @frozen
-class Slot:
+class Slot(OnePoint, OnLink):
     """Pin ``point`` slides along the line from ``tail`` to ``head`` of a link.
 
     (V_B − V of the link's point under B) · normal of the line = 0.
@@ -161,19 +142,9 @@ class Slot:
         """Return the joint's name among all joints."""
         return f"slot {self.point} in {self.tail}{self.head}"
 
-    @property
-    def points(self) -> tuple[str, ...]:
-        """Return the points that it holds."""
-        return (self.point,)
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Return the bodies that it names."""
-        return (self.link,)
-
 
 @frozen
-class Contact:
+class Contact(OnePoint, OnLink):
     """``point`` of its own link touches ``link`` (its line ``tail``–``head``).
 
     ``normal`` is the direction in which the link pushes the point; it can only push.
@@ -191,16 +162,6 @@ class Contact:
     def id(self) -> str:
         """Return the joint's name among all joints."""
         return f"contact {self.point} on {self.tail}{self.head}"
-
-    @property
-    def points(self) -> tuple[str, ...]:
-        """Return the points that it holds."""
-        return (self.point,)
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Return the bodies that it names."""
-        return (self.link,)
 
 
 @frozen
@@ -238,7 +199,7 @@ class WheelPair:
 
 
 @frozen
-class Rack:
+class Rack(OnLink):
     """A slider, or a point of a slide, carries a rack that a gear on ``pivot`` drives.
 
     V of the slider along its guide = ω · radius: the rack passes the pivot on the right of
@@ -261,14 +222,9 @@ class Rack:
         """Return the points that it holds."""
         return (self.point, self.pivot)
 
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Return the bodies that it names."""
-        return (self.link,)
-
 
 @frozen
-class Screw:
+class Screw(OnePoint, OnLink):
     """Turning ``link`` moves slider ``point`` along its guide by ``pitch`` per turn.
 
     V = ω · pitch/2π, right-handed for a positive pitch.
@@ -284,18 +240,9 @@ class Screw:
         """Return the joint's name among all joints."""
         return f"screw {self.point} on {self.link}"
 
-    @property
-    def points(self) -> tuple[str, ...]:
-        """Return the points that it holds."""
-        return (self.point,)
-
-    @property
-    def bodies(self) -> tuple[str, ...]:
-        """Return the bodies that it names."""
-        return (self.link,)
-
 
 Body = Link | Slide | Telescope
+Mesh = WheelPair | Rack | Screw
 Joint = Pivot | Slider | Slot | Contact | WheelPair | Rack | Screw
 """A pass over joints matches all of them and ends in ``assert_never``: mypy names what is left."""
 

@@ -80,8 +80,7 @@ class Pins:
         return [body.name for body in self._bodies() if point in body.points]
 
     def _bodies(self) -> tuple[Link | Telescope, ...]:
-        links = (link for link in self._built.links if link.arc is None)
-        return (*links, *self._built.telescopes)
+        return (*self._built.rigid_links, *self._built.telescopes)
 
     def _pin(self, point: str, radius: Formula, span: Span) -> PinFriction:
         """Return a pin with what it is taken to be fast in."""

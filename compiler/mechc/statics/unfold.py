@@ -138,8 +138,7 @@ class Unfolding:
         mechanism = self.pose.mechanism
         pairs = [load for load in mechanism.loads if isinstance(load, ForcePair)]
         loaded = [{pair.first, pair.second} for pair in pairs]
-        links = (link for link in mechanism.links if link.arc is None)
-        yield from (link.name for link in links if point in link.points)
+        yield from (link.name for link in mechanism.rigid_links if point in link.points)
         for telescope in mechanism.telescopes:
             if point in telescope.points and {*telescope.points} in loaded:
                 yield telescope.name

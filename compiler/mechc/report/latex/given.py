@@ -172,7 +172,7 @@ def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
 
 
 def _links(mechanism: Mechanism, locale: Locale) -> list[str]:
-    links = [link for link in mechanism.links if link.arc is None]
+    links = mechanism.rigid_links
     rods = _listed((link.name for link in links if len(link.points) == 2), locale)
     bodies = _listed((link.name for link in links if len(link.points) > 2), locale)
     said = ((locale.rods, rods), (locale.bodies, bodies))

@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from functools import cache
 from itertools import pairwise
 from typing import Literal
 
@@ -57,24 +58,19 @@ def singular_poses(
             exact = _exact(vanishing, drive, along, root)
             known.append(root.place)
             yield Singular(result.name, value, vanishing.kind, *root, exact)
-    for root in _other_zeros(result, along, places, known):
+    size = cache(lambda place: along.of(result.formula, result, place))
+    for root in _other_zeros(size, places, known):
         yield Singular(result.name, "0", "other", *root, None)
     for broken in result.breaks:
         for root in places_of(result, broken, along, stretch, places):
             yield Singular(result.name, "undetermined", "far", *root, None)
-    for jump in jumps(lambda x: along.of(result.formula, result, x), places):
+    for jump in jumps(size, places):
         yield _jumping(result.name, jump, along, places[-1] - places[0])
 
 
-def _other_zeros(
-    result: Analysis, along: Along, places: Sequence[float], known: Sequence[float]
-) -> Iterator[Root]:
-    """Yield the zeros of a result that no factor of it tells: of a sum too long to be split."""
+def _other_zeros(size: Function, places: Sequence[float], known: Sequence[float]) -> Iterator[Root]:
+    """Yield the zeros of a result that none of its factors has: of a sum too long to be split."""
     near = 1e-6 * (places[-1] - places[0])
-
-    def size(place: float) -> float:
-        return along.of(result.formula, result, place)
-
     for root in roots(size, places):
         falls = abs(size(root.place + near / 10)) < abs(size(root.place + near))
         if falls and all(abs(root.place - other) > near for other in known):
