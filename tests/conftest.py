@@ -5,18 +5,16 @@ import subprocess
 import sys
 from collections.abc import Callable
 from difflib import unified_diff
-from pathlib import Path
 from typing import NoReturn
 
 import pytest
 from hypothesis import settings
 
+from paths import COMPILER, GOLDEN
+
 # The same examples in each run: what lands was seen to pass.
 settings.register_profile("fixed", derandomize=True, deadline=None)
 settings.load_profile("fixed")
-
-GOLDEN = Path(__file__).parent / "golden"
-COMPILER = Path(__file__).parents[1] / "compiler"
 
 
 def pytest_addoption(parser: pytest.Parser) -> None:

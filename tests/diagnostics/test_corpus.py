@@ -1,0 +1,92 @@
+"""One mistake a file: its name begins with its code, its last lines tell the messages.
+
+``#! CODE LINE:COLUMN message | hint``, as the whole compiler reports them.
+"""
+
+import re
+
+import pytest
+
+from mechc.cli.explain import load_all
+from mechc.diagnostics import CATALOGUE, MechcError
+from mechc.driver import Compilation, complete
+from mechc.source import Source
+from mechc.syntax import limits
+from paths import CORPUS, TESTS
+
+FILES = sorted((CORPUS / "bad").iterdir())
+
+ELSEWHERE = {
+    "E591": "test_stroke.py",
+    "E592": "test_stroke.py",
+    "W591": "test_stroke.py",
+    "W594": "test_stroke_ends.py",
+    "E540": "test_telescopes.py",
+    "E601": "test_statics.py",
+    "E602": "test_statics.py",
+    "E603": "test_statics_closure.py",
+    "E720": "test_draw.py",
+    "E721": "test_draw.py",
+    "E722": "test_draw_bodies.py",
+    "E701": "test_emit_c.py",
+    "E702": "test_emit_registry.py",
+    "E703": "test_hostile_names.py",
+    "W701": "test_emit_registry.py",
+    "E811": "test_corpus.py",
+    "E817": "test_work_limit.py",
+    "E901": "test_cli.py",
+    "E902": "test_hostile.py",
+    "E903": "test_hostile.py",
+    "E904": "test_hostile.py",
+    "E905": "test_hostile.py",
+    "E906": "test_cli.py",
+}
+"""What no description of a corpus can bring about, and the test that does."""
+
+
+def messages(source: Source) -> list[str]:
+    """Return all that compiling a text reports, a line each."""
+    compilation = Compilation(source)
+    try:
+        complete(compilation)
+        found = compilation.report.sorted()
+    except MechcError as error:
+        found = list(error.diagnostics)
+    lines = []
+    for diagnostic in found:
+        assert diagnostic.span is not None
+        place = source.position(diagnostic.span.start)
+        hint = f" | {diagnostic.hint}".replace("\n", " // ") if diagnostic.hint else ""
+        at = f"{place.line}:{place.column}"
+        lines.append(f"#! {diagnostic.code} {at} {diagnostic.message}{hint}")
+    return lines
+
+
+def expected(text: str) -> list[str]:
+    return [line for line in text.splitlines() if line.startswith("#!")]
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_the_messages(path):
+    text = path.read_text(encoding="utf-8")
+    assert messages(Source(path.name, text)) == expected(text)
+    assert any(line.split()[1] == path.name[:4] for line in expected(text))
+
+
+def test_a_text_too_long():
+    (message,) = messages(Source("a.mech", "#" * (limits.CHARACTERS + 1)))
+    assert message == "#! E811 1:1 the text has 250001 characters, expected at most 250000"
+
+
+def test_every_code_is_reached():
+    load_all()
+    assert CATALOGUE.keys() == {path.name[:4] for path in FILES} | ELSEWHERE.keys()
+    for code, name in ELSEWHERE.items():
+        assert re.search(code, (TESTS / name).read_text(encoding="utf-8")), code
+
+
+@pytest.mark.parametrize("path", FILES, ids=lambda path: path.name)
+def test_no_message_is_long_or_spreads_over_lines(path):
+    for line in expected(path.read_text(encoding="utf-8")):
+        assert len(line) < 400
+        assert "  " not in line.split(" ", 3)[3]

@@ -1,0 +1,99 @@
+"""Free-body diagrams: every force of the data, to scale, at its place, with its name."""
+
+import math
+from itertools import pairwise
+
+import pytest
+
+from good_mechanisms import ALL
+from mechc.cli import main
+from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
+from mechc.drawing.from_diagrams import LARGEST, SHORTEST
+from readable_drawings import assert_readable, lettering, opened
+
+FEW = [
+    "claw_with_friction",
+    "crank_rocker",
+    "d45_05_wedge_roller_lever_with_friction",
+    "d45_12_worm_sectors",
+    "equalising_clamp",
+    "fedoriv_fig2b_with_friction",
+    "karpenko_fig9_packet_clamp",
+    "oscillating_cylinder",
+    "scotch_yoke",
+    "three_claw_gripper",
+]
+"""One of each kind of body, joint and load."""
+
+
+@pytest.mark.parametrize("name", FEW)
+def test_no_label_is_on_a_line(name):
+    assert_readable(opened(name).free_body_diagrams)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ALL)
+def test_nor_in_all_others(name):
+    drawing = opened(name).free_body_diagrams
+    assert drawing is not None or name == "speeds"
+    if drawing is not None:
+        assert_readable(drawing)
+
+
+def arrows(drawing):
+    """Yield tails and tips: the shaft of an arrow is followed by its head."""
+    for shaft, head in pairwise(drawing.shapes):
+        if shaft.pen == head.pen == FORCE and isinstance(shaft, Polyline) and head.fill == "solid":
+            yield shaft.points[0], head.points[0]
+
+
+def test_forces_are_to_scale_and_point_as_they_act():
+    name = "karpenko_fig9_packet_clamp"
+    (diagram,) = opened(name).free_bodies
+    bodies = [b for b in diagram.bodies if not (b.kind == "link" and b.name.endswith("'"))]
+    forces = [a.force for b in bodies for a in b.forces if a.force and math.hypot(*a.force) > 1e-9]
+    largest = max(math.hypot(*force) for force in forces)
+    expected = [
+        (round(force.angle, 6), max(SHORTEST, LARGEST * math.hypot(*force) / largest))
+        for force in forces
+    ]
+    found = [tip.minus(tail) for tail, tip in arrows(opened(name).free_body_diagrams)]
+    drawn = [(round(arrow.angle, 6), math.hypot(*arrow)) for arrow in found]
+    for one, other in zip(sorted(drawn), sorted(expected), strict=True):
+        assert one == pytest.approx(other)
+
+
+def test_forces_have_names_and_sizes():
+    found = lettering(opened("karpenko_fig9_packet_clamp").free_body_diagrams)
+    assert {"F", "P = 0.0671\u2009F", "RO = 0.5\u2009F"} <= set(found)
+    assert "k, without friction, forces per unit of F" in found
+
+
+def test_friction_circles_are_as_large_as_they_are():
+    figure, scale = opened("lever_clamp_with_friction").figure, None
+    drawing = opened("lever_clamp_with_friction").free_body_diagrams
+    plain, rubbing = opened("lever_clamp_with_friction").free_bodies
+    (offset,) = {abs(a.offset) for b in rubbing.bodies for a in b.forces if a.offset}
+    (circle,) = [s for s in drawing.shapes if isinstance(s, Arc) and s.pen == AXIS]
+    scale = circle.radius / offset
+    lever = max(math.dist(s.points[0], s.points[1]) for s in drawing.shapes if s.pen.name == "body")
+    bar = max(math.dist(figure.points["O"], figure.points[p]) for p in "AB")
+    assert plain.motion == ""
+    assert lever == pytest.approx(scale * bar)
+
+
+def test_of_halves_one_is_drawn():
+    drawing = opened("karpenko_fig9_packet_clamp").free_body_diagrams
+    assert "Every body of one mirrored half" in drawing.description
+    assert lettering(drawing).count("A") == 1
+    assert "A'" not in lettering(drawing)
+
+
+def test_without_loads_there_are_no_bodies(capsys, tmp_path):
+    """E722."""
+    target = tmp_path / "k.svg"
+    assert main(["draw", str(ALL["speeds"]), "--bodies", "-o", str(target)]) == 1
+    assert "there are no free bodies" in capsys.readouterr().err
+    assert not target.exists()
+    assert main(["draw", "crank_rocker", "--bodies", "-o", str(target)]) == 0
+    assert "Free bodies of" in target.read_text("utf-8")

@@ -1,0 +1,100 @@
+"""C of the whole library under gcc and clang, at every level, without a warning; huge angles."""
+
+import ctypes
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mechc.emit.c.to_c import TARGET
+from mechc.emit.target import Options
+from mechc.routine.evaluate import evaluate
+from mechc.routine.steps import Function
+from mechc.units import ANGLE
+from routine_samples import LIBRARY, SAMPLES, solved
+from run_targets import built, poses
+
+STRICT = ["-Wall", "-Wextra", "-Wconversion", "-Wpedantic", "-Werror", "-c"]
+COMPILERS = {
+    "gcc": ["gcc", "-std=c99", "-x", "c"],
+    "clang": ["clang", "-std=c99", "-x", "c"],
+    "g++": ["g++", "-std=c++17", "-x", "c++"],
+    "clang++": ["clang++", "-std=c++17", "-x", "c++"],
+}
+LEVELS = {"gcc": "-O2", "clang": "-Os", "g++": "-O0", "clang++": "-O3 -march=native"}
+"""Each compiler at a level of its own: all pairs take ten minutes and found no more."""
+
+ITERATED = ("double_butterfly", "scissor_table", "triad_closed")
+
+
+def compile_all(names: list[str], compiler: str, level: str, folder: Path) -> None:
+    command = COMPILERS[compiler]
+    if shutil.which(command[0]) is None:
+        pytest.skip(f"no {command[0]}")
+    for name in names:
+        for name_, text in TARGET.emit(solved(name), Options(name)):
+            (folder / name_).write_text(text, encoding="utf-8")
+    sources = [f"{name}.c" for name in names]
+    run = [*command, *STRICT, *level.split(), *sources]
+    done = subprocess.run(run, cwd=folder, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr[:2000]
+
+
+@pytest.mark.parametrize("level", ["-Os", "-O2"])
+@pytest.mark.parametrize("compiler", ["gcc", "clang"])
+def test_systems_compile_without_a_warning(compiler, level, tmp_path):
+    compile_all([*ITERATED, "clamp"], compiler, level, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_the_library_compiles_without_a_warning(compiler, tmp_path):
+    compile_all([*SAMPLES, *LIBRARY], compiler, LEVELS[compiler], tmp_path)
+
+
+HUGE = [1e6, 1.05e6, -2e6, 1e15, 1e22, -1e22, 1e300, np.inf, -np.inf, np.nan]
+
+
+def stretched(function: Function) -> dict[str, np.ndarray]:
+    """Return poses in which some angles are huge, infinite or no number."""
+    found, dice = poses(function), np.random.default_rng(7)
+    for item in function.inputs:
+        if item.dimension == ANGLE:
+            column = found[item.name]
+            chosen = dice.random(len(column)) < 0.5
+            found[item.name] = np.where(chosen, dice.choice(HUGE, len(column)), column)
+    return found
+
+
+def assert_huge_angles_are_right(name: str, folder: Path) -> None:
+    found = solved(name)
+    made = built(found, folder)
+    expected, batches = {}, {}
+    array = np.ctypeslib.ndpointer(dtype=np.float64)
+    for function, batch in zip(found.routine.functions, made.batches, strict=True):
+        values = stretched(function)
+        call, result = made.code[batch], np.empty(len(next(iter(values.values()), HUGE)))
+        call.restype = None
+        call.argtypes = [ctypes.c_size_t, *[array] * (len(values) + 1)]
+        call(len(result), *values.values(), result)
+        batches[function.name] = result
+        expected[function.name] = np.broadcast_to(evaluate(function, values), len(result))
+    for key, result in batches.items():
+        np.testing.assert_allclose(result, expected[key], rtol=1e-9, atol=1e-12, err_msg=key)
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
+@pytest.mark.parametrize("name", ["clamp", "crank_rocker", "karpenko_fig9_packet_clamp"])
+def test_huge_angles_are_right_in_loops(name, tmp_path):
+    assert_huge_angles_are_right(name, tmp_path)
+
+
+@pytest.mark.slow
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no C compiler")
+@pytest.mark.parametrize("part", range(6))
+def test_huge_angles_are_right_in_loops_of_the_library(part, tmp_path):
+    for name in LIBRARY[part::6]:
+        (tmp_path / name).mkdir()
+        assert_huge_angles_are_right(name, tmp_path / name)

@@ -1,0 +1,341 @@
+"""Friction inside k: the seeds' references, limits, laws."""
+
+import math
+
+import pytest
+
+import mechc
+from paths import LIBRARY
+from seed_friction import described, entries
+
+CASES = sorted(entries("friction.json"))
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_seeds(case):
+    expected = entries("friction.json")[case]
+    found = mechc.loads(described(case), case).evaluate()
+    names = ("k_ideal", "k_real", "k_first_order", "k_holding", "eta")
+    for name, key in zip(("k", "k_f", "k_f1", "k_hold", "eta_k"), names, strict=True):
+        assert found[name] == pytest.approx(expected[key], rel=1e-10), name
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_vanishing_friction_gives_the_ideal_ratio(case):
+    found = mechc.loads(described(case, shrunk=1e-9), case).evaluate()
+    for name in ("k_f", "k_f1", "k_hold"):
+        assert found[name] == pytest.approx(found["k"], rel=1e-7)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_the_first_order_errs_by_second_order(case):
+    """A quarter of the friction leaves a sixteenth of the error."""
+    errors = []
+    for shrunk in (0.2, 0.05):
+        found = mechc.loads(described(case, shrunk), case).evaluate()
+        errors.append(found["k_f"] - found["k_f1"])
+    assert errors[0] / errors[1] == pytest.approx(16, rel=0.05)
+
+
+@pytest.mark.parametrize("case", CASES)
+def test_both_motions_straddle_the_ideal_ratio(case):
+    found = mechc.loads(described(case), case).evaluate()
+    assert found["k_hold"] < found["k"] < found["k_f"]
+    assert 0 < found["eta_k"] < 1
+
+
+FOLLOWER = """mechanism follower
+param r = 60 mm
+param psi = 25 deg in 5 deg .. 40 deg
+param mu = 0.12
+param nu = 0.05
+pivot O
+link OC
+slider A along y
+OC = 50 mm @ 80 deg
+OA = r @ 90 deg
+contact A on OC normal 90 deg + psi
+torque M on OC
+force F at A along -y
+find k = M/F
+friction slider A mu
+friction contact A nu
+"""
+
+
+def test_a_cam_presses_its_follower_on_the_guide():
+    """M = r·R·sin(ψ + φ), F = R·(cos(ψ + φ) − μ·sin(ψ + φ)), with φ = atan ν on the face."""
+    found = mechc.loads(FOLLOWER).evaluate()
+    turn = math.radians(25) + math.atan(0.05)
+    assert found["k"] == pytest.approx(0.06 * math.tan(math.radians(25)))
+    across = math.sin(turn)
+    assert found["k_f"] == pytest.approx(0.06 * across / (math.cos(turn) - 0.12 * across))
+
+
+LEVER = """mechanism lever
+param a = 150 mm
+param b = 60 mm
+param r = 8 mm
+param f = 0.15
+pivot O
+link AOB
+OA = a @ 180 deg
+OB = b @ {side} deg
+force Q at A along -90 deg
+force P at B along {way} deg
+friction pins f diameter 2*r
+find k = Q/P
+"""
+
+
+@pytest.mark.parametrize(
+    ("side", "way", "b", "tightening", "releasing"),
+    [
+        (0, -90, 0.06, "(b + r*f)/(a - r*f)", "(b - r*f)/(a + r*f)"),
+        (0, -90, 0.3, "(b + r*f)/(a - r*f)", "(b - r*f)/(a + r*f)"),
+        (180, 90, 0.06, "(b + r*f)/(a + r*f)", "(b - r*f)/(a - r*f)"),
+        (180, 90, 0.3, "(b - r*f)/(a - r*f)", "(b + r*f)/(a + r*f)"),
+    ],
+)
+def test_parallel_forces_on_a_lever_need_no_root(side, way, b, tightening, releasing):
+    """f·r·(Q + P) at the pivot between the forces, f·r·|Q − P| where both are on one side."""
+    given = LEVER.format(side=side, way=way)
+    expects = f"expect k_f = {tightening}\nexpect k_hold = {releasing}\n"
+    assert not mechc.loads(given.replace("b = 60 mm", f"b = {b} m") + expects).warnings
+    found = mechc.loads(given).evaluate(b=b)
+    at = {"a": 0.15, "b": b, "r": 0.008, "f": 0.15}
+    for name, formula in (("k_f", tightening), ("k_hold", releasing)):
+        assert found[name] == pytest.approx(eval(formula, {}, at), rel=1e-12)
+
+
+def test_a_lever_that_stands_still_does_not_rub_on_its_pivot():
+    """At its dead centre the rod is turned by 2ρ/L alone: S·(a·cos δ + ρ) = F·b."""
+    a, b, rho, delta = 0.08, 0.12, 0.0005, math.asin(2 * 0.0005 / 0.05)
+    found = mechc.load("karpenko_fig7_with_friction").evaluate(alpha=0.0)
+    size = b / (a * math.cos(delta) + rho)
+    expected = size * (math.sin(delta) + 0.1 / 3 * math.cos(delta))
+    assert found["k_f"] == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("name", "smooth"),
+    [
+        ("d45_16_wedge_hook_with_friction", "rho  = 0 deg"),
+        ("fedoriv_fig2a_with_friction", "f     = 0"),
+    ],
+)
+def test_formulas_stay_whole_where_a_coefficient_is_zero(name, smooth):
+    text = (LIBRARY / f"{name}.mech").read_text("utf-8")
+    parameter = f"param {smooth.split('=')[0]}"
+    lines = [n for n in text.splitlines() if " at " not in n or not n.startswith("expect")]
+    smoothed = [f"param {smooth}" if n.startswith(parameter) else n for n in lines]
+    assert smoothed != lines
+    solved = mechc.loads("\n".join(smoothed))
+    assert not solved.warnings
+    found = solved.evaluate()
+    assert found["k_f"] == found["k_hold"] == pytest.approx(found["k"], rel=1e-14)
+
+
+ALONG_A_GUIDE = """mechanism nut
+param a = 30 mm
+param b = 120 mm
+param th = 20 deg in 5 deg .. 60 deg
+param mu = 0.15
+pivot O
+slider K along y
+link OBA
+link BK
+OB = a @ th
+OA = b @ th
+BK = 25 mm @ 90 deg
+force P at A along -y
+force F at K along y
+friction pins mu diameter 6 mm
+friction slider K 0.1 guide 20 mm overhang 30 mm
+find k = P / F
+"""
+
+
+def test_a_rod_along_its_guide_presses_by_the_friction_of_its_pins_alone():
+    """N = S·sin δ, the friction of the guide c·N: F = S·(cos δ − c·sin δ)."""
+    mechanism = mechc.loads(ALONG_A_GUIDE, "nut.mech")
+    a, b, th, rho, c = 30, 120, math.radians(20), 0.15 * 3, 0.1 * (1 + 2 * 35 / 20)
+    delta = math.asin(2 * rho / 25)
+    rod = 1 / (math.cos(delta) - c * math.sin(delta))
+    arm = a * math.cos(th - delta) + rho  # of the rod's line at O, its pin's circle added
+
+    def gap(drive: float) -> float:
+        pivot = math.hypot(rod * math.sin(delta), rod * math.cos(delta) - drive)
+        return drive * b * math.cos(th) - rod * arm - rho * pivot
+
+    low, high = 0.2, 0.4
+    for _ in range(60):
+        middle = (low + high) / 2
+        low, high = (low, middle) if gap(middle) > 0 else (middle, high)
+    assert mechanism.evaluate()["k_f"] == pytest.approx(low, rel=1e-12)
+    assert not mechanism.results["k_f"].holds
+
+
+IDLE = """
+param l = 100 mm
+param alpha = 10 deg in 1 deg .. 45 deg
+pivot O
+slider C along y
+link OB
+link BC
+link BD
+BD = 20 mm @ 0 deg
+OB = l @ 90 deg - alpha
+BC = l @ 90 deg + alpha
+force P at B along -x
+force F at C along -y
+friction pins 0.1 diameter 10 mm
+friction pin B 0 diameter 10 mm
+find k = P / F
+"""
+
+
+def test_a_link_that_turns_idly_on_a_pin_without_friction_changes_nothing():
+    """Each rod rubs at one end, so that its line turns by asin(ρ/l)."""
+    mechanism = mechc.loads(IDLE)
+    turn = math.asin(0.005)
+    for alpha in map(math.radians, (1, 10, 45)):
+        found = mechanism.evaluate(alpha=alpha)
+        assert found["k_f"] == pytest.approx(2 * math.tan(alpha + turn), rel=1e-12)
+        assert found["k_hold"] == pytest.approx(2 * math.tan(alpha - turn), rel=1e-12)
+
+
+# ------------------------------------------------------------------------------- halves
+
+GRIPPER = """
+param a = 40 mm
+param b = 100 mm
+param L = 60 mm
+param alpha = 35 deg
+pivot O
+slider A along x
+link AB
+link BOD
+AB = L @ alpha
+BO = a @ 0 deg
+OD = b @ 0 deg
+force P at A along x
+force F at D along y
+friction pins 0.1 diameter 10 mm
+find k = P / F
+"""
+
+OTHER_HALF = """
+pivot U
+link AV
+link VUW
+AV = L @ -alpha
+VU = a @ 0 deg
+UW = b @ 0 deg
+force F2 = F at W along -y
+"""
+
+GUIDES = [
+    "friction slider A 0.1",
+    "friction slider A 0.1 guide 40 mm overhang 60 mm",
+    "friction roller A 0.1 axle 10 mm wheel 30 mm",
+]
+
+
+@pytest.mark.parametrize("guide", ["", *GUIDES])
+def test_side_forces_of_mirrored_halves_cancel(guide):
+    """Figure 1 of Karpenko et al., as one half and as a whole: 7.770, not 8.295."""
+    mirrored = mechc.loads(f"{GRIPPER}mirror across 0 deg sharing A\n{guide}")
+    whole = mechc.loads(f"{GRIPPER}{OTHER_HALF}{guide}")
+    expected = entries("friction.json")["F-G000-1"]
+    for mechanism in (mirrored, whole):
+        found = mechanism.evaluate()
+        assert found["k_f"] == pytest.approx(expected["k_real"], rel=1e-12)
+        assert found["k_hold"] == pytest.approx(expected["k_holding"], rel=1e-12)
+    assert [w.code for w in mirrored.warnings] == (["W272"] if guide else [])
+    assert not whole.warnings
+
+
+@pytest.mark.parametrize("guide", GUIDES)
+@pytest.mark.parametrize(
+    ("load", "counted"), [("P at A along x", "times 1/2"), ("F at D along y", "times 2")]
+)
+def test_a_half_with_a_guide_that_both_halves_share_is_refused(guide, load, counted):
+    half = GRIPPER.replace(load, f"{load} {counted}")
+    assert mechc.loads(half).evaluate()["k_f"] == pytest.approx(
+        entries("friction.json")["F-G000-1"]["k_real"], rel=1e-12
+    )
+    with pytest.raises(mechc.MechcError) as caught:
+        mechc.loads(f"{half}\n{guide}").evaluate()
+    assert [d.code for d in caught.value.diagnostics] == ["E278"]
+
+
+PLUNGERS = """
+param alpha = 10 deg in 1 deg .. 45 deg
+slider B along -y
+slider C along x
+link BC
+BC = 80 mm @ -alpha
+force Q at B along -y
+force W at C along -x {counted}
+friction pins 0.1 diameter 10 mm
+friction slider C 0.1 guide 40 mm overhang 30 mm
+{mirror}
+find k = Q / W
+"""
+
+
+def test_a_half_with_a_guide_of_its_own_is_no_wrong_half():
+    """Each plunger rubs in its guide, whether both are described or one that counts twice."""
+    half = mechc.loads(PLUNGERS.format(counted="times 2", mirror=""))
+    whole = mechc.loads(PLUNGERS.format(counted="", mirror="mirror across 90 deg sharing B"))
+    assert not half.warnings
+    alpha, turn, c = math.radians(10), math.asin(0.1 / 8), 0.1 * 3 * 30 / 40
+    by_hand = 2 / (1 / math.tan(alpha + turn) - c)
+    for mechanism in (half, whole):
+        assert mechanism.evaluate()["k_f"] == pytest.approx(by_hand, rel=1e-12)
+
+
+def test_branches_of_a_claw_press_their_common_guide_to_no_side():
+    description = f"{GRIPPER}copies 3 sharing A\n"
+    smooth, rough = (mechc.loads(f"{description}{guide}") for guide in ("", GUIDES[0]))
+    assert rough.evaluate()["k_f"] == smooth.evaluate()["k_f"]
+    assert [w.code for w in rough.warnings] == ["W272"]
+
+
+def test_loads_alone_press_a_slider_on_its_guide():
+    """A block on rough ground, with one force slanting down on it."""
+    block = """
+    param mu = 0.2
+    slider B along x
+    force P at B along x
+    force Q at B along -y
+    force R at B along 200 deg
+    friction slider B mu
+    find P
+    """
+    found = mechc.loads(block).evaluate(Q=30.0, R=50.0)
+    across = 30.0 + 50.0 * math.sin(math.radians(20.0))
+    drawn = 50.0 * math.cos(math.radians(20.0))
+    assert found["P_f"] == pytest.approx(drawn + 0.2 * across)
+    assert found["P_hold"] == pytest.approx(drawn - 0.2 * across)
+
+
+@pytest.mark.parametrize("line", ["motion tightening", "motion releasing"])
+def test_a_drive_that_passes_nothing_on_has_no_efficiency_but_zero(line):
+    """A balanced shaft: its torque overcomes the friction of the pivot and nothing else."""
+    shaft = f"""
+    pivot O
+    link OA
+    OA = 40 mm @ 90 deg
+    torque M on OA
+    weight W mass 2 kg at A
+    friction pins 0.1 diameter 10 mm
+    {line}
+    find M
+    """
+    solved = mechc.loads(shaft)
+    found = solved.evaluate()
+    assert found["M"] == found["eta_M"] == 0.0
+    assert abs(found["M_f"]) == pytest.approx(0.1 * 0.005 * 2 * 9.80665)
+    assert solved.emit("latex")

@@ -1,0 +1,122 @@
+"""What stands beside results with friction: names of one meaning, forms for elsewhere, statuses."""
+
+import math
+from collections.abc import Iterable
+
+import pytest
+
+import mechc
+from force_samples import rubbing, samples
+from mechc.driver import Compilation
+from mechc.formula.tree import Formula
+from mechc.model.result import Result
+from mechc.routine.evaluate import evaluate, status
+from mechc.source import Source
+from mechc.study.analysis import as_printed
+from paths import LIBRARY
+
+SHELF = sorted(p.stem for p in LIBRARY.glob("*_with_friction.mech"))
+
+
+def without_expectations(name: str) -> str:
+    source = (LIBRARY / f"{name}.mech").read_text(encoding="utf-8")
+    return "\n".join(line for line in source.splitlines() if not line.startswith("expect"))
+
+
+def assert_one_meaning(results: Iterable[Result]) -> None:
+    """A result itself has two formulas where it has a form for elsewhere."""
+    listed, known = list(results), dict[str, Formula]()
+    names = {result.name for result in listed}
+    for result in listed:
+        for form in (result, result.elsewhere):
+            for name, formula in ((n, f) for n, f in form.where if n not in names) if form else ():
+                assert known.setdefault(name, formula) == formula, (result.name, name)
+
+
+def assert_names_mean_one_thing(compilation: Compilation) -> None:
+    """In code, and on paper."""
+    assert_one_meaning(compilation.solution.results)
+    assert_one_meaning(as_printed(r) for r in compilation.solution.results)
+
+
+@pytest.mark.parametrize("name", SHELF)
+def test_a_name_has_one_formula_in_the_library(name):
+    assert_names_mean_one_thing(Compilation(Source("a.mech", without_expectations(name))))
+
+
+@pytest.mark.parametrize("ratio", [True, False])
+def test_a_name_has_one_formula_in_random_mechanisms(ratio):
+    made = [rubbing(seed, sample) for seed, sample in samples(range(8), ratio, 1)]
+    assert sum(m is not None for m in made) > 3
+    for each in made:
+        if each is not None:
+            assert_names_mean_one_thing(each.compilation)
+
+
+def test_a_formula_of_both_motions_takes_each_at_its_own_forces():
+    text = without_expectations("karpenko_fig2_with_friction")
+    found = mechc.loads(f"{text}\nlet r = k_f/k_hold\n").evaluate()
+    assert found["r"] == pytest.approx(found["k_f"] / found["k_hold"], rel=1e-14)
+
+
+TONGS = {
+    f.name: f for f in mechc.load("karpenko_fig2_with_friction")._compilation.routine.functions
+}
+
+
+@pytest.mark.parametrize(
+    ("alpha", "name", "value", "state"),
+    [
+        (88, "k_f", 0.2065173821, 0),
+        (89.8, "k_f", None, 4),
+        (89.9, "k_f", None, 4),
+        (90.5, "k_f", 0.00236980963, 3),
+        (88, "k_hold", 0.01723316958, 0),
+        (89.9, "k_hold", -0.02324828711, 3),
+        (90.5, "k_hold", -0.283583631, 0),
+    ],
+)
+def test_beside_a_dead_centre_a_status_tells_what_is_stuck(alpha, name, value, state):
+    """The values are those of free bodies, followed in from no friction."""
+    function = TONGS[name]
+    values = {i.name: i.default for i in function.inputs} | {"alpha": math.radians(alpha)}
+    found = evaluate(function, values)
+    assert found == pytest.approx(math.nan if value is None else value, rel=1e-8, nan_ok=True)
+    assert status(function, TONGS["k"], values) == state
+    eta = evaluate(TONGS["eta_k"], values)
+    assert math.isnan(eta) or 0 <= eta < 1
+
+
+KNEE = """\
+mechanism knee
+param al = 20 deg in 10 deg .. 40 deg
+pivot O
+slider K along x
+link OB
+link BK
+OB = 100 mm @ al
+BK = 100 mm @ -al
+force P at B along -60 deg
+force F at K along -x
+friction pins 0.1 diameter 10 mm
+let F = 400 N
+find R_O
+"""
+
+LEVER = """\
+mechanism lever
+pivot O
+link AOB
+OA = 100 mm @ 180 deg
+OB = 100 mm @ 0 deg
+force P at A along -y
+force F at B along -y
+friction pin O 10 diameter 20 mm
+find k = P/F
+"""
+
+
+@pytest.mark.parametrize(("text", "code"), [(KNEE, "W540"), (LEVER, "W513")])
+def test_what_is_taken_and_what_is_infinite_is_told(text, code):
+    """A load on a pin where forces alone are asked for; an arm as long as the friction circle."""
+    assert code in [d.code for d in mechc.loads(text).warnings]

@@ -1,0 +1,127 @@
+"""A compilation ends: what goes on without end is stopped by count, with a message of its own."""
+
+from threading import Thread
+
+import pytest
+
+from friction_chains import COUPLED
+from good_mechanisms import ALL
+from mechc import stage, work
+from mechc.algebra import multiples
+from mechc.algebra.product import Product
+from mechc.cli import main
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation, complete
+from mechc.formula.tree import Symbol, System, negative, number, power, product, total
+from mechc.formula.walk import evaluate, solution, straight_line
+from mechc.source import Source
+from mechc.work import LIMIT, Allowance, WorkLimitError, at_most, spend
+
+ROD = """
+slider A along x
+slider C along 45 deg
+link AC
+AC = 100 mm @ 70 deg
+force P at A along x
+force F at C along 225 deg
+find k = P/F
+"""
+
+
+def test_work_is_counted_inside_of_the_allowance_only():
+    spend(10**12)
+    with at_most(Allowance(10)):
+        spend(10)
+        with pytest.raises(WorkLimitError):
+            spend(1)
+    spend(10**12)
+
+
+def test_threads_count_for_themselves():
+    found = []
+
+    def other():
+        spend(10**12)
+        found.append("ended")
+
+    with at_most(Allowance(1)):
+        thread = Thread(target=other)
+        thread.start()
+        thread.join()
+    assert found == ["ended"]
+
+
+@pytest.fixture
+def runaway(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let every product have one more sine that could be cancelled, for ever."""
+    monkeypatch.setattr(multiples, "_one_part_less", lambda product: product * Product(1))
+
+
+@pytest.mark.usefixtures("runaway")
+def test_a_runaway_ends_with_a_message_and_status_4(tmp_path, capsys):
+    file = tmp_path / "rod.mech"
+    file.write_text(ROD)
+    assert main(["check", str(file)]) == 4
+    error = capsys.readouterr().err
+    assert "error[E817]" in error
+    assert f"algebra and evaluation took more than {LIMIT} steps" in error
+
+
+@pytest.mark.usefixtures("runaway")
+def test_all_that_was_found_before_is_reported_too():
+    compilation = Compilation(Source("rod.mech", ROD))
+    compilation.allowance = Allowance(1000)
+    with pytest.raises(MechcError) as error:
+        complete(compilation)
+    assert [d.code for d in error.value.diagnostics] == ["E817"]
+    assert error.value.source is compilation.source
+
+
+X, Y = Symbol("x"), Symbol("y")
+CIRCLE = System(("x",), (total([power(X, number(2)), negative(Y)]),), (("y", 1.0),), (1.0,))
+
+
+def test_the_way_to_a_solution_is_counted_whenever_it_is_asked_for():
+    taken = []
+    for _ in range(2):
+        with at_most(Allowance()) as allowance:
+            assert solution(CIRCLE, (4.0,)) == pytest.approx((2.0,))
+        taken.append(LIMIT - allowance.left)
+    assert taken[0] == taken[1] > 5
+
+
+def test_evaluation_is_counted():
+    long = total(product([(X, i)]) for i in range(2, 802))
+    code = straight_line([long], ["x"])
+    for evaluation in (lambda: evaluate(long, {"x": 0.5}), lambda: code.at([0.5])):
+        with pytest.raises(WorkLimitError), at_most(Allowance(50)):
+            evaluation()
+
+
+def test_a_study_of_ranges_ends_with_the_message():
+    compilation = Compilation(Source("coupled.mech", COUPLED))
+    _ = compilation.balance
+    compilation.allowance.left = 1000
+    with pytest.raises(MechcError) as error:
+        _ = compilation.results
+    assert [d.code for d in error.value.diagnostics] == ["E817"]
+
+
+LONG = ["double_butterfly", "jansen_leg", "class_four_block", "karpenko_fig4_with_friction"]
+
+
+@pytest.mark.parametrize("name", LONG)
+def test_the_longest_formulas_take_less_than_a_tenth_and_always_the_same(name):
+    taken = []
+    for _ in range(2):
+        compilation = Compilation(Source(name, ALL[name].read_text(encoding="utf-8")))
+        complete(compilation)
+        taken.append(LIMIT - compilation.allowance.left)
+    assert taken[0] == taken[1]
+    assert 0 < taken[0] < LIMIT / 10
+
+
+def test_nothing_is_left_over_from_a_compilation():
+    with pytest.raises(MechcError), stage.within(Allowance(0), Compilation(Source("a", "")).report):
+        spend(1)
+    assert work._ALLOWANCE.get() is None

@@ -1,0 +1,167 @@
+"""Imports point down only, and across stages only to the other stage's data."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+import pytest
+
+from paths import PACKAGE
+
+BASE = [
+    "version",
+    "frozen",
+    "source",
+    "units",
+    "work",
+    "diagnostics",
+    "data",
+    "files",
+    "formula",
+    "algebra",
+]
+STAGES = [
+    "syntax",
+    "model",
+    "pose",
+    "kinematics",
+    "power",
+    "friction",
+    "statics",
+    "study",
+    "figure",
+    "drawing",
+]
+OUTPUT = ["routine", "report", "emit"]
+TOP = ["stage", "driver", "api", "cli", "__main__"]
+ORDER = BASE + STAGES + OUTPUT + TOP
+VIEWS = ("driver.py", "api.py")
+"""Where a module may be imported in a function: for what is made only when it is asked for."""
+
+LATE = {
+    ("formula/to_sympy.py", "sympy"),
+    ("power/from_plan.py", "kinematics.release"),
+    ("power/from_plan.py", "power.joint_forces"),
+    ("power/from_plan.py", "power.reactions"),
+    ("friction/from_balance.py", "friction.results"),
+    ("statics/referee.py", "statics.friction"),
+    ("statics/referee.py", "statics.joint_forces"),
+    ("study/from_solution.py", "study.efficiency_range"),
+    ("study/from_solution.py", "study.locking"),
+    ("study/from_solution.py", "study.ratios"),
+    ("routine/from_results.py", "routine.together"),
+}
+"""Other imports inside a function: what few descriptions ask for, and sympy."""
+
+
+def modules() -> list[Path]:
+    return sorted(PACKAGE.rglob("*.py"))
+
+
+def name_of(path: Path) -> str:
+    return path.relative_to(PACKAGE).as_posix()
+
+
+def imported(path: Path, tree: ast.AST) -> Iterator[tuple[str, ast.stmt]]:
+    """Yield every module imported, mechc's own by their path below the package."""
+    package = path.relative_to(PACKAGE).parts[:-1]
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            yield from ((alias.name, node) for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = list(package[: len(package) + 1 - node.level]) if node.level else []
+            stem = [*base, *(node.module.split(".") if node.module else [])]
+            for alias in node.names:
+                whole = PACKAGE.joinpath(*stem, alias.name)
+                is_module = whole.is_dir() or whole.with_suffix(".py").is_file()
+                yield ".".join([*stem, alias.name] if is_module else stem), node
+
+
+def own(path: Path) -> Iterator[str]:
+    """Yield the modules of mechc that a module imports."""
+    for name, node in imported(path, ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ImportFrom) and node.level and name:
+            yield name
+
+
+def imports_by_module() -> dict[str, set[str]]:
+    return {name_of(p)[:-3].replace("/", "."): set(own(p)) for p in modules()}
+
+
+def stage(name: str) -> str:
+    return name.split(".")[0].split("/")[0]
+
+
+@pytest.mark.parametrize("path", modules(), ids=name_of)
+def test_imports_point_down(path: Path) -> None:
+    here = stage(name_of(path))
+    if here == "__init__":
+        return
+    for name in own(path):
+        assert ORDER.index(stage(name)) <= ORDER.index(here), f"{here} imports {name}"
+
+
+def test_stages_know_only_data_and_tools_of_one_another() -> None:
+    """A stage runs no other: it imports no way into one, and nothing that leads to one."""
+    graph = imports_by_module()
+    for name, needs in graph.items():
+        if stage(name) in TOP:
+            continue
+        for other in needs & graph.keys():
+            if stage(other) != stage(name):
+                leads_to = {m for m in reached(other, graph) if stage(m) == stage(other)}
+                assert not any(map(is_way_in, leads_to)), f"{name} imports {other}"
+
+
+def is_way_in(name: str) -> bool:
+    return name.split(".")[-1].startswith("from_") and stage(name) in [*STAGES, *OUTPUT]
+
+
+def reached(start: str, graph: dict[str, set[str]]) -> set[str]:
+    found, todo = {start}, [start]
+    while todo:
+        new = (graph[todo.pop()] & graph.keys()) - found
+        found |= new
+        todo += new
+    return found
+
+
+def test_statics_is_a_second_opinion() -> None:
+    for path in (PACKAGE / "statics").glob("*.py"):
+        for name in own(path):
+            assert stage(name) not in ("kinematics", "power", "friction"), f"{path.name}: {name}"
+
+
+def test_no_import_hides_in_a_function() -> None:
+    for path in modules():
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        for function in ast.walk(tree):
+            if isinstance(function, ast.FunctionDef):
+                for name, _ in imported(path, function):
+                    assert name_of(path) in VIEWS or (name_of(path), name) in LATE
+
+
+def test_no_import_cycle() -> None:
+    graph = imports_by_module()
+    done: set[str] = set()
+    while ready := [
+        m for m, needs in graph.items() if m not in done and needs & graph.keys() <= done
+    ]:
+        done.update(ready)
+    assert done == graph.keys(), f"cycle among {sorted(graph.keys() - done)}"
+
+
+def test_every_folder_says_what_it_promises() -> None:
+    for path in PACKAGE.rglob("__init__.py"):
+        assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))), path
+
+
+def test_the_list_above_names_what_there_is() -> None:
+    late = {
+        (name_of(path), name)
+        for path in modules()
+        for function in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+        if isinstance(function, ast.FunctionDef)
+        for name, _ in imported(path, function)
+    }
+    assert late >= LATE

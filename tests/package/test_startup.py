@@ -1,0 +1,99 @@
+"""The usual commands start without the heavy libraries."""
+
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+
+from paths import ROOT
+
+CLAMP = str(ROOT / "examples" / "clamp.mech")
+YAML = str(ROOT / "examples" / "clamp.yaml")
+HEAVY = {"sympy", "numpy", "scipy", "matplotlib", "mpmath", "lark"}
+STAGES = {"mechc.driver", "mechc.model", "mechc.kinematics", "yaml", "jinja2"}
+
+
+def imports(*code: str) -> set[str]:
+    """Return every module that a fresh interpreter imports, packages and modules of mechc."""
+    run = subprocess.run(
+        [sys.executable, "-v", *code],
+        env={**os.environ, "PYTHONPATH": str(ROOT / "compiler")},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    return set(re.findall(r"^import '(\S+)' #", run.stderr, re.M))
+
+
+def test_importing_the_package_is_free() -> None:
+    found = imports("-c", "import mechc; mechc.__version__")
+    assert not found & (HEAVY | STAGES | {"click"})
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"], ["compile", "-h"]])
+def test_help_does_not_compute(arguments: list[str]) -> None:
+    assert not imports("-m", "mechc", *arguments) & HEAVY
+
+
+@pytest.mark.parametrize("arguments", [["--help"], ["--version"]])
+def test_help_does_not_import_the_compiler(arguments: list[str]) -> None:
+    assert not imports("-m", "mechc", *arguments) & STAGES
+
+
+@pytest.mark.parametrize(
+    "arguments",
+    [
+        ["fmt", "--diff", CLAMP],
+        ["check", CLAMP],
+        ["derive", CLAMP],
+        ["compile", CLAMP, "--emit", "latex"],
+        ["compile", CLAMP, "--emit", "c"],
+        ["compile", CLAMP, "--emit", "python"],
+        ["compile", CLAMP, "--emit", "json"],
+    ],
+    ids=" ".join,
+)
+def test_compiling_needs_no_heavy_library(arguments: list[str]) -> None:
+    found = imports("-m", "mechc", *arguments)
+    assert "mechc.syntax.notation" in found
+    assert not found & HEAVY
+
+
+@pytest.mark.parametrize("target", ["c", "python", "latex", "json"])
+def test_the_other_notation_is_not_imported(target: str) -> None:
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)
+    assert not {name for name in found if "yaml" in name}
+    assert "yaml" in imports("-m", "mechc", "compile", YAML, "--emit", target)
+
+
+@pytest.mark.parametrize("target", ["c", "python", "latex", "json"])
+def test_other_targets_are_not_imported(target: str) -> None:
+    others = {f"mechc.emit.{name}.to_{name}" for name in ("c", "python", "latex", "json")}
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)
+    assert found & others == {f"mechc.emit.{target}.to_{target}"}
+
+
+@pytest.mark.parametrize("target", ["c", "python", "latex"])
+def test_what_draws_nothing_makes_no_figure(target: str) -> None:
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", target)
+    assert not {name for name in found if name.startswith(("mechc.figure", "mechc.drawing"))}
+    assert "mechc.figure" in imports("-m", "mechc", "compile", CLAMP, "--emit", "json")
+
+
+LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
+OWN, ALL = 280, 455
+"""Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
+
+
+def test_compiling_to_code_imports_little() -> None:
+    found = imports("-m", "mechc", "compile", CLAMP, "--emit", "c")
+    foreign = {name.split(".")[0] for name in found} - sys.stdlib_module_names
+    assert {name for name in foreign if not name.startswith("_")} == LIBRARIES
+    assert not found & {"dataclasses", "logging", "traceback", "argparse"}
+    late = ("mechc.report.languages.", "mechc.api")
+    early = {"mechc.report.languages.locale", "mechc.report.languages.registry"}
+    assert {name for name in found if name.startswith(late)} <= early
+    assert len([name for name in found if name.startswith("mechc")]) <= OWN
+    assert len(found) <= ALL

@@ -1,0 +1,271 @@
+"""What code and its docstrings say of friction: the printed case, not the signs it takes."""
+
+import re
+
+import pytest
+
+import mechc
+from mechc.cli.check import report
+from mechc.driver import compile_source
+from mechc.files import find, read
+from mechc.report.text.derivation import render
+from mechc.source import Source
+from paths import LIBRARY
+
+
+def docstring(code: str, name: str) -> str:
+    return code.partition(f"def {name}(")[2].partition('"""')[2].partition('"""')[0]
+
+
+@pytest.mark.parametrize("result", ["k_f", "k_hold"])
+def test_a_docstring_shows_the_printed_case(result):
+    shown = docstring(mechc.load("karpenko_fig1_with_friction").emit("python"), result)
+    assert "sigma" not in shown
+    assert "sign(" not in shown
+    assert f"{result} = 2*" in shown
+    assert "    while\n" in shown
+    assert f"it is that of {result}_coupled." in shown
+    assert f"{result}_status tells." in shown
+
+
+PINS = "param f_p = 0.1\nparam d_p = 12 mm\nfriction pins f_p diameter d_p\nfind R_A on AB"
+ROCKER = (
+    (LIBRARY / "crank_rocker.mech").read_text("utf-8").replace("at B along", "at B on AB along")
+)
+ITERATED = f"{ROCKER}\n{PINS}\n"
+
+
+def iterated() -> "mechc.Mechanism":
+    return mechc.loads(ITERATED, "crank.mech")
+
+
+def test_a_docstring_shows_the_structure_of_what_is_iterated():
+    shown = docstring(iterated().emit("python"), "k_f")
+    assert "n = |r + D*n|" in shown
+    assert "rho*n_A*Omega_A" in shown
+    assert " d_A" not in shown
+
+
+def test_a_report_shows_the_structure_of_what_is_iterated():
+    shown = iterated().emit("latex")
+    assert r"\rho n_A\Omega_A" in shown
+    assert r"\left|r+Dn\right|" in shown
+    assert shown.count("Newton") == 1
+    assert r"\operatorname{sgn}" not in shown
+
+
+def test_json_gives_the_conditions_of_a_case():
+    import json
+
+    document = json.loads(mechc.load("karpenko_fig1_with_friction").emit("json"))
+    found = next(r for r in document["results"] if r["name"] == "k_f")
+    assert [c["operator"] for c in found["holds"]] == [">"]
+    account = next(a for a in document["derivation"]["accounts"] if a["results"] == ["k_f"])
+    assert [p["says"] for p in account["passages"]] == [
+        "tightening",
+        "pins rub",
+        "rod forces",
+        "part",
+        "unit",
+        "pressed",
+        "crossed",
+        "turns left",
+        "squared",
+        "along",
+    ]
+
+
+# ------------------------------------------------------------------------- reports
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("karpenko_fig2_with_friction", r"Friction in the pins $A$ and $B$"),
+        ("karpenko_fig2_with_friction", r"Friction in the pin $O$: the radius"),
+        ("fedoriv_fig2b_with_friction", r"guide of $C$: reduced coefficient"),
+        ("d45_16_wedge_hook_with_friction", r"coefficient $\tan\rho$"),
+        ("screw_jack_with_friction", r"mean diameter $d$"),
+        ("table_4_4_gear_with_efficiency", r"The efficiency is $\eta$"),
+    ],
+)
+def test_friction_is_among_what_is_given(name, said):
+    given = mechc.load(name).emit("latex").partition("begin{longtable}")[0]
+    assert said in given
+    assert re.search(r"With friction the motion is (along|against) the arrow of \$\w\$", given)
+
+
+@pytest.mark.parametrize(
+    ("language", "tightening", "releasing", "first"),
+    [
+        ("en", "$P$ drives", "$P$ is back-driven", "to first order"),
+        (
+            "uk",
+            "прямий хід (рушійне навантаження $P$)",
+            "зворотний хід (навантаження $P$ утримує)",
+            "перше наближення",
+        ),
+        (
+            "ru",
+            "прямой ход (движущая нагрузка $P$)",
+            "обратный ход (нагрузка $P$ удерживает)",
+            "первое приближение",
+        ),
+    ],
+)
+def test_headings_tell_results_with_friction_apart(language, tightening, releasing, first):
+    shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
+    assert rf"{tightening} ($k_f$):}}" in shown
+    assert rf"{releasing} ($k_{{\mathrm{{hold}}}}$):}}" in shown
+    assert f"{first} ($k_{{f1}}$):" in shown
+
+
+def derived(name):
+    compilation = compile_source(read(find(name)))
+    return render(compilation.derivation, compilation.mechanism)
+
+
+def test_the_force_in_a_pulled_rod_is_a_pull():
+    """Table 1 row 2: the rod pulls the jaws together with k_f/2 over the cosine of its line."""
+    shown = derived("karpenko_fig2_with_friction")
+    assert "The rod AB is in tension." in shown
+    assert "k_f = 2 · S_AB · cos(α − δ_AB)" in shown
+    assert "−2" not in shown
+
+
+def test_like_terms_of_the_first_order_are_one():
+    """The rod rubs at A with half the rotation that it has at B: 1/4 + 1/2 of b·d·f/a²."""
+    assert "3bd · f / (4a² · sin² α)" in derived("karpenko_fig2_with_friction")
+
+
+def test_a_thread_is_derived_from_its_force():
+    """Shigley: what presses the thread is N/(1 − tan ψ·tan ρ) when the load is raised."""
+    shown = derived("screw_jack_with_friction")
+    assert "n_A_screw − n_A_screw · tan ψ · tan ρ = 1" in shown
+    assert "T = d · tan ψ / 2 + n_A_screw · v_A_screw · tan ρ" in shown
+
+
+def test_an_efficiency_that_is_given_is_put_in():
+    assert "n_f = nη" in derived("d45_12_worm_sectors_with_efficiency")
+
+
+def test_an_efficiency_is_the_share_of_two_ratios():
+    assert "η_k = k/k_f = " in derived("karpenko_fig2_with_friction")
+    assert "η_i = i_f/i = " in derived("fedoriv_fig2b_with_friction")
+
+
+def test_only_what_rubs_is_explained():
+    assert "friction circle" not in derived("d45_16_wedge_hook_with_friction").split("first")[0]
+    assert "The friction of a pin" in derived("lever_clamp_with_friction")
+
+
+def test_a_coefficient_with_sums_in_it_has_a_name():
+    """A tilting plunger under a linear pressure: mu·(3l/s + s/(12l))."""
+    source = """
+param alpha = 30 deg in 10 deg .. 60 deg
+param L = 80 mm
+param mu = 0.12
+param s = 40 mm
+param l = 30 mm
+slider B along -90 deg
+slider C along 0 deg
+link BC
+BC = L @ -alpha
+force Q at B along -90 deg
+force W at C along 180 deg
+friction slider C mu guide s overhang l linear
+find k = Q/W
+"""
+    compilation = compile_source(Source("plunger.mech", source))
+    shown = render(compilation.derivation, compilation.mechanism)
+    assert "k_f = 1 / (cot α − μ_C)" in shown
+    assert "μ_C = μ · (36l + s²/l) / (12s)" in shown
+
+
+def test_a_force_with_friction_is_told_once_under_a_heading_of_its_own():
+    compilation = compile_source(Source("crank.mech", ITERATED))
+    shown = render(compilation.derivation, compilation.mechanism)
+    told = shown.partition("Force at a joint, with friction")[2]
+    assert told.count("This holds while") == 1
+    assert "R_A_on_AB_f = √(R_A_on_AB_x_f² + R_A_on_AB_y_f²)" in told
+
+
+def test_check_tells_the_parts_of_a_force_once():
+    lines = list(report(compile_source(Source("crank.mech", ITERATED)), verbose=False))
+    assert "  R_A_on_AB_f = hypot(R_A_on_AB_x_f, R_A_on_AB_y_f)" in lines
+    forces = lines[next(i for i, line in enumerate(lines) if "R_A_on_AB_x_f =" in line) :]
+    assert sum("press the joints" in line for line in forces) == 1
+    assert sum("holds while" in line for line in forces) == 1
+
+
+# ------------------------------------------------------------------------- goldens
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "karpenko_fig2_with_friction",
+        "fedoriv_fig2b_with_friction",
+        "d45_11_screw_lever_with_friction",
+        "lever_clamp_with_friction",
+    ],
+)
+def test_derivation_golden(name, golden):
+    golden(f"derivation/{name}.txt", derived(name))
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_report_golden(language, golden):
+    shown = mechc.load("karpenko_fig2_with_friction").emit("latex", language=language)
+    golden(f"latex/friction_{language}.tex", shown.partition("section*{")[2])
+
+
+def test_the_force_on_a_face_has_one_name_and_angles_the_order_of_a_drawing():
+    shown = derived("d45_16_wedge_hook_with_friction")
+    assert "The whole force R_A of the face on A" in shown
+    assert "P − R_A · sin(β − ρ) = 0" in shown
+    assert "N_A" not in shown
+
+
+def test_slips_are_told_of_joints_that_there_are():
+    assert "rotation Ω" not in derived("d45_16_wedge_hook_with_friction")
+    assert "speed v" not in derived("karpenko_fig2_with_friction")
+
+
+def test_loads_of_unknown_size_are_not_taken_for_equal():
+    """Two loads that would relieve a pin if they were equal: no case of H = W is printed."""
+    source = """
+param alpha = 20 deg in 5 deg .. 60 deg
+param L = 80 mm
+param f = 0.1
+param d = 10 mm
+pivot E
+slider C along 0 deg
+link EB
+link BC
+EB = L @ alpha
+BC = L @ -alpha
+force Q at B along -90 deg
+force W at C along 180 deg
+force H at B along 0 deg
+friction pins f diameter d
+find Q
+"""
+    compilation = compile_source(Source("knee.mech", source))
+    first = next(r for r in compilation.results if r.name == "Q_f1")
+    assert first.holds
+    assert all(condition.operator != "=" for condition in first.holds)
+
+
+@pytest.mark.parametrize(
+    "name",
+    [
+        "lever_clamp_with_friction",
+        "d45_16_wedge_hook_with_friction",
+        "fedoriv_fig2b_with_friction",
+        "karpenko_fig9_with_friction",
+    ],
+)
+def test_code_has_no_square_of_a_sign(name):
+    code = mechc.load(name).emit("python")
+    assert not re.search(r"\b((s|sigma)_\w*)(\*\*2|\*\1\b)", code)

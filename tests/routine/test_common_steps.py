@@ -1,0 +1,102 @@
+"""Long chains of lets: functions that share their steps, the same numbers, files of their size."""
+
+import shutil
+from functools import cache
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from mechc.driver import Compilation, compile_source
+from mechc.emit.c.to_c import TARGET as C
+from mechc.emit.python.to_python import TARGET as PYTHON
+from mechc.emit.target import Options
+from mechc.routine.check import broken_promises
+from mechc.routine.steps import Common, programs
+from mechc.source import Source
+from run_targets import (
+    Outputs,
+    built,
+    by_c_in_batch,
+    by_c_singly,
+    by_interpreter,
+    by_python,
+    poses,
+)
+
+HEAD = """
+mechanism crank
+param a = 40 mm
+param b = 120 mm
+param c = 80 mm
+param phi = 60 deg in 20 deg .. 80 deg
+pivot O at (0 mm, 0 mm)
+pivot C at (100 mm, 0 mm)
+link OA
+link AB
+link CB
+OA = a @ phi
+AB = b
+CB = c
+drive phi from 20 deg to 80 deg
+assembly ABC ccw
+torque M on OA
+torque T on CB
+find k = T/M
+require phi < 70 deg
+let q0 = k
+let q1 = sin(phi_AB)*k
+"""
+
+
+@cache
+def chain(n: int) -> Compilation:
+    """Return a chain of lets, each made of the two before: written out, it doubles each time."""
+    lets = (f"let q{i} = q{i - 1}*cos(phi) - q{i - 2}/{i}" for i in range(2, n))
+    return compile_source(Source("chain.mech", HEAD + "\n".join(lets) + "\n"))
+
+
+def by_hand(k: np.ndarray, q1: np.ndarray, phi: np.ndarray, n: int) -> Outputs:
+    found = {"k": k, "q0": k, "q1": q1}
+    for i in range(2, n):
+        found[f"q{i}"] = found[f"q{i - 1}"] * np.cos(phi) - found[f"q{i - 2}"] / i
+    return found
+
+
+def commons(n: int) -> list[Common]:
+    return [p for p in programs(chain(n).routine) if isinstance(p, Common)]
+
+
+def test_few_functions_compute_all_that_they_need() -> None:
+    assert not commons(20)
+    assert len(commons(120)) == 1
+
+
+def test_what_is_shared_keeps_every_promise() -> None:
+    for function in chain(120).routine.functions:
+        assert not broken_promises(function)
+
+
+@pytest.mark.skipif(not shutil.which("gcc"), reason="needs a C compiler")
+def test_shared_steps_give_the_values_of_their_formulas(tmp_path: Path) -> None:
+    found = chain(120)
+    made, last = built(found, tmp_path), by_interpreter(found)
+    inputs = poses(found.routine.functions[0])
+    expected = by_hand(last["k"], last["q1"], inputs["phi"], 120)
+    assert np.isnan(last["k"]).any()
+    assert not np.isnan(last["k"]).all()
+    for outputs in (last, by_python(found), by_c_singly(found, made), by_c_in_batch(found, made)):
+        for name, values in outputs.items():
+            np.testing.assert_allclose(values, expected[name], rtol=1e-9, atol=1e-12)
+
+
+@pytest.mark.parametrize("target", [PYTHON, C])
+def test_files_grow_as_the_chain_does(target: object) -> None:
+    few, many = (len(target.emit(chain(n), Options("chain"))[0].text) for n in (120, 240))  # type: ignore[attr-defined]
+    assert many < 2.2 * few
+
+
+def test_comments_tell_where_other_results_come_from() -> None:
+    (module,) = PYTHON.emit(chain(120), Options("chain"))
+    told = "q119 = q118*cos(phi) - q117/119\n        where q117, q118 are results, too\n"
+    assert told in module.text

@@ -1,0 +1,105 @@
+"""Whatever is said of friction holds against sampling of code, over random mechanisms."""
+
+from collections.abc import Iterable, Iterator
+from random import Random
+
+import pytest
+
+from force_mechanisms import given
+from force_samples import pushing
+from force_trains import train
+from friction_chains import chain
+from friction_lines import friction_of
+from friction_statements import refuted
+from grown import Grown
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
+from mechc.routine.evaluate import evaluate
+from mechc.source import Source
+
+STROKES = {"phi": ((0.25, 1.0, 2.6), "rad"), "s": ((0.04,), "m")}
+
+SMALL = 2
+"""Groups of a mechanism that does not take long."""
+
+
+def closed(seed: int) -> Iterator[str]:
+    """Yield a closed mechanism with friction, its stroke beyond what the loops allow."""
+    grown, dice = Grown(seed), Random(seed)
+    if "triad" in grown.kinds or len(grown.kinds) > SMALL:
+        return
+    widths, unit = STROKES[grown.drive]
+    wide, text, start = dice.choice(widths), grown.text(), grown.start
+    stroke = f"drive {grown.drive} from {start - wide!r} {unit} to {start + wide!r} {unit}"
+    lines = [line for line in text.split("\n") if not line.startswith("drive ")]
+    friction = friction_of(text, Random(seed), said=bool(seed % 2))
+    yield "\n".join([*lines, stroke, f"param q = {dice.choice((0.5, 1, 3))}", *friction])
+
+
+def opened(seed: int) -> Iterator[str]:
+    """Yield a mechanism of a given pose, or a train, with friction in all joints."""
+    dice = Random(seed)
+    drawn = given(seed, dice.choice((1, 1, 2))) if seed % 3 else train(seed)
+    sample = pushing(drawn)
+    if sample is not None:
+        yield sample.rubbing(Random(seed), said=bool(seed % 2))
+
+
+def hold(texts: Iterable[str]) -> int:
+    """Compile descriptions and try what is said; return how many had a result."""
+    compiled = 0
+    for text in texts:
+        compilation = Compilation(Source("sampled.mech", text))
+        try:
+            _ = compilation.results
+        except MechcError as error:
+            if {d.code for d in error.diagnostics} & {"E601", "E817"}:
+                raise
+            continue
+        assert list(refuted(compilation)) == [], text
+        compiled += 1
+    return compiled
+
+
+def of(kind, seeds: Iterable[int]) -> Iterator[str]:
+    for seed in seeds:
+        yield from kind(seed)
+
+
+@pytest.mark.parametrize("seed", [70031, 70149])
+def test_beside_the_end_of_a_loop_friction_is_looked_at(seed):
+    assert hold(closed(seed)) == 1
+
+
+def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
+    assert hold(closed(70081)) == 1
+
+
+def test_a_slip_that_is_zero_at_any_pose_has_no_sign():
+    """Three rods make one rigid body: no pin in it slips, and nothing is told by rounding."""
+    (text,) = closed(70038)
+    compilation = Compilation(Source("triangle.mech", text))
+    stroke = compilation.stroke(60)
+    (code,) = (f for f in compilation.routine.functions if f.name == "k_f")
+    given = {i.name: i.default for i in code.inputs}
+    column = [c.name for c in stroke.columns].index("k_f")
+    told = [(row.drive, row.values[column]) for row in stroke.rows if not row.trouble]
+    assert len(told) > 10
+    for phi, value in told:
+        found = evaluate(code, {**given, "phi": phi})
+        assert found == pytest.approx(value, rel=1e-9, nan_ok=True)
+
+
+def test_what_is_said_of_closed_mechanisms_with_friction():
+    assert hold(of(closed, range(400, 403))) > 1
+
+
+def test_what_is_said_of_open_mechanisms_with_friction():
+    assert hold(of(opened, range(401, 403))) > 0
+    assert hold([chain(400)]) == 1
+
+
+@pytest.mark.slow
+def test_what_is_said_of_many_mechanisms_with_friction():
+    assert hold(of(closed, [70160, 70299, *range(410, 450)])) > 15
+    assert hold(of(opened, range(410, 425))) > 8

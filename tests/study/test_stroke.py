@@ -1,0 +1,612 @@
+"""The stroke: rows, stretches, singular poses told apart, extrema."""
+
+import math
+
+import pytest
+
+import mechc
+from mechc.cli.main import main
+from mechc.driver import Compilation, checked
+from mechc.source import Source
+from paths import LIBRARY
+
+CLAW = """
+param l_A = 100 mm
+param l = 500 mm
+param h = 120 mm
+param x_C = 100 mm
+param f = 0.2
+param phi = 1.35 rad
+param beta: angle
+pivot O
+slider B along y through O
+link OAC
+link AB
+OA = l_A @ 90 deg - phi
+OC = (x_C, -h)
+AB = l @ 90 deg + beta
+assembly B forward
+drive phi from 1 rad to 2 rad
+force P at B along -y
+force R at C along x
+force T = f*R at C along y
+find k = P/R
+let gamma = asin(sin(phi + beta))
+"""
+
+FOUR_BAR = """
+param a = {a} mm
+param b = {b} mm
+param c = {c} mm
+param d = {d} mm
+param phi = {phi} deg
+pivot O1 at (0 mm, 0 mm)
+pivot O2 at (d, 0 mm)
+link O1A
+link AB
+link O2B
+O1A = a @ phi
+AB = b
+O2B = c
+assembly ABO2 cw
+drive phi from {low} deg to {high} deg
+torque M on O1A
+torque T on O2B
+find k = M/T
+"""
+
+
+def stroke(text, points=5):
+    return mechc.loads(text, "test.mech").stroke(points)
+
+
+def four_bar(a, b, c, d, phi, low=0, high=360):
+    return FOUR_BAR.format(a=a, b=b, c=c, d=d, phi=phi, low=low, high=high)
+
+
+def test_the_least_k_of_the_claw():
+    """The values are those of the paper's figures, computed from its equations (8) and (9)."""
+    (least,) = [e for e in stroke(CLAW).extrema if e.result == "k"]
+    assert least.kind == "minimum"
+    assert least.drive == pytest.approx(1.380557799745, abs=1e-11)
+    assert least.value == pytest.approx(1.372773669854, abs=1e-12)
+
+
+def test_the_rational_zone_of_the_claw():
+    (zone,) = stroke(CLAW + "require gamma >= 1.5 rad\n").stretches
+    assert zone.low == pytest.approx(1.305764, abs=1e-6)
+    assert zone.high == pytest.approx(1.441927, abs=1e-6)
+    assert zone.before == zone.after != ""
+
+
+def test_figures_of_the_claw():
+    rows = stroke(CLAW, 3).rows
+    assert rows[0].values[0] == pytest.approx(1.499384542672654, rel=1e-12)
+    for row in rows:
+        beta = math.asin(0.2 * math.sin(row.drive))
+        expected = 1.4 * math.cos(beta) / math.sin(row.drive + beta)
+        assert row.values[0] == pytest.approx(expected, rel=1e-12)
+        gamma = row.drive + beta
+        assert row.values[1] == pytest.approx(min(gamma, math.pi - gamma), rel=1e-12)
+
+
+def test_dead_centres_of_a_crank_and_rocker():
+    """Crank and coupler lie in one line: cos φ by the cosine rule with sides b ± a, c, d."""
+    found = stroke(four_bar(40, 120, 80, 100, 60)).singular
+    assert [(s.value, s.kind) for s in found] == [("0", "output still")] * 2
+    outer = math.acos((160**2 + 100**2 - 80**2) / (2 * 160 * 100))
+    inner = math.acos((80**2 + 100**2 - 80**2) / (2 * 80 * 100)) + math.pi
+    assert [s.drive for s in found] == pytest.approx([outer, inner], abs=1e-12)
+
+
+def test_limits_of_a_rocker_are_where_the_drive_is_locked():
+    found = stroke(four_bar(80, 40, 90, 110, 78, 0, 180))
+    (stretch,) = found.stretches
+    locked = [s for s in found.singular if s.value == "infinite"]
+    assert [s.kind for s in locked] == ["drive locked"] * 2
+    high = math.acos((80**2 + 110**2 - 130**2) / (2 * 80 * 110))
+    low = math.acos((80**2 + 110**2 - 50**2) / (2 * 80 * 110))
+    assert (stretch.low, stretch.high) == pytest.approx((low, high), abs=1e-12)
+    assert [s.drive for s in locked] == pytest.approx([low, high], abs=1e-12)
+
+
+def test_a_parallelogram_that_is_one_by_its_letters():
+    """k is −1 throughout, the flat poses included, which are change points."""
+    text = four_bar(40, 100, 40, 100, 60)
+    text = text.replace("param c = 40 mm\n", "").replace("param d = 100 mm\n", "")
+    text = text.replace("O2B = c", "O2B = a").replace("at (d,", "at (b,")
+    found = stroke(text)
+    assert {row.values[0] for row in found.rows} == {-1.0}
+    assert not found.singular
+    assert not found.extrema
+    assert places(found) == pytest.approx([0, math.pi, 2 * math.pi], abs=1e-15)
+
+
+# --------------------------------------------------------------------- branch points
+
+
+def places(found):
+    return [branch.drive for branch in found.branches]
+
+
+CHANGE_POINTS = {
+    "parallelogram": (40, 100, 40, 100),
+    "kite on the frame": (40, 40, 100, 100),
+    "kite on the coupler": (100, 40, 40, 100),
+    "longest and shortest make the others": (40, 100, 60, 80),
+    "a folded rocker": (30, 50, 80, 100),
+}
+"""Crank, coupler, rocker, frame: the sums or differences of two pairs of sides are equal."""
+
+
+@pytest.mark.parametrize("sides", CHANGE_POINTS.values(), ids=CHANGE_POINTS)
+def test_change_points_of_a_four_bar(sides):
+    """The loop lies flat where the frame is the crank and the others lengthwise.
+
+    Crank and frame lie in one line there, so that the diagonal is d − a or d + a, and
+    the other two sides make it, stretched or folded.
+    """
+    a, b, c, d = sides
+    expected = [
+        phi
+        for phi in (0, math.pi, 2 * math.pi)
+        if abs(d - a * math.cos(phi)) in (b + c, abs(b - c))
+    ]
+    assert expected
+    found = stroke(four_bar(a, b, c, d, 30))
+    assert places(found) == pytest.approx(expected, abs=1e-12)
+    assert {branch.loop for branch in found.branches} == {"O2-B-A-O1"}
+    assert all(branch.bracket <= 1e-12 for branch in found.branches)
+    at = [s.drive for s in found.singular]
+    assert not [x for x in at if any(abs(x - y) < 1e-3 for y in expected)]
+
+
+@pytest.mark.parametrize("turn", [20, 137])
+def test_a_change_point_wherever_the_frame_lies(turn):
+    text = four_bar(40, 100, 60, 80, turn + 60).replace(
+        "at (d, 0 mm)", f"at (d*cos({turn} deg), d*sin({turn} deg))"
+    )
+    assert places(stroke(text)) == pytest.approx([math.radians(turn)], abs=1e-12)
+
+
+def test_nothing_branches_near_a_change_point():
+    """A ten-millionth of a millimetre decides; a limit of the drive is no branch point."""
+    for c in (60.0000001, 59.9999999):
+        assert not stroke(four_bar(40, 100, c, 80, 60)).branches
+    limited = stroke(four_bar(80, 40, 90, 110, 78, 0, 180))
+    assert not limited.branches
+    assert {s.kind for s in limited.singular} == {"output still", "drive locked"}
+
+
+CRANK_SLIDER = """
+param a = 100 mm
+param l = {l}
+param phi = 30 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = a @ phi
+AB = l
+assembly B forward
+drive phi from 0 deg to 360 deg
+torque M on OA
+force F at B along -x
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize("length", ["100 mm", "a"])
+def test_a_crank_as_long_as_its_rod(length):
+    """At 90° and 270° the slider is on the pivot and may stay there."""
+    found = stroke(CRANK_SLIDER.format(l=length))
+    assert places(found) == pytest.approx([math.pi / 2, 3 * math.pi / 2], abs=1e-12)
+
+
+def test_a_pin_that_passes_over_the_pivot_of_its_slot():
+    """Crank and frame of a Whitworth drive are equal: the slotted link may stand still or turn."""
+    text = (LIBRARY / "whitworth.mech").read_text(encoding="utf-8").split("expect")[0]
+    found = stroke(text.replace("d   = 30 mm", "d = 60 mm"))
+    assert places(found) == pytest.approx([3 * math.pi / 2], abs=1e-12)
+
+
+def test_a_loop_behind_a_loop_branches_where_its_own_crank_lies_flat():
+    """A parallelogram on the rocker of a crank and rocker: flat as the rocker meets its frame."""
+    a, b, c, d, phi = 40.0, 120.0, 80.0, 100.0, math.radians(200)
+    x, y = a * math.cos(phi) - d, a * math.sin(phi)
+    side = math.hypot(x, y)
+    psi = math.atan2(y, x) - math.acos((side**2 + c**2 - b**2) / (2 * side * c))
+    text = four_bar(a, b, c, d, 60).replace(
+        "torque T on O2B",
+        f"""
+param e = 90 mm
+param psi = {psi!r} rad
+pivot O3 at (d + e*cos(psi), e*sin(psi))
+link BC
+link O3C
+BC = e
+O3C = c
+assembly BCO3 ccw
+torque T on O3C
+""",
+    )
+    found = stroke(text)
+    assert [b.loop for b in found.branches] == ["O3-C-B-O2"] * len(found.branches)
+    assert min(abs(x - phi) for x in places(found)) < 1e-12
+
+
+def test_a_group_of_class_three_turns_back():
+    """The place is that at which loops and determinant vanish, see the tests of E309."""
+    text = (LIBRARY / "triad_closed.mech").read_text(encoding="utf-8").split("expect")[0]
+    text = text.replace("in 30 deg .. 85 deg", "").replace("30 deg to 85 deg", "80 deg to 102 deg")
+    found = stroke(text)
+    (stretch,) = found.stretches
+    assert stretch.high == pytest.approx(math.radians(99.01917149833), abs=1e-12)
+    (locked,) = found.singular
+    assert (locked.kind, locked.drive) == ("drive locked", stretch.high)
+
+
+PLATFORM = """
+param a   = 60 mm
+param phi = 70 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (200 mm, 0 mm)
+pivot R at (300 mm, 0 mm)
+link OA
+link AB
+link BCD
+link QC
+link RD
+OA        = a @ phi
+AB        = {b!r} mm
+BC        = {c!r} mm
+BD        = {d!r} mm
+angle CBD = {turn!r} rad
+QC        = 80 mm
+RD        = 80 mm
+assembly QCB ccw
+assembly RDB cw
+drive phi from 30 deg to 75 deg
+torque M on OA
+force F at C along y
+find k = M/F
+"""
+
+
+def test_a_group_of_class_three_that_another_branch_crosses():
+    """A platform on a parallelogram that lies flat as the crank stands at 40°."""
+    phi = math.radians(40)
+    b, c, d = complex(310, 60), complex(280, 0), complex(380, 0)
+    rod = abs(b - 60 * complex(math.cos(phi), math.sin(phi)))
+    turn = (d - b) / (c - b)
+    shape = {"b": rod, "c": abs(c - b), "d": abs(d - b), "turn": math.atan2(turn.imag, turn.real)}
+    found = stroke(PLATFORM.format(**shape), 3)
+    assert places(found) == pytest.approx([phi], abs=2e-12)
+    (stretch,) = found.stretches
+    assert (stretch.low, stretch.high) == (places(found)[0], math.radians(75))
+    assert [row.trouble for row in found.rows] == [stretch.before, "", ""]
+    assert "branch point" in stretch.before
+    assert not found.singular
+    assert not found.extrema
+
+
+def test_a_given_pose_and_an_exact_dead_centre():
+    text = """
+param l = 1 m
+param alpha = 10 deg
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+drive alpha from -40 deg to 40 deg
+force P at B along x
+force F at K along -y
+find k = P/F
+"""
+    (dead,) = stroke(text).singular
+    assert dead.kind == "output still"
+    assert dead.drive == pytest.approx(0, abs=1e-15)
+    assert dead.exact is not None
+
+
+def test_a_load_across_its_velocity_is_no_dead_centre():
+    text = """
+param a = 1 m
+param phi = 30 deg
+pivot O
+link OA
+OA = a @ phi
+drive phi from 20 deg to 160 deg
+torque M on OA
+force F at A along -x
+find k = M/F
+"""
+    found = stroke(text)
+    assert not [s for s in found.singular if s.kind in ("output still", "drive locked")]
+
+
+@pytest.mark.parametrize(
+    ("drive", "code"), [("", "E591"), ("drive phi\n", "E592")], ids=["no drive", "no ends"]
+)
+def test_errors(drive, code):
+    text = CLAW.replace("drive phi from 1 rad to 2 rad\n", drive)
+    with pytest.raises(mechc.MechcError) as caught:
+        stroke(text.replace("param beta: angle", "param beta = 10 deg").replace("through O", ""))
+    assert [d.code for d in caught.value.diagnostics if d.code[0] == "E"] == [code]
+
+
+def test_angles_could_drive_and_coefficients_of_friction_could_not():
+    lever = """
+    param f = 0.1
+    param a = 40 mm
+    param alpha = 30 deg
+    pivot O
+    link OA
+    OA = a @ alpha
+    force P at A along x
+    force F at A along y
+    friction pins f diameter 5 mm
+    find k = P/F
+    """
+    with pytest.raises(mechc.MechcError) as caught:
+        stroke(lever)
+    (found,) = (d for d in caught.value.diagnostics if d.code == "E591")
+    assert found.message == "no driving coordinate is named, expected alpha"
+
+
+# ------------------------------------------------------------------------ velocities
+
+
+def columns(text, points=7):
+    found = stroke(text, points)
+    names = [c.name for c in found.columns]
+    return [
+        (row.drive, dict(zip(names, row.values, strict=True)))
+        for row in found.rows
+        if not row.trouble
+    ]
+
+
+def test_velocities_of_the_claw():
+    """The arm turns clockwise as φ grows; C moves across OC."""
+    for phi, row in columns(CLAW):
+        beta = math.asin(0.2 * math.sin(phi))
+        rate = 0.1 * math.cos(phi) / (0.5 * math.cos(beta))
+        down = 0.1 * math.sin(phi) + 0.5 * math.sin(beta) * rate
+        assert row["V_B/omega_OAC"] == pytest.approx(-down, rel=1e-12)
+        assert row["V_C(R)/omega_OAC"] == pytest.approx(0.12, rel=1e-12)
+        assert row["V_C(T)/omega_OAC"] == pytest.approx(0.1, rel=1e-12)
+        slope = 1e-6
+        near = [
+            1.4 * math.cos(b) / math.sin(p + b)
+            for p in (phi - slope, phi + slope)
+            for b in (math.asin(0.2 * math.sin(p)),)
+        ]
+        assert row["dk/dphi"] == pytest.approx((near[1] - near[0]) / (2 * slope), rel=1e-7)
+
+
+def test_velocities_of_a_four_bar_are_those_of_its_power():
+    for _, row in columns(four_bar(40, 120, 80, 100, 60)):
+        assert row["omega_O2B/omega_O1A"] == pytest.approx(-row["k"], rel=1e-12, abs=1e-15)
+
+
+def test_no_two_columns_have_one_name():
+    found = mechc.load("peaucellier_closed").stroke(2)
+    names = [column.name for column in found.columns]
+    assert len(set(names)) == len(names)
+    assert {"mu_B(AB-OB)", "mu_C(AC-OC)"} <= set(names)
+
+
+PUSHED = """
+param l = 300 mm
+param s = 200 mm
+pivot O
+slider A along x through O
+slider B along y through O
+link AB
+OA = s @ x
+AB = l
+assembly B forward
+drive s from 50 mm to 250 mm
+force P at A along x
+force F at B along -y
+find k = P/F
+"""
+
+
+def test_velocities_by_the_slider_that_is_driven():
+    """The ladder: x² + y² = l²."""
+    for s, row in columns(PUSHED):
+        assert row["V_B/V_A"] == pytest.approx(s / math.sqrt(0.09 - s * s), rel=1e-12)
+
+
+CYLINDER = """
+param a = 200 mm
+param c = 300 mm
+param s = 250 mm
+pivot O at (0 mm, 0 mm)
+pivot Q at (c, 0 mm)
+link OA
+telescope QA
+OA = a
+QA = s
+assembly OAQ cw
+drive s from 150 mm to 450 mm
+actuator P between Q and A
+torque M on OA
+find k = P/M
+"""
+
+
+def test_velocities_by_the_cylinder_that_is_driven():
+    """s² = a² + c² − 2ac·cos φ, so ds/dφ = ac·sin φ/s."""
+    for s, row in columns(CYLINDER):
+        phi = math.acos((0.04 + 0.09 - s * s) / 0.12)
+        expected = s / (0.06 * math.sin(phi))
+        assert row["omega_OA/V_QA"] == pytest.approx(expected, rel=1e-12)
+
+
+def test_velocities_by_the_rate_of_a_drive_that_is_no_angle_of_a_link():
+    text = four_bar(40, 120, 80, 100, 30).replace("O1A = a @ phi", "O1A = a @ 2*phi")
+    for phi, row in columns(text):
+        assert row["omega_O1A/phi'"] == pytest.approx(2, rel=1e-12), phi
+        assert row["omega_O2B/phi'"] == pytest.approx(-2 * row["k"], rel=1e-12, abs=1e-15)
+
+
+GEARED = """
+param r = 20 mm
+param R = 40 mm
+param a = 50 mm
+param b = 70 mm
+param phi = 30 deg
+param psi = {psi}
+pivot O
+pivot Q
+link OA
+link QB
+{wheels}
+OA = a @ phi
+QB = b @ psi
+drive phi from 10 deg to 80 deg
+force P at A along y
+{load}
+find k = P/F
+"""
+
+
+def remarked(text):
+    """Return what is said of the links that do not follow the drive."""
+    compilation = Compilation(Source("a.mech", text))
+    checked(compilation)
+    return [d.message.split()[1] for d in compilation.report.diagnostics if d.code == "W591"]
+
+
+@pytest.mark.parametrize(
+    ("wheels", "psi", "stays"),
+    [
+        ("gear O r, Q R", "20 deg", ["QB"]),
+        ("gear O r, Q R", "35 deg - r/R*phi", []),
+        ("gear O r, Q R", "35 deg + r/R*phi", ["QB"]),
+        ("gear O r, Q R", "35 deg - phi", ["QB"]),
+        ("gear O r, Q R inner", "35 deg + r/R*phi", []),
+        ("belt O r, Q R", "35 deg + r/R*phi", []),
+    ],
+)
+def test_a_geared_link_follows_the_drive_or_is_remarked(wheels, psi, stays):
+    force = "force F at B along y"
+    assert remarked(GEARED.format(wheels=wheels, psi=psi, load=force)) == stays
+
+
+BENT = """
+param phi = 60 deg
+pivot O at (0 mm, 0 mm)
+pivot Q at (100 mm, 0 mm)
+link OA
+link ABE
+link QB
+link EG
+slider G along y through (150 mm, 0 mm)
+OA = 40 mm @ phi
+AB = 120 mm
+{arm}
+QB = 80 mm
+EG = 400 mm
+assembly ABQ cw
+assembly G forward
+drive phi from 20 deg to 100 deg
+torque M on OA
+force F at G along -y
+find k = M/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("arm", "stays"),
+    [("AE = 60 mm\nangle BAE = 20 deg", []), ("AE = 60 mm @ 20 deg", ["ABE", "EG"])],
+)
+def test_a_link_whose_pin_stays_behind_is_remarked(arm, stays):
+    assert remarked(BENT.format(arm=arm)) == stays
+
+
+def test_where_a_wheel_under_a_couple_stands_does_not_matter():
+    torque = "torque F on QB"
+    assert remarked(GEARED.format(wheels="gear O r, Q R", psi="20 deg", load=torque)) == []
+
+
+def test_gears_along_the_stroke():
+    text = GEARED.format(
+        wheels="gear O r, Q R", psi="35 deg - r/R*phi", load="force F at B along y"
+    )
+    for row in stroke(text).rows:
+        psi = math.radians(35) - row.drive / 2
+        by_hand = 0.7 * math.cos(psi) / math.cos(row.drive)
+        assert row.values[0] == pytest.approx(by_hand, rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("slope", "stays"), [("15 deg", ["AB"]), ("asin(a/l*sin(phi))", [])], ids=["stands", "follows"]
+)
+@pytest.mark.parametrize("length", ["l", ""], ids=["length", "open"])
+def test_a_rod_follows_the_drive_or_is_remarked(slope, stays, length):
+    text = f"""
+param a = 50 mm
+param l = 96.592582628906829 mm
+param phi = 30 deg
+param beta = {slope}
+pivot O
+slider B along x
+link OA
+link AB
+OA = a @ phi
+AB = {length} @ -beta
+drive phi from 10 deg to 80 deg
+force P at A along y
+force F at B along x
+find k = P/F
+"""
+    assert remarked(text) == stays
+
+
+def test_the_command(tmp_path, capsys):
+    file = tmp_path / "claw.mech"
+    file.write_text(CLAW, encoding="utf-8")
+    assert main(["stroke", str(file), "-n", "3"]) == 0
+    shown = capsys.readouterr().out
+    assert "k has a minimum 1.37277366985" in shown
+    assert main(["stroke", str(file), "-n", "3", "--csv"]) == 0
+    head, *rows = capsys.readouterr().out.splitlines()
+    assert head == (
+        "phi,k,gamma,dk/dphi,V_B/omega_OAC,V_C(R)/omega_OAC,V_C(T)/omega_OAC,mu_B,trouble"
+    )
+    assert len(rows) == 3
+    assert float(rows[0].split(",")[1]) == pytest.approx(1.499384542672654, rel=1e-12)
+
+
+BOTH_WAYS = """
+param r = 40 mm
+param l = 120 mm
+param phi = 40 deg
+drive phi from -60 deg to 240 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = r @ phi
+AB = l
+assembly B forward
+force F at B along x
+torque M on OA
+find k = F / M
+"""
+
+
+@pytest.mark.parametrize("rubs", [False, True])
+def test_a_pole_that_is_looked_at_is_no_extremum(rubs):
+    """A place of the stroke is φ = 180°, where the rod and the crank lie on one line."""
+    friction = "friction pins 0.1 diameter 10 mm" if rubs else ""
+    found = mechc.loads(BOTH_WAYS + friction).stroke()
+    extrema = [e.drive for e in found.extrema if e.result == "k"]
+    assert [math.degrees(e) for e in extrema] == pytest.approx([73.17529663624])
+    assert all(abs(e.value) < 200 for e in found.extrema if e.result != "k_f1")

@@ -1,0 +1,54 @@
+"""The mechanisms that tests compile whole: the library, and a corpus with one construct each."""
+
+from functools import cache
+
+from mechc.diagnostics import Report
+from mechc.driver import Compilation, compile_source
+from mechc.source import Source
+from mechc.syntax import ast
+from mechc.syntax.notation import read
+from paths import CORPUS, LIBRARY
+
+GOOD = sorted((CORPUS / "good").glob("*.mech"))
+SHELF = sorted(p for p in LIBRARY.iterdir() if p.suffix in {".mech", ".yaml"})
+ALL = {path.stem: path for path in (*SHELF, *GOOD)}
+
+
+@cache
+def compiled(name: str) -> Compilation:
+    """Return a mechanism after every stage."""
+    path = ALL[name]
+    return compile_source(Source(path.name, path.read_text(encoding="utf-8")))
+
+
+def tree_of(name: str) -> ast.File:
+    return read(compiled(name).source, Report(compiled(name).source))
+
+
+CLOSED = (
+    "crank_rocker",
+    "double_crank",
+    "double_rocker",
+    "triple_rocker",
+    "whitworth",
+    "oscillating_cylinder",
+    "toggle_clamp",
+    "vice_grip",
+    "watt_closed",
+    "stephenson_closed",
+    "peaucellier_closed",
+    "excavator_arm",
+    "gripper_closed",
+    "steering_trapezium",
+    "triad_closed",
+    "double_butterfly",
+    "hoeken",
+    "jansen_leg",
+    "crank_shaper",
+    "scissor_table",
+    "landing_gear",
+    "crimping_tool",
+)
+
+
+PARTS = (0.15, 0.4, 0.65, 0.9)

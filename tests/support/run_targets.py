@@ -1,0 +1,126 @@
+"""The interpreter, emitted Python and compiled C, run on the same random poses."""
+
+import ctypes
+import shutil
+import subprocess
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+
+from mechc.emit.c.to_c import TARGET as C
+from mechc.emit.python.to_python import TARGET as PYTHON
+from mechc.emit.target import Compiled, Options
+from mechc.routine.evaluate import evaluate
+from mechc.routine.steps import Function, Input, Routine
+from mechc.units import LENGTH
+
+COMPILER = shutil.which("gcc") or shutil.which("cc")
+
+
+ULP = 2.0**-52
+
+
+POSES = 40
+
+
+Outputs = dict[str, np.ndarray]
+
+
+def poses(function: Function, seed: int = 0) -> dict[str, np.ndarray]:
+    """Return random inputs in their ranges, near their defaults where they have none."""
+    random = np.random.default_rng(seed)
+    return {i.name: random.uniform(*span(i), POSES) for i in function.inputs}
+
+
+def span(item: Input) -> Sequence[float]:
+    if item.low is not None and item.high is not None:
+        return item.low, item.high
+    if item.default is not None:
+        return sorted((0.9 * item.default, 1.1 * item.default))
+    return (0.5, 2.0) if item.dimension == LENGTH else (-100.0, 100.0)
+
+
+def by_interpreter(found: Compiled) -> Outputs:
+    return {f.name: np.broadcast_to(evaluate(f, poses(f)), POSES) for f in found.routine.functions}
+
+
+def by_python(found: Compiled) -> Outputs:
+    (module,) = PYTHON.emit(found, Options("module"))
+    space: dict[str, Callable[..., np.ndarray]] = {"__name__": "module"}
+    exec(compile(module.text, "module.py", "exec"), space)
+    made = (v for v in space.values() if getattr(v, "__module__", "") == "module")
+    beside = companions(found)
+    callables = [v for v in made if not v.__name__.startswith(("_", "pose", *beside))]
+    return {
+        f.name: np.broadcast_to(call(*poses(f).values()), POSES)
+        for f, call in zip(found.routine.functions, callables, strict=True)
+    }
+
+
+def companions(found: Compiled) -> tuple[str, ...]:
+    """Return the names of functions that stand beside results with friction."""
+    listed = [f for r in found.routine.functions for f in (r.otherwise, r.status) if f]
+    return tuple(f.name for f in listed)
+
+
+def built(found: Compiled, folder: Path) -> SimpleNamespace:
+    """Return the compiled library and the linker's names in order: singles and batches."""
+    source, header = C.emit(found, Options("code"))
+    for file in (source, header):
+        (folder / file.name).write_text(file.text, encoding="utf-8")
+    strict = ["-std=c99", "-Wall", "-Wextra", "-Wconversion", "-pedantic", "-Werror"]
+    made = folder / "code.so"
+    command = [COMPILER, *strict, "-O1", "-fPIC", "-shared", "code.c", "-o", made, "-lm"]
+    subprocess.run(command, cwd=folder, check=True)
+    heads = [line for line in header.text.splitlines() if line.startswith(("double ", "void "))]
+    beside = tuple(f"{found.routine.name}_{name}" for name in companions(found))
+    names = [line.split("(")[0].split()[1] for line in heads if "_pose_n(" not in line]
+    names = [name for name in names if not name.startswith(beside or ("/",))]
+    return SimpleNamespace(code=ctypes.CDLL(str(made)), singles=names[::2], batches=names[1::2])
+
+
+def by_c_singly(found: Compiled, made: SimpleNamespace) -> Outputs:
+    outputs = {}
+    for function, name in zip(found.routine.functions, made.singles, strict=True):
+        call = made.code[name]
+        call.restype = ctypes.c_double
+        call.argtypes = [ctypes.c_double] * len(function.inputs)
+        columns = list(poses(function).values())
+        outputs[function.name] = np.array([call(*(c[i] for c in columns)) for i in range(POSES)])
+    return outputs
+
+
+def by_c_in_batch(found: Compiled, made: SimpleNamespace) -> Outputs:
+    outputs = {}
+    array = np.ctypeslib.ndpointer(dtype=np.float64)
+    for function, name in zip(found.routine.functions, made.batches, strict=True):
+        call = made.code[name]
+        call.restype = None
+        call.argtypes = [ctypes.c_size_t] + [array] * (len(function.inputs) + 1)
+        outputs[function.name] = np.empty(POSES)
+        call(POSES, *poses(function).values(), outputs[function.name])
+    return outputs
+
+
+def sensitivity(function: Function) -> np.ndarray:
+    """Return by how much the output moves where each input moves by its own size, to first order.
+
+    Two orders of the same operations differ by that times the rounding, so agreement
+    is relative to it: near a pole within the range it is large.
+    """
+    values, step = poses(function), 1e-7
+    middle = evaluate(function, values)
+    moved = [evaluate(function, {**values, n: v * (1 + step)}) for n, v in values.items()]
+    return np.broadcast_to(sum(abs(m - middle) for m in moved) / step, POSES)
+
+
+def assert_close(found: Outputs, expected: Outputs, ulps: int, routine: Routine) -> None:
+    assert list(found) == list(expected)
+    for function in routine.functions:
+        name, values = function.name, expected[function.name]
+        assert np.array_equal(np.isnan(found[name]), np.isnan(values)), name
+        bound = ulps * ULP * (np.abs(values) + sensitivity(function))
+        error = np.abs(found[name] - values)
+        assert np.all((error <= bound) | ~np.isfinite(values)), (name, np.nanmax(error / bound))
