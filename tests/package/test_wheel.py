@@ -71,7 +71,12 @@ def test_source_package_can_be_tested(tmp_path: Path) -> None:
     assert __version__ in sources.name
     with tarfile.open(sources) as archive:
         names = {n.split("/", 1)[1] for n in archive.getnames() if "/" in n}
-    assert {"pyproject.toml", "README.md", "grammar/mechc.lark", "tests/package/test_wheel.py"} <= names
+    assert {
+        "pyproject.toml",
+        "README.md",
+        "grammar/mechc.lark",
+        "tests/package/test_wheel.py",
+    } <= names
 
 
 @needs_hatchling
