@@ -1,6 +1,6 @@
 """``mechc check``: mistakes found, expectations proved or refuted, the second opinion."""
 
-from collections.abc import Iterable, Iterator, Mapping, Set
+from collections.abc import Iterable, Iterator
 
 import click
 
@@ -11,7 +11,7 @@ from ..formula.tree import Number
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import GRAVITY, Parameter
 from ..model.result import Definition
-from ..report.definitions import Solved, as_written, constant_units, grouped, usual_weights
+from ..report.definitions import Letters, Solved, as_written, grouped, letters
 from ..report.languages.en import LOCALE
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
@@ -92,14 +92,14 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     else:
         yield f"{compilation.source.name}: {compilation.mechanism.name}"
     told, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
-    usual, units = usual_weights(compilation.mechanism), constant_units(compilation.mechanism)
+    known = letters(compilation.mechanism, compilation.results)
     before: Analysis | None = None
     for result in compilation.results:
         where = [d for d in told.of(result) if d.name not in given]
         formulas = [result.formula, *(d.formula for d in where)]
         literals = [*told.new_literals(formulas, compilation.mechanism)]
         shown = in_short(result, compilation.results)
-        yield from _of_result(shown, where, literals, usual, units, before)
+        yield from _of_result(shown, where, literals, known, before)
         before = result
         yield from (f"    {line}" for line in friction_remarks(result, LOCALE, spell))
     for finding in compilation.findings:
@@ -116,8 +116,7 @@ def _of_result(
     result: Analysis,
     where: Iterable[Definition],
     literals: Iterable[Parameter],
-    usual: Set[str],
-    units: Mapping[str, str],
+    known: Letters,
     before: Analysis | None,
 ) -> Iterator[str]:
     """Yield what is known of a result, without what the one before has just told."""
@@ -128,8 +127,8 @@ def _of_result(
     for literal in literals:
         assert literal.value
         yield f"    where {literal.name} = {in_unit(evaluate(literal.value, {}), literal.unit, 6)}"
-    for group in grouped(as_written(where, usual, units)):
-        yield from _of_definition(group, usual, units)
+    for group in grouped(as_written(where, known)):
+        yield from _of_definition(group, known)
     sizes = _sizes(result)
     if sizes and not (before and sizes == _sizes(before)):
         press = "press the joints" if len(sizes) > 1 else "presses the joint"
@@ -152,17 +151,15 @@ def _sizes(result: Analysis) -> list[str]:
     return sorted(symbols(result.formula) & result.inside)
 
 
-def _of_definition(
-    group: Definition | Solved, usual: Set[str], units: Mapping[str, str]
-) -> Iterator[str]:
+def _of_definition(group: Definition | Solved, known: Letters) -> Iterator[str]:
     if isinstance(group, Solved):
         yield f"    where {', '.join(group.names)} solve"
         yield from (f"      {text(zero)} = 0" for zero in group.zeros)
         return
-    if group.name in units and isinstance(group.formula, Number):
-        yield f"    where {group.name} = {float(group.formula.value):.9g} {units[group.name]}"
+    if group.name in known.units and isinstance(group.formula, Number):
+        yield f"    where {group.name} = {float(group.formula.value):.9g} {known.units[group.name]}"
         return
-    g = f", g = {float(GRAVITY.value)} m/s^2" if group.name in usual else ""
+    g = f", g = {float(GRAVITY.value)} m/s^2" if group.name in known.usual else ""
     yield f"    where {group.name} = {text(group.formula)}{g}"
 
 

@@ -221,3 +221,12 @@ def is_long(value: Fraction) -> bool:
     """
     digits = len(str(abs(value.numerator))) + len(str(value.denominator))
     return value.denominator != 1 and digits > LONGEST and 1e-4 <= abs(float(value)) < 1e12
+
+
+def has_minus(term: Formula) -> bool:
+    """Return whether a term is printed with a minus in front."""
+    match term:
+        case Number(value) | Product((Number(value), *_)):
+            return value < 0
+        case _:
+            return False

@@ -1,16 +1,18 @@
 """What stands behind *where*: the names that a result mentions, each told once."""
 
 import math
-from collections.abc import Iterable, Mapping, Set
+from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
 from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
+from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Torque
 from ..model.result import Definition, Result
 from ..model.values import is_constant
 from ..units import ANGLE, NUMBER, UNITS, si_unit
+from .book_forms import book_form, positive_names
 
 FREE_FALL = Symbol("g")
 """The letter of :data:`GRAVITY`; where a description has weights, no other quantity bears it."""
@@ -42,20 +44,43 @@ def by_letter(formula: Formula) -> Formula:
     return Product((*formula.factors[1:], FREE_FALL))
 
 
-def as_written(
-    where: Iterable[Definition], usual: Set[str], units: Mapping[str, str]
-) -> list[Definition]:
-    """Return definitions with the usual weights as ``m·g`` and constants in their units."""
-    return [_as_written(d, usual, units) for d in where]
+@frozen
+class Letters:
+    """What the names of a report stand for, as far as how they are written depends on it.
+
+    ``usual`` are the weights by the usual g, ``units`` those of what is given by a number,
+    ``positive`` the lengths that are never negative.
+    """
+
+    usual: frozenset[str]
+    units: Mapping[str, str]
+    positive: frozenset[str]
 
 
-def _as_written(definition: Definition, usual: Set[str], units: Mapping[str, str]) -> Definition:
+def letters(mechanism: Mechanism, results: Iterable[Result]) -> Letters:
+    """Return how definitions are to be written that stand with results."""
+    found = list(results)
+    units = constant_units(mechanism) | literal_units(found)
+    positive = positive_names(mechanism, (d for r in found for d in r.where))
+    return Letters(usual_weights(mechanism), units, positive)
+
+
+def as_written(where: Iterable[Definition], known: Letters) -> list[Definition]:
+    """Return definitions as books write them.
+
+    The usual weights as ``m·g``, constants in their units, triangles by the laws of sines and
+    cosines.
+    """
+    return [_as_written(d, known) for d in where]
+
+
+def _as_written(definition: Definition, known: Letters) -> Definition:
     name, formula = definition
-    unit = UNITS.get(units.get(name, ""))
-    if name in usual:
+    unit = UNITS.get(known.units.get(name, ""))
+    if name in known.usual:
         return Definition(name, by_letter(formula))
     if unit is None or not isinstance(formula, Number):
-        return Definition(name, formula)
+        return Definition(name, book_form(formula, known.positive))
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
     is_short = value.denominator < 10**DIGITS
     return Definition(name, Number(value if is_short else Fraction(f"{float(value):.{DIGITS}g}")))

@@ -11,7 +11,7 @@ from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter, Reaction, Target, WithFriction
 from ..model.result import Definition
 from ..study.analysis import Analysis
-from .definitions import as_written, constant_units, literal_units, usual_weights
+from .definitions import as_written, letters
 from .derivation.steps import Derivation, Explanation, Paragraph
 from .sentences.remarks import reaction
 
@@ -36,8 +36,7 @@ class Section:
 
 def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
     """Yield the results under their headings; what was told before is left out."""
-    told, usual = Shown(), usual_weights(mechanism)
-    units = constant_units(mechanism) | literal_units(derivation.results)
+    told, known = Shown(), letters(mechanism, derivation.results)
     for explanation, results in _grouped(derivation):
         told.equations(explanation)
         rested = told.new_definitions(
@@ -45,12 +44,12 @@ def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
         )
         fresh = [*rested, *(d for r in results for d in told.of(r))]
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
-        weighs = any(d.name in usual for d in fresh)
-        where = tuple(as_written(fresh, usual, units))
+        weighs = any(d.name in known.usual for d in fresh)
+        where = tuple(as_written(fresh, known))
         said = (side for p in explanation.paragraphs for pair in p.equations for side in pair)
         formulas = [*said, *(r.formula for r in shown), *(d.formula for d in where)]
         numbers = tuple(told.new_literals(formulas, mechanism))
-        yield Section(explanation.paragraphs, shown, where, weighs, units, numbers)
+        yield Section(explanation.paragraphs, shown, where, weighs, known.units, numbers)
 
 
 class Shown:

@@ -5,6 +5,7 @@ from typing import assert_never
 
 from ...algebra.product import Product
 from ...algebra.sums import add, canonical
+from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ...friction.solution import Solution
 from ...kinematics.forms import parting, projection, spin
@@ -15,7 +16,7 @@ from ...kinematics.standing import standing
 from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque
 from ...power.balance import Balance, Term
 from ...study.analysis import Analysis
-from ..sentences.wording import has_minus, positive_first
+from ..sentences.wording import positive_first
 from .forces import of_forces
 from .friction import of_friction
 from .notation import Named, Notation

@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterable, Set
 
 from ...algebra.from_formula import to_product
+from ...formula.layout import has_minus
 from ...formula.tree import (
     Call,
     Formula,
-    Number,
     Power,
     Product,
     Sum,
@@ -137,12 +137,3 @@ def _led_by(terms: Iterable[Formula], turns: Set[str]) -> bool:
     """Tell whether all that is added are turns, and something else is taken away."""
     signed = [(has_minus(term), symbols(term) <= turns) for term in terms]
     return all(turned for minus, turned in signed if not minus) and (True, False) in signed
-
-
-def has_minus(term: Formula) -> bool:
-    """Return whether a term is printed with a minus in front."""
-    match term:
-        case Number(value) | Product((Number(value), *_)):
-            return value < 0
-        case _:
-            return False

@@ -1,0 +1,144 @@
+"""Lengths and angles of triangles as books write them: by the laws of sines and cosines.
+
+Code has the forms that lose no digits next to a straight toggle, an arc tangent of the root
+of four factors; for readers the same is an arc cosine. Nothing is taken on trust: a form is
+put in where algebra proves it equal.
+"""
+
+from collections.abc import Iterable, Iterator, Set
+from fractions import Fraction
+from math import isqrt
+
+from ..algebra.factors import Constant, Factor, Length
+from ..algebra.from_formula import is_transparent, to_product
+from ..algebra.product import Product
+from ..algebra.product import Sum as FactoredSum
+from ..algebra.sums import add
+from ..formula.layout import has_minus
+from ..formula.operations import count_operations
+from ..formula.tree import Call, Formula, Sum, number, power, quotient, total
+from ..formula.walk import children, evaluate, rebuild
+from ..model.mechanism import Mechanism, Parameter
+from ..model.result import Definition
+from ..units import LENGTH
+
+LONGEST_SIDE = 3
+"""The terms of the law of cosines; more of them are no law that a reader knows."""
+
+
+def positive_names(mechanism: Mechanism, where: Iterable[Definition]) -> frozenset[str]:
+    """Return the names of lengths that are positive wherever they have a value.
+
+    A length that is not given at all is that of a side, and sides are positive.
+    """
+    given = (p.name for p in mechanism.parameters if _is_positive(p))
+    found = (d.name for d in where if _is_distance(d.formula))
+    return frozenset((*given, *found))
+
+
+def _is_positive(parameter: Parameter) -> bool:
+    if parameter.dimension != LENGTH or parameter.dependent:
+        return False
+    if parameter.range is not None:
+        return evaluate(parameter.range.low, {}) > 0
+    return parameter.value is None or evaluate(parameter.value, {}) > 0
+
+
+def _is_distance(formula: Formula) -> bool:
+    return isinstance(formula, Call) and formula.function in ("hypot", "sqrt")
+
+
+def book_form(formula: Formula, positive: Set[str]) -> Formula:
+    """Return a formula with the sides and angles of triangles by the laws of sines and cosines.
+
+    ``positive`` are the names of lengths that are never negative. What is no triangle stays.
+
+    >>> from ..formula.to_text import text
+    >>> from ..formula.tree import Symbol, negative, product
+    >>> a, d, phi = Symbol("a"), Symbol("d"), Symbol("phi")
+    >>> across = product([(a, 1), (Call("sin", (phi,)), 1)])
+    >>> along = total([d, negative(product([(a, 1), (Call("cos", (phi,)), 1)]))])
+    >>> text(book_form(Call("hypot", (along, across)), {"a", "d"}))
+    'sqrt(a^2 + d^2 - 2*a*d*cos(phi))'
+    """
+    parts = tuple(book_form(part, positive) for part in children(formula))
+    whole = rebuild(formula, parts) if parts else formula
+    match formula:
+        case Call("hypot", (x, y)):
+            return min((*_by_cosines(x, y), whole), key=_operations)
+        case Call("atan2", (Call("sqrt", (square,)), x)) if size := _root(square, x, positive):
+            return Call("acos", (quotient(_minus_last(x), size.formula()),))
+        case Call("atan2", (y, Call("sqrt", (square,)))) if size := _root(square, y, positive):
+            return Call("asin", (quotient(_minus_last(y), size.formula()),))
+        case _:
+            return whole
+
+
+def _by_cosines(x: Formula, y: Formula) -> Iterator[Formula]:
+    """Yield the length of a vector by the law of cosines, where it has two arms."""
+    across, along = to_product(x), to_product(y)
+    square = add([across * across, along * along])
+    terms = list(_multiplied_out(square))
+    if is_transparent(square) and len(terms) <= LONGEST_SIDE:
+        ordered = sorted(terms, key=lambda t: (t.coefficient < 0, len(t.factors)))
+        yield Call("sqrt", (total(t.formula() for t in ordered),))
+
+
+def _operations(distance: Formula) -> int:
+    """Return the operations of a distance as it is printed, by Pythagoras."""
+    match distance:
+        case Call("hypot", sides):
+            return _operations(Call("sqrt", (total(power(s, number(2)) for s in sides),)))
+        case _:
+            return count_operations(distance)
+
+
+def _minus_last(formula: Formula) -> Formula:
+    if not isinstance(formula, Sum):
+        return formula
+    return Sum(tuple(sorted(formula.terms, key=has_minus)))
+
+
+def _multiplied_out(product: Product) -> Iterator[Product]:
+    """Yield the terms of a product, its sums multiplied out as long as they stand once."""
+    within = next(
+        (f for f, e in product.factors.items() if isinstance(f, FactoredSum) and e == 1), None
+    )
+    if within is None:
+        yield product
+        return
+    rest = product / Product.of(within)
+    for term in within.terms:
+        yield from _multiplied_out(rest * term)
+
+
+def _root(square: Formula, side: Formula, positive: Set[str]) -> Product | None:
+    """Return the root of ``square + side²`` where that is the square of something positive."""
+    area, leg = to_product(square), to_product(side)
+    whole = add([area, leg * leg])
+    size = _exact_root(Fraction(whole.coefficient))
+    if size is None or any(e % 2 or not _stays(f, positive) for f, e in whole.factors.items()):
+        return None
+    return Product(size, {f: e // 2 for f, e in whole.factors.items()})
+
+
+def _exact_root(value: Fraction) -> Fraction | None:
+    if value <= 0:
+        return None
+    root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
+    return root if root * root == value else None
+
+
+def _stays(factor: Factor, positive: Set[str]) -> bool:
+    """Tell whether a factor is positive, by what it is made of."""
+    match factor:
+        case Constant(_, value):
+            return evaluate(value, {}) > 0
+        case Length(name):
+            return name in positive
+        case FactoredSum(terms=terms):
+            return all(
+                t.coefficient > 0 and all(_stays(f, positive) for f in t.factors) for t in terms
+            )
+        case _:
+            return False
