@@ -7,6 +7,7 @@ import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from string import Formatter
+from typing import get_args
 
 import pytest
 from jinja2 import meta
@@ -15,6 +16,7 @@ import mechc
 from mechc.emit.latex.to_latex import _TEMPLATES, TARGET, Report
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Sum, Symbol
+from mechc.pose.pose import LoopKind
 from mechc.report.derivation.steps import Rule
 from mechc.report.languages import en, ru, uk
 from mechc.report.languages.locale import Locale
@@ -184,6 +186,11 @@ def test_every_language_says_the_same(language: str) -> None:
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_every_rule_has_words(language: str) -> None:
     assert set(TABLES[language].rules) == {rule.value for rule in Rule}
+
+
+@pytest.mark.parametrize("language", LANGUAGES)
+def test_every_kind_of_loop_has_words(language: str) -> None:
+    assert set(TABLES[language].loops) == set(get_args(LoopKind))
 
 
 def test_ukrainian_and_russian_name_the_same_units() -> None:

@@ -84,6 +84,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
         closing=tuple(terms.definitions),
         put_in=tuple(d for d in terms.definitions if d.name in closed.put_in),
         vectors=vectors.given(),
+        solved=closed.solved,
     )
     unfound = survey.report_unfound(pose, found, closed.left)
     survey.close_loops(pose, unfound)

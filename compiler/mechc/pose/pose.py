@@ -82,6 +82,26 @@ class ClosedLoop(NamedTuple):
     margin: Formula
 
 
+LoopKind = Literal["triangle", "guide", "slot", "aligned", "lengths", "vector", "system"]
+"""What the two unknowns of a loop are: two directions (``triangle``), a direction and a length
+along a given line (``guide``) or along a line that turns with it (``slot``; ``aligned`` where it
+passes through the other end), two ``lengths``. One unknown is that of a ``vector`` between
+points that have places; more than two make a ``system``."""
+
+
+class SolvedLoop(NamedTuple):
+    """A loop as it was solved: its points, what kind it is, the names it gave, in order.
+
+    The points of a triangle are its vertices, the pin between the unknown sides the second;
+    ``is_clockwise`` tells how they lie, None for other loops.
+    """
+
+    kind: LoopKind
+    points: tuple[str, ...]
+    names: tuple[str, ...]
+    is_clockwise: bool | None = None
+
+
 class PointContact(NamedTuple):
     """A pin that slides along a body: in a slot of it, or touching a face.
 
@@ -121,7 +141,8 @@ class Pose:
     each after those that it rests on. ``vectors`` are those between two points that
     the description gives, or that a loop gives it a place by, whatever bodies they are on.
     ``left[point]`` is the direction of a guide that was released, along which a rack or a nut
-    is still led.
+    is still led. ``solved`` tells how the definitions follow from the loops, each loop after those
+    that it rests on.
     """
 
     mechanism: Mechanism
@@ -142,6 +163,7 @@ class Pose:
     put_in: tuple[Definition, ...] = ()
     vectors: Mapping[tuple[str, str], Vector] = MappingProxyType({})
     left: Mapping[str, Angle] = MappingProxyType({})
+    solved: tuple[SolvedLoop, ...] = ()
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""

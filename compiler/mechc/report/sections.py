@@ -3,6 +3,7 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import zip_longest
 from types import MappingProxyType
+from typing import NamedTuple
 
 from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
@@ -11,8 +12,8 @@ from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter, Reaction, Target, WithFriction
 from ..model.result import Definition
 from ..study.analysis import Analysis
-from .definitions import as_written, letters
-from .derivation.steps import Derivation, Explanation, Paragraph
+from .definitions import Letters, as_written, letters
+from .derivation.steps import Derivation, Explanation, Paragraph, PositionStep
 from .sentences.remarks import reaction
 
 LONG = 24
@@ -34,9 +35,42 @@ class Section:
     literals: tuple[Parameter, ...] = ()
 
 
-def sections(derivation: Derivation, mechanism: Mechanism) -> Iterator[Section]:
-    """Yield the results under their headings; what was told before is left out."""
-    told, known = Shown(), letters(mechanism, derivation.results)
+@frozen
+class PositionSection:
+    """What one loop gives, as it is written, and the lengths given by numbers met in it."""
+
+    step: PositionStep
+    where: tuple[Definition, ...]
+    literals: tuple[Parameter, ...]
+
+
+class Outline(NamedTuple):
+    """A report in order: the position, then the results under their headings."""
+
+    position: tuple[PositionSection, ...]
+    results: tuple[Section, ...]
+
+
+def outline(derivation: Derivation, mechanism: Mechanism) -> Outline:
+    """Return what a report says, each name told once and where it is first needed."""
+    shown, known = Shown(), letters(mechanism, derivation.results)
+    position = tuple(_position(derivation, mechanism, shown, known))
+    return Outline(position, tuple(_results(derivation, mechanism, shown, known)))
+
+
+def _position(
+    derivation: Derivation, mechanism: Mechanism, shown: "Shown", known: Letters
+) -> Iterator[PositionSection]:
+    for step in derivation.position:
+        shown.definitions(step.definitions)
+        where = tuple(as_written(step.definitions, known))
+        numbers = shown.new_literals((d.formula for d in where), mechanism)
+        yield PositionSection(step, where, tuple(numbers))
+
+
+def _results(
+    derivation: Derivation, mechanism: Mechanism, told: "Shown", known: Letters
+) -> Iterator[Section]:
     for explanation, results in _grouped(derivation):
         told.equations(explanation)
         rested = told.new_definitions(
@@ -76,6 +110,10 @@ class Shown:
         fresh = [d for d in needed if d in new or _system(d) in systems]
         self._known |= dict(fresh)
         return fresh
+
+    def definitions(self, where: Iterable[Definition]) -> None:
+        """Note names with what they stand for."""
+        self._known |= {d.name: d.formula for d in where}
 
     def equations(self, explanation: Explanation) -> None:
         """Note the names that the equations of an account define."""

@@ -24,11 +24,13 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...model.result import Definition, Result
+from ...pose.pose import LoopKind
 from ...report.derivation.steps import (
     Derivation,
     Equation,
     Explanation,
     Paragraph,
+    PositionStep,
     PowerTerm,
     Rule,
     SentenceKind,
@@ -266,6 +268,14 @@ STEP: Kind[Step] = record(
     ),
 )
 
+POSITION: Kind[PositionStep] = record(
+    "position_step",
+    "What one loop gives of the position.",
+    member("kind", "How the loop is solved.", one_of(*get_args(LoopKind)), lambda s: s.kind),
+    member("points", "Of the loop.", list_of(TEXT), lambda s: s.points),
+    member("definitions", "In order.", list_of(DEFINITION), lambda s: s.definitions),
+)
+
 TERM: Kind[PowerTerm] = record(
     "term",
     "The power of one load: times · load · speed.",
@@ -300,6 +310,7 @@ ACCOUNT: Kind[Explanation] = record(
 DERIVATION: Kind[Derivation] = record(
     "derivation",
     "From speeds to the power balance.",
+    member("position", "Loop by loop.", list_of(POSITION), lambda d: d.position),
     member("steps", "In order.", list_of(STEP), lambda d: d.steps),
     member("terms", "The powers of the loads.", list_of(TERM), lambda d: d.terms),
     member(

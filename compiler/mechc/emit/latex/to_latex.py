@@ -28,11 +28,18 @@ from ...report.latex.given import (
 )
 from ...report.latex.notation import Notation, notation, of_first_order, of_force, spellings
 from ...report.latex.printer import Box, box, plain, row
-from ...report.latex.results import SectionBlock, Speller, check, numbers, section_block
+from ...report.latex.results import (
+    SectionBlock,
+    Speller,
+    check,
+    definitions,
+    numbers,
+    section_block,
+)
 from ...report.latex.text import escape, has_cyrillic
-from ...report.sections import sections
+from ...report.sections import PositionSection, outline
 from ...report.sentences.remarks import called, conditions, reaction
-from ...report.sentences.wording import Sides, lines, sentence
+from ...report.sentences.wording import Sides, lines, position_sentence, sentence
 from ...units import ANGLE
 from ..target import Compiled, Emitted, Options
 
@@ -43,6 +50,13 @@ class StepBlock(NamedTuple):
     sentence: str
     relations: str
     results: str
+
+
+class PositionBlock(NamedTuple):
+    """What one loop gives, ready for LaTeX."""
+
+    sentence: str
+    displays: tuple[str, ...]
 
 
 class Report(NamedTuple):
@@ -58,6 +72,7 @@ class Report(NamedTuple):
     parameters: tuple[ParameterRow, ...]
     scheme: tuple[str, ...]
     vectors: tuple[VectorRow, ...]
+    position: tuple[PositionBlock, ...]
     steps: tuple[StepBlock, ...]
     several: str
     balances: str
@@ -159,6 +174,7 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
 
 def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> Report:
     mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
+    whole = outline(derivation, mechanism)
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
@@ -170,15 +186,21 @@ def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool)
         parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
         scheme=scheme(mechanism, locale, style),
         vectors=tuple(vector_rows(mechanism, locale, style)),
+        position=tuple(_position(section, locale, style) for section in whole.position),
         steps=tuple(_step(step, locale, style) for step in derivation.steps),
         several=_several(derivation, locale),
         balances=_balances(derivation.balances, locale, style),
-        results=tuple(section_block(s, locale, style) for s in sections(derivation, mechanism)),
+        results=tuple(section_block(s, locale, style) for s in whole.results),
         conditions=conditions(mechanism.requires, Speller(style)),
         numbers=numbers(derivation.results, locale, style),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
     )
+
+
+def _position(section: PositionSection, locale: Locale, style: Notation) -> PositionBlock:
+    words = position_sentence(section.step, locale, Speller(style).point)
+    return PositionBlock(words, definitions(section.where, locale, style, {}))
 
 
 def _step(step: Step, locale: Locale, style: Notation) -> StepBlock:

@@ -23,7 +23,7 @@ from ...model.mechanism import Assembly, Link, Mechanism, Parameter
 from ...model.values import Chain, dependent
 from ...units import ANGLE, LENGTH
 from ..directions import Directions
-from ..pose import ClosedLoop, Limit
+from ..pose import ClosedLoop, Limit, SolvedLoop
 from ..terms import Terms
 from ..vectors import Vectors
 from .branches import branches
@@ -35,7 +35,7 @@ from .guide_lines import GuideLine, rails
 from .margins import in_closed_form, iterated
 from .redundant import check_fit
 from .state import State
-from .vector_graph import Cycle, Edge, Names, VectorGraph, loop_name, mentioned
+from .vector_graph import Cycle, Edge, Names, VectorGraph, loop_name, mentioned, points_around
 
 
 class Closed(NamedTuple):
@@ -55,6 +55,7 @@ class Closed(NamedTuple):
     left: Open
     idle: tuple[Assembly, ...]
     put_in: frozenset[str] = frozenset()
+    solved: tuple[SolvedLoop, ...] = ()
 
 
 def close(
@@ -89,7 +90,8 @@ def close(
     limits, loops = tuple(state.limits), tuple(state.loops)
     mechanism = _with_solved(mechanism, state)
     left, idle, found = left_open(state), closing.idle, frozenset(state.found)
-    return Closed(mechanism, found, state.rates, limits, loops, left, idle, frozenset(short))
+    put_in, solved = frozenset(short), tuple(state.solved)
+    return Closed(mechanism, found, state.rates, limits, loops, left, idle, put_in, solved)
 
 
 def _in_one_term(state: State) -> dict[str, Product]:
@@ -188,7 +190,7 @@ class _Closing:
         loop = loop_name(block.cycle)
         self._state.limits.append(Limit(loop, "system", (), ()))
         self._state.loops.append(iterated(loop, chosen.definitions))
-        self._state.take(chosen, block.unknown, block.sides)
+        self._state.take(chosen, block.unknown, block.sides, "system", points_around(block.cycle))
         return True
 
     def _check_values(self, cycle: Cycle) -> None:
@@ -255,7 +257,9 @@ class _Closing:
         state.limits += [group.limit] if group.limit else []
         if group.root is not None and any(chosen is way for way in ways):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
-        state.take(chosen, wanted, [tuple(a for e in cycle for a in e.arms)])
+        points = group.triples()[0] if group.kind == "triangle" else points_around(cycle)
+        side = tuple(arm for edge in cycle for arm in edge.arms)
+        state.take(chosen, wanted, [side], group.kind, points)
         return True
 
     def _familiar(self, cycle: Cycle) -> list[Angle]:

@@ -20,7 +20,7 @@ from ...algebra.product import Product
 from ...algebra.sums import add
 from ...algebra.trigonometry import cosine, sine
 from ...formula.tree import Call, Formula, negative, product, total
-from ..pose import Arm, Definition, Limit, Vector, components, gathered
+from ..pose import Arm, Definition, Limit, LoopKind, Vector, components, gathered
 from ..samples import Values, is_behind
 from .triangle import along, common_turn, heron, is_of_vector, principal
 from .vector_graph import Cycle, Names, known_span, loop_name, mentioned
@@ -86,13 +86,15 @@ class Group:
         """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
 
         ``signed`` lengths may be negative somewhere on the stroke; ``defined`` was found before.
-        Once closures were made, ``root`` is what has no value where there is none.
+        Once closures were made, ``kind`` tells what the unknowns are, and ``root`` is what has no
+        value where there is none.
         """
         self._name, self._kept, self._fixed, self._values = name, kept, fixed, values
         self._signed = signed
         self._vectors = {d.name for d in defined if is_of_vector(d.formula)}
         self._shared: list[Definition] = []
         self.limit: Limit | None = None
+        self.kind: LoopKind = "lengths"
         self.root: Call | None = None
         self.cycle, self.unknown = cycle, unknown
         self.known = gathered(
@@ -217,6 +219,7 @@ class Group:
             return
         d, psi = self._known_side(positive=True)
         p, q = first.size, second.size
+        self.kind = "triangle"
         self.limit = Limit(loop_name(self.cycle), "triangle", self.known, (p, q))
         self.root = area = heron(d, p, q)
         base, tip = (
@@ -270,6 +273,7 @@ class Group:
         """RRP: the part that turns spans the distance to the line that is reached along."""
         theta = reach.direction
         height = along(self.known, theta + QUARTER)
+        self.kind = "guide"
         self.limit = Limit(loop_name(self.cycle), "guide", (), (turn.size, height))
         sine_of = -(height / turn.size)
         flip = -1 if sine_of.coefficient < 0 else 1
@@ -299,6 +303,7 @@ class Group:
         lean = turn.offset - gamma
         across, ahead = turn.size * sine(lean), turn.size * cosine(lean)
         d, psi = self._known_side(positive=bool(across))
+        self.kind = "slot" if across else "aligned"
         self.limit = Limit(loop_name(self.cycle), "slot", self.known, (across,))
         if not across:
             for side, way in ((d, psi + HALF_TURN), (-d, psi)):

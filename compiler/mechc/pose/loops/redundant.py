@@ -11,7 +11,7 @@ from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathere
 from .dyads import Closure
 from .state import State
 from .triangle import common_turn, principal
-from .vector_graph import Cycle, loop_name, mentioned
+from .vector_graph import Cycle, loop_name, mentioned, points_around
 
 FITS = 1e-9
 """A gap below this part of the longest arm counts as closed at the values given."""
@@ -36,7 +36,8 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     unknown = frozenset({name})
     closure = _closure(name, known, moving, state)
     familiar = [a.angle for e in cycle for a in e.arms]
-    state.take(state.recognised(closure, unknown, familiar), unknown, [])
+    closure = state.recognised(closure, unknown, familiar)
+    state.take(closure, unknown, [], "vector", points_around(cycle))
     return None
 
 

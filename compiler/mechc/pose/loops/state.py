@@ -9,7 +9,7 @@ from ...formula.walk import evaluate
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH
-from ..pose import ClosedLoop, Definition, Limit, Vector, turned_by
+from ..pose import ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
 from ..samples import Values, poses_nearby
 from ..terms import Terms
 from .continuation import given_rates
@@ -46,6 +46,7 @@ class State:
         self.rates = given_rates(terms.definitions, drive) if drive else {}
         self.limits: list[Limit] = []
         self.loops: list[ClosedLoop] = []
+        self.solved: list[SolvedLoop] = []
         self.values = poses_nearby(mechanism, terms.definitions)
         self.signed = frozenset({*_passing_zero(mechanism), *(r.length for r in self.rails)})
         named_items = (
@@ -98,8 +99,18 @@ class State:
                 found[name] = angle.evaluate(found)
         return found
 
-    def take(self, closure: Closure, unknown: Names, loops: Sequence[Vector]) -> None:
-        """Enter a closure for good, with the rates that the loops it closes give it."""
+    def take(
+        self,
+        closure: Closure,
+        unknown: Names,
+        loops: Sequence[Vector],
+        kind: LoopKind,
+        points: tuple[str, ...],
+    ) -> None:
+        """Enter a closure for good, with the rates that the loops it closes give it.
+
+        ``kind`` and ``points`` are those of the loop that it closes.
+        """
         moving = [turned_by(loop, closure.directions) for loop in loops]
         fresh = {d.name for d in closure.definitions} & frozenset().union(*map(mentioned, moving))
         self.rates |= loop_rates(moving, sorted(fresh), self.rates)
@@ -112,8 +123,17 @@ class State:
         for values in self.values:
             for name in settled:
                 values.pop(name, None)
+        turn = self._is_clockwise(points) if kind == "triangle" else None
+        names = tuple(d.name for d in closure.definitions)
+        self.solved.append(SolvedLoop(kind, points, names, turn))
         self.found.update(unknown)
         self.web.sought.difference_update(unknown)
+
+    def _is_clockwise(self, points: Sequence[str]) -> bool:
+        """Tell how three points lie at the default pose."""
+        places = self.web.places(points[0], self.base)
+        (_, _), (bx, by), (cx, cy) = (places[p] for p in points)
+        return bx * cy < by * cx
 
     def recognised(self, closure: Closure, unknown: Names, familiar: Iterable[Angle]) -> Closure:
         """Return a closure with each direction that is a familiar one written as that one.

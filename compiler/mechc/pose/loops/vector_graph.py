@@ -50,9 +50,14 @@ def _names(length: Product) -> Iterator[str]:
             yield from symbols(factor.formula())
 
 
+def points_around(cycle: Cycle) -> tuple[str, ...]:
+    """Return the points of a loop in order, each once: no origin, and none made up for a guide."""
+    return tuple(dict.fromkeys(e.tail for e in cycle if e.tail and "_" not in e.tail))
+
+
 def loop_name(cycle: Cycle) -> str:
     """Return a loop by its points: ``O1-A-B-O2``."""
-    return chained(e.tail for e in cycle)
+    return "-".join(points_around(cycle))
 
 
 def chained(points: Iterable[str]) -> str:

@@ -8,6 +8,7 @@ from ...algebra.sums import add, canonical
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ...friction.solution import Solution
+from ...frozen import replace
 from ...kinematics.forms import parting, projection, spin
 from ...kinematics.graph import Form, Kind, Relation
 from ...kinematics.graph import Rule as Law
@@ -21,6 +22,7 @@ from .forces import of_forces
 from .friction import of_friction
 from .notation import Named, Notation
 from .outputs import acting_on
+from .position import position_steps
 from .steps import Derivation, Equation, PowerTerm, Rule, Step
 
 Names = Mapping[int, Named]
@@ -33,7 +35,9 @@ def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
     steps = tuple(writer.steps())
     terms = tuple(writer.term(t) for t in balance.terms if any(t.power))
     explanations = (*of_forces(solution), *of_friction(solution))
-    return Derivation(steps, terms, tuple(writer.balances()), tuple(results), explanations)
+    derivation = Derivation(steps, terms, tuple(writer.balances()), tuple(results), explanations)
+    position = position_steps(balance.plan.graph.pose, derivation)
+    return replace(derivation, position=tuple(position))
 
 
 class _Writer:

@@ -13,6 +13,7 @@ from typing import NamedTuple
 from ...formula.tree import Formula
 from ...frozen import frozen
 from ...model.result import Definition
+from ...pose.pose import LoopKind
 from ...study.analysis import Analysis
 
 
@@ -51,6 +52,20 @@ class Rule(StrEnum):
     """The rate at which the distance of two points grows."""
     COMPONENT = "component"
     """The component of a point's velocity along the load that acts on it."""
+
+
+@frozen
+class PositionStep:
+    """What one loop gives of the position: directions and lengths, in order.
+
+    ``kind`` is how the loop is solved and ``points`` what it goes through (see
+    ``SolvedLoop``); ``definitions`` are those of its names that the derivation needs.
+    """
+
+    kind: LoopKind
+    points: tuple[str, ...]
+    is_clockwise: bool | None
+    definitions: tuple[Definition, ...]
 
 
 class Equation(NamedTuple):
@@ -197,7 +212,8 @@ class Explanation:
 class Derivation:
     """The velocity steps, the power equation (or several, at mobility m), the results.
 
-    ``accounts`` tell of results that need more than the power equation.
+    ``explanations`` tell of results that need more than the power equation, ``position`` how
+    what all of these mention follows from the loops.
     """
 
     steps: tuple[Step, ...]
@@ -205,3 +221,4 @@ class Derivation:
     balances: tuple[Equation, ...]
     results: tuple[Analysis, ...]
     explanations: tuple[Explanation, ...] = ()
+    position: tuple[PositionStep, ...] = ()

@@ -72,6 +72,22 @@ LOCALE = Locale(
     vector="Vector",
     length="Length or coordinates",
     direction="Direction",
+    position="Position",
+    loops={
+        "triangle": "Triangle {loop}, its vertices in {turn} order: its three sides are known, "
+        "the law of cosines gives its angles.",
+        "guide": "Loop {loop}: its projections across the guide and along it give a direction and"
+        " the place on the guide.",
+        "slot": "Loop {loop}: its projections across the line of the slot and along it give the "
+        "direction of that line and the place on it.",
+        "aligned": "Loop {loop}: the line of the slot has the direction of the vector between its"
+        " ends, the place on it is the length of that vector.",
+        "lengths": "Loop {loop}: its projections give two lengths.",
+        "vector": "The vector between points of {loop} that have their places.",
+        "system": "The loops through {all} close together; their equations are solved by "
+        "iteration.",
+    },
+    turns={"cw": "clockwise", "ccw": "counter-clockwise"},
     velocities="Velocities",
     magnitudes="Velocities are positive as the points and links move in the motion considered.",
     signed="Velocities along guides are positive in the guide's direction, angular velocities "

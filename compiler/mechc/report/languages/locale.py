@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from ...pose.pose import LoopKind
+
 
 class Locale(NamedTuple):
     """All words of a report in one language.
@@ -10,6 +12,8 @@ class Locale(NamedTuple):
     ``functions`` maps those functions to LaTeX that languages write differently, ``decimal``
     is the sign between units and tenths, ``phi`` the shape of that letter; ``cyrillic`` says
     that the words take other fonts.
+    ``loops`` maps each kind of loop to the sentence on how it gives the position, with ``{loop}``
+    for its points, ``{all}`` for the same one by one, ``{turn}`` for one of the ``turns``.
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
@@ -53,6 +57,9 @@ class Locale(NamedTuple):
     length: str
     direction: str
 
+    position: str
+    loops: Mapping[LoopKind, str]
+    turns: Mapping[str, str]
     velocities: str
     magnitudes: str
     signed: str

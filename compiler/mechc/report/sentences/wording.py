@@ -17,7 +17,7 @@ from ...formula.tree import (
     total,
 )
 from ...formula.walk import children, rebuild, symbols
-from ..derivation.steps import Equation, Step
+from ..derivation.steps import Equation, PositionStep, Step
 from ..languages.locale import Locale
 
 
@@ -31,6 +31,14 @@ def sentence(step: Step, locale: Locale, spell: Callable[[str], str]) -> str:
         all=enumeration((spell(s) for s in step.subject), locale),
         joined=spell(together),
     )
+
+
+def position_sentence(step: PositionStep, locale: Locale, spell: Callable[[str], str]) -> str:
+    """Return in words which loop gives what follows, and by which law."""
+    template = locale.loops[step.kind]
+    turn = locale.turns["cw" if step.is_clockwise else "ccw"]
+    loop = spell("".join(step.points))
+    return template.format(loop=loop, turn=turn, all=enumeration(map(spell, step.points), locale))
 
 
 def enumeration(items: Iterable[str], locale: Locale) -> str:

@@ -16,9 +16,9 @@ from ...units import ANGLE, in_unit
 from ..definitions import Solved, grouped
 from ..derivation.steps import Derivation, Step
 from ..languages.en import LOCALE
-from ..sections import Section, sections
+from ..sections import PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
-from ..sentences.wording import Sides, lines, sentence
+from ..sentences.wording import Sides, lines, position_sentence, sentence
 from .printer import ASCII, UNICODE, Signs, print_point, print_side
 
 WIDTH = 80
@@ -66,9 +66,11 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
     formula that has no place to break.
     """
     spell = speller(derivation, mechanism, unicode)
-    lines = [*_title(mechanism), *_velocities(derivation, spell), *_power(derivation, spell)]
+    whole = outline(derivation, mechanism)
+    lines = [*_title(mechanism), *_position(whole.position, spell)]
+    lines += [*_velocities(derivation, spell), *_power(derivation, spell)]
     before = ""
-    for section in sections(derivation, mechanism):
+    for section in whole.results:
         title = heading(section.results[0], LOCALE, spell) or LOCALE.results
         again = title == before == LOCALE.results
         lines += ["", *([] if again else [title]), *_section(section, spell)]
@@ -93,6 +95,25 @@ def speller(derivation: Derivation, mechanism: Mechanism, unicode: bool) -> Spel
 
 def _title(mechanism: Mechanism) -> list[str]:
     return [*_wrapped(mechanism.title or mechanism.name, ""), *_wrapped(mechanism.source, "")]
+
+
+def _position(position: Iterable[PositionSection], spell: Speller) -> Iterator[str]:
+    for number, section in enumerate(position, 1):
+        if number == 1:
+            yield from ("", LOCALE.position)
+        yield from _wrapped(position_sentence(section.step, LOCALE, spell.point), f"{number:>3}. ")
+        yield from _where(section.literals, section.where, spell, {})
+
+
+def _where(
+    literals: Iterable[Parameter],
+    where: Iterable[Definition],
+    spell: Speller,
+    units: Mapping[str, str],
+) -> Iterator[str]:
+    yield from map(spell.literal, literals)
+    for group in grouped(where):
+        yield from _group(group, spell, units)
 
 
 def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
@@ -126,9 +147,7 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
         yield from _result(result, spell, section.units)
     if section.where or section.literals:
         yield f"     {LOCALE.where}"
-        yield from map(spell.literal, section.literals)
-        for group in grouped(section.where):
-            yield from _group(group, spell, section.units)
+        yield from _where(section.literals, section.where, spell, section.units)
     if section.has_usual_g:
         yield f"{_DEEP}g = {float(GRAVITY.value)} m/s{'²' if spell.signs.fancy else '^2'}"
     for result in section.results:

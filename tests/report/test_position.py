@@ -1,0 +1,45 @@
+"""Position: every name of a closed loop is introduced before it is used, from the loop it is of."""
+
+import pytest
+
+from good_mechanisms import CLOSED, compiled
+from mechc.formula.walk import symbols
+from mechc.report.sections import outline
+
+
+def steps(name):
+    return compiled(name).derivation.position
+
+
+def test_a_four_bar_is_one_triangle_and_its_vertices_tell_the_assembly():
+    (step,) = steps("crank_rocker")
+    assert (step.kind, step.points, step.is_clockwise) == ("triangle", ("O2", "B", "A"), False)
+    assert [d.name for d in step.definitions] == ["len_AO2", "phi_AO2", "mu_B", "psi", "theta"]
+
+
+@pytest.mark.parametrize(
+    ("name", "kinds"),
+    [
+        ("whitworth", ["aligned", "guide"]),
+        ("jansen_leg", ["triangle"] * 5),
+        ("triad_closed", ["system"]),
+    ],
+)
+def test_each_loop_is_of_its_kind(name, kinds):
+    assert [step.kind for step in steps(name)] == kinds
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_a_name_stands_before_what_uses_it(name):
+    compilation = compiled(name)
+    found = {n for loop in compilation.pose.solved for n in loop.names}
+    whole = outline(compilation.derivation, compilation.mechanism)
+    met = set()
+    for section in whole.position:
+        met |= {d.name for d in section.where}
+        for definition in section.where:
+            assert symbols(definition.formula) & found <= met
+    for step in compilation.derivation.steps:
+        for equation in (*step.relations, *step.results):
+            assert symbols(equation.right) & found <= met
+    assert not met & {d.name for section in whole.results for d in section.where}
