@@ -1,6 +1,7 @@
 """A result as people read it, with what follows from it."""
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import Literal, NamedTuple
 
 from ..formula.tree import Formula
@@ -8,6 +9,7 @@ from ..frozen import fields, frozen, replace
 from ..model.locking import EfficiencyRange, Locking
 from ..model.mechanism import Require
 from ..model.result import FrictionResult, Result
+from ..units import Dimension
 
 
 class Vanishing(NamedTuple):
@@ -33,6 +35,13 @@ class Break(NamedTuple):
     factor: Formula
 
 
+class Slope(NamedTuple):
+    """A derivative in numbers, in SI."""
+
+    value: float
+    dimension: Dimension
+
+
 Trend = Literal[
     "rises", "falls", "rises between poles", "falls between poles", "constant", "turns", "unknown"
 ]
@@ -46,10 +55,10 @@ class Analysis(Result):
     ``proportional`` maps a parameter to the power in which the result is proportional to
     it; ``swaps`` are pairs that may be exchanged; ``trends`` say how it moves over each
     parameter's range (by a proof of the sign of the derivative, never by sampling);
-    ``derivatives`` are the partial ones. ``holds`` are the conditions of a result that is
-    printed for one case; ``inside`` are the names of its ``where`` that are coefficients of a
-    system. ``locking`` tells of a ratio with friction where nothing moves, ``courses`` of an
-    efficiency what it runs through.
+    ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
+    the conditions of a result that is printed for one case; ``inside`` are the names of its
+    ``where`` that are coefficients of a system. ``locking`` tells of a ratio with friction where
+    nothing moves, ``courses`` of an efficiency what it runs through.
     """
 
     zeros: tuple[Vanishing, ...] = ()
@@ -60,6 +69,7 @@ class Analysis(Result):
     swaps: tuple[tuple[str, str], ...] = ()
     trends: Mapping[str, Trend] | None = None
     derivatives: Mapping[str, Formula] | None = None
+    slopes: Mapping[str, Slope] = MappingProxyType({})
     holds: tuple[Require, ...] = ()
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None

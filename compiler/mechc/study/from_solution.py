@@ -3,6 +3,7 @@
 from collections.abc import Callable, Mapping
 from functools import cache, partial
 from itertools import combinations
+from math import isfinite
 from typing import TYPE_CHECKING
 
 from ..algebra.derivative import depends_openly, derivative
@@ -19,8 +20,8 @@ from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFr
 from ..model.result import Definition, Result
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
-from ..power.numbers import default_values
-from .analysis import Analysis, Trend, as_printed
+from ..power.numbers import DefaultNumbers
+from .analysis import Analysis, Slope, Trend, as_printed
 from .breaks import breaks
 from .trends import trend
 from .zeros import poles, zeros
@@ -37,8 +38,8 @@ Their number grows with the square of the parameters', and nobody reads them the
 
 def analyse(solution: Solution) -> tuple[Analysis, ...]:
     """Return the results with what follows from each."""
-    values, study = default_values(solution.plan), cache(partial(_study, solution))
-    return tuple(_concluded(item, solution, values, study) for item in solution.solved)
+    numbers, study = DefaultNumbers(solution.plan), cache(partial(_study, solution))
+    return tuple(_concluded(item, solution, numbers, study) for item in solution.solved)
 
 
 def _study(solution: Solution) -> "Study":
@@ -50,10 +51,10 @@ def _study(solution: Solution) -> "Study":
 def _concluded(
     item: Solved | SolvedWithFriction,
     solution: Solution,
-    values: Mapping[str, float],
+    numbers: DefaultNumbers,
     study: "Callable[[], Study]",
 ) -> Analysis:
-    balance = solution.balance
+    balance, values = solution.balance, numbers.values
     if isinstance(item, SolvedWithFriction) or item.value is None:
         return _with_friction(item.result, balance, study)
     pose = balance.plan.graph.pose
@@ -71,16 +72,28 @@ def _concluded(
     if len(names) > MANY or not depends_openly(item.value):
         return result
     if result.where:
-        return replace(result, derivatives=_along_the_stroke(item.value, pose))
+        return _sloping(result, _along_the_stroke(item.value, pose), mechanism, numbers)
     slopes = {name: derivative(item.value, name) for name in names}
     box = range_box(mechanism)
     trends: dict[str, Trend] = {name: trend(item.value, slopes[name], name, box) for name in names}
-    return replace(
-        result,
-        swaps=_swaps(result.formula, mechanism, names),
-        trends=trends,
-        derivatives={name: slope.formula() for name, slope in slopes.items()},
-    )
+    result = replace(result, swaps=_swaps(result.formula, mechanism, names), trends=trends)
+    partial_ones = {name: slope.formula() for name, slope in slopes.items()}
+    return _sloping(result, partial_ones, mechanism, numbers)
+
+
+def _sloping(
+    result: Analysis,
+    derivatives: Mapping[str, Formula] | None,
+    mechanism: Mechanism,
+    numbers: DefaultNumbers,
+) -> Analysis:
+    """Return a result with its derivatives and what they come to at the default pose."""
+    slopes: dict[str, Slope] = {}
+    for name, formula in (derivatives or {}).items():
+        size = numbers.of(replace(result, formula=formula)).number
+        if size is not None and isfinite(size):
+            slopes[name] = Slope(size, result.dimension.over(mechanism.parameter(name).dimension))
+    return replace(result, derivatives=derivatives, slopes=slopes)
 
 
 def _with_friction(result: Result, balance: Balance, study: "Callable[[], Study]") -> Analysis:

@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
+from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition
@@ -25,6 +26,10 @@ from .quantity import decimal, measured, unit_symbol
 
 _WIDE = 9.0
 """Em beyond which a left side is no mere name or ratio of speeds."""
+
+
+LONGEST_DERIVATIVE = 60
+"""A derivative of more operations than this is given by its value."""
 
 
 class ParagraphBlock(NamedTuple):
@@ -188,10 +193,16 @@ def _derivatives(result: Analysis, locale: Locale, style: Notation) -> str:
     symbol = latex(asked(result), style)
     lines = tuple(
         Line(_slope(symbol, parameter, style, total=bool(result.where)), formula)
-        for parameter, formula in (result.derivatives or {}).items()
-        if formula != ZERO
+        for parameter, formula in _short_derivatives(result)
     )
     return display(lines, style, locale.where) if lines else ""
+
+
+def _short_derivatives(result: Analysis) -> Iterator[tuple[str, Formula]]:
+    """Yield the derivatives that a person would write down; of others the value is given."""
+    for parameter, formula in (result.derivatives or {}).items():
+        if formula != ZERO and count_operations(formula) <= LONGEST_DERIVATIVE:
+            yield parameter, formula
 
 
 def _slope(symbol: str, parameter: str, style: Notation, total: bool) -> Box:
@@ -232,8 +243,19 @@ class Speller(NamedTuple):
 
 
 def numbers(results: Iterable[Analysis], locale: Locale, style: Notation) -> tuple[str, ...]:
-    """Return the results at the default pose."""
-    return tuple(shown for r in results if (shown := _number(r, locale, style)))
+    """Return the results at the default pose, and those of their derivatives that are long."""
+    shown: list[str] = []
+    for result in results:
+        shown += [_number(result, locale, style), *_slopes(result, locale, style)]
+    return tuple(filter(None, shown))
+
+
+def _slopes(result: Analysis, locale: Locale, style: Notation) -> Iterator[str]:
+    symbol, short = latex(asked(result), style), dict(_short_derivatives(result))
+    for parameter, (value, dimension) in result.slopes.items():
+        if parameter not in short and (result.derivatives or {})[parameter] != ZERO:
+            left = _slope(symbol, parameter, style, total=bool(result.where)).tex
+            yield f"${left}={measured(value, dimension, locale, style)}$"
 
 
 def _number(result: Analysis, locale: Locale, style: Notation) -> str:
