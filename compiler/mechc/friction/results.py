@@ -299,7 +299,6 @@ class FrictionResults:
             ideal.dimension,
             named.formula,
             self._where(ideal, named.formula, (*sums, *named.where)),
-            ideal.coefficients,
             guards=tuple(Require(c, ">", ZERO, find.span) for c in named.positive),
             elsewhere=elsewhere,
             case=self._case_of(find, ideal, named.case) if named.case else None,

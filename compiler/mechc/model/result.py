@@ -28,7 +28,8 @@ class Result:
     """One ``find`` (or ``let``), solved, as code takes it.
 
     ``formula`` is the whole result; for a load found as a linear form (``find P``)
-    ``coefficients`` gives the factor of every other load and ``formula`` their sum.
+    ``coefficients`` gives the factor of every other load and ``formula`` their sum; a result
+    with friction is none.
     ``target`` is None for a let. At the default pose it has the value ``default``, if any; it
     is ``undetermined`` where it is 0/0 there. ``guards`` are conditions without which the
     formula has no meaning; ``elsewhere`` is the result that takes its place where one of them

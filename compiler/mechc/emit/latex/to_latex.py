@@ -133,7 +133,7 @@ def _style(compiled: Compiled, style: Notation) -> Notation:
             if is_angle(definition.formula, angles):
                 angles.add(definition.name)
     known = replace(style, angles=frozenset(angles))
-    known.sums.take(_names(compiled))
+    known.made.take(_names(compiled))
     known = replace(known, spellings=spellings(_names(compiled), known))
     forces = {
         called(r): of_force(r.name, force, known)

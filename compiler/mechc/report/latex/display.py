@@ -39,15 +39,15 @@ class _Display:
     """The names that one display uses, of which those made up in it are defined below it."""
 
     def __init__(self, style: Notation, shown: Iterable[Formula]) -> None:
-        self._sums = style.sums
-        self._sums.take(name for formula in shown for name in symbols(formula))
+        self._names = style.made
+        self._names.take(name for formula in shown for name in symbols(formula))
         self.made: list[tuple[Formula, Symbol]] = []
 
     def name(self, formula: Formula) -> Symbol:
         """Return the name of a sum, a new one when it has none."""
-        known = self._sums.known(formula)
+        known = self._names.known(formula)
         if known is None:
-            known = self._sums.fresh(formula)
+            known = self._names.of_sum(formula)
             self.made.append((formula, known))
         return known
 

@@ -5,10 +5,10 @@ ctg and a decimal comma; φ is ``\phi`` in the first and ``\varphi`` in the othe
 """
 
 from collections.abc import Iterable, Mapping
-from itertools import count
+from itertools import chain, count
 from types import MappingProxyType
 
-from ...formula.names import GREEK, Point, split_name, split_points
+from ...formula.names import GREEK, Name, Point, split_name, split_points
 from ...formula.tree import Formula, Symbol
 from ...frozen import frozen
 from ...model.mechanism import Reaction
@@ -30,25 +30,36 @@ _COMMON = {
 }
 
 
-class SumNames:
-    """The names ``Z_1``, ``Z_2`` … made up for long sums of one document, each with one meaning."""
+class MadeNames:
+    """The names made up for long formulas of one document, each with one meaning.
+
+    ``Z1`` and ``Z_1`` are one name on paper, so that either keeps the other from being made up.
+    """
 
     def __init__(self) -> None:
         self._names: dict[Formula, Symbol] = {}
-        self._taken: set[str] = set()
+        self._taken: set[Name] = set()
 
     def take(self, names: Iterable[str]) -> None:
         """Keep names that mean something already from being made up."""
-        self._taken.update(names)
+        self._taken.update(map(split_name, names))
 
     def known(self, formula: Formula) -> Symbol | None:
-        """Return the name that a sum has got, if any."""
+        """Return the name that a formula has got, if any."""
         return self._names.get(formula)
 
-    def fresh(self, formula: Formula) -> Symbol:
-        """Return a new name for a sum."""
-        name = next(n for i in count(1) if (n := f"Z_{i}") not in self._taken)
-        self._taken.add(name)
+    def of_sum(self, formula: Formula) -> Symbol:
+        """Return a new name ``Z_1``, ``Z_2`` … for a sum."""
+        return self._fresh(formula, (f"Z_{i}" for i in count(1)))
+
+    def of_coefficient(self, formula: Formula, load: str) -> Symbol:
+        """Return a new name ``c_F``, ``c_F_2`` … for the coefficient of a load F."""
+        own = f"c_{load}"
+        return self._fresh(formula, chain([own], (f"{own}_{i}" for i in count(2))))
+
+    def _fresh(self, formula: Formula, names: Iterable[str]) -> Symbol:
+        name = next(n for n in names if split_name(n) not in self._taken)
+        self.take([name])
         return self._names.setdefault(formula, Symbol(name))
 
 
@@ -56,14 +67,14 @@ class SumNames:
 class Notation:
     """How functions, decimals and names are written, and which names are angles.
 
-    ``sums`` are the names made up in the document that is written by this notation;
+    ``made`` are the names made up in the document that is written by this notation;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`).
     """
 
     functions: Mapping[str, str]
     decimal: str
     phi: str
-    sums: SumNames
+    made: MadeNames
     angles: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
 
@@ -71,7 +82,7 @@ class Notation:
 def notation(language: str) -> Notation:
     """Return the notation of a language's books, for one document."""
     known = locale(language)
-    return Notation({**_COMMON, **known.functions}, known.decimal, known.phi, SumNames())
+    return Notation({**_COMMON, **known.functions}, known.decimal, known.phi, MadeNames())
 
 
 def name(symbol: str, style: Notation) -> str:

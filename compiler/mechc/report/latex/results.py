@@ -146,11 +146,16 @@ def _as_form(
     left: Box, coefficients: Mapping[str, Formula], locale: Locale, style: Notation
 ) -> tuple[str, ...]:
     """Return a long linear form with a name for the coefficient of every load."""
-    named = {load: Symbol(f"c_{load}") for load in coefficients}
-    form = total(product([(named[load], 1), (Symbol(load), 1)]) for load in coefficients)
-    lines = tuple(Line(box(named[load], style), f) for load, f in coefficients.items())
-    first = display((Line(left, form),), style, locale.where, boxed=True)
-    return first, locale.where, display(lines, style, locale.where)
+    made: list[Line] = []
+    terms = []
+    for load, formula in coefficients.items():
+        named = style.made.known(formula)
+        if named is None:
+            named = style.made.of_coefficient(formula, load)
+            made.append(Line(box(named, style), formula))
+        terms.append(product([(named, 1), (Symbol(load), 1)]))
+    first = display((Line(left, total(terms)),), style, locale.where, boxed=True)
+    return (first, locale.where, display(tuple(made), style, locale.where)) if made else (first,)
 
 
 def _where(
