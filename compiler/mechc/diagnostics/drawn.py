@@ -140,3 +140,26 @@ def drawn_elsewhere(at: Span, point: str, place: str, gap: str) -> Message:
     """
     message = f"{point} is drawn {gap} from where the rest puts it, which is {place}"
     return Message(at, message, "correct the place, or what is given besides")
+
+
+@coded("E516")
+def wheels_alone_lead(at: Span, body: str, wheels: str) -> Message:
+    """A link or a slider moves only through wheels, and how far they have turned is not known.
+
+    Where the drive turns a wheel, what it leads follows from where it is drawn, along the
+    whole stroke. Behind a loop of rods the turn of a wheel is no formula of the drive yet::
+
+        drive OA from 30 deg to 80 deg       # OA, AB and QB are a four-bar linkage
+        gear Q 20 mm, C 50 mm                # wrong: nothing says where CD is
+
+    With a name for the direction that the loop gives, the link's own can be written::
+
+        param psi: angle
+        QB = @ psi
+        CD = @ 30 deg - 20/50*(psi - 80 deg)
+    """
+    return Message(
+        at,
+        f"only {wheels} leads {body}, by a motion that is no formula of the drive",
+        f"give the place of {body} by a formula of what leads it",
+    )

@@ -21,6 +21,7 @@ from .doubts import directions
 from .drawn_checks import faults
 from .driving import drawn_value, fault_of, is_outside, with_driven, with_value
 from .entries import mentioned
+from .geared import Train, with_named_sizes
 from .mechanism import (
     Along,
     Arrow,
@@ -61,7 +62,7 @@ def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
             raise report.fail(undriven)
         mechanism = with_driven(mechanism, drive, drive.ends, sketch.unit)
     is_given = _is_given(mechanism, sketch)
-    drawn = _closing(mechanism, sketch) if is_given else _as_drawn(mechanism, sketch)
+    drawn = _closing(mechanism, sketch, report) if is_given else _as_drawn(mechanism, sketch)
     parameters = (*drawn.parameters, *sketch.parameters.values())
     return replace(drawn, parameters=_in_range(parameters, drive, report))
 
@@ -130,9 +131,9 @@ def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
 # ------------------------------------------------------------------- by closing the loops
 
 
-def _closing(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
+def _closing(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
     """Return the mechanism with the shapes of its bodies as drawn, for loops to close."""
-    mechanism = _through_places(mechanism, sketch)
+    mechanism = with_named_sizes(_through_places(mechanism, sketch), sketch)
     geometry = list(mechanism.geometry)
     for link in mechanism.links:
         _shape(link, geometry, sketch)
@@ -142,7 +143,7 @@ def _closing(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     for telescope in mechanism.telescopes:
         if frozenset(telescope.points) not in known and sketch.has_all(telescope.points):
             geometry.append(Arrow(*telescope.points, None, None, telescope.span))
-    return _with_coordinates(replace(mechanism, geometry=tuple(geometry)), sketch)
+    return _with_coordinates(replace(mechanism, geometry=tuple(geometry)), sketch, report)
 
 
 def _through_places(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
@@ -201,12 +202,12 @@ def _lay_out(slide: Slide, geometry: list[Geometry], sketch: Sketch) -> None:
             geometry.append(Offset(hub, point, *sketch.offset(hub, point), sketch.span(point)))
 
 
-def _with_coordinates(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
+def _with_coordinates(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
     """Return the mechanism with all that moves it standing as drawn.
 
     The drive has its value of the drawing, where it has none. Where all pins are drawn, so
-    has a parameter that no loop gives one, and a link that neither a loop nor a drive turns
-    has the direction of the drawing.
+    has a parameter that no loop gives one; what wheels alone lead moves as they do, and a
+    link that nothing turns has the direction of the drawing. Reports E516.
     """
     waiting = {p.name: p for p in mechanism.parameters if p.value is None}
     held = Independent(_held(mechanism, waiting, sketch))
@@ -220,8 +221,23 @@ def _with_coordinates(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
             if value is not None and ((moved and is_whole) or name == drive):
                 found[name] = with_value(waiting[name], value)
     parameters = tuple(found.get(p.name, p) for p in mechanism.parameters)
-    standing = _standing(mechanism, held, sketch) if is_whole else ()
-    return replace(mechanism, parameters=parameters, geometry=(*mechanism.geometry, *standing))
+    found_all = replace(mechanism, parameters=parameters)
+    if not is_whole:
+        return found_all
+    standing = (*_led(found_all, held, sketch, report), *_standing(mechanism, held, sketch))
+    return replace(found_all, geometry=(*mechanism.geometry, *standing))
+
+
+def _led(
+    mechanism: Mechanism, held: Independent, sketch: Sketch, report: Report
+) -> Iterator[Geometry]:
+    """Yield where links and sliders are that wheels alone lead, as the drive moves."""
+    if mechanism.drive is None:
+        return
+    values = Chain(dependent(mechanism)).complete(defaults(mechanism))
+    train = Train(mechanism, sketch, values)
+    yield from train.followers(held)
+    train.check(held, report)
 
 
 def _pins(mechanism: Mechanism) -> frozenset[str]:
@@ -257,3 +273,7 @@ def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Ite
     for entry in mechanism.geometry:
         if mentioned(entry).isdisjoint(waiting):
             yield from rows_of(entry, sketch)
+        elif isinstance(entry, Arrow) and entry.length and entry.direction:
+            parts = (replace(entry, direction=None), replace(entry, length=None))
+            given = (part for part in parts if mentioned(part).isdisjoint(waiting))
+            yield from (row for part in given for row in rows_of(part, sketch))

@@ -27,16 +27,22 @@ class Independent:
 
     def takes(self, row: Row) -> bool:
         """Take a row in; False where it follows from those before it."""
-        size = _size(row)
+        rest = self._left(row)
+        if rest:
+            self._basis.append(combined({}, rest, 1 / _size(rest)))
+        return rest is not None
+
+    def lacks(self, row: Row) -> bool:
+        """Tell whether a row does not follow from those so far."""
+        return self._left(row) is not None
+
+    def _left(self, row: Row) -> Row | None:
+        """Return what a row adds to those so far, None where that is nothing."""
         rest = row
         for _ in range(2):  # the second time takes away what rounding left
             for known in self._basis:
                 rest = combined(rest, known, -_product(rest, known))
-        left = _size(rest)
-        if not left > ROUNDED * size:
-            return False
-        self._basis.append(combined({}, rest, 1 / left))
-        return True
+        return rest if _size(rest) > ROUNDED * _size(row) else None
 
 
 def combined(row: Row, other: Row, factor: float) -> Row:

@@ -12,7 +12,7 @@ from typing import NamedTuple
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..algebra.sums import add
-from ..formula.tree import Call, Formula, Symbol, degrees, total
+from ..formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, total
 from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH, Dimension, in_unit
@@ -36,6 +36,9 @@ class Place(NamedTuple):
     at: tuple[float, float]
     span: Span
 
+
+ORIGIN = Place(ZERO, ZERO, (0.0, 0.0), Span(0, 0))
+"""Where the ground's coordinates begin; its name is empty."""
 
 Components = tuple[Product, Product]
 
@@ -151,6 +154,19 @@ class Sketch:
             angle = self._named(f"phi_{tail}{head}", value, ANGLE, "deg", head)
         return Absolute(angle, self.span(head))
 
+    def start(self, tail: str, head: str) -> Formula:
+        """Return the drawn direction between two points that turn on: ``phi_AB_0``."""
+        x, y = self._components(tail, head)
+        angle = self._axis(x, y)
+        if angle is not None:
+            return angle
+        value = Call("atan2", (y.formula(), x.formula()))
+        return self._named(f"phi_{tail}{head}_0", value, ANGLE, "deg", head)
+
+    def length_called(self, name: str, value: Number, point: str) -> Formula:
+        """Return a length of a joint at a drawn point under a name."""
+        return self._named(name, value, LENGTH, self.unit, point)
+
     def vector(self, tail: str, head: str) -> tuple[Formula, Absolute]:
         """Return the length and direction between two points with numbers for coordinates.
 
@@ -193,7 +209,7 @@ class Sketch:
         self._place(point, moved[0], moved[1], self.span(point))
 
     def _components(self, tail: str, head: str) -> Components:
-        start, end = self.places[tail], self.places[head]
+        start, end = self.places[tail] if tail else ORIGIN, self.places[head]
         x = add([to_product(end.x), -to_product(start.x)])
         return x, add([to_product(end.y), -to_product(start.y)])
 

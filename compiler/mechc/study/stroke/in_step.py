@@ -6,25 +6,13 @@ formula has the drive in it. All links must turn along the stroke as the velocit
 
 import math
 from collections.abc import Iterator, Mapping
-from typing import assert_never
 
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
 from ...kinematics.plan import Plan
-from ...model.mechanism import (
-    Contact,
-    Force,
-    ForcePair,
-    Link,
-    Mechanism,
-    Pivot,
-    Rack,
-    Screw,
-    Slider,
-    Slot,
-    WheelPair,
-)
+from ...model.mechanism import Link
+from ...model.standing import direction_matters
 from ...pose.pose import Pose, Vector, evaluate_vector
 from .along import Along
 
@@ -64,7 +52,7 @@ def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
     if not demanded or not demanded.get(leader):
         return
     pace = drawn[leader] / demanded[leader]
-    for link in filter(lambda link: _matters(link, pose.mechanism), pose.mechanism.links):
+    for link in filter(lambda link: direction_matters(link, pose.mechanism), pose.mechanism.links):
         here, there = drawn[link.name], demanded[link.name] * pace
         if demanded[link.name] != doubled[link.name]:
             # Its length is open: only whether it turns is known.
@@ -139,30 +127,3 @@ def _leader(pose: Pose, drawn: Rates) -> str:
         and any(drive.parameter in dict(a.angle.terms) for v in frame.values() for a in v)
     ]
     return max(cranks or drawn, key=lambda name: abs(drawn[name]), default="")
-
-
-def _matters(link: Link, mechanism: Mechanism) -> bool:
-    """Tell whether anything but a couple is at a link, so that its direction tells."""
-    pins = set(link.points) - mechanism.fixed
-    return not pins.isdisjoint(_at_work(link, mechanism))
-
-
-def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
-    """Yield the points at which something other than the link is."""
-    for body in mechanism.bodies:
-        yield from body.points if body is not link else ()
-    for joint in mechanism.joints:
-        match joint:
-            case Slider(point):
-                yield point
-            case Slot(point, _, tail, head) | Contact(point, _, tail, head):
-                yield from (point, tail, head)
-            case Pivot() | WheelPair() | Rack() | Screw():
-                pass
-            case _:
-                assert_never(joint)
-    for load in mechanism.loads:
-        if isinstance(load, ForcePair):
-            yield from (load.first, load.second)
-        elif isinstance(load, Force):
-            yield load.point

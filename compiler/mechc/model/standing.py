@@ -1,0 +1,53 @@
+"""Whether it matters for the forces where a link stands, or how far a slider has moved."""
+
+from collections.abc import Iterator
+from typing import assert_never
+
+from .mechanism import (
+    Contact,
+    Force,
+    ForcePair,
+    Link,
+    Mechanism,
+    Pivot,
+    Rack,
+    Screw,
+    Slider,
+    Slot,
+    WheelPair,
+)
+
+
+def direction_matters(link: Link, mechanism: Mechanism) -> bool:
+    """Tell whether anything but a couple is at a link, so that its direction tells."""
+    pins = set(link.points) - mechanism.fixed
+    return not pins.isdisjoint(_at_work(link, mechanism))
+
+
+def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
+    """Yield the points at which something other than the link is."""
+    for body in mechanism.bodies:
+        yield from body.points if body is not link else ()
+    for joint in mechanism.joints:
+        match joint:
+            case Slider(point):
+                yield point
+            case Slot(point, _, tail, head) | Contact(point, _, tail, head):
+                yield from (point, tail, head)
+            case Pivot() | WheelPair() | Rack() | Screw():
+                pass
+            case _:
+                assert_never(joint)
+    for load in mechanism.loads:
+        if isinstance(load, ForcePair):
+            yield from (load.first, load.second)
+        elif isinstance(load, Force):
+            yield load.point
+
+
+def place_matters(point: str, mechanism: Mechanism) -> bool:
+    """Tell whether a guided point, or the body that slides with it, leads any other body."""
+    slides = mechanism.slides_at(point)
+    points = {point}.union(*(slide.points for slide in slides))
+    others = (body for body in mechanism.bodies if body not in slides)
+    return any(not points.isdisjoint(body.points) for body in others)
