@@ -31,6 +31,19 @@ torque M on OA
 torque T on QB
 find k = M/T
 """,
+    "crank_and_slide": """
+pivot O at (0 mm, 0 mm)
+slide WX along x
+link OA
+link AX
+W at (100 mm, 0 mm)
+X at (80 mm, 10 mm)
+A at (10 mm, 20 mm)
+drive OA from 20 deg to 80 deg
+torque M on OA
+force F at W along -x
+find k = M/F
+""",
     "slider_crank": """
 pivot O at (0 mm, 0 mm)
 slider B along x

@@ -4,6 +4,7 @@ import math
 from collections.abc import Iterator
 
 from ..figure.figure import Figure, Link, Pivot, Slide, Slider, Telescope
+from ..formula.names import split_points
 from ..pose.places import NOWHERE, Plane
 from . import symbols
 from .bodies import bars_at, link, slide
@@ -88,9 +89,10 @@ def _draw_mirror(sheet: Sheet, paper: Paper) -> None:
 
 
 def _write_points(sheet: Sheet, paper: Paper) -> None:
-    """Write the names of the points."""
+    """Write the names of the points; one that only says where a guide lies has none."""
     pinned = {p.point for p in paper.figure.parts if isinstance(p, Pivot | Slider)}
-    for point in sorted(paper.figure.points, key=lambda point: point not in pinned):
+    named = filter(split_points, paper.figure.points)
+    for point in sorted(named, key=lambda point: point not in pinned):
         towards = _away(paper, point)
         at = paper.at(point)
         sheet.name(Around(at, name(point), SYMBOL, towards, symbols.PIN))

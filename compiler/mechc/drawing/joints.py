@@ -45,8 +45,9 @@ def joint(paper: Paper, part: Part) -> Layered:
             yield from _in(Layer.JOINTS, symbols.pivot(paper.at(part.point), part.ground))
         case Slider():
             yield Layer.AXES, line(*paper.ends(part.guide), AXIS)
-            yield from _in(Layer.GROUND, symbols.guide(paper.at(part.point), part.along))
-            yield Layer.JOINTS, symbols.block(paper.at(part.point), part.along)
+            if not _on_slide(paper, part.point):
+                yield from _in(Layer.GROUND, symbols.guide(paper.at(part.point), part.along))
+                yield Layer.JOINTS, symbols.block(paper.at(part.point), part.along)
         case Slot():
             ends = paper.ends(part.groove)
             yield Layer.JOINTS, symbols.groove_floor(*ends)
@@ -75,7 +76,7 @@ def _arc_slot(paper: Paper, part: ArcSlot) -> Layered:
     middle = pin.minus(centre).angle
     groove = symbols.arc_groove(centre, part.radius * paper.scale, middle)
     ends = [groove.at(0.0), groove.at(1.0)]
-    body = [paper.at(point) for point in _link(paper, part.body).points]
+    body = [paper.at(point) for point in _body(paper, part.body).points]
     arm = min(((p, e) for p in body for e in ends), key=lambda pair: math.dist(*pair))
     yield Layer.AXES, line(centre, pin, AXIS)
     yield Layer.BODIES, line(*arm, BODY)
@@ -104,7 +105,7 @@ def _rack(paper: Paper, part: Rack) -> Iterator[Shape]:
 
 def _screw(paper: Paper, part: Screw) -> Layered:
     """Yield nut and thread, and the shaft from the link that turns it, if that is on the axis."""
-    at, link = paper.at(part.point), _link(paper, part.link)
+    at, link = paper.at(part.point), _body(paper, part.link)
     places = [paper.at(point) for point in link.points]
     ends = [*paper.ends(part.axis), *(p for p in places if _on_axis(p, at, part.along))]
     ends.sort(key=part.along.dot)
@@ -113,8 +114,13 @@ def _screw(paper: Paper, part: Screw) -> Layered:
     yield Layer.JOINTS, symbols.nut(at, part.along)
 
 
-def _link(paper: Paper, name: str) -> Link:
-    return next(p for p in paper.figure.parts if isinstance(p, Link) and p.name == name)
+def _body(paper: Paper, name: str) -> Link | Slide:
+    return next(p for p in paper.figure.parts if isinstance(p, Link | Slide) and p.name == name)
+
+
+def _on_slide(paper: Paper, point: str) -> bool:
+    """Tell whether a point is one of a slide, whose guide is drawn by itself."""
+    return any(isinstance(part, Slide) and point in part.points for part in paper.figure.parts)
 
 
 def _on_axis(place: Plane, at: Plane, along: Plane) -> bool:
@@ -129,6 +135,8 @@ def pins(paper: Paper) -> Iterator[Shape]:
         match part:
             case Link() | Slide() | Telescope():
                 count.update(part.points)
+            case Slider() if _on_slide(paper, part.point):
+                pass
             case Pivot() | Slider() | Slot() | ArcSlot():
                 count[part.point] += 2
             case Contact():

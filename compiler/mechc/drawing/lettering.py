@@ -4,6 +4,7 @@ import re
 from collections.abc import Iterator
 
 from ..formula.names import GREEK, split_name, split_points
+from ..units import LENGTH, UNITS
 from .drawing import Run
 
 SIZE = 3.9
@@ -12,11 +13,12 @@ SIZE = 3.9
 SMALL = 0.7
 """The size of an index to that of its letter."""
 
-_TOKEN = re.compile(r"\s*([A-Za-z][A-Za-z0-9_']*|[0-9.]+|\S)")
+_TOKEN = re.compile(r"\s*([A-Za-zµμ][A-Za-z0-9_']*|[0-9.]+|\S)")
 _OF_ONE = re.compile(r"(\b(?:sin|cos|tan|cot|sec|csc))\((?=[A-Za-z])([A-Za-z0-9_']+)\)")
 _THIN, _MINUS = "\u2009", "−"
 _SIGNS = {"*": _THIN, "~": _THIN, "-": _MINUS, ",": ", "}
-_UNITS = {"deg": "°", "mm": f"{_THIN}mm", "m": f"{_THIN}m"}
+_UNITS = {unit: f"{_THIN}{unit}" for unit, u in UNITS.items() if u.dimension == LENGTH}
+_UNITS["deg"] = "°"
 _FUNCTIONS = frozenset(
     [
         "sin",

@@ -8,7 +8,8 @@ from ..algebra.angle import RADIAN, Angle
 from ..algebra.from_formula import to_angle
 from ..formula.to_text import text
 from ..formula.tree import Formula, Sum, Symbol, number, product, total
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import constants, evaluate, symbols
+from ..model.entries import unit_of_drawing
 from ..model.mechanism import (
     Absolute,
     Arrow,
@@ -22,6 +23,7 @@ from ..model.mechanism import (
     Turn,
 )
 from ..pose.places import Plane
+from ..units import in_unit
 from .figure import AngleMark, Dimension, Measure
 from .parts import Half
 
@@ -96,7 +98,7 @@ def _distance(
     ends = half.point(start), half.point(head)
     if value < 0:
         formula, along = product([(number(-1), 1), (formula, 1)]), along.times(-1)
-    yield Dimension(*ends, along, _length(formula), abs(value))
+    yield Dimension(*ends, along, _length(formula, half), abs(value))
 
 
 def _origin(half: Half) -> str:
@@ -109,22 +111,30 @@ def _origin(half: Half) -> str:
     return ""
 
 
-def _length(formula: Formula) -> str:
-    """Return a length's formula, its plain numbers in millimetres."""
+def _length(formula: Formula, half: Half) -> str:
+    """Return a length's formula, its plain numbers in the unit that they are written in."""
+    mechanism = half.ways.pose.mechanism
     if not symbols(formula):
-        return f"{1000 * evaluate(formula, {}):.6g} mm"
+        return in_unit(evaluate(formula, {}), _unit(formula, mechanism), 6)
     if isinstance(formula, Sum):
-        return text(total(map(_with_unit, formula.terms)))
+        return text(total(_with_unit(term, mechanism) for term in formula.terms))
     return text(formula)
 
 
-def _with_unit(term: Formula) -> Formula:
+def _with_unit(term: Formula, mechanism: Mechanism) -> Formula:
     """Return a term that is printed with its unit."""
     if symbols(term):
         return term
     value = evaluate(term, {})
-    size = Symbol(f"{abs(1000 * value):.6g} mm")
+    size = Symbol(in_unit(abs(value), _unit(term, mechanism), 6))
     return size if value > 0 else product([(number(-1), 1), (size, 1)])
+
+
+def _unit(formula: Formula, mechanism: Mechanism) -> str:
+    """Return the unit in which the numbers of a formula are written, or else lengths are."""
+    names = {constant.name for constant in constants([formula])}
+    own = (literal.unit for literal in mechanism.literals if literal.name in names)
+    return next((unit for unit in own if unit), unit_of_drawing(mechanism) or "mm")
 
 
 def _angle(vertex: str, line: Direction, half: Half) -> Iterator[AngleMark]:

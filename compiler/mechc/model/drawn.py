@@ -149,7 +149,7 @@ def _closing(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
 def _through_places(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     """Let guides that have no place pass through where their points are drawn."""
     pivots, offsets, joints = list[Pivot](), list[Geometry](), list[Joint]()
-    for joint in mechanism.joints:
+    for joint in (*mechanism.joints, *_guides_of_slides(mechanism, sketch)):
         if isinstance(joint, Slider) and not joint.through and joint.point in sketch.places:
             name, span = f"{joint.point}_0", sketch.span(joint.point)
             place = sketch.places[joint.point]
@@ -159,6 +159,15 @@ def _through_places(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
         joints.append(joint)
     geometry = (*mechanism.geometry, *offsets)
     return replace(mechanism, joints=(*pivots, *joints), geometry=geometry)
+
+
+def _guides_of_slides(mechanism: Mechanism, sketch: Sketch) -> Iterator[Slider]:
+    """Yield a guide for each drawn slide of which no slider tells where its guide lies."""
+    guided = {slider.point for slider in mechanism.each(Slider)}
+    for slide in mechanism.slides:
+        drawn = next((p for p in slide.points if p in sketch.places), None)
+        if drawn and guided.isdisjoint(slide.points):
+            yield Slider(drawn, slide.along, slide.span)
 
 
 def _shape(link: Link, geometry: list[Geometry], sketch: Sketch) -> None:
