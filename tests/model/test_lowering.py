@@ -165,6 +165,28 @@ def test_the_rod_knows_its_slot():
     assert (rod.arc.link, rod.arc.centre) == ("DCE", "C")
 
 
+GROOVED_SLIDE = """
+pivot O at (0 mm, 0 mm)
+slide WX along x
+link OA
+slot A in WX about X radius 50 mm
+W at (0 mm, 40 mm)
+X at (80 mm, 60 mm)
+A at (50 mm, 20 mm)
+torque M on OA
+force F at W along -x
+find k = M/F
+find N_XA
+"""
+
+
+def test_a_circular_slot_in_a_slide():
+    # N along (-3, -4)/5 holds F along x; at A the moment of its reaction is that of M.
+    found = mechc.loads(GROOVED_SLIDE).evaluate(F=1.0)
+    assert found["N_XA"] == pytest.approx(-1 / 0.6, rel=1e-12)
+    assert found["k"] == pytest.approx(0.05 * 4 / 3 - 0.02, rel=1e-12)
+
+
 def test_a_spread_load_does_what_forces_at_its_ends_do():
     spread = mechc.loads(BEAM.format(loads=SPREAD)).evaluate()
     ends = mechc.loads(BEAM.format(loads=AT_ENDS)).evaluate()

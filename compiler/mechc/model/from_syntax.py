@@ -101,7 +101,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
         geometry=(*places, *fixed_places, *guide_places, *geometry),
         drawn=tuple(drawn),
     )
-    return with_arcs(built, read_arcs(file, scope), scope)
+    return with_arcs(built, read_arcs(file, slides, scope), scope)
 
 
 def _under_loads(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:

@@ -10,7 +10,7 @@ from ..units import LENGTH, UNITS
 from .constants import last_digit, leaves
 from .directions import read_direction, read_place, value_of
 from .mechanism import Drawn, Geometry, Joint, Link, Offset, Pivot, Slider
-from .points import Points
+from .points import CircularSlot, Points
 from .scope import Scope
 from .statements import every
 
@@ -31,14 +31,18 @@ def declare_points(file: ast.File, points: Points) -> None:
             case ast.Slide(points=name):
                 _add_slide(name, points)
             case ast.Telescope(points=name):
-                points.used.update(points.declare(name) or ())
+                carried = points.declare(name) or ()
+                points.used.update(carried)
+                points.telescopes[frozenset(carried)] = name
             case ast.Slot(point=name) | ast.Contact(point=name):
                 points.touching[name.text] += 1
                 if isinstance(statement, ast.Slot) and statement.about:
-                    points.arcs[name.text] = statement.about.text
+                    points.arcs[name.text] = CircularSlot(statement.line, statement.about)
             case ast.Link(points=name, label=label):
                 _add_link(name, label, points)
     _check_joints(file, points)
+    for arc in points.arcs.values():
+        points.known(arc.about)
 
 
 def _add_link(name: ast.Name, label: str, points: Points) -> None:

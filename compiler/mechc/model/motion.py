@@ -33,7 +33,8 @@ def read_drive(file: ast.File, scope: Scope) -> Drive | None:
     entry = scope.entries.get(name.text)
     if entry is None or entry.kind != "parameter":
         if not ends:
-            scope.unknown(name.span, name.text, scope.names({"parameter"}))
+            hint = messages.driven_by_points(name.text) if points_of(name.text) else ""
+            scope.unknown(name.span, name.text, scope.names({"parameter"}), hint)
         return None
     scope.used.add(name.text)
     low = _end(statement.low, name, scope)

@@ -3,6 +3,7 @@
 from collections import Counter
 from collections.abc import Collection, Iterable
 from itertools import accumulate, pairwise
+from typing import NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics.model import joints
@@ -13,14 +14,21 @@ from ..syntax.vocabulary import points_of
 from .mechanism import Link
 
 
+class CircularSlot(NamedTuple):
+    """The line that names the body with a circular slot, and the centre of the circle."""
+
+    line: ast.Name
+    about: ast.Name
+
+
 class Points:
     """The points of one description, filled while its joints are read.
 
     ``places`` tells where each point was first named; ``carried`` the links through it,
-    ``bodies`` the link through a set of points, ``slides`` the name of a slide through one;
-    ``fixed`` and ``guided`` hold the pivots and the sliders; ``touching`` counts the slots
-    and contacts of a point, ``arcs`` tells the centre of a pin's circular slot, ``used`` counts
-    what acts at a point or asks for it.
+    ``bodies`` the link through a set of points, ``slides`` and ``telescopes`` the names of
+    those; ``fixed`` and ``guided`` hold the pivots and the sliders; ``touching`` counts the
+    slots and contacts of a point, ``arcs`` tells a pin's circular slot, ``used`` counts what
+    acts at a point or asks for it.
     """
 
     def __init__(self, report: Report) -> None:
@@ -30,10 +38,11 @@ class Points:
         self.links: dict[str, Link] = {}
         self.bodies: dict[frozenset[str], Link] = {}
         self.slides: dict[frozenset[str], ast.Name] = {}
+        self.telescopes: dict[frozenset[str], ast.Name] = {}
         self.fixed: set[str] = set()
         self.guided: set[str] = set()
         self.touching: Counter[str] = Counter()
-        self.arcs: dict[str, str] = {}
+        self.arcs: dict[str, CircularSlot] = {}
         self.used: Counter[str] = Counter()
         self._strange: set[str] = set()
 
@@ -93,12 +102,21 @@ class Points:
                 self.report.add(messages.ambiguous_link(name.span, name.text, candidates))
         return None
 
+    def centre(self, pin: str) -> str | None:
+        """Return the centre of a pin's circular slot, None where it is no point of its body."""
+        arc = self.arcs[pin]
+        named = {*points_of(arc.line.text), arc.about.text}
+        bodies = (*self.bodies, *self.slides)
+        return arc.about.text if any(named <= own for own in bodies) else None
+
     def _report_no_link(self, name: ast.Name, points: Collection[str]) -> None:
         slide = next((s for own, s in self.slides.items() if own.issuperset(points)), None)
-        if slide is None:
-            self.report.add(messages.unknown_link(name.span, name.text, self.links))
-        else:
+        if slide is not None:
             self.report.add(joints.slide_does_not_turn(name.span, slide.text, slide.span))
+            return
+        is_telescope = frozenset(points) in self.telescopes
+        hint = messages.telescope_as_link(name.text) if is_telescope else ""
+        self.report.add(messages.unknown_link(name.span, name.text, self.links, hint))
 
     def _through(self, points: Iterable[str]) -> list[Link]:
         first, *rest = points

@@ -69,9 +69,10 @@ def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -
 
 def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
     ends = scope.points.split(name) or ()
-    for pin, centre in scope.points.arcs.items():
-        if set(ends) == {pin, centre}:
-            return Axial(f"{centre}{pin}", ends[0], ends[1])
+    rods = [link for link in scope.points.links.values() if {*link.points} == {*ends}]
+    pin = next((p for p in ends if p in scope.points.arcs), None)
+    if pin and not rods:
+        return _in_arc(symbol, pin, ends, scope)
     link = scope.points.link(name)
     if link is None:
         return None
@@ -80,6 +81,17 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
         scope.report.add(messages.not_a_rod(symbol.span, link.name, len(link.points)))
         return None
     return Axial(link.name, tail, head)
+
+
+def _in_arc(symbol: ast.Symbol, pin: str, ends: tuple[str, ...], scope: Scope) -> Target | None:
+    """Return the force between a pin and the centre of its circular slot."""
+    centre = scope.points.centre(pin)
+    if centre is None:
+        return None  # what is wrong is reported at the slot
+    if set(ends) != {pin, centre}:
+        scope.report.add(normal_of_arc(symbol.span, pin, centre))
+        return None
+    return Axial(f"{centre}{pin}", ends[0], ends[1])
 
 
 def check_rods(mechanism: Mechanism, scope: Scope) -> None:
@@ -104,7 +116,8 @@ def _normal(symbol: ast.Symbol, point: str, scope: Scope) -> Target | None:
         scope.report.add(messages.several_touch(symbol.span, point))
         return None
     if point in scope.points.arcs:
-        scope.report.add(normal_of_arc(symbol.span, point, scope.points.arcs[point]))
+        if centre := scope.points.centre(point):
+            scope.report.add(normal_of_arc(symbol.span, point, centre))
         return None
     sliding = {p for points in scope.points.slides for p in points}
     if point not in scope.points.guided | scope.points.touching.keys() | sliding:

@@ -70,6 +70,15 @@ EXPECTED = TIE._replace(wanted="parameters and loads", plain=False, feeds=False,
 FORMULA = Usage(frozenset({"parameter", "let", "load", "result"}), "a quantity", False, False)
 
 
+AXES = {
+    **dict.fromkeys(("down", "downwards", "downward", "bottom"), "-y"),
+    **dict.fromkeys(("up", "upwards", "upward", "vertical", "vertically"), "y"),
+    **dict.fromkeys(("left", "leftwards"), "-x"),
+    **dict.fromkeys(("right", "rightwards", "horizontal", "horizontally"), "x"),
+}
+"""What people call the directions of the axes."""
+
+
 class Scope:
     """The names of one description, filled while it is read.
 
@@ -151,6 +160,8 @@ class Scope:
         hint = messages.vector_as_quantity(symbol.name, usage.posed) if vector else ""
         if symbol.name.lower() in ("inf", "infinity", "nan"):
             hint = "a value is a number, and finite"
+        if symbol.name.lower() in AXES:
+            hint = messages.axis_in_words(symbol.name, AXES[symbol.name.lower()])
         self.unknown(symbol.span, symbol.name, self._offered(usage), hint)
 
     def unknown(self, span: Span, name: str, offered: list[str], hint: str = "") -> None:

@@ -117,15 +117,15 @@ def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> Slot | 
     return Slot(point, body.name, tail, head, statement.span)
 
 
-def read_arcs(file: ast.File, scope: Scope) -> list[tuple[str, ArcSlot]]:
+def read_arcs(file: ast.File, slides: Sequence[Slide], scope: Scope) -> list[tuple[str, ArcSlot]]:
     """Return the circular slots with the pins in them."""
-    return list(found(_arc(s, scope) for s in every(file, ast.Slot)))
+    return list(found(_arc(s, slides, scope) for s in every(file, ast.Slot)))
 
 
-def _arc(statement: ast.Slot, scope: Scope) -> tuple[str, ArcSlot] | None:
+def _arc(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> tuple[str, ArcSlot] | None:
     if statement.about is None or statement.radius is None:
         return None
-    held = _on_line(statement.point, statement.line, (), scope)
+    held = _on_line(statement.point, statement.line, slides, scope)
     centre, radius = scope.points.acting(statement.about), _radius(statement.radius, scope)
     if held is None or not centre or radius is None:
         return None

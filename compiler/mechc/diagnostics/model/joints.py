@@ -193,6 +193,11 @@ def drive_depends(at: Span, name: str) -> Message:
     )
 
 
+def driven_by_points(name: str) -> str:
+    """Return the hint at a drive that names a point or a load."""
+    return f"{name} is no parameter; a link is driven by its points: drive OA from …"
+
+
 @coded("E291")
 def slides_in_itself(at: Span, point: str, body: str) -> Message:
     """A pin slides along a body that it belongs to, so it cannot move there.

@@ -54,6 +54,11 @@ def vector_as_quantity(vector: str, posed: bool) -> str:
     return f"{vector} is a direction by itself only; {angle_from_vector()}"
 
 
+def axis_in_words(word: str, axis: str) -> str:
+    """Return the hint at a direction in everyday words."""
+    return f"{word} is written {axis}; a direction is an angle, x, -x, y, -y, or AB"
+
+
 def angle_from_vector() -> str:
     """Return the hint at a direction that is not free to be added to."""
     return "an angle from a vector is given by `angle ABC = …`"
@@ -75,7 +80,7 @@ def unknown_point(span: Span, point: str, known: Collection[str]) -> Message:
 
 
 @coded("E203")
-def unknown_link(span: Span, points: str, known: Collection[str]) -> Message:
+def unknown_link(span: Span, points: str, known: Collection[str], hint: str = "") -> Message:
     """Points are named as a link, but no one link carries them all.
 
     A link is named by two or more of its points in any order.
@@ -85,8 +90,13 @@ def unknown_link(span: Span, points: str, known: Collection[str]) -> Message:
         torque M on OB     # wrong: O and B are on different links
         torque M on OA     # right: the link OAH
     """
-    hint = offered(points, known, "links")
+    hint = hint or offered(points, known, "links")
     return Message(span, f"no link carries the points {points} together", hint)
+
+
+def telescope_as_link(points: str) -> str:
+    """Return the hint at a telescope that is named where a rigid body is wanted."""
+    return f"{points} is a telescope of two parts: loads and slots are on rigid links"
 
 
 @coded("E204")
