@@ -8,6 +8,7 @@ from mechc.source import Source, Span
 from mechc.syntax import ast, from_dsl, from_yaml
 from mechc.syntax.grammar import statement_words
 from mechc.syntax.notation import read
+from mechc.syntax.written import WRITTEN
 from notations import CONSTRUCTS, WHOLE_MECH, WHOLE_YAML
 
 
@@ -31,6 +32,15 @@ def test_both_notations_give_one_tree(line, entry):
 def test_every_statement_word_is_among_them():
     words = {line.split()[0] for text, _ in CONSTRUCTS for line in text.splitlines()}
     assert set(statement_words()) <= words
+
+
+@pytest.mark.parametrize("line", WRITTEN.values())
+def test_hints_show_how_a_statement_is_written(line):
+    assert len(tree(line).statements) == 1
+
+
+def test_every_statement_word_has_an_example():
+    assert set(statement_words()) == {name.split()[0] for name in WRITTEN}
 
 
 def test_every_node_is_among_them():

@@ -152,7 +152,7 @@ def missing_equals(span: Span, found: str) -> Message:
 
 
 @coded("E110")
-def not_a_point(span: Span, text: str, expected: str) -> Message:
+def not_a_point(span: Span, text: str, expected: str, hint: str = "") -> Message:
     """A point's name was expected.
 
     A point is a capital letter with optional digits or primes: A, B2, O1, K'. A link is
@@ -161,8 +161,8 @@ def not_a_point(span: Span, text: str, expected: str) -> Message:
         pivot o                  # wrong
         pivot O                  # right
     """
-    hint = "a point is a capital letter with optional digits or primes: A, B2, K'"
-    return Message(span, f"found '{text}', expected {expected}", hint)
+    rule = "a point is a capital letter with optional digits or primes: A, B2, K'"
+    return Message(span, f"found '{text}', expected {expected}", hint or rule)
 
 
 @coded("E111")

@@ -67,14 +67,16 @@ def wrong_shape(span: Span, found: str, expected: str, hint: str = "") -> Messag
 
 
 @coded("E125")
-def unknown_key(span: Span, key: str, place: str, allowed: Iterable[str]) -> Message:
+def unknown_key(
+    span: Span, key: str, place: str, allowed: Iterable[str], hint: str = ""
+) -> Message:
     """A key that this place does not have.
 
     forces: {P: {on: A, along: 0 deg}}   # wrong
     forces: {P: {at: A, along: 0 deg}}   # right
     """
     allowed = list(allowed)
-    hint = near_miss(key, allowed) or f"allowed here: {', '.join(allowed)}"
+    hint = near_miss(key, allowed) or hint or f"allowed here: {', '.join(allowed)}"
     return Message(span, f"unknown key '{key}' in {place}", hint)
 
 

@@ -12,7 +12,7 @@ from . import ast, limits
 from .fault import Fault
 from .lalr import Token
 from .spans import span_of
-from .vocabulary import CONSTANTS, FUNCTIONS, TWINS, counted, points_of, split_quantity
+from .vocabulary import CONSTANTS, FUNCTIONS, TWINS, apart, counted, points_of, split_quantity
 
 Signed = tuple[int, ast.Expr]
 
@@ -181,7 +181,7 @@ def point_name(kind: str, text: str, span: Span) -> ast.Name:
     least, most, expected = COUNTED[kind]
     found = len(points_of(text))
     if not found:
-        raise Fault(syntax.not_a_point(span, text, expected))
+        raise Fault(syntax.not_a_point(span, text, expected, apart(text, kind == "point")))
     if found < least or (most and found > most):
         raise Fault(syntax.wrong_point_count(span, text, found, expected))
     return ast.Name(text, span)

@@ -12,7 +12,7 @@ from typing import Any
 from ..diagnostics import Report, syntax_yaml
 from ..frozen import replace
 from ..source import Source, Span
-from . import ast
+from . import ast, yaml_slips
 from .fault import Fault, check_length, note
 from .layout import BESIDE, BY_NAME
 from .once import check_once
@@ -54,7 +54,9 @@ def read_root(root: Node, report: Report) -> Iterator[ast.Statement]:
             yield from read_section(BY_NAME[name.text], name, value, root, report)
         elif name.text not in BESIDE:
             allowed = [*BY_NAME, *BESIDE]
-            note(syntax_yaml.unknown_key(name.span, name.text, "the description", allowed), report)
+            hint = yaml_slips.of_key(name.text, allowed)
+            place = "the description"
+            note(syntax_yaml.unknown_key(name.span, name.text, place, allowed, hint), report)
         elif BESIDE[name.text].name not in {key.text for key, _ in root.entries}:
             lacking = [BESIDE[name.text].name]
             note(syntax_yaml.missing_key(name.span, lacking, f"'{name.text}'"), report)
@@ -107,10 +109,9 @@ def items(section: Section, name: Scalar, value: Node, report: Report) -> Iterat
         case ((Shape.LISTED | Shape.EITHER), Scalar()):
             yield None, value
         case _:
-            note(
-                syntax_yaml.wrong_shape(value.span, described(value), expected_shape(section)),
-                report,
-            )
+            hint = yaml_slips.of_shape(value.text) if isinstance(value, Scalar) else ""
+            expected = expected_shape(section)
+            note(syntax_yaml.wrong_shape(value.span, described(value), expected, hint), report)
 
 
 def expected_shape(section: Section) -> str:
@@ -133,7 +134,8 @@ def bare_items(listed: tuple[Node, ...], report: Report) -> Iterator[Item]:
             case Scalar(span=span):
                 yield item, Scalar("", Span(span.end, span.end))
             case Listing():
-                note(syntax_yaml.wrong_shape(item.span, "a list", "a name"), report)
+                hint = "the points of a link are written together: [OA, AB]"
+                note(syntax_yaml.wrong_shape(item.span, "a list", "a name", hint), report)
 
 
 def whole(entries: tuple[tuple[Scalar, Node], ...], report: Report) -> Iterator[Item]:

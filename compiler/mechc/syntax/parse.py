@@ -11,13 +11,15 @@ from .lalr import END, Refused, Token
 from .spans import span_of
 from .tokens import check
 from .vocabulary import points_of
+from .written import example
 
 NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DRIVE", "MECHANISM"})
 """After these words a name is given."""
 
 OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
 
-PLACED = "the place of a point is written A at (20 mm, 35 mm)"
+PLACE = "the place of a point is written {} at (20 mm, 35 mm)"
+PLACED = PLACE.format("A")
 
 SAID_OTHERWISE = {
     "/": "a comment begins with '#'",
@@ -57,7 +59,7 @@ def parse(line: Sequence[Token], start: Start, end: int) -> object:
     """
     line = with_names(line, start)
     check(line)
-    if start == "statement" and line[0].type == "NAME" and not points_of(line[0]):
+    if start == "statement" and line[0].type == "NAME" and not may_begin(line):
         raise Fault(unknown_statement(line))
     at = reading(start)
     for position, token in enumerate(line):
@@ -70,6 +72,12 @@ def parse(line: Sequence[Token], start: Start, end: int) -> object:
         return at.feed(Token(END, "", end, end))
     except Refused:
         raise Fault(unfinished(line, allowed_after(line, start), end, start)) from None
+
+
+def may_begin(line: Sequence[Token]) -> bool:
+    """Tell whether a line may begin with this name: a point's at its place, or a vector's."""
+    points = points_of(line[0])
+    return len(points) > 1 or (len(points) == 1 and line[1:2] != ["="])
 
 
 def allowed_after(tokens: Sequence[Token], start: Start) -> set[str]:
@@ -113,13 +121,16 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
     span, text = span_of(token), str(token)
     if start == "statement" and begins_wrongly(line, position):
         return unknown_statement(line)
-    if before is not None and before.type in NAMING and text in keywords():
+    lacks_name = allowed == {"NAME"} and text in keywords() and slips.lacks_name(line, position)
+    if before is not None and before.type in NAMING and text in keywords() and not lacks_name:
         return syntax.reserved_word(span, text)
     if token.type == "RIGHT" and "RIGHT" not in allowed and before and before.type != "LEFT":
         return syntax.unclosed_bracket(span, ")")
     if line[0].type in ("PARAM", "LET") and position == 2 and token.type in OPERAND:
         return syntax.missing_equals(span, described(token))
-    hint = slips.hint_for(line, position, allowed)
+    if start != "statement" and (hint := slips.in_scalar(token, allowed)):
+        return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
+    hint = example(line, allowed) if lacks_name else slips.hint_for(line, position, allowed)
     return syntax.unexpected_text(span, described(token), expected_words(allowed), hint)
 
 
@@ -131,18 +142,31 @@ def begins_wrongly(line: Sequence[Token], position: int) -> bool:
 def unknown_statement(line: Sequence[Token]) -> Diagnostic:
     """Return the error about a line whose first word begins no statement."""
     word = str(line[0])
-    assigned = len(line) > 1 and line[1].type == "EQUAL"
-    hint = f"a parameter is declared: param {word} = …" if assigned else ""
-    if assigned and word[:2].isupper():
-        hint = "points are capital letters with digits, as in OB1 = …; for a parameter write param"
-    if len(points_of(word)) == 1 or (len(word) == 1 and line[1:2] and line[1] == "at"):
-        hint = f"the place of a point is written {word.upper()} at (20 mm, 35 mm)"
+    hint = meant_by_assignment(line) if line[1:2] == ["="] else ""
+    if len(points_of(word)) == 1 and not hint:
+        hint = PLACE.format(word)
+    if len(word) == 1 and line[1:2] == ["at"]:
+        hint = PLACE.format(word.upper())
     if len(points_of(word)) > 1:
         hint = f"a vector is written {word} = length @ direction"
     if word.lower() in statement_words():
         hint = f"did you mean {word.lower()!r}?"
     hint = SAID_OTHERWISE.get(word.lower(), hint)
     return syntax.unknown_statement(span_of(line[0]), word, statement_words(), hint)
+
+
+def meant_by_assignment(line: Sequence[Token]) -> str:
+    """Return a hint at a line ``a = …``: a place, a result, the value of a load or parameter."""
+    word, is_point = str(line[0]), len(points_of(line[0])) == 1
+    if is_point and line[2:3] == ["("]:
+        return PLACE.format(word)
+    if any(len(points_of(token)) == 1 for token in line[2:] if token.type == "NAME"):
+        return f"a result is asked for: find {word} = …; a formula is a let"
+    if is_point:
+        return f"a load has its value by a let: let {word} = …; a parameter is declared by param"
+    if word[:2].isupper():
+        return "points are capital letters with digits, as in OB1 = …; for a parameter write param"
+    return f"a parameter is declared: param {word} = …"
 
 
 def described(token: Token) -> str:

@@ -3,10 +3,12 @@
 from collections.abc import Sequence
 
 from ..diagnostics import near_miss
+from ..units import UNITS
 from .grammar import keywords, spelling
 from .lalr import Token
 from .spans import span_of
 from .vocabulary import FUNCTIONS, NAME, RANGE, TWINS, split_quantity
+from .written import example, words_behind
 
 ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these."""
@@ -27,25 +29,57 @@ STATED = {
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""
 
-WRITTEN = {
-    "DRIVE": "a stroke is written: drive phi from 10 deg to 80 deg",
+PARTED = "a ',' stands between two values"
+
+ONE_EACH = frozenset({"PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE", "PARAM", "LET"})
+"""A statement with one of these words is about one thing, and has no comma outside brackets."""
+
+CHOICES = {
     "ASSEMBLY": "ccw is counter-clockwise, cw clockwise; along a guide it is forward or back",
 }
-"""How a statement is written, whatever does not fit in it."""
+"""Words of which a statement takes one, whatever does not fit in it."""
+
+
+SCALARS = {
+    "in": "a range is a key of its own: {value: 200 mm, range: 100 mm .. 300 mm}",
+    "as": "a label is a key of its own: {value: 200 mm, label: arm}",
+    "about": "in YAML 'about' is a key of its own",
+    "along": "a direction stands without the word: K: 90 deg",
+    "at": "in YAML 'at' is a key of its own, and a place a list: {O: [0 mm, 0 mm]}",
+    "through": "in YAML 'through' is a key of its own: {along: y, through: O}",
+}
+"""What words of the line notation are in YAML."""
+
+COORDINATES = "coordinates are a list: [0 mm, 0 mm]"
+
+
+def in_scalar(token: Token, allowed: set[str]) -> str:
+    """Return a hint at what only lines have, in a value of YAML."""
+    if token == "," and "AT_SIGN" in allowed:
+        return f"{COORDINATES}; a direction stands behind '@'"
+    return SCALARS.get(token, "")
 
 
 def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     """Return a hint for the slips that are made most, '' where it is none of them."""
     token, before = line[position], line[position - 1] if position else None
     return (
-        _of_list(token, line[0])
+        _of_decimals(line, position)
+        or _of_list(token, line[0])
         or STATED.get((line[0].type, str(token)), "")
         or _of_name(line, position)
+        or _of_vector(line, position, allowed)
         or _of_neighbours(token, before, allowed)
         or _of_sign(token, before, allowed)
-        or _of_vector(line, position, allowed)
-        or WRITTEN.get(line[0].type, "")
+        or CHOICES.get(line[0].type, "")
+        or example(line, allowed)
     )
+
+
+def lacks_name(line: Sequence[Token], position: int) -> bool:
+    """Tell whether a statement goes on where its name is missing: ``force at K along y``."""
+    following = line[position + 1] if position + 1 < len(line) else ""
+    return str(line[position]) in words_behind(line) and following != "="
 
 
 def unfinished(line: Sequence[Token], allowed: set[str]) -> str:
@@ -55,7 +89,9 @@ def unfinished(line: Sequence[Token], allowed: set[str]) -> str:
         return f"the '{last}' has no right side"
     if last == "@":
         return "a direction stands behind '@', as in OA = a @ 30 deg"
-    return RANGE if ".." in {spelling().get(name) for name in allowed} else ""
+    if ".." in {spelling().get(name) for name in allowed}:
+        return RANGE
+    return example(line, allowed)
 
 
 def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
@@ -63,11 +99,27 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     token, before = str(line[position]), str(line[position - 1]) if position else ""
     if "AT_SIGN" in allowed and token in (",", "<", "at"):
         return "a direction stands behind '@', as in OA = a @ 30 deg"
+    if token in UNITS and "(" in map(str, line[:position]):
+        return f"each value has its unit: (20 {token}, 35 {token})"
     if before == "at" and allowed == {"LEFT"}:
         return "a place stands in brackets: (0 mm, 0 mm)"
-    if line[0].type == "FIND" and token == "=":
+    is_named_last = line[position].type == "NAME" and "/" in map(str, line[:position])
+    if line[0].type == "FIND" and (token == "=" or is_named_last):
         return "the name stands first, as in find k = P/F"
     return ""
+
+
+def _of_decimals(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a comma that does not fit, where one stands in a number."""
+    triples = zip(line, line[1:], line[2:], strict=False)
+    is_decimal = line[position] == "," and any(_is_decimal_comma(*triple) for triple in triples)
+    return "decimals are written with a point" if is_decimal else ""
+
+
+def _is_decimal_comma(whole: Token, comma: Token, part: Token) -> bool:
+    """Tell whether a comma without a space stands in a number: ``8,25 in``."""
+    glued = span_of(whole).end == span_of(comma).start < span_of(comma).end == span_of(part).start
+    return glued and comma == "," and whole.isdecimal() and part[:1].isdecimal()
 
 
 def _of_list(token: Token, first: Token) -> str:
@@ -78,7 +130,7 @@ def _of_list(token: Token, first: Token) -> str:
         return "a load at a point is a force: force F at A along x"
     if first.type == "TELESCOPE" and token.type == "STRING":
         return "a telescope has no title: say it in a comment, behind '#'"
-    listed = token == "," and first.type in ("PIVOT", "SLIDER", "LINK", "SLIDE", "TELESCOPE")
+    listed = token == "," and first.type in ONE_EACH
     return f"each {first} has a line of its own" if listed else ""
 
 
@@ -99,6 +151,8 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
     if token.type == "NUMBER" and before is not None and before.type == "NUMBER":
         if split_quantity(before)[1] == "in":
             return RANGE
+        if split_quantity(before)[1]:
+            return PARTED if "COMMA" in allowed else ""
         return "digits stand together, as in 1200 mm"
     if text == previous and text in DOUBLED:
         return DOUBLED[text]
@@ -112,6 +166,8 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
     if token.type == "NAME" and (hint := near_miss(text, words)):
         return hint
     if token.type in ("NAME", "LEFT") and before is not None and before.type in ENDS:
+        if before.type == "NUMBER" and split_quantity(before)[1] and "COMMA" in allowed:
+            return PARTED
         return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""
     return ""
 
@@ -119,8 +175,6 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
 def _of_sign(token: Token, before: Token | None, allowed: set[str]) -> str:
     """Return a hint where a sign or a word of the language means something else here."""
     text, previous = str(token), str(before or "")
-    if text == "," and previous.isdecimal() and "RIGHT" not in allowed:
-        return "decimals are written with a point"
     if text == "+-":
         return "a tolerance belongs to a param or an expect; a difference is written a - b"
     if previous + text == "+/":

@@ -190,7 +190,11 @@ def check_unit(number: Token, behind: Token) -> None:
     if behind.type == "NAME":
         plain = [name for name in UNITS if name.isalpha()]
         meant = unit_meant(behind)
+        if unit not in ("", "in") and not meant and behind not in UNITS:
+            return  # the number has its unit, so that this is no other
         hint = f"did you mean {meant!r}?" if meant else RANGE if unit == "in" else ""
+        if unit and behind in UNITS:
+            hint = f"a compound unit has no spaces, as in {unit}*{behind}"
         raise Fault(syntax.unknown_unit(span_of(behind), str(behind), plain, hint))
     if unit and behind.type == "CIRCUMFLEX" and span_of(number).end == span_of(behind).start:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)

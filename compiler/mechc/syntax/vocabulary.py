@@ -86,3 +86,22 @@ def counted(arity: Arity) -> str:
     """
     words = "1 argument" if arity.least == 1 else f"{arity.least} arguments"
     return words if arity.most is not None else f"{words} or more"
+
+
+ROOM = " \t,;–-"
+"""What may stand between points that are to be written together."""
+
+
+def apart(text: str, one_each: bool = False) -> str:
+    """Return a hint at points that are not written together, or not in a list.
+
+    >>> apart("O B"), apart("OB, BK"), apart("O at (0, 0)")
+    ('points are written together: OB', 'a list stands in brackets: [OB, BK]', '')
+    """
+    parts = [part for part in re.split(f"[{ROOM}]+", text) if part]
+    counts = [len(points_of(part)) for part in parts]
+    if len(parts) < 2 or not all(counts):
+        return ""
+    if max(counts) == 1 and not one_each:
+        return f"points are written together: {''.join(parts)}"
+    return f"a list stands in brackets: [{', '.join(parts)}]"

@@ -3,10 +3,10 @@
 from collections.abc import Iterable, Iterator
 from typing import Any
 
-from ..diagnostics import syntax, syntax_yaml
+from ..diagnostics import Diagnostic, syntax, syntax_yaml
 from ..frozen import fields
 from ..source import Source, Span
-from . import ast
+from . import ast, yaml_slips
 from .fault import Fault
 from .sections import Entry, Key, Kind, Section, Shape
 from .vocabulary import points_of
@@ -67,7 +67,7 @@ def by_keys(section: Section, value: Mapping, where: str) -> list[Chosen]:
     allowed = [key.name for entry in section.entries for key in entry.keys]
     for name, _ in value.entries:
         if name.text not in allowed:
-            raise Fault(syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", allowed))
+            raise Fault(unknown_key(name, where, allowed))
         owner = next(e for e in section.entries if name.text in {key.name for key in e.keys})
         if owner not in present:
             lacking = [owner.keys[0].name]
@@ -75,6 +75,12 @@ def by_keys(section: Section, value: Mapping, where: str) -> list[Chosen]:
     if not present:
         raise Fault(syntax_yaml.missing_key(value.span, [section.entries[0].keys[0].name], where))
     return [(entry, owned(entry, value.entries)) for entry in present]
+
+
+def unknown_key(name: Scalar, where: str, allowed: Iterable[str]) -> Diagnostic:
+    """Return the error about a key that an entry does not have."""
+    hint = yaml_slips.of_key(name.text, allowed)
+    return syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", allowed, hint)
 
 
 def owned(entry: Entry, pairs: Iterable[Pair]) -> list[Pair]:
@@ -125,7 +131,9 @@ def refused(entry: Entry, value: Node) -> dict[str, Any]:
     """Refuse a plain value where only a mapping has a meaning."""
     keys = ", ".join(key.name for key in entry.keys)
     expected = f"a mapping with {keys}" if keys else "nothing behind it"
-    raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected))
+    wanted = ", ".join(f"{key.name}: …" for key in entry.keys if key.required)
+    hint = f"write {{{wanted}}}" if wanted else ""
+    raise Fault(syntax_yaml.wrong_shape(value.span, described(value), expected, hint))
 
 
 def mapping_fields(
@@ -141,7 +149,7 @@ def mapping_fields(
         elif spare and points_of(name.text):
             fields |= other_fields(spare.pop(0), name, value, source)
         else:
-            raise Fault(syntax_yaml.unknown_key(name.span, name.text, f"'{where}'", known))
+            raise Fault(unknown_key(name, where, known))
     check_keys(entry, {name.text for name, _ in pairs}, spare, span, where)
     return fields
 

@@ -4,7 +4,6 @@ PyYAML's events are read, not its objects: they keep positions, duplicate keys a
 text of every scalar. Depth and number are counted while reading, before any recursion.
 """
 
-import re
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -13,13 +12,8 @@ import yaml
 from ..diagnostics import Diagnostic, MechcError, Report, syntax_limits, syntax_yaml
 from ..frozen import frozen
 from ..source import Span
-from . import limits
+from . import limits, yaml_slips
 from .fault import check_characters, note
-
-GLUED = re.compile(
-    r"^\s*(?:- )?([A-Za-z][\w']*):([^\s/:'\"][^:\n]*?)\s*(?:\n[^\n]*)?\Z", re.MULTILINE
-)
-"""A key and its value with no space behind the colon, in the last two lines of a text."""
 
 
 @frozen
@@ -97,7 +91,9 @@ def events(report: Report) -> Iterator[yaml.Event]:
         mark = error.problem_mark or error.context_mark
         at = mark.index if mark else 0
         problem = (error.problem or "").replace("'<stream end>'", "the end of the text")
-        raise report.fail(not_yaml(at, problem, report.source.text)) from None
+        in_brackets = error.context is not None and " flow " in error.context
+        opened = error.context_mark.index if in_brackets and error.context_mark else None
+        raise report.fail(not_yaml(at, problem, report.source.text, opened)) from None
     except yaml.reader.ReaderError as error:
         character = report.source.text[error.position : error.position + 1]
         problem = f"the character {character!r} is not allowed"
@@ -107,22 +103,11 @@ def events(report: Report) -> Iterator[yaml.Event]:
         raise report.fail(not_yaml(0, "an escape or a directive is out of range", "")) from None
 
 
-def not_yaml(at: int, problem: str, text: str) -> Diagnostic:
+def not_yaml(at: int, problem: str, text: str, opened: int | None = None) -> Diagnostic:
     """Return the error about text that is no YAML, with a hint for the known habits."""
-    found = text[at : at + 1]
-    hint = ""
-    if found == "@":
-        hint = "a value cannot begin with '@': write {angle: …}"
-    elif found == "`" or found == "%":
-        hint = f"a value that begins with {found} needs quotes"
-    elif found == "\t":
-        hint = "YAML is indented with spaces"
-    elif slip := GLUED.search(text[:at]):
-        at = slip.start(1)
-        hint = f"a colon needs a space behind it: {slip[1]}: {slip[2]}"
-    elif "mapping values" in problem:
-        hint = "a text with ': ' inside needs quotes"
-    return syntax_yaml.not_yaml(Span(at, min(at + 1, len(text)) if text else at), problem, hint)
+    slip = yaml_slips.of_text(text, at, problem, opened)
+    span = Span(slip.at, min(slip.at + 1, len(text)) if text else slip.at)
+    return syntax_yaml.not_yaml(span, problem, slip.hint)
 
 
 def refuse_foreign(event: yaml.Event, report: Report) -> None:

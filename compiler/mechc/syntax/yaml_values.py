@@ -5,7 +5,7 @@ from typing import Any
 
 from ..diagnostics import Diagnostic, syntax, syntax_yaml
 from ..source import Source, Span
-from . import ast, expressions
+from . import ast, expressions, slips, yaml_slips
 from . import parse as parser
 from .fault import Fault
 from .grammar import Start, keywords
@@ -89,7 +89,9 @@ def polar(node: Table, entries: Mapping[str, tuple[Scalar, Node]], source: Sourc
     """Read ``{length: l, angle: alpha}``, either alone."""
     for name, (key, _) in entries.items():
         if name not in ("length", "angle"):
-            raise Fault(syntax_yaml.unknown_key(key.span, name, "a vector", ["length", "angle"]))
+            allowed = ["length", "angle"]
+            hint = yaml_slips.of_key(name, allowed)
+            raise Fault(syntax_yaml.unknown_key(key.span, name, "a vector", allowed, hint))
     if not entries:
         raise Fault(syntax_yaml.missing_key(node.span, ["length", "angle"], "the vector"))
     length = expression(entries["length"][1], source)[0] if "length" in entries else None
@@ -107,7 +109,8 @@ def cartesian(node: Node, source: Source) -> Fields:
             value = parsed("vector", "[x, y]", node, source)
             if isinstance(value, ast.Cartesian):
                 return (value,)
-    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "coordinates [x, y]"))
+    expected, hint = "coordinates [x, y]", slips.COORDINATES
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected, hint))
 
 
 def place(node: Node, source: Source) -> Fields:

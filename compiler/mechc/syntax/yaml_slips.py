@@ -1,0 +1,102 @@
+"""What people mean by YAML that does not fit: a hint for each of the usual slips, and its place."""
+
+import re
+from collections.abc import Collection, Iterable, Mapping
+from typing import Final, NamedTuple
+
+GLUED: Final = re.compile(
+    r"^\s*(?:- )?([A-Za-z][\w']*):([^\s/:'\"][^:\n]*?)\s*(?:\n[^\n]*)?\Z", re.MULTILINE
+)
+"""A key and its value with no space behind the colon, in the last two lines of a text."""
+
+ASSIGNED: Final = re.compile(r"^\s*(?:- )?([A-Za-z][\w']*)\s*=\s*([^:\n#]*?)\s*(?:#.*)?$")
+"""A line of the other notation, ``a = 40 mm``, where YAML has a key and a colon."""
+
+MEANT: Final[Mapping[str, Collection[str]]] = {
+    **dict.fromkeys(("result", "results", "output", "outputs", "asked"), ("find",)),
+    **dict.fromkeys(("bars", "rods", "bodies", "members", "levers"), ("links",)),
+    **dict.fromkeys(("parameters", "variables", "values", "constants", "dims"), ("params",)),
+    **dict.fromkeys(("joints", "coordinates", "pins", "nodes", "positions"), ("points",)),
+    **dict.fromkeys(("ground", "fixed", "supports", "bearings"), ("pivots",)),
+    **dict.fromkeys(("moments", "couples"), ("torques",)),
+    **dict.fromkeys(("motor", "input", "driver"), ("drive",)),
+    **dict.fromkeys(("guides", "pistons"), ("sliders",)),
+    **dict.fromkeys(("cylinders", "jacks"), ("telescopes",)),
+    **dict.fromkeys(("vectors", "lengths", "angles"), ("geometry",)),
+    **dict.fromkeys(("direction", "angle", "dir"), ("along", "angle", "normal")),
+    **dict.fromkeys(("on", "point"), ("at", "link")),
+    **dict.fromkeys(("min", "max", "limits"), ("range",)),
+    "name": ("mechanism",),
+    "label": ("title",),
+}
+"""The keys that people may mean by another one, the first that a place has."""
+
+SAID: Final[Mapping[str, str]] = {
+    "unit": "a unit stands behind its number: {value: 200 mm}",
+    "value": "a load has its value by a let: let: {F: 20 N}",
+}
+
+
+class Slip(NamedTuple):
+    """Where a slip is, and the hint about it."""
+
+    at: int
+    hint: str
+
+
+def of_text(text: str, at: int, problem: str, opened: int | None) -> Slip:
+    """Return what is meant by text that is no YAML; ``opened`` is where a bracket opens."""
+    found = text[at : at + 1]
+    if found == "@":
+        return Slip(at, "a value cannot begin with '@': write {angle: …}")
+    if found in ("`", "%"):
+        return Slip(at, f"a value that begins with {found} needs quotes")
+    if found == "\t":
+        return Slip(at, "YAML is indented with spaces")
+    if slip := GLUED.search(text[:at]):
+        return Slip(slip.start(1), f"a colon needs a space behind it: {slip[1]}: {slip[2]}")
+    if opened is not None:
+        is_open = "\n" in text[opened:at]
+        bracket = f"this '{text[opened : opened + 1]}' is not closed"
+        return Slip(opened, bracket) if is_open else Slip(at, "entries are parted by commas")
+    if "mapping values" in problem or "expected ':'" in problem:
+        quotes = "a text with ': ' inside needs quotes" if "mapping values" in problem else ""
+        return _assigned(text, at) or Slip(at, quotes or "a key of YAML ends in ':'")
+    if "<block end>" in problem:
+        return Slip(at, "entries of one list all begin with '-', those of a mapping never do")
+    return Slip(at, "")
+
+
+def _assigned(text: str, at: int) -> Slip | None:
+    """Return the slip of a line with ``=`` for a colon: that of the place, or the one above."""
+    start = text.rfind("\n", 0, at) + 1
+    for line in (text[start:].partition("\n")[0], text[:start].rstrip().rpartition("\n")[2]):
+        if slip := ASSIGNED.match(line):
+            return Slip(text.rindex(line, 0, at + len(line)) + slip.start(1), _with_colon(line))
+    return None
+
+
+def _with_colon(text: str) -> str:
+    slip = ASSIGNED.match(text)
+    return f"in YAML a colon stands for '=': {slip[1]}: {slip[2]}" if slip else ""
+
+
+def of_shape(text: str) -> str:
+    """Return a hint at a plain value where a mapping belongs.
+
+    >>> of_shape("OB = l @ alpha BK = l @ beta")
+    "in YAML a colon stands for '=': OB: …"
+    """
+    first = re.match(r"([A-Za-z][\w']*)\s*=", text)
+    return f"in YAML a colon stands for '=': {first[1]}: …" if first else ""
+
+
+def of_key(key: str, allowed: Iterable[str]) -> str:
+    """Return a hint at a key that a place does not have, '' where none is known.
+
+    >>> of_key("bars", ["links", "params"]), of_key("on", ["at", "along"])
+    ("did you mean 'links'?", "did you mean 'at'?")
+    """
+    known = set(allowed)
+    meant = next((name for name in MEANT.get(key.lower(), ()) if name in known), "")
+    return f"did you mean '{meant}'?" if meant else SAID.get(key, "")
