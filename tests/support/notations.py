@@ -83,6 +83,12 @@ CONSTRUCTS = [
     ("telescope AB", "telescopes: [AB]"),
     ("gear O1 r1, O2 m*z/2", "gears: [{O1: r1, O2: m*z/2}]"),
     ("gear O1 r1, O2 r2 inner", "gears: [{O1: r1, O2: r2, inner: true}]"),
+    ("gear O r1 on OS, A r2", "gears: [{O: r1 on OS, A: r2}]"),
+    (
+        "gear O r1 + 2*r2 on ground, A r2 inner",
+        "gears: [{O: r1 + 2*r2 on ground, A: r2, inner: true}]",
+    ),
+    ("belt O1 r1 on O1B, O2 r2 on O2C", "belts: [{O1: r1 on O1B, O2: r2 on O2C}]"),
     ("rack A on O r", "racks: [{A: O, radius: r}]"),
     ("contact A on BC normal 30 deg", "contacts: {A: {with: BC, normal: 30 deg}}"),
     ("belt O1 r1, O2 20 mm crossed", "belts: [{O1: r1, O2: 20 mm, crossed: true}]"),

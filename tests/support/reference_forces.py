@@ -80,8 +80,10 @@ class Forces:
         return effect
 
     def on_body(self, body: str, force: complex, arm: complex, couple: float = 0.0) -> Array:
-        """Return what a force and a couple on a body put into the equations."""
+        """Return what a force and a couple on a body put into the equations; '' is the ground."""
         effect = np.zeros(self.height)
+        if not body:
+            return effect
         moment = (arm.conjugate() * force).imag + couple
         at = self.rows[body]
         effect[at : at + 3] = force.real, force.imag, moment
@@ -107,7 +109,7 @@ class Forces:
             effect = self.on_point(pin, normal) - self.on_body(body, normal, place)
             yield ("touch", pin, body), effect
         led = self._led()
-        for i, (first, at, second, there, along) in enumerate(whole.rollings):
+        for i, (first, at, second, there, along, _) in enumerate(whole.rollings):
             point = led[i] if i < len(led) else ""
             ahead = self.on_point(point, along) if point else self.on_body(first, along, at)
             yield ("roll", str(i)), ahead - self.on_body(second, along, there)

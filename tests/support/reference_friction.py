@@ -169,8 +169,10 @@ class Rubs:
         if isinstance(pair, ast.Rack):
             effect = self._ahead(s.point.text)
         else:
-            wheel = self._forces.assembly.rollings[place].first
-            effect = self._forces.on_body(wheel, 0, 0, evaluate(pair.first_radius, self._values))
+            rolling = self._forces.assembly.rollings[place]
+            radius = evaluate(pair.first_radius, self._values)
+            effect = self._forces.on_body(rolling.first, 0, 0, radius)
+            effect -= self._forces.on_body(rolling.arm, 0, 0, radius)
         effect = effect * sign(effect @ self._rates)
         pressing = (self._forces.columns["roll", str(place)],)
         return FrictionPair(evaluate(s.coefficient, self._values), pressing, effect)

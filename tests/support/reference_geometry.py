@@ -397,10 +397,12 @@ def _unfold(half: Assembly, axis: complex, shared: set[str]) -> None:
         if (twin(touch.pin), body) != (touch.pin, touch.body):
             normal, place = reflect(touch.normal), reflect(touch.place)
             half.touches.append(PointContact(twin(touch.pin), body, normal, place))
-    for first, at, second, there, along in list(half.rollings):
-        pair = [b if set(half.links[b]) <= shared else b + "'" for b in (first, second)]
-        twins = Rolling(pair[0], reflect(at), pair[1], reflect(there), reflect(along))
-        half.rollings.extend([twins] if pair != [first, second] else [])
+    for first, at, second, there, along, arm in list(half.rollings):
+        names = [
+            b if set(half.links.get(b, ())) <= shared else b + "'" for b in (first, second, arm)
+        ]
+        twins = Rolling(names[0], reflect(at), names[1], reflect(there), reflect(along), names[2])
+        half.rollings.extend([twins] if names[:2] != [first, second] else [])
     for name, along in list(half.slides.items()):
         if name + "'" in half.links:
             half.slides[name + "'"] = reflect(along)

@@ -48,8 +48,10 @@ class Motion:
         return self._velocity_at(name, links[name][point])
 
     def _velocity_at(self, name: str, arm: complex) -> Array:
-        at = self.column[name]
         matrix = np.zeros((2, self.size))
+        if not name:
+            return matrix
+        at = self.column[name]
         matrix[0, at], matrix[0, at + 2] = 1, -arm.imag
         matrix[1, at + 1], matrix[1, at + 2] = 1, arm.real
         return matrix
@@ -79,7 +81,7 @@ class Motion:
         for pin, body, normal, place in self.assembly.touches:
             own = self.velocity(pin) - self._velocity_at(body, place)
             yield np.array([normal.real, normal.imag]) @ own
-        for first, at, second, there, along in self.assembly.rollings:
+        for first, at, second, there, along in (pair[:5] for pair in self.assembly.rollings):
             gap = self._velocity_at(first, at) - self._velocity_at(second, there)
             yield np.array([along.real, along.imag]) @ gap
 

@@ -1,9 +1,10 @@
 """Gears, belts, racks and screws for the reference: two rims that move together somewhere.
 
 Where two wheels meet, the material points of both have one velocity along the common
-tangent. A rack is met by the rim on the right of its guide; a screw acts as a wheel whose
-rim goes once around in a pitch. The line of centres may lie anywhere, so it is taken at
-random.
+tangent: of gears where their pitch circles touch, of a belt where a run of it leaves them.
+A rack is met by the rim on the right of its guide; a screw acts as a wheel whose rim goes
+once around in a pitch. Between pivots the line of centres may lie anywhere, so it is taken
+at random; an arm that carries the centres gives it.
 """
 
 import cmath
@@ -21,13 +22,17 @@ Evaluate = Callable[[ast.Expr], float]
 
 
 class Rolling(NamedTuple):
-    """Two bodies whose points at two places have one velocity along a unit direction."""
+    """Two bodies whose points at two places have one velocity along a unit direction.
+
+    A body of '' is the ground; the ``arm`` carries wheels that move, and is '' for others.
+    """
 
     first: str
     first_place: complex
     second: str
     second_place: complex
     along: complex
+    arm: str = ""
 
 
 def rollings(
@@ -38,18 +43,23 @@ def rollings(
     for s in file.statements:
         match s:
             case ast.Gear(inner=same) | ast.Belt(crossed=same):
-                normal = cmath.rect(1, guess.uniform(0, 7))
                 beside = same if isinstance(s, ast.Gear) else not same
-                first = _on(s.first.text, bodies)
-                second = _on(s.second.text, bodies)
-                yield Rolling(
-                    first,
-                    bodies[first][s.first.text] + normal * value(s.first_radius),
-                    second,
-                    bodies[second][s.second.text]
-                    + normal * value(s.second_radius) * (1 if beside else -1),
-                    1j * normal,
-                )
+                arm, ends = _arm(s, _fixed(file), bodies), (s.first.text, s.second.text)
+                radii = value(s.first_radius), value(s.second_radius) * (1 if beside else -1)
+                normal = cmath.rect(1, guess.uniform(0, 7))
+                if arm:
+                    apart = bodies[arm][ends[1]] - bodies[arm][ends[0]]
+                    cosine = round((radii[0] - radii[1]) / abs(apart), 12)
+                    normal = apart / abs(apart) * cmath.rect(1, math.acos(cosine))
+                wheels = [
+                    _wheel(on.text if on else "", point, arm, bodies)
+                    for on, point in zip((s.first_link, s.second_link), ends, strict=True)
+                ]
+                places = [
+                    bodies[wheel][point] + normal * radius if wheel else 0
+                    for wheel, point, radius in zip(wheels, ends, radii, strict=True)
+                ]
+                yield Rolling(wheels[0], places[0], wheels[1], places[1], 1j * normal, arm)
             case ast.Rack(point=point, pivot=pivot, radius=radius):
                 wheel = _on(pivot.text, bodies)
                 center = bodies[wheel][pivot.text]
@@ -59,6 +69,20 @@ def rollings(
                 center = next(iter(_fixed(file) & bodies[wheel].keys()))
                 reach = value(pitch) / (2 * math.pi)
                 yield _led(point.text, wheel, bodies[wheel][center], reach, bodies, guides)
+
+
+def _arm(s: ast.Gear | ast.Belt, fixed: set[str], bodies: Sweep) -> str:
+    """Return the link that carries both centres, '' for the ground."""
+    centres = {s.first.text, s.second.text}
+    both = (name for name, places in bodies.items() if centres <= places.keys())
+    return "" if centres <= fixed else next(both)
+
+
+def _wheel(named: str, point: str, arm: str, bodies: Sweep) -> str:
+    """Return the link that a wheel is fixed to, '' for the ground."""
+    if named:
+        return "" if named == "ground" else named
+    return next(b for b, places in bodies.items() if point in places and b != arm)
 
 
 def _on(point: str, bodies: Sweep) -> str:

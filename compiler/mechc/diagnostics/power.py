@@ -218,11 +218,12 @@ def nothing_holds(at: Span, result: str, needed: int, found: int) -> Message:
 
 @coded("E512")
 def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
-    """The force on the pivot of a gear, a pulley or a screw is asked for, or its friction.
+    """The force on the pin of a gear, a pulley or a screw is asked for, or its friction.
 
     What the teeth pass on presses across the line of centres, a belt was tightened before
     it ran, and a screw's thrust is out of the plane: the description tells of none of them. A
-    rack presses along its guide; its wheel's pivot can be asked about.
+    rack presses along its guide; its wheel's pivot can be asked about. The same goes for an arm
+    that carries the centres of wheels.
 
         gear O1 20 mm, O2 40 mm
         find R_O1                                # wrong
@@ -231,7 +232,7 @@ def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
         friction pin A 0.1 diameter 10 mm        # right: pin by pin, O1 left out
     """
     message = (
-        f"the force on pivot {point} is needed, and nothing tells which way a gear, belt or screw "
+        f"the force on pin {point} is needed, and nothing tells which way a gear, belt or screw "
         "presses there"
     )
     hint = f"give friction pin by pin, and leave {point} out" if has_friction else ""

@@ -192,8 +192,8 @@ class Half:
         radius, other = self.length(mesh.first_radius), self.length(mesh.second_radius)
         circles = Circle(self.points[first], radius), Circle(self.points[second], other)
         wheels = (
-            *(first, self.link(mesh.first_link), radius),
-            *(second, self.link(mesh.second_link), other),
+            *(first, mesh.first_link and self.link(mesh.first_link), radius),
+            *(second, mesh.second_link and self.link(mesh.second_link), other),
         )
         if mesh.kind == "gear":
             touch = pitch_point(*circles, inner=mesh.same)

@@ -13,7 +13,7 @@ from ..algebra.product import Product
 from ..formula.tree import PI, Formula, product
 from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
-from ..kinematics.meshes import mesh_of
+from ..kinematics.meshes import mesh_of, turning
 from ..kinematics.plan import Plan, Speeds
 from ..kinematics.release import JointRef, Measure, members, touch_at
 from ..model.mechanism import (
@@ -112,12 +112,7 @@ def _pin(pin: PinFriction, pose: Pose) -> Iterator[FrictionPair]:
 
 def _turning(link: str, carrier: str) -> Measure:
     """Return the rotation of a link relative to what carries its pin."""
-
-    def slip(graph: Graph) -> Form:
-        own = spin(graph, link)
-        return subtract(own, spin(graph, carrier)) if carrier else own
-
-    return slip
+    return lambda graph: turning(graph, link, carrier)
 
 
 def _sliding(touch: PointContact) -> Measure:
@@ -131,8 +126,8 @@ def _sliding(touch: PointContact) -> Measure:
 def _rim(joint: JointRef, pose: Pose) -> Measure:
     """Return the speed of the first wheel's rim, or of a rack."""
     match mesh_of(pose, joint.of):
-        case WheelPair(first_link=link, first_radius=radius):
-            return lambda graph: scaled(spin(graph, link), pose.radii[radius])
+        case WheelPair(first_link=link, first_radius=radius, arm=arm):
+            return lambda graph: scaled(turning(graph, link, arm), pose.radii[radius])
         case Rack(point) | Screw(point):
             return lambda graph: projection(graph.velocities[point], _guide(point, pose))
         case other:

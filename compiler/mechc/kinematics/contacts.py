@@ -6,11 +6,13 @@ from typing import assert_never
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
+from ..algebra.sums import add
 from ..formula.tree import PI
 from ..model.mechanism import Contact, Pivot, Rack, Screw, Slider, Slot, WheelPair
 from ..pose.pose import PointContact, Pose
 from .forms import projection, scaled, subtract, turned
 from .graph import Form, Relation, Rule, Velocity
+from .meshes import rims
 
 Velocities = Mapping[str, Velocity]
 Spins = Mapping[str, int]
@@ -53,11 +55,11 @@ def _touch(touch: PointContact, velocities: Velocities, spins: Spins) -> Relatio
 
 
 def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
-    first, second = pose.radii[mesh.first_radius], pose.radii[mesh.second_radius]
-    sign = -1 if mesh.same else 1
-    form = {spins[mesh.first_link]: first, spins[mesh.second_link]: second.scaled(sign)}
+    first, second = rims(mesh, pose)
+    sizes = (mesh.first_link, first), (mesh.second_link, second), (mesh.arm, -add((first, second)))
+    form = {spins[link]: size for link, size in sizes if link and size}
     rule = Rule.GEAR if mesh.kind == "gear" else Rule.BELT
-    return Relation(rule, mesh.first_link, (mesh.first, mesh.second), Angle(), form, mesh.span)
+    return Relation(rule, mesh.bodies[0], mesh.points, Angle(), form, mesh.span)
 
 
 def _rack(rack: Rack, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:

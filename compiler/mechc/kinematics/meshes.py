@@ -8,7 +8,7 @@ from ..algebra.product import Product
 from ..formula.tree import PI
 from ..model.mechanism import Mesh, Rack, Screw, WheelPair
 from ..pose.pose import Pose
-from .forms import projection, scaled, spin, subtract
+from .forms import combined, projection, scaled, spin, subtract
 from .graph import Form, Graph
 
 
@@ -19,14 +19,29 @@ def mesh_of(pose: Pose, id: str) -> Mesh:
     return mesh
 
 
+def rims(mesh: WheelPair, pose: Pose) -> tuple[Product, Product]:
+    """Return the radii of two wheels, the second one negative where both turn alike."""
+    first, second = pose.radii[mesh.first_radius], pose.radii[mesh.second_radius]
+    return first, -second if mesh.same else second
+
+
+def turning(graph: Graph, link: str, carrier: str) -> Form:
+    """Return the rotation of a link relative to what carries it; '' is the ground."""
+    own, under = (spin(graph, name) if name else {} for name in (link, carrier))
+    return subtract(own, under)
+
+
 def slipping(graph: Graph, pose: Pose, mesh: Mesh) -> Form:
     """Return the speed at which rims, a rack and its wheel, or nut and thread, part."""
     match mesh:
         case WheelPair():
-            sign = -1 if mesh.same else 1
-            first = scaled(spin(graph, mesh.first_link), pose.radii[mesh.first_radius])
-            second = scaled(spin(graph, mesh.second_link), pose.radii[mesh.second_radius])
-            return subtract(first, scaled(second, Product(-sign)))
+            first, second = rims(mesh, pose)
+            return combined(
+                [
+                    (first, turning(graph, mesh.first_link, mesh.arm)),
+                    (second, turning(graph, mesh.second_link, mesh.arm)),
+                ]
+            )
         case Rack(point, pivot, link):
             guide = pose.guide_of(point) or Angle()
             ahead = projection(graph.velocities[point], guide)

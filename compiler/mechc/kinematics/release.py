@@ -318,15 +318,16 @@ def _without_touch(pose: Pose, point: str) -> Released:
 
 
 def unclear(mechanism: Mechanism) -> frozenset[str]:
-    """Return the pivots on which wheels and screws press in directions that are undetermined.
+    """Return the pins on which wheels and screws press in directions that are undetermined.
 
     Teeth press across the line of centres, belts are tightened beforehand, and a screw's
     thrust is out of the plane. A rack presses along its guide.
     """
-    pressing = (j for j in mechanism.joints if isinstance(j, WheelPair | Screw))
+    pressing = [j for j in mechanism.joints if isinstance(j, WheelPair | Screw)]
     turning = {link for joint in pressing for link in joint.bodies}
     held = (p for k in mechanism.links if k.name in turning for p in k.points)
-    return mechanism.fixed.intersection(held)
+    centres = {p for j in pressing if isinstance(j, WheelPair) for p in j.points}
+    return mechanism.fixed.intersection(held) | centres
 
 
 def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:

@@ -147,8 +147,9 @@ class Carriers:
                     pass
                 case Slot(point, link) | Contact(point, link):
                     yield ("point", point), ("body", link), type(joint).__name__
-                case WheelPair(kind, first_link=first, second_link=second):
-                    yield ("body", first), ("body", second), kind
+                case WheelPair(kind):
+                    first, *others = joint.bodies
+                    yield from ((("body", first), ("body", other), kind) for other in others)
                 case Rack(point, link=link):
                     yield ("point", point), ("body", link), "rack"
                 case Screw(point, link=link):

@@ -33,7 +33,8 @@ from .results import read_expects, read_requires
 from .scope import Scope
 from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
-from .transmissions import check_belts, read_arcs, read_joints, read_slides, read_telescopes
+from .transmissions import read_arcs, read_joints, read_slides, read_telescopes
+from .wheels import check_belts
 
 
 def resolve(file: ast.File, report: Report) -> Mechanism:

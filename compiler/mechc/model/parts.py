@@ -166,10 +166,11 @@ class Contact(OnePoint, OnLink):
 
 @frozen
 class WheelPair:
-    """Two wheels on pivots, each fixed to its pivot's link: a pair of gears, a belt, a chain.
+    """Two wheels, each fixed to a link on its centre: a pair of gears, a belt, a chain.
 
-    ω₁ r₁ = ω₂ r₂ where ``same`` is True (belt, internal gears), else ω₁ r₁ = −ω₂ r₂
-    (external gears, crossed belt). ``kind`` is the word of the language.
+    Seen from the ``arm``, the link that carries both centres, ω₁ r₁ = ω₂ r₂ where ``same`` is
+    True (belt, internal gears), else ω₁ r₁ = −ω₂ r₂ (external gears, crossed belt). An arm or
+    a link of '' is the ground. ``kind`` is the word of the language.
     """
 
     kind: Literal["gear", "belt"]
@@ -181,11 +182,20 @@ class WheelPair:
     second_radius: Formula
     same: bool
     span: Span
+    arm: str = ""
 
     @property
     def id(self) -> str:
-        """Return the joint's name among all joints."""
-        return f"{self.kind} {self.first}, {self.second}"
+        """Return the joint's name among all joints; wheels on an arm share their centres."""
+        if not self.arm:
+            return f"{self.kind} {self.first}, {self.second}"
+        first, second = (link or "the ground" for link in self.wheels)
+        return f"{self.kind} {first} at {self.first}, {second} at {self.second}"
+
+    @property
+    def wheels(self) -> tuple[str, str]:
+        """Return the links that the wheels are fixed to."""
+        return (self.first_link, self.second_link)
 
     @property
     def points(self) -> tuple[str, ...]:
@@ -195,7 +205,7 @@ class WheelPair:
     @property
     def bodies(self) -> tuple[str, ...]:
         """Return the bodies that it names."""
-        return (self.first_link, self.second_link)
+        return tuple(name for name in (*self.wheels, self.arm) if name)
 
 
 @frozen

@@ -1,33 +1,26 @@
 """Bodies and joints beyond links, pins and guides: slides, telescopes, slots, gears, screws."""
 
-import math
 from collections.abc import Collection, Iterable, Sequence
 from typing import TypeVar
 
 from ..diagnostics.model import joints as messages
-from ..diagnostics.model import names
 from ..diagnostics.model.lowering import centre_of_another
-from ..formula.tree import Formula
 from ..syntax import ast
-from ..units import LENGTH
-from .directions import read_direction, value_of
-from .expressions import Reader
+from .directions import read_direction
 from .mechanism import (
     ArcSlot,
     Contact,
-    Geometry,
     Joint,
     Link,
-    Offset,
     Rack,
     Screw,
     Slide,
     Slot,
     Telescope,
-    WheelPair,
 )
-from .scope import DESCRIPTION, Scope
+from .scope import Scope
 from .statements import every
+from .wheels import radius_of, read_wheels, wheel_on
 
 
 def read_slides(file: ast.File, scope: Scope) -> tuple[Slide, ...]:
@@ -43,12 +36,10 @@ def read_telescopes(file: ast.File, scope: Scope) -> tuple[Telescope, ...]:
 
 def read_joints(file: ast.File, slides: Sequence[Slide], scope: Scope) -> tuple[Joint, ...]:
     """Return every joint of the description that is neither pin nor guide, kind by kind."""
-    is_mirrored = bool(every(file, ast.Mirror))
-    wheels = [s for s in file.statements if isinstance(s, ast.Gear | ast.Belt)]
     return (
         *found(_slot(s, slides, scope) for s in every(file, ast.Slot) if s.about is None),
         *found(_contact(s, slides, scope) for s in every(file, ast.Contact)),
-        *found(_mesh(s, is_mirrored, scope) for s in wheels),
+        *read_wheels(file, scope),
         *found(_rack(s, slides, scope) for s in every(file, ast.Rack)),
         *found(_screw(s, slides, scope) for s in every(file, ast.Screw)),
     )
@@ -126,7 +117,7 @@ def _arc(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> tuple[st
     if statement.about is None or statement.radius is None:
         return None
     held = _on_line(statement.point, statement.line, slides, scope)
-    centre, radius = scope.points.acting(statement.about), _radius(statement.radius, scope)
+    centre, radius = scope.points.acting(statement.about), radius_of(statement.radius, scope)
     if held is None or not centre or radius is None:
         return None
     point, body = held[:2]
@@ -146,100 +137,13 @@ def _contact(statement: ast.Contact, slides: Iterable[Slide], scope: Scope) -> C
     return Contact(point, body.name, tail, head, normal, statement.span)
 
 
-# ------------------------------------------------------------------------------ wheels
-
-
-def _mesh(statement: ast.Gear | ast.Belt, is_mirrored: bool, scope: Scope) -> WheelPair | None:
-    if is_mirrored and _joins_halves(statement, scope):
-        return None
-    first, second = (_wheel(name, scope) for name in (statement.first, statement.second))
-    radii = [_radius(r, scope) for r in (statement.first_radius, statement.second_radius)]
-    if first is None or second is None or radii[0] is None or radii[1] is None:
-        return None
-    pivots = statement.first.text, statement.second.text
-    if pivots[0] == pivots[1]:
-        scope.report.add(names.repeated_point(statement.second.span, "".join(pivots), pivots[0]))
-        return None
-    is_gear = isinstance(statement, ast.Gear)
-    same = statement.inner if isinstance(statement, ast.Gear) else not statement.crossed
-    return WheelPair(
-        "gear" if is_gear else "belt",
-        pivots[0],
-        first.name,
-        radii[0],
-        pivots[1],
-        second.name,
-        radii[1],
-        same,
-        statement.span,
-    )
-
-
-def check_belts(joints: Iterable[Joint], places: Iterable[Geometry], scope: Scope) -> None:
-    """Report belts whose wheels overlap, where the places of both pivots are given."""
-    known = [place for place in places if isinstance(place, Offset)]
-    located = {place.head: _values((place.x, place.y), scope) for place in known}
-    for mesh in joints:
-        if not isinstance(mesh, WheelPair) or mesh.kind != "belt":
-            continue
-        ends = [located.get(pivot) for pivot in mesh.points]
-        radii = _values((mesh.first_radius, mesh.second_radius), scope)
-        if ends[0] is None or ends[1] is None or radii is None:
-            continue
-        apart = math.dist(ends[0], ends[1])
-        if apart < sum(radii) * (1 - 1e-9):
-            pivots = f"{mesh.first} and {mesh.second}"
-            scope.report.add(messages.wheels_overlap(mesh.span, pivots, apart, sum(radii)))
-
-
-def _values(formulas: Iterable[Formula], scope: Scope) -> list[float] | None:
-    """Return the values at the given parameters; None where one of them has none."""
-    values = [value_of(formula, scope) for formula in formulas]
-    known = [value for value in values if value is not None]
-    return known if len(known) == len(values) else None
-
-
-def _joins_halves(statement: ast.Gear | ast.Belt, scope: Scope) -> bool:
-    """Tell whether a wheel is on the twin of a described point, which is reported."""
-    first, second = statement.first.text, statement.second.text
-    for name in (statement.first, statement.second):
-        places, described = scope.points.places, name.text.removesuffix("'")
-        if name.text not in places and described in places:
-            are_twins = first.removesuffix("'") == second.removesuffix("'")
-            scope.report.add(messages.wheels_across_the_mirror(name.span, first, second, are_twins))
-            return True
-    return False
-
-
-def _wheel(pivot: ast.Name, scope: Scope) -> Link | None:
-    """Return the one link on a pivot, to which the wheel there is fixed."""
-    points = scope.points.acting(pivot)
-    if not points:
-        return None
-    if points[0] not in scope.points.fixed:
-        scope.report.add(messages.wheel_without_pivot(pivot.span, points[0]))
-        return None
-    links = scope.points.carried.get(points[0], [])
-    if len(links) != 1:
-        scope.report.add(messages.wheel_of_several(pivot.span, points[0], [k.name for k in links]))
-        return None
-    scope.points.used.update(links[0].points)
-    return links[0]
-
-
-def _radius(radius: ast.Expr, scope: Scope, signed: bool = False) -> Formula | None:
-    formula = Reader(scope, DESCRIPTION).wanted(radius, LENGTH, "a radius")
-    value = value_of(formula, scope) if formula else None
-    if value is not None and (value == 0 or (value < 0 and not signed)):
-        scope.report.add(messages.radius_not_positive(radius.span, f"{value * 1000:g} mm"))
-        return None
-    return formula
+# ------------------------------------------------------------------- racks, screws
 
 
 def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: Scope) -> Rack | None:
     point = _guided(statement.point, slides, scope)
-    link = _wheel(statement.pivot, scope)
-    radius = _radius(statement.radius, scope, signed=True)
+    link = wheel_on(statement.pivot, scope)
+    radius = radius_of(statement.radius, scope, signed=True)
     if not point or not link or not radius:
         return None
     return Rack(point, statement.pivot.text, link.name, radius, statement.span)
@@ -248,7 +152,7 @@ def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: Scope) -> Rack | 
 def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw | None:
     point = _guided(statement.point, slides, scope)
     link = scope.points.link(statement.link)
-    pitch = _radius(statement.pitch, scope, signed=True)
+    pitch = radius_of(statement.pitch, scope, signed=True)
     if not point or not link or not pitch:
         return None
     if scope.points.fixed.isdisjoint(link.points):

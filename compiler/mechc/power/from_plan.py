@@ -217,9 +217,9 @@ class _Asked:
 
     def _force(self, find: Find, target: Reaction | Axial | Normal) -> Solved | None:
         from ..kinematics.release import unclear
-        from .joint_forces import called, find_force
+        from .joint_forces import called, find_force, joint_of
 
-        point = getattr(target, "point", "")
+        point = joint_of(target, self._plan.graph.pose).point
         if not isinstance(target, Normal) and point in unclear(self._mechanism):
             self._report.add(messages.transmission_presses(find.span, point, has_friction=False))
             return None

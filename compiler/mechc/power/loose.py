@@ -64,8 +64,8 @@ def _parts(mechanism: Mechanism) -> Iterable[tuple[str, set[str]]]:
                 yield "" if point in carried else f"slider {point}", {point}
             case Slot(point, link, tail, head) | Contact(point, link, tail, head):
                 yield "", {point, tail, head, f"link {link}"} - mechanism.fixed
-            case WheelPair(first_link=one, second_link=other):
-                yield "", {f"link {one}", f"link {other}"}
+            case WheelPair():
+                yield "", {f"link {name}" for name in joint.bodies}
             case Rack(point, link=link) | Screw(point, link=link):
                 yield "", {point, f"link {link}"}
             case _:

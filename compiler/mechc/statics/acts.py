@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterable, Mapping
 
 from ..pose.places import NOWHERE
-from .assembly import Action, Assembly, Body, Couple, Cylinder, Plane, Push, Wrench, scaled
+from .assembly import GROUND, Action, Assembly, Body, Couple, Cylinder, Plane, Push, Wrench, scaled
 from .diagram import Acting, Kind
 from .free_bodies import Unknown
 from .friction import Pair
@@ -103,7 +103,7 @@ class Acts:
         on = on if on in self.frames[body].points else f"{on}'"
         self._pin("pin", body, on, NOWHERE, 0.0, -action.moment)
 
-    def _exchange(self, kind: Kind, actions: tuple[Action, ...], size: float | None) -> None:
+    def _exchange(self, kind: Kind, actions: tuple[Action, Action], size: float | None) -> None:
         """Let two things act on each other."""
         first, second = actions
         for action, other in (first, second), (second, first):
@@ -116,6 +116,8 @@ class Acts:
         match action:
             case Push(point, force):
                 self._pin(kind, by, point, force, size)
+            case Couple(body) if body == GROUND:
+                pass
             case Couple(body, moment):
                 self._body(body, _acting(kind, by, "", NOWHERE, size, moment))
             case Wrench(body, force, moment) if body in self.parts:

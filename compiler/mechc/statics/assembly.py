@@ -7,6 +7,9 @@ from ..frozen import frozen
 from ..pose.places import Plane as Plane
 from ..pose.places import direction as direction
 
+GROUND = "ground"
+"""What stands still; nothing is asked of its equilibrium."""
+
 
 class Body(NamedTuple):
     """A rigid body: where its points are, seen from the first of them.
@@ -64,14 +67,16 @@ class JointFriction(NamedTuple):
 
 
 class Transfer(NamedTuple):
-    """One force that wheels, a rack or a screw pass on, and all that a unit of it does.
+    """One force that wheels, a rack or a screw pass on, and what a unit of it does to both.
 
     Where nothing tells its direction, the bearings' part in it is left out: it loads the
-    ground alone, and forces on such bearings are never asked for.
+    ground alone, and forces on such bearings are never asked for. On an arm that carries
+    wheels the ``bearings`` put a couple, whatever the direction.
     """
 
     name: str
-    actions: tuple["Action", ...]
+    actions: tuple["Action", "Action"]
+    bearings: tuple["Action", ...] = ()
 
 
 class Push(NamedTuple):
@@ -82,7 +87,7 @@ class Push(NamedTuple):
 
 
 class Couple(NamedTuple):
-    """A couple on a body, counter-clockwise, per unit of its load."""
+    """A couple on a body, counter-clockwise, per unit of its load; one on the ground is taken."""
 
     body: str
     moment: float

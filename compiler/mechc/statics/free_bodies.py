@@ -15,6 +15,7 @@ from typing import NamedTuple
 
 from ..frozen import frozen
 from .assembly import (
+    GROUND,
     Action,
     Assembly,
     Body,
@@ -109,7 +110,9 @@ def equilibrium(assembly: Assembly) -> System:
     """Return the equations of every free body of an assembly."""
     sums = _Sums()
     actions = [a for several in assembly.loads.values() for a in several]
-    actions += [a for transfer in assembly.transfers for a in transfer.actions]
+    actions += [
+        a for transfer in assembly.transfers for a in (*transfer.actions, *transfer.bearings)
+    ]
     twisted = {a.body for a in actions if isinstance(a, Couple | Wrench)}
     twisted |= {rubbing.body for rubbing in assembly.rubbings}
     for body in assembly.bodies:
@@ -197,7 +200,7 @@ def _cylinder(sums: _Sums, cylinder: Cylinder) -> None:
 def _transfer(sums: _Sums, transfer: Transfer) -> None:
     column = len(sums.unknowns)
     sums.unknowns.append(Unknown(transfer.name, "", "transfer"))
-    for row, amount in _places(sums, transfer.actions):
+    for row, amount in _places(sums, (*transfer.actions, *transfer.bearings)):
         sums.rows[row][column] = sums.rows[row].get(column, 0.0) + amount
 
 
@@ -213,6 +216,8 @@ def _places(sums: _Sums, actions: tuple[Action, ...]) -> Iterator[tuple[int, flo
         match action:
             case Push(point, force):
                 yield from enumerate(_components(force), sums.pin(point))
+            case Couple(name) if name == GROUND:
+                pass
             case Couple(name, moment):
                 yield sums.body(name) + 2, moment
             case Wrench(name, force, moment):

@@ -270,15 +270,13 @@ def _of(rubbing: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
                     yield Pair("pin", name, (*couples, *back), body, point, size)
         case GuideFriction(point, factor_):
             yield from _guide(point, evaluate(factor_, unfolding.values), unfolding)
-        case WheelFriction(joint, kind, point, factor_):
+        case WheelFriction(joint, factor=factor_):
             size = evaluate(factor_, unfolding.values)
-            name = f"{kind} {point}"
-            yield Pair("transmission", name, unfolding.rim(joint), name, "", size)
-        case ThreadFriction(joint, point, factor_, thread):
+            yield Pair("transmission", joint, unfolding.rim(joint), joint, "", size)
+        case ThreadFriction(joint, factor=factor_, thread=thread):
             size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
             actions = unfolding.along_thread(joint, diameter)
-            name = f"screw {point}"
-            yield Pair("transmission", name, actions, name, "", size)
+            yield Pair("transmission", joint, actions, joint, "", size)
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:

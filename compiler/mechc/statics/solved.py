@@ -128,8 +128,9 @@ def _pressed(mechanism: Mechanism) -> Iterator[Bearing]:
     for joint in mechanism.joints:
         match joint:
             case WheelPair():
-                for pivot, link in zip(joint.points, joint.bodies, strict=True):
-                    yield from ((pivot, link), (pivot, "ground"))
+                for centre in joint.points:
+                    yield centre, "ground"
+                    yield from ((centre, link) for link in mechanism.turning_at(centre))
             case Rack(point, pivot, link):
                 yield from ((pivot, link), (pivot, "ground"), (point, "ground"))
                 yield from ((slide.name, "ground") for slide in mechanism.slides_at(point))

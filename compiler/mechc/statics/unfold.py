@@ -32,6 +32,7 @@ from ..model.mechanism import (
 )
 from ..pose.pose import PointContact, Pose, evaluate_vector
 from .assembly import (
+    GROUND,
     Action,
     Assembly,
     Body,
@@ -62,7 +63,7 @@ class Unfolding:
 
     def _shared(self, name: str) -> bool:
         mirror = self.pose.mechanism.mirror
-        return mirror is None or self._points(name) <= set(mirror.sharing)
+        return mirror is None or name == GROUND or self._points(name) <= set(mirror.sharing)
 
     def _points(self, name: str) -> set[str]:
         """Return the points of a link, or the point itself."""
@@ -209,8 +210,9 @@ class Unfolding:
     def rim(self, joint: str) -> tuple[Action, ...]:
         """Return a unit force on the rim of a pair's first wheel, or on a rack, by the id."""
         match self.pose.mechanism.joint(joint):
-            case WheelPair(first_link=link, first_radius=radius):
-                return self.couple(link, evaluate(radius, self.values))
+            case WheelPair(first_link=link, first_radius=radius, arm=arm):
+                moment = evaluate(radius, self.values)
+                return (*self.couple(link or GROUND, moment), *self.couple(arm or GROUND, -moment))
             case Rack(point, link=link):
                 return self._by(link, point, self.direction_of_guide(point))
             case other:
@@ -296,34 +298,41 @@ class Unfolding:
         """Yield the forces that wheels and screws pass on."""
         for joint in self.pose.mechanism.joints:
             match joint:
-                case WheelPair(kind, first):
-                    yield from self._both(f"{kind} {first}", self._rims(joint))
-                case Rack(point):
-                    yield from self._both(f"rack {point}", self._teeth(joint))
-                case Screw(point):
-                    yield from self._both(f"screw {point}", self._thread(joint))
+                case WheelPair():
+                    yield from self._both(self._rims(joint))
+                case Rack():
+                    yield from self._both(Transfer(joint.id, self._teeth(joint)))
+                case Screw():
+                    yield from self._both(Transfer(joint.id, self._thread(joint)))
                 case Pivot() | Slider() | Slot() | Contact():
                     pass  # they press on one point: see _pivots, _guides and _rubbings
                 case _:
                     assert_never(joint)
 
-    def _rims(self, pair: WheelPair) -> tuple[Action, ...]:
+    def _rims(self, pair: WheelPair) -> Transfer:
         """Return the couples of a unit force on the rims of two wheels.
 
         Gears press on each other at the pitch point. Between the centres that gives moments
         of one sign; inner gears have both centres on one side of it, and the tight side of an
         open belt pulls one wheel backwards as it pulls the other one on: opposite signs.
+
+        On the two wheels together these forces cancel, so that what their pins pass on to the
+        arm is a couple: the opposite of both moments.
         """
         first = evaluate(pair.first_radius, self.values)
         second = evaluate(pair.second_radius, self.values) * (-1 if pair.same else 1)
-        return Couple(pair.first_link, first), Couple(pair.second_link, second)
+        wheels = (
+            Couple(pair.first_link or GROUND, first),
+            Couple(pair.second_link or GROUND, second),
+        )
+        return Transfer(pair.id, wheels, (Couple(pair.arm or GROUND, -first - second),))
 
-    def _thread(self, screw: Screw) -> tuple[Action, ...]:
+    def _thread(self, screw: Screw) -> tuple[Action, Action]:
         """Return a unit force on a nut along its guide, and the couple that the screw takes."""
         lead = evaluate(screw.pitch, self.values) / (2 * math.pi)
         return Push(screw.point, self.direction_of_guide(screw.point)), Couple(screw.link, -lead)
 
-    def _teeth(self, rack: Rack) -> tuple[Action, ...]:
+    def _teeth(self, rack: Rack) -> tuple[Action, Action]:
         """Return a force on a rack along its guide, and what its wheel takes at the pitch point."""
         along = self.direction_of_guide(rack.point)
         right = along.turned().times(-evaluate(rack.radius, self.values))
@@ -333,11 +342,12 @@ class Unfolding:
         back = Wrench(rack.link, along.times(-1), y * along.x - x * along.y)
         return Push(rack.point, along), back
 
-    def _both(self, name: str, actions: tuple[Action, ...]) -> Iterator[Transfer]:
+    def _both(self, transfer: Transfer) -> Iterator[Transfer]:
         """Yield a transfer and its twin in the other half."""
-        yield Transfer(name, actions)
-        if self._axis is not None and not all(map(self._is_shared, actions)):
-            yield Transfer(f"{name}'", tuple(map(self._mirrored, actions)))
+        yield transfer
+        if self._axis is not None and not all(map(self._is_shared, transfer.actions)):
+            first, second, *bearings = map(self._mirrored, (*transfer.actions, *transfer.bearings))
+            yield Transfer(f"{transfer.name}'", (first, second), tuple(bearings))
 
     def _is_shared(self, action: Action) -> bool:
         return self._shared(action.point if isinstance(action, Push) else action.body)

@@ -232,13 +232,15 @@ class Telescope(Statement):
 
 @frozen
 class Gear(Statement):
-    """``gear O1 r1, O2 r2 inner``."""
+    """``gear O1 r1 on O1A, O2 r2 inner``: ``on ground`` of a wheel that is fast in the ground."""
 
     first: Name
     first_radius: Expr
     second: Name
     second_radius: Expr
     inner: bool = False
+    first_link: Name | None = None
+    second_link: Name | None = None
 
 
 @frozen
@@ -261,13 +263,15 @@ class Contact(Statement):
 
 @frozen
 class Belt(Statement):
-    """``belt O1 r1, O2 r2 crossed``."""
+    """``belt O1 r1 on O1A, O2 r2 crossed``."""
 
     first: Name
     first_radius: Expr
     second: Name
     second_radius: Expr
     crossed: bool = False
+    first_link: Name | None = None
+    second_link: Name | None = None
 
 
 @frozen

@@ -28,8 +28,8 @@ ON_LINK = optional("link", Kind.POINTS)
 BETWEEN = key("between", Kind.PAIR, "first", "first_link", "second", "second_link")
 SHARING = optional("sharing", Kind.SHARED)
 WHEELS = (
-    Key("", Kind.EXPRESSION, ("first", "first_radius")),
-    Key("", Kind.EXPRESSION, ("second", "second_radius")),
+    Key("", Kind.RIM, ("first", "first_radius", "first_link")),
+    Key("", Kind.RIM, ("second", "second_radius", "second_link")),
 )
 PIN_FRICTION = (
     key("f", Kind.EXPRESSION, "coefficient"),

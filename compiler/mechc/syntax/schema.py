@@ -44,6 +44,7 @@ KINDS: dict[Kind, Schema] = {
     Kind.BODY: points(1),
     Kind.PIN: {"type": "string", "pattern": f"^(?:pins|{POINT})$"},
     Kind.PAIR: {"type": "array", "items": END, "minItems": 2, "maxItems": 2},
+    Kind.RIM: {**EXPRESSION, "description": "a radius: 40 mm, m*z/2, 40 mm on OA"},
     Kind.SHARED: {"anyOf": [points(1, 1), {"type": "array", "items": points(1, 1)}]},
     Kind.EXPRESSION: EXPRESSION,
     Kind.DIRECTION: {**EXPRESSION, "description": "a direction: 90 deg, x, -y, AB, perp AB"},

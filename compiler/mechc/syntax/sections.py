@@ -22,6 +22,7 @@ class Kind(Enum):
     BODY = auto()
     PIN = auto()  # a point, or the word 'pins' for all of them
     PAIR = auto()  # [A, B on BC]
+    RIM = auto()  # 40 mm on OA
     SHARED = auto()  # [K, L]
     EXPRESSION = auto()
     DIRECTION = auto()
@@ -54,8 +55,8 @@ class Key(NamedTuple):
 class Entry(NamedTuple):
     """One statement: the node, what names it, its plain value, its keys.
 
-    ``others`` are keys that are points themselves: ``{O1: r1, O2: r2}``; each fills two
-    fields, with the point and with the value.
+    ``others`` are keys that are points themselves: ``{O1: r1, O2: r2}``; each fills a
+    field with the point, and others with the value.
     """
 
     node: type[ast.Statement]

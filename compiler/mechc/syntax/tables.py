@@ -22,6 +22,7 @@ Start = Literal[
     "condition",
     "expectation",
     "end",
+    "rim",
     "measure",
 ]
 """What a text may be read as: a whole statement, or what one YAML scalar holds."""

@@ -147,6 +147,11 @@ def end(point: ast.Name, link: ast.Name | None) -> str:
     return f"{point.text} on {link.text}" if link else point.text
 
 
+def rim(radius: ast.Expr, link: ast.Name | None) -> str:
+    """Return ``40 mm``, or ``40 mm on OA``."""
+    return f"{expression(radius)} on {link.text}" if link else expression(radius)
+
+
 def condition(required: ast.Require) -> str:
     """Return ``a < b < c``."""
     first, *rest = map(expression, required.operands)

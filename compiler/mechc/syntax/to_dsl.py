@@ -12,6 +12,7 @@ from typing import Any
 from . import ast, text
 
 BETWEEN = "between {first}[ on {first_link}] and {second}[ on {second_link}]"
+WHEELS = "{first} {first_radius}[ on {first_link}], {second} {second_radius}[ on {second_link}]"
 
 # A part in [ ] is left out where its field is empty; | is where a paragraph aligns.
 LINES: dict[type[ast.Statement], str] = {
@@ -27,10 +28,10 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Slide: "slide {points} along {along}",
     ast.Slot: "slot {point} in {line}[ about {about} radius {radius}]",
     ast.Telescope: "telescope {points}",
-    ast.Gear: "gear {first} {first_radius}, {second} {second_radius}[ {inner}]",
+    ast.Gear: f"gear {WHEELS}[ {{inner}}]",
     ast.Rack: "rack {point} on {pivot} {radius}",
     ast.Contact: "contact {point} on {line} normal {normal}",
-    ast.Belt: "belt {first} {first_radius}, {second} {second_radius}[ {crossed}]",
+    ast.Belt: f"belt {WHEELS}[ {{crossed}}]",
     ast.Screw: "screw {point} pitch {pitch} on {link}",
     ast.Drawn: "{point}|at {at}",
     ast.Vector: "{points}|= {value}",

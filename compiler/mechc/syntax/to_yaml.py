@@ -203,6 +203,8 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return scalar(text.range_of(low, high), flow)
         case Kind.PAIR, [first, first_link, second, second_link]:
             return f"[{text.end(first, first_link)}, {text.end(second, second_link)}]"
+        case Kind.RIM, [radius, link]:
+            return scalar(text.rim(radius, link), flow)
         case Kind.SHARED, [points]:
             return f"[{', '.join(point.text for point in points)}]"
         case Kind.RESULT, [target, name, on]:

@@ -14,11 +14,13 @@ from . import ast, expressions
 from .fault import Fault
 from .lalr import Token
 from .spans import NOWHERE, span_of
+from .vocabulary import GROUND
 
 Made = Callable[..., object]
 Ends = tuple[ast.Expr, ast.Expr]
 Measure = tuple[ast.Expr, ast.Expr | None]
-Wheel = tuple[ast.Name, ast.Expr, ast.Name, ast.Expr]
+Rim = tuple[ast.Expr, ast.Name | None]
+"""A wheel: its radius, and the link that it is fixed to, or the ground."""
 
 
 def unquoted(token: Token | None) -> str:
@@ -67,16 +69,20 @@ def link(points: ast.Name, label: Token | None) -> ast.Link:
     return ast.Link(NOWHERE, points, unquoted(label))
 
 
-def gear(*wheels_and_inner: Any) -> ast.Gear:
-    """Return ``gear O1 r1, O2 r2 inner``."""
-    *wheels, inner = wheels_and_inner
-    return ast.Gear(NOWHERE, *cast(Wheel, tuple(wheels)), inner=inner is not None)
+def gear(first: ast.Name, one: Rim, second: ast.Name, other: Rim, inner: Token | None) -> ast.Gear:
+    """Return ``gear O1 r1 on O1A, O2 r2 inner``."""
+    (radius, link), (second_radius, second_link) = one, other
+    is_inner = inner is not None
+    return ast.Gear(NOWHERE, first, radius, second, second_radius, is_inner, link, second_link)
 
 
-def belt(*wheels_and_crossed: Any) -> ast.Belt:
-    """Return ``belt O1 r1, O2 r2 crossed``."""
-    *wheels, crossed = wheels_and_crossed
-    return ast.Belt(NOWHERE, *cast(Wheel, tuple(wheels)), crossed=crossed is not None)
+def belt(
+    first: ast.Name, one: Rim, second: ast.Name, other: Rim, crossed: Token | None
+) -> ast.Belt:
+    """Return ``belt O1 r1 on O1A, O2 r2 crossed``."""
+    (radius, link), (second_radius, second_link) = one, other
+    is_crossed = crossed is not None
+    return ast.Belt(NOWHERE, first, radius, second, second_radius, is_crossed, link, second_link)
 
 
 def assembly(points: ast.Name, mode: Token) -> ast.Assembly:
@@ -234,6 +240,11 @@ def points(kind: str, token: Token) -> ast.Name:
     return expressions.point_name(kind, str(token), span_of(token))
 
 
+def carrier(token: Token) -> ast.Name:
+    """Return what a wheel is fixed to: a link by its points, or the ground."""
+    return ast.Name(GROUND, span_of(token)) if token == GROUND else points("points", token)
+
+
 def tupled(*parts: Any) -> tuple[Any, ...]:
     """Return the parts of a rule as a tuple."""
     return parts
@@ -310,6 +321,8 @@ PARTS: Mapping[str, Made] = {
     "range": tupled,
     "shared": tupled,
     "end": tupled,
+    "rim": tupled,
+    "carrier": carrier,
     "name": name,
     "dimension": dimension,
     "polar": expressions.polar,

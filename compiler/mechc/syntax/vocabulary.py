@@ -3,6 +3,9 @@
 import re
 from typing import NamedTuple
 
+GROUND = "ground"
+"""What a wheel is fixed to that is fast in the ground."""
+
 
 class Arity(NamedTuple):
     """How many arguments a function takes; ``most`` None means any number."""

@@ -155,7 +155,7 @@ def mapping_fields(
 
 
 def other_fields(key: Key, name: Scalar, value: Node, source: Source) -> dict[str, Any]:
-    """Return the two fields of ``O1: r1``: the point and what belongs to it."""
+    """Return the fields of ``O1: r1``: the point and what belongs to it."""
     point = Key("", Kind.POINT, key.fields[:1])
     return values(point, name, source) | values(key._replace(fields=key.fields[1:]), value, source)
 

@@ -167,6 +167,12 @@ def end(node: Node, source: Source) -> Fields:
     return point_name("point", node), None
 
 
+def rim(node: Node, source: Source) -> Fields:
+    """Read ``r``, or ``r on OA``."""
+    radius, link = parsed("rim", "a radius, or a radius and the wheel's link", node, source)
+    return radius, link
+
+
 def shared(node: Node, source: Source) -> Fields:
     """Read ``[K, L]``; a single point needs no brackets."""
     items = node.items if isinstance(node, Listing) else (node,)
@@ -261,6 +267,7 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.BODY: points_as("body"),
     Kind.PIN: pin,
     Kind.PAIR: pair,
+    Kind.RIM: rim,
     Kind.SHARED: shared,
     Kind.EXPRESSION: expression,
     Kind.DIRECTION: direction,

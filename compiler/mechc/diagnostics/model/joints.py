@@ -1,6 +1,6 @@
 """Messages for links, joints and geometry (E24x)."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 from ...source import Span
 from ..diagnostic import Message, Related, coded
@@ -232,21 +232,81 @@ def wheel_without_pivot(at: Span, what: str) -> Message:
 
 
 @coded("E293")
-def wheel_of_several(at: Span, pivot: str, links: Iterable[str]) -> Message:
-    """A wheel is fixed to the one link on its pivot; here there is none, or there are several.
+def wheel_of_several(at: Span, centre: str, links: Sequence[str], arm: str) -> Message:
+    """A wheel is fixed to the one link on its centre; here there is none, or there are several.
 
-    Give each wheel a pivot of its own, at the same place if need be::
+    The arm that carries both wheels does not count. ``on`` tells which link is meant::
 
         pivot O1
         link O1A             # the gear on O1 turns with it
-        gear O1 r1, O2 r2
+        link O1B
+        gear O1 r1, O2 r2            # wrong: with O1A or with O1B?
+        gear O1 r1 on O1A, O2 r2     # right
+        gear O1 r1 on ground, A r2   # right: a gear that stands still
     """
     named = ", ".join(links)
     count = f"carries {named}" if named else "carries no link"
+    beside = f" beside the arm {arm}" if arm else ""
     return Message(
         at,
-        f"pivot {pivot} {count}, expected one link to which the wheel is fixed",
-        "give the wheel a pivot with one link",
+        f"point {centre} {count}{beside}, expected one link to which the wheel is fixed",
+        f"say which turns with the wheel: `on {links[0]}`" if links else "add its `link` line",
+    )
+
+
+@coded("E266")
+def wheel_of_another(at: Span, centre: str, link: str) -> Message:
+    """A wheel turns about a point of the link that it is fixed to.
+
+    ::
+
+        link OS "sun"
+        link OA "arm"
+        link AB "planet"
+        gear O r1 on AB, A r2      # wrong: AB does not reach O
+        gear O r1 on OS, A r2      # right
+    """
+    return Message(
+        at,
+        f"{centre} is no point of {link}, expected a link on {centre}",
+        f"name the link that turns with the wheel on {centre}",
+    )
+
+
+@coded("E267")
+def no_arm(at: Span, first: str, second: str) -> Message:
+    """The centres of two wheels keep their distance: pivots, or points of one link, the arm.
+
+    A wheel's own link is not the arm, since the wheel turns against it::
+
+        link OA "arm"
+        link OS "sun"
+        link AB "planet"
+        gear O r1 on OS, A r2          # right: OA carries both
+        gear O r1 on OS, B r2          # wrong: no link carries O and B
+    """
+    return Message(
+        at,
+        f"no arm carries {first} and {second}, expected two pivots, or a link through both that is "
+        "neither wheel",
+        f"add the arm: `link {first}{second}`",
+    )
+
+
+@coded("E268")
+def several_arms(at: Span, first: str, second: str, links: Iterable[str]) -> Message:
+    """Two links carry the centres of the same wheels, which makes one body of them.
+
+    ::
+
+        link OA
+        link OAB             # wrong beside OA
+        gear O r1 on OS, A r2
+    """
+    return Message(
+        at,
+        f"{' and '.join(links)} carry both {first} and {second}, expected one arm",
+        "make one link of them",
     )
 
 

@@ -14,7 +14,7 @@ from ...kinematics.graph import Form, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...kinematics.plan import Block
 from ...kinematics.standing import standing
-from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque
+from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance, Term
 from ...study.analysis import Analysis
 from ..sentences.wording import positive_first
@@ -156,6 +156,8 @@ class _Writer:
                 return Rule.ROTATION, (relation.link, *relation.points)
             case Law.SLOT | Law.CONTACT:
                 return Rule(relation.rule.value), (*relation.points, relation.link)
+            case Law.GEAR | Law.BELT if arm := self._arm_of(relation):
+                return Rule.ON_ARM, (arm, *relation.points)
             case Law.GEAR | Law.BELT | Law.RACK:
                 return Rule(relation.rule.value), relation.points
             case Law.SCREW:
@@ -164,6 +166,11 @@ class _Writer:
                 raise ValueError("only a released joint is held, and no step of a motion")
             case _:
                 assert_never(relation.rule)
+
+    def _arm_of(self, relation: Relation) -> str:
+        """Return the link that carries the centres of the wheels of a relation, if one does."""
+        pairs = self._graph.pose.mechanism.each(WheelPair)
+        return next(pair.arm for pair in pairs if pair.span == relation.span)
 
     # ------------------------------------------------------------------------- levers
 

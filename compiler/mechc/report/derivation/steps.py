@@ -44,6 +44,8 @@ class Rule(StrEnum):
     """Pitch circles that roll on one another."""
     BELT = "belt"
     """A belt or chain that runs with two rims."""
+    ON_ARM = "on_arm"
+    """Wheels that run with one another as seen from the arm that carries their centres."""
     RACK = "rack"
     """A rack that moves with the rim of its gear."""
     SCREW = "screw"
@@ -81,9 +83,9 @@ class Step:
 
     ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
     for PROJECTION the two ends of the rod; for SLOT and CONTACT the pin and the body, for GEAR
-    and BELT the two pivots, for RACK the pivot and the rack, for PARTING the two points; for
-    TOGETHER the links involved; for COMPONENT the point and the load, ``V_A_P`` being the
-    speed of A along P.
+    and BELT the two pivots, for ON_ARM the arm and the two centres, for RACK the pivot and the
+    rack, for PARTING the two points; for TOGETHER the links involved; for COMPONENT the point
+    and the load, ``V_A_P`` being the speed of A along P.
     ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
     """
 

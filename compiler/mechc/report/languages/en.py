@@ -44,6 +44,9 @@ LOCALE = Locale(
         "belt": "a belt joins the pulleys on {first} (radius {one}) and {second} (radius {two})",
         "crossed": "a crossed belt joins the pulleys on {first} (radius {one}) and "
         "{second} (radius {two})",
+        "wheel": "the wheel on {point} is fixed to {link}",
+        "fixed wheel": "the wheel on {point} is fixed to the ground",
+        "arm": "the link {link} carries the centres of the wheels on {points}",
         "rack": "the rack at {point} meshes with the gear on {pivot} (radius {radius})",
         "screw": "the screw {link} moves {point} by {pitch} for each turn",
         "on link": "{point} on the link {link}",
@@ -57,9 +60,9 @@ LOCALE = Locale(
         "guide": "friction in the guide of {point}: coefficient {value}",
         "reduced guide": "friction in the guide of {point}: reduced coefficient {value}",
         "face": "friction where {point} slides on another body: coefficient {value}",
-        "gear": "friction of the gears that {point} is the first pivot of: {value} of the force "
+        "gear": "friction of the gears that {point} is the first centre of: {value} of the force "
         "passed on is lost",
-        "belt": "friction of the belt that {point} is the first pivot of: {value} of the force "
+        "belt": "friction of the belt that {point} is the first centre of: {value} of the force "
         "passed on is lost",
         "rack": "friction of the rack at {point}: {value} of the force passed on is lost",
         "screw": "friction in the thread of the screw at {point}: coefficient {value}, mean "
@@ -113,6 +116,8 @@ LOCALE = Locale(
         "gear": "The gears on {all} roll on one another: their pitch circles have equal"
         " speeds at the pitch point.",
         "belt": "The belt between {all} runs with both rims: their speeds are equal.",
+        "on_arm": "Seen from the link {first}, which carries the centres {rest}, the rims of both "
+        "wheels have equal speeds.",
         "rack": "The rack {rest} moves with the pitch circle of the gear on {first}.",
         "screw": "The screw moves {rest} by its pitch for each turn.",
         "parting": "Rate of the distance between {all}: the difference of their velocities"

@@ -60,6 +60,8 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
             yield say["contact"].format(point=on, body=body, normal=across)
         case WheelPair():
             yield _wheels(joint, locale, style)
+            if joint.arm:
+                yield from _on_arm(joint, locale)
         case Rack(point, pivot, radius=size):
             on, centre = math(points(point)), math(points(pivot))
             radius = math(length_of(size, locale, style))
@@ -86,3 +88,14 @@ def _wheels(mesh: WheelPair, locale: Locale, style: Notation) -> str:
         one=math(length_of(mesh.first_radius, locale, style)),
         two=math(length_of(mesh.second_radius, locale, style)),
     )
+
+
+def _on_arm(mesh: WheelPair, locale: Locale) -> Iterator[str]:
+    """Yield what carries the centres of two wheels, and what each of them is fixed to."""
+    say = locale.joints
+    ends = f" {locale.conjunction} ".join(math(points(centre)) for centre in mesh.points)
+    yield say["arm"].format(link=math(points(mesh.arm)), points=ends)
+    for centre, link in zip(mesh.points, mesh.wheels, strict=True):
+        on = math(points(centre))
+        body = math(points(link)) if link else ""
+        yield say["wheel" if link else "fixed wheel"].format(point=on, link=body)

@@ -1,0 +1,133 @@
+"""Wheels on moving arms: Willis's relations, moments by hand, and what is told of them."""
+
+import re
+
+import pytest
+
+import mechc
+from mechc.driver import compile_source
+from mechc.source import Source
+
+TRAIN = """
+param r = {r} mm
+param p = {p} mm
+param phi = 25 deg
+pivot O
+link OA "arm"
+link AB "planet"
+link OS "sun"
+{wheels}
+OA = {arm} @ phi
+AB = 10 mm @ 70 deg
+OS = 10 mm @ 200 deg
+torque M on OS
+torque T on OA
+find k = M/T
+find i = omega_OS/omega_OA
+find j = omega_AB/omega_OA
+"""
+
+RING = "gear O r on OS, A p\ngear O r + 2*p on ground, A p inner"
+SWAPPED = "gear A p, O r on OS\ngear A p, O r + 2*p on ground inner"
+
+
+def train(wheels: str = RING, arm: str = "r + p", r: float = 20, p: float = 15) -> str:
+    return TRAIN.format(wheels=wheels, arm=arm, r=r, p=p)
+
+
+def values(text: str) -> dict[str, float]:
+    made = mechc.loads(text, "train.mech")
+    assert not {d.code for d in made.warnings} - {"W502"}
+    return made.evaluate()
+
+
+@pytest.mark.parametrize("wheels", [RING, SWAPPED])
+@pytest.mark.parametrize(("r", "p"), [(20, 15), (12, 40)])
+def test_a_fixed_ring(wheels: str, r: float, p: float) -> None:
+    """(ω_sun − ω_arm)/(0 − ω_arm) = −R/r with R = r + 2p; M·ω_sun + T·ω_arm = 0."""
+    found = values(train(wheels, r=r, p=p))
+    assert found["i"] == pytest.approx(1 + (r + 2 * p) / r, rel=1e-13)
+    assert found["j"] == pytest.approx(1 - (r + 2 * p) / p, rel=1e-13)
+    assert found["k"] == pytest.approx(-1 / found["i"], rel=1e-13)
+
+
+def test_a_stepped_planet() -> None:
+    """Two gears on one planet: ω_sun − ω_arm = (0 − ω_arm)·R·p/(r·q), of opposite sense."""
+    wheels = "param q = 10 mm\ngear O r on OS, A p\ngear O r + p + q on ground, A q inner"
+    assert values(train(wheels))["i"] == pytest.approx(1 + 45 * 15 / (20 * 10), rel=1e-13)
+
+
+@pytest.mark.parametrize(
+    ("belt", "i"), [("belt O r on OS, A p", 0.25), ("belt O r on OS, A p crossed", 1.75)]
+)
+def test_belts_on_an_arm(belt: str, i: float) -> None:
+    """The planet does not turn: ω_sun − ω_arm = ∓ω_arm·p/r."""
+    text = train(f"{belt}\nbelt O 30 mm on ground, A 30 mm", "200 mm")
+    found = values(text)
+    assert found["i"] == pytest.approx(i, rel=1e-13)
+    assert abs(found["j"]) < 1e-15
+
+
+def test_a_gear_on_the_rod_of_a_linkage_follows_moments_by_hand() -> None:
+    """Watt's sun and planet: the beam's rod carries a wheel that does not turn about itself.
+
+    With rod and beam translating the planet, ω_planet = 0: the sun turns 1 + p/r times as fast.
+    """
+    text = train("gear O r on OS, A p\nslide AB along perp OA").replace('link AB "planet"\n', "")
+    with pytest.raises(mechc.MechcError, match="E29"):
+        mechc.loads(text, "train.mech")
+
+
+def test_friction_of_teeth_acts_in_the_motion_relative_to_the_arm() -> None:
+    """Moments by hand, M driving along its arrow against T on the arm, c = 2 % at the sun.
+
+    The sun takes X·r at its rim, the planet X·(1 − c), which the ring takes as well. All
+    couples from outside add up to zero: T = −(r + R·(1 − c))·X. The sun turns ahead of the
+    arm, so that it drives.
+    """
+    turned = train(SWAPPED).replace("find k = M/T", "find k = T/M") + "friction gear A 0.02\n"
+    turned = turned.replace("gear A p, O r + 2*p on ground inner", RING.split("\n")[1])
+    found = values(turned)
+    assert found["k_hold"] == pytest.approx(-(20 + 50 * 0.98) / 20, rel=1e-12)
+    assert found["k_f"] == pytest.approx(-(20 + 50 * 1.02) / 20, rel=1e-12)
+
+
+def test_two_freedoms_give_each_torque_by_the_one_that_is_known() -> None:
+    """Couples on sun, ring and arm are as r : R : −(r + R), whatever turns."""
+    wheels = RING.replace("ground", "OR") + "\nlink OR\nOR = 10 mm @ 0 deg"
+    text = train(wheels) + "torque N on OR\nfind T\nfind N\n"
+    text = re.sub("find [kij] = .*\n", "", text)
+    found = mechc.loads(text, "train.mech").evaluate(M=2.0)
+    assert found["T"] == pytest.approx(-2 * (20 + 50) / 20, rel=1e-13)
+    assert found["N"] == pytest.approx(2 * 50 / 20, rel=1e-13)
+
+
+def test_gears_on_an_arm_that_do_not_reach_one_another() -> None:
+    found = compile_source(Source("a.mech", train(arm="40 mm"))).report.diagnostics
+    assert [d.code for d in found if d.code != "W502"] == ["W302", "W302"]
+
+
+def test_couples_of_the_teeth_on_free_bodies() -> None:
+    """T = 7 N·m: X·2·35 mm = 7 N·m turns the sun with X·20 mm, and the planet not at all."""
+    (diagram,) = mechc.loads(train(), "train.mech").free_bodies(T=7)
+    couples = {
+        (b.name, a.by): a.moment for b in diagram.bodies for a in b.forces if a.kind == "gear"
+    }
+    assert couples == pytest.approx(
+        {("AB", "OS"): -1.5, ("AB", "ground"): 1.5, ("OS", "AB"): -2.0}, rel=1e-12
+    ) or couples == pytest.approx(
+        {("AB", "OS"): 1.5, ("AB", "ground"): -1.5, ("OS", "AB"): 2.0}, rel=1e-12
+    )
+
+
+@pytest.mark.parametrize(
+    ("language", "words"),
+    [("en", "carries the centres"), ("uk", "водило"), ("ru", "водило")],
+)
+def test_reports_tell_the_arm_and_what_each_wheel_is_fixed_to(language: str, words: str) -> None:
+    report = mechc.loads(train(), "train.mech").emit("latex", language=language)
+    assert report.count(words) == 2
+    assert (
+        report.count({"en": "fixed to the ground", "uk": "нерухоме", "ru": "неподвижно"}[language])
+        == 1
+    )
