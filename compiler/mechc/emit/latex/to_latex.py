@@ -14,7 +14,7 @@ from ...formula.layout import is_angle
 from ...formula.walk import symbols
 from ...frozen import replace
 from ...model.mechanism import Parameter, WithFriction
-from ...report.derivation.steps import Derivation, Equation, Step
+from ...report.derivation.steps import Derivation, Equation, LastStep, Step
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
@@ -76,6 +76,7 @@ class Report(NamedTuple):
     steps: tuple[StepBlock, ...]
     several: str
     balances: str
+    last: str
     results: tuple[SectionBlock, ...]
     conditions: str
     numbers: tuple[str, ...]
@@ -190,6 +191,7 @@ def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool)
         steps=tuple(_step(step, locale, style) for step in derivation.steps),
         several=_several(derivation, locale),
         balances=_balances(derivation.balances, locale, style),
+        last=_last(derivation.last_steps, locale, style),
         results=tuple(section_block(s, locale, style) for s in whole.results),
         conditions=conditions(mechanism.requires, Speller(style)),
         numbers=numbers(derivation.results, locale, style),
@@ -223,6 +225,20 @@ def _balances(balances: tuple[Equation, ...], locale: Locale, style: Notation) -
     if any(box(e.left, style).width > LINE for e in balances):
         return "\n".join(vanishing(e.left, style, locale.where) for e in balances)
     return _equations(balances, locale, style)
+
+
+def _last(steps: tuple[LastStep, ...], locale: Locale, style: Notation) -> str:
+    """Return what the power equation gives, behind the ratios of speeds that are put in."""
+    lines: list[Line] = []
+    for step in steps:
+        if step.chain:
+            ratio, links, product = step.chain
+            between = (part for link in links for part in (plain(r"\cdot "), box(link, style)))
+            _, *product_of_links = between
+            left = row((box(ratio, style), plain("="), *product_of_links))
+            lines.append(Line(left, product))
+        lines.append(Line(_chained((step.ratio.left,), style), step.ratio.right))
+    return display(tuple(lines), style, locale.where) if lines else ""
 
 
 def _chained(sides: Sides, style: Notation) -> Box:

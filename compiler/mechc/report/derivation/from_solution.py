@@ -20,6 +20,7 @@ from ...study.analysis import Analysis
 from ..sentences.wording import positive_first
 from .forces import of_forces
 from .friction import of_friction
+from .last_step import last_steps
 from .notation import Named, Notation
 from .outputs import acting_on
 from .position import position_steps
@@ -37,7 +38,7 @@ def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
     explanations = (*of_forces(solution), *of_friction(solution))
     derivation = Derivation(steps, terms, tuple(writer.balances()), tuple(results), explanations)
     position = position_steps(balance.plan.graph.pose, derivation)
-    return replace(derivation, position=tuple(position))
+    return replace(derivation, position=tuple(position), last_steps=tuple(last_steps(derivation)))
 
 
 class _Writer:

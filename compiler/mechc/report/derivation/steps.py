@@ -210,12 +210,31 @@ class Explanation:
     where: tuple[Definition, ...] = ()
 
 
+class SpeedChain(NamedTuple):
+    """The ratio of two speeds as a product of ratios found one after another: ``V_K/V_A``."""
+
+    ratio: Formula
+    links: tuple[Formula, ...]
+    product: Formula
+
+
+@frozen
+class LastStep:
+    """What the power equation gives: a ratio of loads in the speeds that were named.
+
+    ``chain`` is the ratio of these speeds, None where one relation gave it.
+    """
+
+    chain: SpeedChain | None
+    ratio: Equation
+
+
 @frozen
 class Derivation:
     """The velocity steps, the power equation (or several, at mobility m), the results.
 
     ``explanations`` tell of results that need more than the power equation, ``position`` how
-    what all of these mention follows from the loops.
+    what all of these mention follows from the loops, ``last_steps`` what the power equation gives.
     """
 
     steps: tuple[Step, ...]
@@ -224,3 +243,4 @@ class Derivation:
     results: tuple[Analysis, ...]
     explanations: tuple[Explanation, ...] = ()
     position: tuple[PositionStep, ...] = ()
+    last_steps: tuple[LastStep, ...] = ()

@@ -14,7 +14,7 @@ from ...model.result import Definition
 from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit
 from ..definitions import Solved, grouped
-from ..derivation.steps import Derivation, Step
+from ..derivation.steps import Derivation, LastStep, Step
 from ..languages.en import LOCALE
 from ..sections import PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
@@ -135,6 +135,17 @@ def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:
         yield from ("", LOCALE.power)
         yield from _wrapped(LOCALE.power_rule, "     ")
         yield from _equations(derivation.balances, spell)
+    for step in derivation.last_steps:
+        yield from _last(step, spell)
+
+
+def _last(step: LastStep, spell: Speller) -> Iterator[str]:
+    if step.chain:
+        ratio, links, product = step.chain
+        shown = [spell.relation((side,), (), False) for side in (ratio, *links, product)]
+        times = " · " if spell.signs.fancy else " * "
+        yield from _broken(f"{shown[0]} = {times.join(shown[1:-1])} = {shown[-1]}")
+    yield from _equations((step.ratio,), spell)
 
 
 def _section(section: Section, spell: Speller) -> Iterator[str]:

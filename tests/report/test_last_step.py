@@ -1,0 +1,38 @@
+"""The last step of a derivation: ratios of speeds put into the power equation give k."""
+
+import pytest
+
+from good_mechanisms import CLOSED, compiled
+from mechc.algebra.equality import equal
+from mechc.formula.to_text import text
+from mechc.formula.tree import Symbol
+from mechc.formula.walk import substitute, symbols
+
+OPEN = ["karpenko_fig1_parallel_levers", "karpenko_fig9_packet_clamp"]
+
+
+def test_speeds_found_one_after_another_make_a_product():
+    (last,) = compiled("karpenko_fig9_packet_clamp").derivation.last_steps
+    assert text(last.chain.ratio) == "V_K/V_A"
+    assert [text(link) for link in last.chain.links] == ["V_K/V_B", "V_B/V_A"]
+    assert text(last.chain.product) == "a*sin(alpha + beta)/(b*cos(beta))"
+    assert text(last.ratio.left) == "P/F"
+    assert text(last.ratio.right) == "V_K/(2*V_A*cos(alpha))"
+
+
+@pytest.mark.parametrize("name", [n for n in (*CLOSED, *OPEN) if n != "triad_closed"])
+def test_with_the_speeds_put_in_it_is_k(name):
+    derivation = compiled(name).derivation
+    if not derivation.last_steps:
+        pytest.skip("more than two loads do work")
+    speeds = {}
+    for step in derivation.steps:
+        for left, right in step.results:
+            if isinstance(left, Symbol):
+                speeds[left.name] = right
+    (k,) = (r for r in derivation.results if r.name == "k")
+    (last,) = derivation.last_steps
+    ratio = last.ratio.right
+    while names := symbols(ratio) & speeds.keys():
+        ratio = substitute(ratio, {name: speeds[name] for name in names})
+    assert equal(ratio, k.formula)
