@@ -20,14 +20,12 @@ from ..diagnostics import pose as messages
 from ..formula.to_text import text
 from ..source import Span
 from .pose import Arm, Vector, evaluate_vector
+from .tolerances import LOOP_GAP
 
 Row = dict[str, int]
 """A linear equation in the open lengths, modulo the prime; the constant stands under ''."""
 
 Values = Mapping[str, float]
-
-GAP = 1e-9
-"""A gap below this part of the longest arm counts as closed at the values given."""
 
 
 class Condition(NamedTuple):
@@ -79,7 +77,7 @@ class Closure:
         named = _symbols(counted) | dict(direction.terms).keys()
         if self._defined.isdisjoint(named) or self._mentions_open(counted):
             return False
-        return not any(abs(_along(counted, direction, values)) > GAP for values in poses)
+        return not any(abs(_along(counted, direction, values)) > LOOP_GAP for values in poses)
 
     def _row(self, arms: Vector, direction: Angle) -> Row:
         row: Row = {}
@@ -128,7 +126,7 @@ def _gap(condition: Condition, values: Mapping[str, float]) -> float:
     except (KeyError, ZeroDivisionError):
         return 0.0
     gap = math.hypot(*parts)
-    return gap if gap > GAP * longest else 0.0
+    return gap if gap > LOOP_GAP * longest else 0.0
 
 
 def _along(arms: Vector, direction: Angle, values: Values) -> float:

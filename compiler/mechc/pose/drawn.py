@@ -11,12 +11,10 @@ from ..units import in_unit
 from .loops.vector_graph import mentioned
 from .pose import evaluate_vector
 from .samples import Values
+from .tolerances import DRAWN_GAP
 from .vectors import Vectors
 
 Place = tuple[float, float]
-
-ROUNDED = 1e-6
-"""A gap below this part of the drawing is one of rounding."""
 
 
 def places_of(drawn: Sequence[Drawn], values: Values) -> dict[str, Place]:
@@ -34,7 +32,7 @@ def drawn_elsewhere(
     gaps = {point: math.dist(at, places[point]) for point, at in real.items()}
     farthest = max(gaps, key=lambda point: gaps[point], default="")
     slack = max((d.slack for d in drawn), default=0.0)
-    if farthest and gaps[farthest] > slack + ROUNDED * _size(places):
+    if farthest and gaps[farthest] > slack + DRAWN_GAP * _size(places):
         (one,) = (d for d in drawn if d.point == farthest)
         x, y = (_shown(part, one.unit) for part in real[farthest])
         gap = _shown(gaps[farthest], one.unit)

@@ -7,10 +7,8 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import pose as messages
 from ..model.mechanism import Assembly
 from .pose import evaluate_vector
+from .tolerances import FLAT_TRIANGLE
 from .vectors import Vectors
-
-FLAT = 1e-9
-"""A triangle whose height is below this part of its longest side has no turn."""
 
 
 def remarks(
@@ -37,7 +35,7 @@ def _area(assembly: Assembly, vectors: Vectors, values: Mapping[str, float]) -> 
         return None
     area = bx * cy - by * cx
     longest = max(bx * bx + by * by, cx * cx + cy * cy)
-    return area if abs(area) > FLAT * longest else None
+    return area if abs(area) > FLAT_TRIANGLE * longest else None
 
 
 def contradictions(assemblies: Sequence[Assembly]) -> Iterator[Diagnostic]:

@@ -20,10 +20,8 @@ from ..source import Span
 from .loops.vector_graph import mentioned
 from .pose import Pose, evaluate_vector
 from .samples import Values
+from .tolerances import CENTRE_GAP
 from .vectors import Vectors
-
-CLOSE = 1e-6
-"""Centres that are off by less than this part of their distance are where they should be."""
 
 
 class Misfit(NamedTuple):
@@ -61,5 +59,5 @@ def misfits(pose: Pose, vectors: Vectors, values: Values) -> Iterator[Misfit]:
         first, second = (length.evaluate(values) for length in lengths)
         apart = math.hypot(*evaluate_vector(line, values))
         wanted = abs(first - second) if mesh.same else first + second
-        if abs(apart - wanted) > CLOSE * apart:
+        if abs(apart - wanted) > CENTRE_GAP * apart:
             yield Misfit(mesh.span, f"{mesh.first} and {mesh.second}", apart, wanted)

@@ -7,6 +7,7 @@ from ...diagnostics import MechcError, Report
 from ...diagnostics import pose as messages
 from ...model.mechanism import Assembly
 from ..samples import Values
+from ..tolerances import FLAT_TRIANGLE
 from .drawn import nearest
 from .dyads import Closure
 from .guide_lines import GuideLine
@@ -14,9 +15,6 @@ from .reach import reach_of
 from .state import State
 from .telling import Loops, Telling, group_span, is_ahead
 from .vector_graph import loop_name
-
-FLAT = 1e-9
-"""A triangle whose height is below this part of its longest side has no turn."""
 
 
 class Choice:
@@ -118,7 +116,7 @@ class Choice:
         (ax, ay), (bx, by), (cx, cy) = (places[p] for p in assembly.points)
         area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax)
         longest = max(math.hypot(bx - ax, by - ay), math.hypot(cx - ax, cy - ay))
-        return 0.0 if abs(area) < FLAT * longest**2 else area
+        return 0.0 if abs(area) < FLAT_TRIANGLE * longest**2 else area
 
     def _start(self, assembly: Assembly, values: Values) -> str | None:
         """Return a point to measure from: the fixed end of a guide, or the first point."""

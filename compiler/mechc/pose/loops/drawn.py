@@ -7,12 +7,10 @@ from itertools import combinations
 from ...algebra.product import Product
 from ..drawn import Place, places_of
 from ..samples import Values
+from ..tolerances import EQUALLY_NEAR
 from .groups import Block
 from .state import State
 from .vector_graph import mentioned
-
-ALIKE = 1e-6
-"""Closures whose gaps differ by less than this part of the drawing's size are equally near."""
 
 
 def nearest(
@@ -30,7 +28,7 @@ def nearest(
     else:
         gaps = [_within(poses[i], drawn, state, within) for i in indices]
     size = max(math.dist(a, b) for a, b in combinations([*drawn.values(), (0.0, 0.0)], 2))
-    slack = ALIKE * (size if within is None else size**2)
+    slack = EQUALLY_NEAR * (size if within is None else size**2)
     order = sorted(range(len(indices)), key=lambda i: gaps[i])
     is_clear = len(order) > 1 and gaps[order[1]] - gaps[order[0]] > slack
     return [indices[order[0]]] if is_clear else []

@@ -18,6 +18,7 @@ from ...formula.tree import Formula, System, implicit
 from ...frozen import replace
 from ..pose import Arm, Definition, Limit, Vector, components, gathered
 from ..samples import Values
+from ..tolerances import SAME_CLOSURE, SOLVED_GAP
 from .dyads import Closure
 from .state import State
 from .vector_graph import Cycle, mentioned
@@ -30,12 +31,6 @@ VAIN = 40
 
 STEPS = 40
 """Newton steps after which a start is given up."""
-
-CLOSED = 1e-13
-"""A gap below this part of the largest arm is closed."""
-
-SAME = 1e-6
-"""Closures whose unknowns differ by less are one."""
 
 
 class Block(NamedTuple):
@@ -209,7 +204,7 @@ def _solutions(
             math.remainder(end[n], 2 * math.pi) if n in state.angles else end[n] for n in names
         )
         vain += 1
-        if all(_apart(folded, known) > SAME for known in found):
+        if all(_apart(folded, known) > SAME_CLOSURE for known in found):
             found.append(folded)
             vain = 0
     return sorted(found)
@@ -246,7 +241,7 @@ def _newton(
     """Return values at which all rows vanish, None where the start leads nowhere."""
     for _ in range(STEPS):
         gaps = [_component(arms, part, values) for arms, part in rows]
-        if max(map(abs, gaps)) < CLOSED * size:
+        if max(map(abs, gaps)) < SOLVED_GAP * size:
             return values
         matrix = [
             [_component(arms, part, values) for arms in slope]

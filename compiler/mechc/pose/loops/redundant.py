@@ -8,13 +8,11 @@ from ...diagnostics import Diagnostic
 from ...diagnostics import pose as messages
 from ...formula.tree import Call
 from ..pose import Arm, Definition, Vector, components, evaluate_vector, gathered
+from ..tolerances import LOOP_GAP
 from .dyads import Closure
 from .state import State
 from .triangle import common_turn, principal
 from .vector_graph import Cycle, loop_name, mentioned, points_around
-
-FITS = 1e-9
-"""A gap below this part of the longest arm counts as closed at the values given."""
 
 
 def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
@@ -29,7 +27,7 @@ def check_fit(name: str, cycle: Cycle, state: State) -> Diagnostic | None:
     else:
         gaps = [_side_gap(known, moving, values) for values in _whole(known, state)]
     size, gap = gaps[0]
-    if abs(gap) > FITS * size:
+    if abs(gap) > LOOP_GAP * size:
         edge = max((e for e in cycle if name in mentioned(e.arms)), key=lambda e: e.span.start)
         points = loop_name(cycle)
         return messages.loop_does_not_close(edge.span, points, f"{abs(gap) * 1000:.4g} mm")

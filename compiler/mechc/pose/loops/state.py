@@ -12,14 +12,12 @@ from ...units import LENGTH
 from ..pose import ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
 from ..samples import Values, poses_nearby
 from ..terms import Terms
+from ..tolerances import SAME_ANGLE
 from .continuation import given_rates
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .rates import loop_rates
 from .vector_graph import Edge, Names, VectorGraph, mentioned
-
-ALIKE = 1e-9
-"""Angles in radians that differ by less at every pose looked at are the same angle."""
 
 
 class State:
@@ -179,7 +177,7 @@ def _quarters(gaps: Sequence[float]) -> int | None:
         return None
     quarters = round(gaps[0] / (math.pi / 2))
     turned = quarters * math.pi / 2
-    if any(abs(math.remainder(gap - turned, 2 * math.pi)) > ALIKE for gap in gaps):
+    if any(abs(math.remainder(gap - turned, 2 * math.pi)) > SAME_ANGLE for gap in gaps):
         return None
     return quarters
 

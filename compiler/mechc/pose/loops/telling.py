@@ -10,6 +10,7 @@ from ...model.mechanism import Assembly
 from ...source import Span
 from ..pose import Limit
 from ..samples import Values
+from ..tolerances import SAME_DIRECTION, SAME_PLACE
 from .guide_lines import GuideLine
 from .vector_graph import Cycle, Names
 
@@ -42,12 +43,6 @@ Measure = Callable[[Assembly, Values], float | None]
 
 FEW = 3
 """Closures that are listed in a line; more are listed in a table, and by so many directions."""
-
-FLAT = 1e-9
-"""Places that differ by less than this part are one."""
-
-SAME = 1e-6
-"""Directions in radians that differ by less are one."""
 
 
 class Telling:
@@ -84,7 +79,7 @@ class Telling:
         """Tell whether poses are one, so that it is no matter of lines."""
         names = sorted(self._group.unknown)
         return all(
-            abs(math.remainder(p.get(n, 0.0) - poses[0].get(n, 0.0), 2 * math.pi)) < SAME
+            abs(math.remainder(p.get(n, 0.0) - poses[0].get(n, 0.0), 2 * math.pi)) < SAME_DIRECTION
             for p in poses
             for n in names
         )
@@ -150,7 +145,7 @@ class Telling:
 def is_ahead(place: float, places: Sequence[float]) -> bool:
     """Tell whether a place is the farthest along the guide; several closures may share it."""
     known = [p for p in places if not math.isnan(p)]
-    return place > max(known) - FLAT * max(map(abs, known))
+    return place > max(known) - SAME_PLACE * max(map(abs, known))
 
 
 def _degrees(angle: float) -> str:
