@@ -11,15 +11,7 @@ from typing import NamedTuple
 from .balanced import Balanced, Row, Tie
 from .free_bodies import System
 from .solve import Factors
-
-INCONSISTENT = 1e-9
-"""A residual above this, relative to the heaviest row, is an equation that does not hold."""
-
-ROUNDED = 2.0**-52
-"""What a force at a joint that is zero by two reasons is off, per largest force.
-
-It is the rounding of a rounding. A load may be tiny and right: 200 gears pass on 1e-60.
-"""
+from .tolerances import EPSILON, INCONSISTENT
 
 UNBALANCED = "no forces at the joints balance the loads"
 
@@ -125,7 +117,7 @@ def combination(
     value = sum(weight * found[column] for column, weight in weights.items())
     sizes = factors.weights(found, right)
     forces = [column for column in weights if column < len(system.unknowns)]
-    influence = ROUNDED * max(sizes, default=0.0) * len(forces)
+    influence = EPSILON * max(sizes, default=0.0) * len(forces)
     influence += sum(abs(found[column]) for column in forces)
     for column, weight in weights.items():
         terms = zip(factors.adjoint(column), sizes, strict=True)

@@ -15,9 +15,7 @@ from ..frozen import frozen
 from ..model.mechanism import Absolute, Along, Arrow, Direction, Geometry, Offset, Slider, Turn
 from ..pose.places import Edge, Plane, Sweep, between, direction, placed
 from ..pose.pose import Pose, evaluate_vector
-
-CLOSED = 1e-6
-"""A gap below this part of the largest length is rounding: arc cosines lose half the digits."""
+from .tolerances import LOOP_GAP
 
 
 class Gap(NamedTuple):
@@ -37,7 +35,7 @@ def worst_gap(pose: Pose, values: Mapping[str, float]) -> Gap | None:
     found = [gap for gap in gaps if gap is not None]
     size = max((math.hypot(*edge.vector) for edge in edges), default=0.0)
     worst = max(found, key=lambda gap: gap.size, default=None)
-    return worst if worst is not None and worst.size > CLOSED * size else None
+    return worst if worst is not None and worst.size > LOOP_GAP * size else None
 
 
 def _links(pose: Pose, values: Mapping[str, float]) -> Iterator[Edge]:

@@ -14,9 +14,7 @@ from ..pose.pose import PointContact
 from .answers import pushes
 from .balanced import Balanced
 from .poses import free_values
-
-PULL = 1e-9
-"""A pull below this part of the load is rounding."""
+from .tolerances import PULL
 
 Forces = Mapping[tuple[str, str], float]
 """What each body does to a pin, by pin and body; a pull is negative."""

@@ -13,9 +13,7 @@ from .assembly import Assembly
 from .diagram import Acting, FreeBody, Plane
 from .free_bodies import System
 from .friction import Pair
-
-ROUNDED = 1e-13
-"""What is smaller than this beside its like is a zero that was rounded."""
+from .tolerances import VANISHED
 
 Sweep = Mapping[str, Plane]
 """Where points are drawn."""
@@ -78,7 +76,7 @@ def sizes_beyond_rounding(
     used = [places[a.point] for a in acting if a.point in places]
     span = max((math.dist(one, other) for one in used for other in used), default=0.0)
     couple = max((abs(a.moment) for a in acting), default=0.0)
-    least = {True: ROUNDED * max(largest * span, couple), False: ROUNDED * largest}
+    least = {True: VANISHED * max(largest * span, couple), False: VANISHED * largest}
     return {n: s if abs(s) > least[n in torques] else 0.0 for n, s in solution.sizes.items()}
 
 
@@ -113,7 +111,7 @@ def _slotted(rod: FreeBody, bodies: Iterable[FreeBody]) -> Iterator[FreeBody]:
 def _rounded(bodies: Sequence[FreeBody]) -> Iterator[FreeBody]:
     """Yield bodies with zeros where only rounding is left of a force, beside the others."""
     sizes = (math.hypot(*a.force) for body in bodies for a in body.forces if a.force)
-    least = ROUNDED * max(sizes, default=0.0)
+    least = VANISHED * max(sizes, default=0.0)
     for body in bodies:
         yield body._replace(forces=tuple(_clean(acting, least) for acting in body.forces))
 
@@ -138,7 +136,7 @@ def _held(body: FreeBody, places: Sweep) -> FreeBody:
     start = places[forces[holding].point]
     others = [a for a in forces if a.kind != "guide"]
     couple = -math.fsum(a.about(start, places) for a in others)
-    small = abs(couple) <= ROUNDED * max((_reach(a, start, places) for a in others), default=0.0)
+    small = abs(couple) <= VANISHED * max((_reach(a, start, places) for a in others), default=0.0)
     forces[holding] = forces[holding]._replace(moment=0.0 if small else couple)
     return body._replace(forces=tuple(forces))
 

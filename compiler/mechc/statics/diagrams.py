@@ -17,13 +17,11 @@ from .cases import Case, Sizes, cases, sizes_of
 from .cut_free import Solution, Sweep, cut_free, sizes_beyond_rounding
 from .diagram import Acting, Diagram, FreeBody, Motion
 from .poses import with_lets
+from .tolerances import FORCE_CHANGE
 from .unfold import Unfolding
 
 OTHER, MORE = 1.7, 0.31
 """By what chosen lengths are multiplied to see which forces depend on them, each by more."""
-
-SAME = 1e-9
-"""A change of a force below this part of the largest one is rounding."""
 
 CONSTANT = "an efficiency does not say where friction acts"
 
@@ -137,7 +135,7 @@ def _marked(
 ) -> Iterator[FreeBody]:
     """Yield bodies with the forces marked that are not the same at other lengths or places."""
     sizes = (math.hypot(*(a.force or NOWHERE)) for body in bodies for a in body.forces)
-    rounding = SAME * max(sizes, default=0.0)
+    rounding = FORCE_CHANGE * max(sizes, default=0.0)
     for body, other in zip(bodies, others, strict=True):
         tilts = body.name in loose
         both = zip(body.forces, other.forces, strict=True)

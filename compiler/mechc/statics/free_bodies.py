@@ -28,12 +28,7 @@ from .assembly import (
     Translation,
     Wrench,
 )
-
-ROUNDED = 1e-13
-"""A component below this part of its vector is a zero that was rounded.
-
-A row of such entries alone would otherwise be an equation: cos 90° = 6e-17 of a force is 0.
-"""
+from .tolerances import VANISHED
 
 X, Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
 
@@ -99,7 +94,7 @@ class _Sums:
 
 def _components(vector: Plane) -> tuple[float, float]:
     """Return x and y, a rounded zero as 0."""
-    least = ROUNDED * math.hypot(vector.x, vector.y)
+    least = VANISHED * math.hypot(vector.x, vector.y)
     return (
         vector.x if abs(vector.x) > least else 0.0,
         vector.y if abs(vector.y) > least else 0.0,

@@ -26,7 +26,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.targets import SIGNS
-from .answers import INCONSISTENT, ROUNDED, STANDS, UNBALANCED, UNSETTLED, Answer
+from .answers import STANDS, UNBALANCED, UNSETTLED, Answer
 from .assembly import Action, direction, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
@@ -34,10 +34,8 @@ from .joint_forces import Weights, wanted_of
 from .settled import SurfacePair, others, settled
 from .solve import Factors, factor
 from .speeds import dual_speed
+from .tolerances import EPSILON, INCONSISTENT, NO_SLIP
 from .unfold import Unfolding
-
-STANDING = 1e-13
-"""A slip below this, per unit of the driving load's speed, is none."""
 
 
 @frozen
@@ -190,7 +188,7 @@ def _answer(question: Question, weights: Weights, parts: Sequence[tuple[Row, flo
     for load, size in parts:
         found = question.factors.solve(load)
         sizes = question.factors.weights(found, load)
-        rounding = ROUNDED * max(sizes, default=0.0)
+        rounding = EPSILON * max(sizes, default=0.0)
         for column, weight in weights.items():
             value += weight * size * found[column]
             if column != question.drive:  # the weight is rounded: a component of a direction
@@ -220,7 +218,7 @@ def _question(unfolding: Unfolding, pairs: Sequence[Pair], drive: str) -> Questi
 def _slip(unfolding: Unfolding, pair: Pair, reference: tuple[Action, ...]) -> float:
     """Return the sign of a pair's slip as the driving load moves along its arrow."""
     slip = dual_speed(unfolding, pair.actions, reference).value
-    return math.copysign(1.0, slip) if abs(slip) > STANDING else 0.0
+    return math.copysign(1.0, slip) if abs(slip) > NO_SLIP else 0.0
 
 
 def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:

@@ -45,6 +45,7 @@ from .contacts import pulling
 from .counted import uncounted
 from .poses import Replay, Values, candidates, free_values
 from .speeds import speed_ratio
+from .tolerances import SMALLEST
 from .verdict import Trial, Verdict
 
 POSES = 4
@@ -56,9 +57,6 @@ DRAWS = 40
 SINGULAR = 1e9
 """A pose whose condition is worse is within a hair of singular: another one is drawn."""
 
-
-TINY = 1e-300
-"""What an error is relative to where both answers are zero."""
 
 NO_VALUE = "virtual power gives no finite value"
 
@@ -280,7 +278,7 @@ def _compared(question: Question, at: Balanced, power: float, answer: Answer) ->
         return answer.trouble
     if power and answer.condition > SINGULAR:
         return NEAR_SINGULAR
-    error = abs(power - answer.value) / max(abs(power), abs(answer.value), TINY)
+    error = abs(power - answer.value) / max(abs(power), abs(answer.value), SMALLEST)
     values = dict(at.values)
     trial = Trial(question.name, values, power, answer.value, error, answer.condition)
     return answer.doubt if answer.doubt and not trial.agrees else trial

@@ -16,14 +16,12 @@ from collections.abc import Mapping, Sequence
 from typing import NamedTuple
 
 from ..frozen import frozen
+from .tolerances import DETERMINED, ELIMINATED, SAME_TERM
 
 Row = Mapping[int, float]
 
 THRESHOLD = 0.1
 """A pivot is at least this part of the largest entry of its row."""
-
-NOTHING = 1e-11
-"""What is smaller than this, relative to the terms it came from, is a rounded zero."""
 
 
 class Step(NamedTuple):
@@ -81,7 +79,7 @@ class Factors:
         if column in drift:
             return False
         shift = self._back({}, drift)
-        return abs(shift[column]) <= NOTHING * 1e3 * max(map(abs, shift), default=0.0)
+        return abs(shift[column]) <= DETERMINED * max(map(abs, shift), default=0.0)
 
     def adjoint(self, column: int) -> list[float]:
         """Return the weight with which each row's right-hand side enters an unknown."""
@@ -179,7 +177,7 @@ class _Elimination:
 
     def _drop_rounded_zeros(self, i: int) -> None:
         row = self.left[i]
-        for j in [j for j, v in row.items() if abs(v) <= NOTHING * self.size[i]]:
+        for j in [j for j, v in row.items() if abs(v) <= ELIMINATED * self.size[i]]:
             del row[j]
             self.columns[j].discard(i)
 
@@ -206,7 +204,7 @@ class _Elimination:
                 continue
             old, term = into.get(j, 0.0), multiple * v
             self.size[target] = max(self.size[target], abs(term))
-            if abs(old - term) <= 64 * 2.0**-52 * abs(old):
+            if abs(old - term) <= SAME_TERM * abs(old):
                 into.pop(j, None)
                 self.columns[j].discard(target)
             else:

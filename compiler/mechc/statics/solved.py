@@ -15,13 +15,14 @@ from ..model.mechanism import (
     WheelPair,
 )
 from .acts import Bearing
-from .answers import INCONSISTENT, UNBALANCED
+from .answers import UNBALANCED
 from .balanced import Tie, gather, ties, with_loads
 from .cases import Case
 from .cut_free import Solution
 from .free_bodies import equilibrium
 from .friction import rubbed
 from .solve import Factors, factor
+from .tolerances import INCONSISTENT
 from .unfold import Unfolding
 
 SEVERAL = "friction is found where one load follows from all the others"

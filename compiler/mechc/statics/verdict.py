@@ -3,6 +3,8 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from .tolerances import AGREEMENT, CONDITION_SLACK, EPSILON
+
 
 class Trial(NamedTuple):
     """One pose: the values, the result's name, both answers, and how far apart they may be.
@@ -24,7 +26,7 @@ class Trial(NamedTuple):
     @property
     def agrees(self) -> bool:
         """Return whether the two methods agree to within the pose's condition."""
-        return self.error <= max(1e4 * self.condition * 2.0**-52, 1e-12)
+        return self.error <= max(CONDITION_SLACK * self.condition * EPSILON, AGREEMENT)
 
 
 class Verdict(NamedTuple):
