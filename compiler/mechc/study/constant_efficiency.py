@@ -21,6 +21,7 @@ from .ratios import sizes
 from .sampling import looked_at
 from .states import Moving
 from .sweep import Sweep
+from .tolerances import DIFFERENCE
 
 FAR = 0.05
 """By so much a constant may miss the efficiency that friction makes."""
@@ -28,9 +29,6 @@ FAR = 0.05
 STEEP = 8.0
 """|d ln k/dφ| per radian at which pins of an eighth of a rod's length with f = 0.1, δ = 0.0125,
 take a tenth of the force."""
-
-STEP = 1e-6
-"""Half the distance over which k is differenced, as a part of a radian or of the stroke."""
 
 PLACES = 48
 """Places at which a range is looked at for steep ratios."""
@@ -135,10 +133,10 @@ class _Slope:
 
     def is_steep(self, place: float) -> bool:
         """Tell whether the ratio changes fast, passes zero or has no value."""
-        step, here = STEP * self._scale, self._places.of(self._ideal, place)
+        step, here = DIFFERENCE * self._scale, self._places.of(self._ideal, place)
         before, after = (self._places.of(self._ideal, place + s) for s in (-step, step))
         first, last = (v if math.isfinite(v) else here for v in (before, after))
         if not first * last > 0:
             return True
-        width = STEP * (math.isfinite(before) + math.isfinite(after))
+        width = DIFFERENCE * (math.isfinite(before) + math.isfinite(after))
         return abs(math.log(last / first)) > STEEP * width

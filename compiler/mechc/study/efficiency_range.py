@@ -11,9 +11,7 @@ from .ranges import moved, spans, unit_of, varying
 from .ratios import Study
 from .sampling import looked_at
 from .states import Moving
-
-SAME = 1e-9
-"""What varies less is the same: the efficiency does not depend on that parameter."""
+from .tolerances import SAME_EFFICIENCY
 
 
 def courses(study: Study, efficiency: Result) -> Iterator[EfficiencyRange]:
@@ -26,7 +24,7 @@ def courses(study: Study, efficiency: Result) -> Iterator[EfficiencyRange]:
         ends, moving = range_of(name, mechanism), study.moving(of, sense, name)
         if ends and moving:
             course = _Run(moving, *ends).course(name, unit_of(name, mechanism))
-            if course and (name in turning or course.greatest - course.least > SAME):
+            if course and (name in turning or course.greatest - course.least > SAME_EFFICIENCY):
                 yield course
 
 

@@ -28,16 +28,13 @@ from ..model.values import Chain, Values, allowed, completed, dependent, standin
 from ..units import in_unit
 from .analysis import as_printed
 from .poses import complete, default_pose, random_poses
+from .tolerances import SAME_FIGURE, SAME_RATIO
 
 POSES = 12
 """Random poses beside the default one."""
 
 DRAWS = 60
 """How many are drawn, at most, to find so many that can be assembled."""
-
-CLOSE = 1e-9
-"""Relative difference below which two formulas agree at a pose."""
-
 
 ROUNDINGS = 4
 """How many times the rounding of both values a difference may have: it is a first-order bound."""
@@ -122,7 +119,7 @@ def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Fin
         _in_code(result, pose, mechanism),
         Rounding(values).of(expect.value),
     )
-    slack = float(expect.tolerance) * (1 + CLOSE) + abs(expected) * 1e-12
+    slack = float(expect.tolerance) * (1 + SAME_RATIO) + abs(expected) * SAME_FIGURE
     slack += ROUNDINGS * (error + other)
     outcome: Literal["agrees", "refuted"] = (
         "agrees" if math.isfinite(found) and abs(found - expected) <= slack else "refuted"
@@ -185,7 +182,7 @@ def _differ(found: Rounded, expected: Rounded) -> bool:
         return False
     if math.isnan(found.value) or math.isnan(expected.value):
         return math.isnan(found.value) != math.isnan(expected.value)
-    slack = CLOSE * max(abs(found.value), abs(expected.value))
+    slack = SAME_RATIO * max(abs(found.value), abs(expected.value))
     return abs(found.value - expected.value) > slack + ROUNDINGS * (found.error + expected.error)
 
 

@@ -23,6 +23,7 @@ from ..power.balance import Balance, Solved
 from ..power.numbers import DefaultNumbers
 from .analysis import Analysis, Slope, Trend, as_printed
 from .breaks import breaks
+from .tolerances import SAME_RATIO
 from .trends import trend
 from .zeros import poles, zeros
 
@@ -167,4 +168,4 @@ def _agree_at_a_pose(formula: Formula, a: str, b: str) -> bool:
     values = {name: 0.3 + 0.61803 * i % 0.7 for i, name in enumerate(names)}
     here = evaluate(formula, values)
     there = evaluate(formula, {**values, a: values[b], b: values[a]})
-    return not abs(here - there) > 1e-9 * (abs(here) + abs(there))
+    return not abs(here - there) > SAME_RATIO * (abs(here) + abs(there))

@@ -14,10 +14,11 @@ from ..model.locking import Bound, Locking, LockingIntervals, Range, State, Stre
 from ..model.mechanism import LoadForm, LoadRatio, WithFriction
 from ..model.result import Result
 from ..model.values import range_of
-from .ranges import EXACT, NEARLY, last, turns, unit_of, varying
+from .ranges import last, turns, unit_of, varying
 from .ratios import Study
 from .sampling import PLACES, before_dead_centre, dead_centre, looked_at, nearest
 from .states import Moving
+from .tolerances import EXACT, NEARLY
 
 BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""

@@ -8,6 +8,7 @@ from ..model.locking import Range
 from ..model.mechanism import Mechanism
 from ..model.result import Result
 from ..units import ANGLE, LENGTH, in_unit
+from .tolerances import EXACT, NEARLY
 
 
 def varying(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
@@ -53,10 +54,6 @@ def unit_of(name: str, mechanism: Mechanism) -> str:
     if parameter.dimension == ANGLE:
         return ""
     return parameter.unit or ("m" if parameter.dimension == LENGTH else "")
-
-
-EXACT, NEARLY = 1e-13, 1e-10
-"""Widths, against the size of what is looked at, to which an end is narrowed down."""
 
 
 def last(holds: Callable[[float], bool], good: float, bad: float, width: float = EXACT) -> float:

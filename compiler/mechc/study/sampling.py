@@ -12,8 +12,9 @@ from functools import partial
 from itertools import pairwise
 
 from ..formula.roots import lowest, spaced
-from .ranges import NEARLY, last
+from .ranges import last
 from .states import Moving
+from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_PLACE, TOUCHED
 
 PLACES = 36
 """Places between which dead centres are looked for."""
@@ -27,23 +28,11 @@ HALVINGS = 8
 NEAREST = 2.0**-20
 """How near the last place is: as near as friction is sure to be larger than k, or k than it."""
 
-NEAR = 1e-9
-"""What is nearer to 0, against the distance of places, is 0."""
-
 BENT = 0.02
 """A cell is halved where its middle is off the straight line by this part of the values."""
 
 DEEPEST = 10
 """How often a cell is halved at most."""
-
-TOUCHED = 1e-6
-"""A ratio that comes nearer to nil than this, against its value beside, touches it."""
-
-FLAT = 1e-9
-"""Where an efficiency differs by less from its neighbours, it is as low or high as they are."""
-
-JUMP = 1e-6
-"""The width of a jump, where a sign changes, against the distance of places."""
 
 SECTIONS, FEWER = 16, 13
 """Sections to a lowest or highest efficiency, after which three figures are right."""
@@ -119,7 +108,7 @@ def dead_centre(moving: Moving, a: float, b: float) -> float:
     """
     ends = (a, b) if moving.driven(a) is not None else (b, a)
     place = before_dead_centre(moving, *ends)
-    return 0.0 if abs(place) < NEAR * abs(b - a) else place
+    return 0.0 if abs(place) < SAME_PLACE * abs(b - a) else place
 
 
 def before_dead_centre(moving: Moving, a: float, b: float) -> float:
@@ -133,7 +122,7 @@ def before_dead_centre(moving: Moving, a: float, b: float) -> float:
 
 def _jumps(moving: Moving, a: float, b: float) -> Iterator[float]:
     """Yield the places on either side of each change of a sign of a slip or force."""
-    width = (b - a) * JUMP
+    width = (b - a) * JUMP_WIDTH
     while moving.signs(a) != moving.signs(b) and b - a > 2 * width:
         place = _last_alike(moving, a, b)
         yield place
@@ -175,7 +164,7 @@ def _extremes(moving: Moving, places: Sequence[float]) -> Iterator[float]:
     sections = FEWER if moving.is_slow else SECTIONS
     for i in range(1, len(places) - 1):
         before, here, after = values[i - 1 : i + 2]
-        if not max(abs(here - before), abs(here - after)) > FLAT or here == 0:
+        if not max(abs(here - before), abs(here - after)) > SAME_EFFICIENCY or here == 0:
             continue
         for sense in (1, -1):
             if sense * here <= sense * before and sense * here <= sense * after:

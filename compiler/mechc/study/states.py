@@ -22,6 +22,7 @@ from ..model.locking import State
 from ..model.result import Definition, FrictionResult, Result
 from ..model.targets import SIGNS, Sense
 from .sweep import VALUE, Sweep, guarded
+from .tolerances import NEGLIGIBLE
 
 
 class Found(NamedTuple):
@@ -35,9 +36,6 @@ class Found(NamedTuple):
     share: float
     driven: bool | None
 
-
-FAR = 1e-9
-"""A ratio that is smaller or larger by so much may be nothing but rounding."""
 
 NOWHERE = Found(None, math.nan, None)
 
@@ -78,7 +76,7 @@ class Moving:
         ideal = self.without(place)
         if not math.isfinite(ideal) or not ideal:
             return True
-        if self._usual and FAR < abs(ideal / self._usual) < 1 / FAR:
+        if self._usual and NEGLIGIBLE < abs(ideal / self._usual) < 1 / NEGLIGIBLE:
             return False
         return not self._beyond_rounding(place)
 

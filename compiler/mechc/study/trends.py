@@ -11,6 +11,7 @@ from ..algebra.intervals import Box, Interval, sign, widened
 from ..algebra.product import Product, Sum
 from ..formula.walk import symbols
 from .analysis import Trend
+from .tolerances import NARROW_RANGE, SMALLEST
 
 PARTS = 48
 """A factor's sign is looked for on at most this many parts of the box."""
@@ -95,12 +96,12 @@ def _is_free_of_zeros(factor: Product, box: Box) -> bool:
 def _widest(box: Box) -> str | None:
     """Return the parameter with the widest finite range, relative to its size."""
     widths = {
-        name: (high - low) / max(abs(low), abs(high), 1e-300)
+        name: (high - low) / max(abs(low), abs(high), SMALLEST)
         for name, (low, high) in box.items()
         if math.isfinite(high - low)
     }
     name = max(widths, key=lambda n: widths[n], default=None)
-    return name if name is not None and widths[name] > 1e-9 else None
+    return name if name is not None and widths[name] > NARROW_RANGE else None
 
 
 def _halves(box: Box, name: str) -> Iterator[Box]:

@@ -20,15 +20,13 @@ from ..model.values import Chain
 from ..power.balance import Balance, Solved, Term
 from .analysis import Vanishing
 from .breaks import divisors, may_vanish
+from .tolerances import VANISHED_SUM
 
 STEPS = (1e-4, 1e-7)
 """How far from a root the values are compared that refute it, in radians.
 
 Far from it rounding does no harm; near it no other root that is close by does.
 """
-
-NIL = 1e-9
-"""A sum is zero below this part of its size a radian away."""
 
 Kind = Literal["output still", "drive locked", "perpendicular load", "other"]
 
@@ -178,7 +176,7 @@ def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
         return False
     place = root.value.evaluate(near)
     here, there = (abs(factor.evaluate({**near, root.name: place + h})) for h in (0, 1))
-    return here < NIL * there
+    return here < VANISHED_SUM * there
 
 
 def _kind(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Kind:

@@ -13,17 +13,12 @@ from ...algebra.sums import add
 from ...formula.roots import Function, Root, lowest, roots
 from ...formula.walk import symbols
 from ...pose.pose import Pose
+from ..tolerances import SAME_PLACE, TOUCHING_WIDTH, VANISHED_MARGIN
 from .along import Along
 from .stroke import Branch
 
-NIL = 1e-12
-"""A margin below this part of its greatest value is zero; twice what rounding makes of one."""
-
 TOUCHING = 0.25
 """What is left of a margin beside a place where it is touched, at most: a ninth of a parabola's."""
-
-ONE_PLACE = 1e-9
-"""Places closer than this part of the stroke are one."""
 
 
 def branch_points(pose: Pose, along: Along, places: Sequence[float]) -> tuple[Branch, ...]:
@@ -37,7 +32,7 @@ def branch_points(pose: Pose, along: Along, places: Sequence[float]) -> tuple[Br
     kept: list[Branch] = []
     for branch in sorted(found, key=lambda b: (b.loop, b.drive)):
         last = kept[-1] if kept else None
-        width = ONE_PLACE * (places[-1] - places[0])
+        width = SAME_PLACE * (places[-1] - places[0])
         if not last or last.loop != branch.loop or branch.drive - last.drive > width:
             kept.append(branch)
     return tuple(sorted(kept, key=lambda b: b.drive))
@@ -49,7 +44,7 @@ def _touched(product: Product, pose: Pose, along: Along, places: Sequence[float]
 
     size = max((abs(v) for v in map(margin, places) if v == v), default=0.0)
     for root in _turning(margin, _slope(product, pose), along, places):
-        if abs(margin(root.place)) <= NIL * size:
+        if abs(margin(root.place)) <= VANISHED_MARGIN * size:
             yield root
 
 
@@ -65,7 +60,7 @@ def _turning(
         before, here, after = values[i - 1 : i + 2]
         if before >= here <= after and here <= TOUCHING * max(before, after):
             place = lowest(margin, places[i - 1], places[i + 1])
-            yield Root(place, 1e-8 * (places[-1] - places[0]))
+            yield Root(place, TOUCHING_WIDTH * (places[-1] - places[0]))
 
 
 def _slope(margin: Product, pose: Pose) -> Product | None:

@@ -6,16 +6,11 @@ from typing import Literal
 
 from ...formula.roots import lowest, roots
 from ..analysis import Analysis
+from ..tolerances import CONSTANT
 from .along import Along
 from .stroke import Extremum
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
-
-FLAT = 1e-11
-"""What a result must change by from one place to the next, as a part of its usual size.
-
-What changes less is constant but for rounding.
-"""
 
 
 def extrema(
@@ -23,7 +18,7 @@ def extrema(
 ) -> Iterator[Extremum]:
     """Yield the extrema between places that lie close together."""
     values = [along.of(result.formula, result, x) for x in places]
-    least = FLAT * _usual(values)
+    least = CONSTANT * _usual(values)
     for i in range(1, len(places) - 1):
         before, here, after = values[i - 1 : i + 2]
         turns = before > here <= after or before < here >= after

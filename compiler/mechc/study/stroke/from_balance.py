@@ -18,6 +18,7 @@ from ...model.values import range_of
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH, Dimension
 from ..analysis import Analysis
+from ..tolerances import AT_BRANCH_POINT, BRANCH_POINT, CROSSING, STRAIGHT
 from .along import EXCLUDED, NO_POSE, Along
 from .branches import branch_points
 from .columns import Filled, named_apart
@@ -28,18 +29,12 @@ from .places import SAMPLES, looked_at
 from .reached import with_reached
 from .rounded import is_nil, rounded
 from .sides import from_both_sides, is_on_a_side
-from .singular import BESIDE, Order, order_at, places_of, singular_poses, told_apart
+from .singular import Order, order_at, places_of, singular_poses, told_apart
 from .stroke import Branch, Column, Extremum, Row, Singular, Stretch, Stroke
 from .transmission import Transmission, named, transmissions
 from .velocities import velocities
 
 BEYOND = "not followed beyond the branch point"
-
-CROSSING = 1e-12
-"""How exact a place is at which branches cross that are found by iteration."""
-
-STRAIGHT = 1e-12
-"""A transmission angle below this, in radians, is 0 but for rounding."""
 
 FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
@@ -203,11 +198,11 @@ class _Runner:
         Rounding decides whether a loop that is all but flat closes.
         """
         trouble = self._along.trouble(place)
-        near = BESIDE * (self._high - self._low)
+        range_ = self._high - self._low
         gaps = [abs(place - branch.drive) for branch in self._branches]
-        if trouble in NO_POSE and any(gap <= near for gap in gaps):
+        if trouble in NO_POSE and any(gap <= BRANCH_POINT * range_ for gap in gaps):
             return FLAT
-        return trouble or (FLAT if any(gap <= near * 1e-3 for gap in gaps) else "")
+        return trouble or (FLAT if any(gap <= AT_BRANCH_POINT * range_ for gap in gaps) else "")
 
     def _stands(self, place: float) -> bool:
         return self._trouble(place) in ("", FLAT)
@@ -316,7 +311,7 @@ class _Runner:
                 near_by = [p for p in poles if abs(one.drive - p) <= beside]
                 if not near_by or turns_between(one, near_by, result, self._along):
                     found += rounded(one, result, self._along, self._places)
-        near = BESIDE * (self._high - self._low)
+        near = BRANCH_POINT * (self._high - self._low)
         others = [b.drive for b in self._crossings] + [s.drive for s in singular if s.sides]
         apart = [e for e in found if all(abs(e.drive - other) > near for other in others)]
         return tuple(sorted(apart, key=lambda e: e.drive))

@@ -8,6 +8,7 @@ from ...diagnostics import stroke as messages
 from ...formula.roots import spaced
 from ...kinematics.plan import Plan
 from ...model.values import range_of
+from ..tolerances import FLAT_LOOP
 from .along import NO_POSE, NOT_FOUND, Along
 
 CELLS = 120
@@ -15,9 +16,6 @@ CELLS = 120
 
 HALVINGS = 40
 """After so many nothing is left of a cell that is shown."""
-
-FLAT = 1e-6
-"""A part of the stroke that is narrower is a place where a loop lies flat, rounded."""
 
 Part = tuple[float, float]
 
@@ -30,7 +28,7 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
     if not drive or not ends or not plan.graph.pose.loops:
         return ()
     parameter = mechanism.parameter(drive.parameter)
-    wide = FLAT * (ends[1] - ends[0])
+    wide = FLAT_LOOP * (ends[1] - ends[0])
     along, places = Along(plan, {}), spaced(*ends, CELLS)
     parts = _parts(along, places)
     found = tuple((low, high) for low, high in parts if high - low > wide)

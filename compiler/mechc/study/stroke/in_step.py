@@ -14,13 +14,8 @@ from ...kinematics.plan import Plan
 from ...model.mechanism import Link
 from ...model.standing import direction_matters
 from ...pose.pose import Pose, Vector, evaluate_vector
+from ..tolerances import DIFFERENCE, SAME_RATE
 from .along import Along
-
-STEP = 1e-6
-"""The part of a radian or a metre by which the drive is moved to see what turns."""
-
-SLACK = 1e-5
-"""Rates that differ by less than this part are equal: differences lose half the digits."""
 
 Rates = Mapping[str, float]
 """How fast each link turns."""
@@ -44,7 +39,7 @@ def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
     pose = plan.graph.pose
     if not _mentioned(pose) <= along.values(place).keys():
         return
-    if plan.mobility != 1 or any(along.trouble(place + s) for s in (-STEP, 0, STEP)):
+    if plan.mobility != 1 or any(along.trouble(place + s) for s in (-DIFFERENCE, 0, DIFFERENCE)):
         return
     drawn = {link.name: _turning(pose, link, along, place) for link in pose.mechanism.links}
     demanded, doubled = (_demanded(plan, along.values(place), size) for size in (1.0, 2.0))
@@ -56,9 +51,9 @@ def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
         here, there = drawn[link.name], demanded[link.name] * pace
         if demanded[link.name] != doubled[link.name]:
             # Its length is open: only whether it turns is known.
-            here, there = float(abs(here) > SLACK), float(abs(there) > SLACK)
+            here, there = float(abs(here) > SAME_RATE), float(abs(there) > SAME_RATE)
         fastest = max(abs(there), *map(abs, drawn.values()))
-        if abs(here - there) > SLACK * fastest or _is_bent(pose, link, along, place, fastest):
+        if abs(here - there) > SAME_RATE * fastest or _is_bent(pose, link, along, place, fastest):
             yield link
 
 
@@ -78,10 +73,10 @@ def _turning(pose: Pose, link: Link, along: Along, place: float) -> float:
 
     The point that turns fastest counts: others may stand for what a part touches just now.
     """
-    before, after = along.values(place - STEP), along.values(place + STEP)
+    before, after = along.values(place - DIFFERENCE), along.values(place + DIFFERENCE)
     first, *others = link.points
     turns = [_turn(pose.vector(link.name, first, point), before, after) for point in others]
-    return max(turns, key=abs) / (2 * STEP)
+    return max(turns, key=abs) / (2 * DIFFERENCE)
 
 
 def _is_bent(pose: Pose, link: Link, along: Along, place: float, fastest: float) -> bool:
@@ -89,13 +84,13 @@ def _is_bent(pose: Pose, link: Link, along: Along, place: float, fastest: float)
 
     A point that has a load alone may stand for what the link touches just now.
     """
-    before, after = along.values(place - STEP), along.values(place + STEP)
+    before, after = along.values(place - DIFFERENCE), along.values(place + DIFFERENCE)
     pivots = pose.mechanism.fixed
     others = {p for k in pose.mechanism.links if k is not link for p in k.points}
     pins = [p for p in link.points if p in pivots | others]
     arms = [pose.vector(link.name, pins[0], pin) for pin in pins[1:]]
-    turns = [_turn(arm, before, after) / (2 * STEP) for arm in arms if arm]
-    return len(turns) > 1 and max(turns) - min(turns) > SLACK * fastest
+    turns = [_turn(arm, before, after) / (2 * DIFFERENCE) for arm in arms if arm]
+    return len(turns) > 1 and max(turns) - min(turns) > SAME_RATE * fastest
 
 
 def _turn(arm: Vector, before: Mapping[str, float], after: Mapping[str, float]) -> float:

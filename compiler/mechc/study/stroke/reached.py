@@ -7,6 +7,7 @@ again farther on. It is the same closure by its root, and another assembly of th
 import math
 from collections.abc import Sequence
 
+from ..tolerances import SAME_PLACE
 from .stroke import Stretch
 
 FULL_TURN = 2 * math.pi
@@ -42,7 +43,7 @@ def _together(stretches: Sequence[Stretch], excluded: str) -> list[list[Stretch]
 
 
 def _comes_round(first: Stretch, last: Stretch, turns: bool) -> bool:
-    whole = math.isclose(last.high - first.low, FULL_TURN, rel_tol=1e-9)
+    whole = math.isclose(last.high - first.low, FULL_TURN, rel_tol=SAME_PLACE)
     return turns and whole and not first.before and not last.after
 
 

@@ -6,11 +6,9 @@ from collections.abc import Iterator, Sequence
 from ...formula.roots import spaced
 from ...formula.rounding import beyond_rounding
 from ...model.result import Result
+from ..tolerances import LOST
 from .along import Along
 from .stroke import Extremum, Stretch
-
-LOST = 1e-6
-"""What rounding may leave of a zero, as a part of what is usual."""
 
 FEW = 8
 """Parts of a stretch between which a result that is zero everywhere shows it."""

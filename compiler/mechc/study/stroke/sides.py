@@ -12,18 +12,10 @@ from ...formula.rounding import Rounding, Size
 from ...formula.walk import walk
 from ...model.result import Definition
 from ..states import is_sign
-
-STEP = 1e-9
-"""The part of the stroke from a place at which its sides are looked at."""
+from ..tolerances import SAME_SIDES, SIDE, VANISHING
 
 GROWS = 1.5
 """How much larger what is infinite at a place is at half the distance, at least."""
-
-NIL = 1e-3
-"""What is left at a place, against half the distance, of what vanishes there, at most."""
-
-AGREE = 1e-6
-"""By what part two sides may differ, and a value between them lie beyond one, by rounding."""
 
 
 def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) -> bool:
@@ -44,7 +36,7 @@ def from_both_sides(
 
     A side on which no pose ``stands`` does not count.
     """
-    steps = [s * STEP * range_ for s in (-1, 1)]
+    steps = [s * SIDE * range_ for s in (-1, 1)]
     ends = [_limit(at, place, step) for step in steps if stands(place + step)]
     low, high = min(ends, default=math.nan), max(ends, default=math.nan)
     if all(map(math.isnan, ends)):
@@ -60,10 +52,10 @@ def _limit(at: Callable[[float], float], place: float, step: float) -> float:
     if abs(near) > GROWS * abs(far):
         return math.copysign(math.inf, near)
     limit = 2 * near - far
-    return 0.0 if abs(limit) <= NIL * abs(near) else limit
+    return 0.0 if abs(limit) <= VANISHING * abs(near) else limit
 
 
 def _between(value: float, low: float, high: float) -> float:
     """Return a value that lies between two others but for rounding, else their middle."""
-    room = AGREE * max(abs(low), abs(high))
+    room = SAME_SIDES * max(abs(low), abs(high))
     return value if low - room <= value <= high + room else (low + high) / 2

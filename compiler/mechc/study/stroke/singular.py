@@ -10,6 +10,7 @@ from ...formula.roots import Function, Jump, Root, jumps, roots
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
 from ..analysis import Analysis, Break, Vanishing
+from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_PLACE, STEADY
 from .along import Along
 from .stroke import Branch, Kind, Singular, Stretch
 
@@ -18,32 +19,11 @@ Value = Literal["0", "infinite"]
 Order = Literal["0", "infinite", "finite", "jump"]
 """What a result does at a place; ``jump``: it is finite on either side, but not the same."""
 
-SAME = 1e-9
-"""A zero and a pole closer than this part of the stroke are one place: k is undetermined."""
-
-BESIDE = 1e-6
-"""Zeros and poles closer to a branch point than this part of the stroke lie on it.
-
-Angles of a triangle that is nearly flat have half the digits.
-"""
-
-NEARBY = (1e-7, 1e-6, 1e-5, 1e-4)
-"""The parts of the stroke from a place at which its order is seen, the nearest that does first.
-
-Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; nearer, rounding.
-"""
-
 ALIKE, VARIES = 0.1, 0.3
 """What two exponents of one power may differ by, and which is none of a constant."""
 
-STEADY = 1e-3
-"""What a function that is finite changes by from one side of a place to the other, at most."""
-
 GROWS = 5.0
 """How much larger what is infinite at a place is ten times nearer to it, at least."""
-
-STEP = 1e-6
-"""The part of a stretch from its end at which is seen what a factor does there."""
 
 
 def singular_poses(
@@ -70,7 +50,7 @@ def singular_poses(
 
 def _other_zeros(size: Function, places: Sequence[float], known: Sequence[float]) -> Iterator[Root]:
     """Yield the zeros of a result that none of its factors has: of a sum too long to be split."""
-    near = 1e-6 * (places[-1] - places[0])
+    near = BRANCH_POINT * (places[-1] - places[0])
     for root in roots(size, places):
         falls = abs(size(root.place + near / 10)) < abs(size(root.place + near))
         if falls and all(abs(root.place - other) > near for other in known):
@@ -79,7 +59,7 @@ def _other_zeros(size: Function, places: Sequence[float], known: Sequence[float]
 
 def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
     """Return a jump as a singular pose: what grows without end towards it is far."""
-    near, away = (along.values(jump.place + part * range_) for part in (1e-9, 1e-8))
+    near, away = (along.values(jump.place + part * range_) for part in JUMP_SIDES)
     is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
     sides = (jump.before, jump.after)
     kind: Kind = "far" if is_far else "jump"
@@ -107,7 +87,7 @@ def _at_the_ends(factor: Function, stretch: Stretch) -> Iterator[Root]:
 
     It does so as a square root: it halves where the distance from the end is quartered.
     """
-    step = STEP * (stretch.high - stretch.low)
+    step = DIFFERENCE * (stretch.high - stretch.low)
     ends = ((stretch.low, stretch.before, step), (stretch.high, stretch.after, -step))
     for end, why, inwards in ends:
         if why and abs(factor(end + inwards)) < 0.7 * abs(factor(end + 4 * inwards)):
@@ -124,7 +104,9 @@ def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formul
     value = evaluate(formula, along.values(root.place))
     turns = round((root.place - value) / math.pi)
     shifted = total([formula, product([(number(turns), 1), (degrees(180), 1)])])
-    return shifted if math.isclose(value + turns * math.pi, root.place, abs_tol=1e-9) else None
+    return (
+        shifted if math.isclose(value + turns * math.pi, root.place, abs_tol=SAME_PLACE) else None
+    )
 
 
 def order_at(function: Function, place: float, range_: float) -> Order | None:
@@ -168,7 +150,7 @@ def told_apart(
     at one place, where neither of them leaves it undetermined; or that what vanishes there
     makes it neither, as something else is infinite.
     """
-    beside = BESIDE * range_
+    beside = BRANCH_POINT * range_
     kept: list[Singular] = []
     on_a_branch: dict[tuple[str, Branch], list[Singular]] = {}
     for one in sorted(found, key=lambda s: s.drive):
@@ -181,7 +163,7 @@ def told_apart(
         if len({one.value for one in ones}) == 1:
             kept.append(ones[0]._replace(drive=branch.drive, bracket=branch.bracket))
     kept.sort(key=lambda s: (s.result, s.drive))
-    merged = _merged(kept, SAME * range_, orders)
+    merged = _merged(kept, SAME_PLACE * range_, orders)
     return tuple(sorted(merged, key=lambda s: s.drive))
 
 

@@ -1,0 +1,103 @@
+"""What counts as zero, equal or one place where a result is studied: each with its reason.
+
+Three sizes come back. A place that is narrowed down is exact to some thirteen digits, so that
+places are one at 1e-9 of the stroke. What is near a branch point comes from angles of a
+triangle that is nearly flat, and a difference quotient from two values that are nearly equal:
+both have half the digits, 1e-6. What only rounding makes of a zero is 1e-12 of what is usual.
+"""
+
+EXACT, NEARLY = 1e-13, 1e-10
+"""Widths, against the size of what is looked at, to which an end is narrowed down."""
+
+SAME_PLACE = 1e-9
+"""Places closer than this part of the range are one; k with a zero and a pole is undetermined."""
+
+VANISHED_SUM = 1e-9
+"""A sum is zero below this part of its size a radian away."""
+
+SAME_RATIO = 1e-9
+"""Relative difference below which two formulas agree at a pose."""
+
+SAME_FIGURE = 1e-12
+"""What reading a figure may round off, as a part of it: a tolerance holds at its very end."""
+
+SAME_EFFICIENCY = 1e-9
+"""An efficiency that varies by less is constant, and one that dips by less has no minimum."""
+
+NEGLIGIBLE = 1e-9
+"""A ratio below this part of the usual one, or above it over this, may be but rounding."""
+
+TOUCHED = 1e-6
+"""A ratio that comes nearer to zero than this, against its value next to it, touches it."""
+
+JUMP_WIDTH = 1e-6
+"""The width of a jump, where a sign changes, against the distance of places."""
+
+NARROW_RANGE = 1e-9
+"""A range of a parameter narrower than this, against its size, is not halved again."""
+
+SMALLEST = 1e-300
+"""What a width is relative to where both ends of a range are zero."""
+
+VANISHED_MARGIN = 1e-12
+"""A margin below this part of its greatest value is zero; twice what rounding makes of one."""
+
+TOUCHING_WIDTH = 1e-8
+"""How exact a place is where a margin touches zero, as a part of the stroke.
+
+A minimum is known to half the digits.
+"""
+
+BRANCH_POINT = 1e-6
+"""Zeros and poles closer to a branch point than this part of the stroke lie on it.
+
+Angles of a triangle that is nearly flat have half the digits.
+"""
+
+AT_BRANCH_POINT = 1e-3 * BRANCH_POINT
+"""A place this near to a branch point is that point: every loop counts as flat there."""
+
+CROSSING = 1e-12
+"""How exact a place is at which branches cross that are found by iteration."""
+
+STRAIGHT = 1e-12
+"""A transmission angle below this, in radians, is 0 but for rounding."""
+
+FLAT_LOOP = 1e-6
+"""A part of the stroke that is narrower is a place where a loop lies flat, rounded."""
+
+CONSTANT = 1e-11
+"""What changes by less from one place to the next, as a part of its usual size, is constant."""
+
+LOST = 1e-6
+"""What rounding may leave of a zero, as a part of what is usual."""
+
+SIDE = 1e-9
+"""The part of the stroke from a place at which its sides are looked at."""
+
+JUMP_SIDES = (1e-9, 1e-8)
+"""The parts of the stroke from a jump at which is seen what grows without end towards it."""
+
+VANISHING = 1e-3
+"""What is left at a place, against half the distance, of what vanishes there, at most."""
+
+SAME_SIDES = 1e-6
+"""By what part two sides may differ, and a value between them lie beyond one, by rounding."""
+
+NEARBY = (1e-7, 1e-6, 1e-5, 1e-4)
+"""The parts of the stroke from a place at which its order is seen, the nearest that does first.
+
+Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; nearer, rounding.
+"""
+
+STEADY = 1e-3
+"""What a function that is finite changes by from one side of a place to the other, at most."""
+
+DIFFERENCE = 1e-6
+"""The part of a radian, a metre or a stretch by which the drive is moved to see what changes.
+
+A difference quotient is best where rounding and curvature cost the same, at half the digits.
+"""
+
+SAME_RATE = 1e-5
+"""Rates that differ by less than this part are equal: differences lose half the digits."""
