@@ -9,6 +9,7 @@ import numpy as np
 from force_mechanisms import Sample, given
 from mechc.diagnostics import MechcError, Report
 from mechc.driver import Compilation
+from mechc.friction.check import broken_promises
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
 from mechc.syntax import ast
@@ -102,6 +103,7 @@ def compiled(text: str, name: str) -> Compiled:
     verdict = compilation.verdict
     assert verdict.agrees
     assert verdict.trials, verdict.remarks
+    assert broken_promises(compilation.solution) == []
     return Compiled(compilation.tree, compilation)
 
 

@@ -3,7 +3,7 @@
 from functools import cache
 
 from mechc.diagnostics import Report
-from mechc.driver import Compilation, compile_source
+from mechc.driver import Compilation, complete
 from mechc.source import Source
 from mechc.syntax import ast
 from mechc.syntax.notation import read
@@ -15,10 +15,15 @@ ALL = {path.stem: path for path in (*SHELF, *GOOD)}
 
 
 @cache
+def begun(name: str) -> Compilation:
+    """Return a mechanism whose stages run as they are asked for, each once for all tests."""
+    path = ALL[name]
+    return Compilation(Source(path.name, path.read_text(encoding="utf-8")))
+
+
 def compiled(name: str) -> Compilation:
     """Return a mechanism after every stage."""
-    path = ALL[name]
-    return compile_source(Source(path.name, path.read_text(encoding="utf-8")))
+    return complete(begun(name))
 
 
 def tree_of(name: str) -> ast.File:

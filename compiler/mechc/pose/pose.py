@@ -139,7 +139,8 @@ class Pose:
     those among them that nothing else needs; ``put_in`` are those of ``closing`` that vectors
     do not mention, as they are one product. ``loops`` are the loops that may fail to close,
     each after those that it rests on. ``vectors`` are those between two points that
-    the description gives, or that a loop gives it a place by, whatever bodies they are on.
+    the description gives, or that a loop gives it a place by, whatever bodies they are on; they
+    may mention names that only ``closing`` defines.
     ``left[point]`` is the direction of a guide that was released, along which a rack or a nut
     is still led. ``solved`` tells how the definitions follow from the loops, each loop after those
     that it rests on.

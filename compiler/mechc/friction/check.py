@@ -1,0 +1,120 @@
+"""What results with friction promise, as a check for tests and for whoever finds them."""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence, Set
+from typing import Protocol
+
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..model.mechanism import Efficiency, LoadRatio, Mechanism, Require, Target, WithFriction
+from ..model.result import Definition, FrictionResult, Result
+from ..model.targets import SIGNS
+from ..model.values import completed, holds, standing
+from ..power.check import undefined
+from ..power.numbers import default_values
+from .solution import Solution, SolvedWithFriction
+
+NEARLY = 1e-6
+"""By how much two numbers may differ that are one by algebra; iteration gives some of them."""
+
+Values = Mapping[str, float]
+
+
+def broken_promises(solution: Solution) -> list[str]:
+    """Return a sentence for each promise of this folder that a solution breaks."""
+    mechanism, values = solution.plan.graph.pose.mechanism, _values(solution)
+    ideal = {s.result.target: s.result for s in solution.balance.solved}
+    results = [s.result for s in solution.solved if isinstance(s, SolvedWithFriction)]
+    found = [*_meanings([r.where for r in results])]
+    found += _meanings([r.case.where for r in results if r.case])
+    for result in results:
+        found += [*_names(result, mechanism), *_printed(result, values)]
+        found += _resists(result, ideal)
+    return found
+
+
+def _values(solution: Solution) -> Values:
+    """Return the numbers of the default pose; loads of open size are near 1, none like another."""
+    names = sorted(load.name for load in solution.plan.graph.pose.mechanism.loads)
+    loads = {name: 1 + i / 7 for i, name in enumerate(names)}
+    return {**loads, **default_values(solution.plan)}
+
+
+def _names(result: FrictionResult, mechanism: Mechanism) -> Iterator[str]:
+    """Yield the names that mean nothing, in a result and in what is printed of it."""
+    known = {p.name for p in mechanism.parameters} | {load.name for load in mechanism.loads}
+    yield from _defined(result.name, result, result.guards, known)
+    strays = sorted(result.inside - {d.name for d in result.where})
+    yield from (f"{name} is inside a system of {result.name} that is not there" for name in strays)
+    if result.elsewhere is not None:
+        there = result.elsewhere
+        yield from _defined(f"{result.name} elsewhere", there, there.guards, known)
+    if result.case is not None:
+        conditions = (*result.case.holds, *result.case.guards)
+        yield from _defined(f"{result.name} as printed", result.case, conditions, known)
+
+
+class Shown(Protocol):
+    """A formula and what it rests on: a result, or its printed case."""
+
+    @property
+    def formula(self) -> Formula:
+        """Return the formula."""
+        ...
+
+    @property
+    def where(self) -> Sequence[Definition]:
+        """Return the names that the formula mentions, each after those it needs."""
+        ...
+
+
+def _defined(
+    name: str, shown: Shown, conditions: Sequence[Require], known: Set[str]
+) -> Iterator[str]:
+    yield from undefined(name, shown.formula, shown.where, known)
+    defined = known | {d.name for d in shown.where}
+    used = frozenset[str]().union(*(symbols(c.left) | symbols(c.right) for c in conditions))
+    yield from (f"a condition of {name} uses {n}" for n in sorted(used - defined))
+
+
+def _meanings(lists: Sequence[Sequence[Definition]]) -> Iterator[str]:
+    """Yield the names that stand for one thing in one result and for another in the next."""
+    meanings: dict[str, Formula] = {}
+    for name, formula in (definition for where in lists for definition in where):
+        if meanings.setdefault(name, formula) != formula:
+            yield f"{name} means two things"
+
+
+# ---------------------------------------------------------------- at the default pose
+
+
+def _printed(result: FrictionResult, values: Values) -> Iterator[str]:
+    """Yield a printed case that is another number than the result, or not that of the pose."""
+    case, found = result.case, standing(result, values)
+    if case is None or found is None:
+        return
+    there, printed = completed(values, found.where), completed(values, case.where)
+    if not (symbols(found.formula) <= there.keys() and symbols(case.formula) <= printed.keys()):
+        return
+    if any(not holds(condition, printed) for condition in case.holds):
+        yield f"{result.name} is printed for other signs than those of the default pose"
+    number, shown = evaluate(found.formula, there), evaluate(case.formula, printed)
+    if not (math.isnan(number) or math.isclose(number, shown, rel_tol=NEARLY, abs_tol=NEARLY)):
+        yield f"{result.name} is {number:.9g} and printed as {shown:.9g}"
+
+
+def _resists(result: FrictionResult, ideal: Mapping[Target | None, Result]) -> Iterator[str]:
+    """Yield a friction that helps the drive: more than all of its power arrives, or less than none.
+
+    A drive that is held takes less than without friction, one that moves on takes more.
+    """
+    number = result.default
+    match result.target:
+        case Efficiency(LoadRatio(), "tightening") if number is not None and not 0 <= number <= 1:
+            yield f"{result.name} is {number:.6g}"
+        case WithFriction(LoadRatio() as ratio, sense) if number is not None:
+            without = ideal[ratio].default
+            if without is not None and (number - without) * without * SIGNS[sense] < -NEARLY:
+                yield f"{result.name} is {number:.6g}, {without:.6g} without friction"
+        case _:
+            pass
