@@ -3,7 +3,7 @@
 All quantities that go in or come out as numbers are SI and radians.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,7 +29,7 @@ if TYPE_CHECKING:
 
     from .emit.picture import Picture
     from .figure.figure import Figure
-    from .routine.steps import Function, Routine
+    from .routine.steps import Input, Routine
     from .statics.diagram import Diagram
     from .study.analysis import Analysis
 
@@ -136,7 +136,8 @@ class SolvedMechanism:
 
         overridden = self._fixed_loads.intersection(values)
         functions = self._routine(overridden).functions
-        self._refuse_strangers(values.keys() - overridden, functions)
+        inputs = [i for f in functions for i in f.inputs]
+        self._refuse_strangers(values.keys() - overridden, inputs)
         given = {**self.defaults, **values}
         ready = (f for f in functions if all(i.name in given for i in f.inputs))
         found = {f.name: evaluate(f, given) for f in ready}
@@ -158,9 +159,9 @@ class SolvedMechanism:
             self._overridden[overridden] = self._compilation.routine_of(*changed)
         return self._overridden[overridden]
 
-    def _refuse_strangers(self, names: Iterable[str], functions: Iterable["Function"]) -> None:
+    def _refuse_strangers(self, names: Iterable[str], inputs: Iterable["Input"]) -> None:
         """Raise TypeError for a name that is no input, with what it follows from."""
-        known = {i.name for f in functions for i in f.inputs} | self._fixed_loads
+        known = {i.name for i in inputs} | self._fixed_loads
         for name in sorted(set(names) - known):
             formula = self._followed.get(name)
             if formula is None:
@@ -223,9 +224,38 @@ class SolvedMechanism:
         self.figure(**pose)
         return self._compilation.cut_free(pose, sizes)
 
-    def stroke(self, points: int = 19) -> Stroke:
+    def points(self, **values: Any) -> tuple[dict[str, Any], Any]:
+        """Return where points are and how links point, and a status, at given values.
+
+        By name: ``x_B``, ``y_B``, the direction ``phi_AB`` of a link, and their slopes along the
+        drive, ``dx_B_dphi``; where its speed is given, velocities ``V_B_x``, ``omega_AB`` and
+        accelerations ``a_B_x``, ``epsilon_AB`` instead. Floats or arrays as for
+        :meth:`evaluate`, in SI and radians. The status is 0 where there is a pose, 1 where the
+        loops do not close, 2 where iteration finds none; what is not there is NaN. ValueError
+        where no drive is named, TypeError for a name that follows from others, or that nothing
+        depends on.
+
+        >>> import mechc
+        >>> found, status = mechc.load("crank_rocker").points(phi=[0, 1.5707963267948966])
+        >>> [round(float(x), 4) for x in found["x_A"]], [round(float(y), 4) for y in found["y_B"]]
+        ([0.04, 0.0], [0.0794, 0.0573])
+        """
+        from .routine.evaluate import pose
+
+        routine = self._compilation.routine
+        if routine.points is None:
+            raise ValueError("there is no motion: expected a drive that moves points, found none")
+        inputs = routine.points.program.inputs
+        self._refuse_strangers(values, (*inputs, *(i for f in routine.functions for i in f.inputs)))
+        given = {**self.defaults, **values}
+        if missing := [i.name for i in inputs if i.name not in given]:
+            raise TypeError(f"no value is given for {', '.join(missing)}")
+        return pose(routine.points.program, given)
+
+    def stroke(self, points: int = 19, paths: Sequence[str] = ()) -> Stroke:
         """Return the results along the stroke of the drive; singular poses, branch points, extrema.
 
+        ``paths`` are points and links whose coordinates, directions and rates are columns, too.
         SI and radians. Raises :class:`mechc.MechcError` where no drive is named.
 
         >>> import mechc
@@ -233,7 +263,7 @@ class SolvedMechanism:
         >>> [(e.kind, round(e.drive, 7), round(e.value, 7)) for e in claw.extrema][-1]
         ('minimum', 1.3805578, 1.3727737)
         """
-        return self._compilation.stroke(points)
+        return self._compilation.stroke(points, paths)
 
     def emit(self, target: str, **options: Any) -> str:
         """Return one self-contained file as text: ``python``, ``c``, ``latex`` or ``json``.

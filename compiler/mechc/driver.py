@@ -5,7 +5,7 @@ for, with those before it, so that ``fmt`` stops after syntax and ``show pose`` 
 the pose. A stage that finds errors ends the compilation with :class:`MechcError`.
 """
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, TypeVar
 
 from .diagnostics import Diagnostic, Report
@@ -18,6 +18,7 @@ from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .pose.from_model import solve_pose
+from .pose.motion import Motion, motion
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.from_plan import balance
@@ -159,7 +160,13 @@ class Compilation:
 
     def routine_of(self, mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
         """Return the program of results, which may have been changed, at this pose."""
-        return program(mechanism, results, dict(self.pose.definitions), self.pose.loops)
+        definitions = dict(self.pose.definitions)
+        return program(mechanism, results, definitions, self.pose.loops, self.motion)
+
+    @Stage
+    def motion(self) -> Motion | None:
+        """Coordinates of points and directions of links along the drive; None without one."""
+        return motion(self.pose)
 
     @Stage
     def figure(self) -> "Figure | None":
@@ -204,12 +211,16 @@ class Compilation:
 
         return free_bodies(self.figure, self.free_bodies) if self.figure else None
 
-    def stroke(self, points: int) -> "Stroke":
-        """Return the results along the stroke of the drive, in so many rows."""
+    def stroke(self, points: int, paths: Sequence[str] = ()) -> "Stroke":
+        """Return the results along the stroke of the drive, in so many rows.
+
+        ``paths`` are the points and links whose motion is shown.
+        """
         from .study.stroke.from_balance import run
 
+        motion = self.motion
         with within(Allowance(), self.report):
-            return run(self.solution, self.results, points, self.report)
+            return run(self.solution, self.results, points, self.report, motion, paths)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -21,6 +21,7 @@ ELSEWHERE = {
     "E592": "study/test_stroke.py",
     "W591": "study/test_stroke.py",
     "W594": "study/test_stroke_ends.py",
+    "E597": "emit/test_points.py",
     "E540": "friction/test_telescopes.py",
     "E601": "statics/test_referee.py",
     "E602": "statics/test_referee.py",

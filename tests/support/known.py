@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from mechc.figure.figure import Figure
 from mechc.model.mechanism import Mechanism
+from mechc.pose.motion import Motion
 from mechc.report.derivation.steps import Derivation
 from mechc.routine.steps import Routine
 from mechc.statics.diagram import Diagram
@@ -18,3 +19,4 @@ class Known(NamedTuple):
     version: str
     figure: Figure | None = None
     free_bodies: tuple[Diagram, ...] = ()
+    motion: Motion | None = None

@@ -64,6 +64,8 @@ CONSTRUCTS = [
     ("param e = 1e-3", "params: {e: 1e-3}"),
     ("drive phi from 10 deg to 80 deg", "drive: {phi: 10 deg .. 80 deg}"),
     ("drive phi", "drive: phi"),
+    ("drive phi speed 60 rpm", "drive: {phi: {speed: 60 rpm}}"),
+    ("drive s from 0 to l speed 2*v", "drive: {s: {range: 0 .. l, speed: 2*v}}"),
     ("pivot O", "pivots: [O]"),
     ("pivot O at (x, -y)", "pivots: {O: [x, -y]}"),
     ("pivot O\npivot C at (0, 1 m)", "pivots: [O, {C: [0, 1 m]}]"),

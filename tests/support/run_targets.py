@@ -52,7 +52,7 @@ def by_python(found: Compiled) -> Outputs:
     exec(compile(module.text, "module.py", "exec"), space)
     made = (v for v in space.values() if getattr(v, "__module__", "") == "module")
     beside = companions(found)
-    callables = [v for v in made if not v.__name__.startswith(("_", "pose", *beside))]
+    callables = [v for v in made if not v.__name__.startswith(("_", "pose", "points", *beside))]
     return {
         f.name: np.broadcast_to(call(*poses(f).values()), POSES)
         for f, call in zip(found.routine.functions, callables, strict=True)
@@ -75,9 +75,10 @@ def built(found: Compiled, folder: Path) -> SimpleNamespace:
     command = [COMPILER, *strict, "-O1", "-fPIC", "-shared", "code.c", "-o", made, "-lm"]
     subprocess.run(command, cwd=folder, check=True)
     heads = [line for line in header.text.splitlines() if line.startswith(("double ", "void "))]
-    beside = tuple(f"{found.routine.name}_{name}" for name in companions(found))
-    names = [line.split("(")[0].split()[1] for line in heads if "_pose_n(" not in line]
-    names = [name for name in names if not name.startswith(beside or ("/",))]
+    beside = (*companions(found), "pose_n", "points_n")
+    others = tuple(f"{found.routine.name}_{name}" for name in beside)
+    names = [line.split("(")[0].split()[1] for line in heads]
+    names = [name for name in names if not name.startswith(others)]
     return SimpleNamespace(code=ctypes.CDLL(str(made)), singles=names[::2], batches=names[1::2])
 
 

@@ -19,11 +19,21 @@ from .terminal import give, say
 )  # fmt: skip
 @click.option("--csv", "as_csv", is_flag=True, help="Numbers only, in SI and radians.")
 @click.option("--velocities", is_flag=True, help="Show dk/dφ and velocity ratios in the table.")
+@click.option(
+    "--path", "paths", multiple=True, metavar="NAME",
+    help="A point or link whose coordinates, direction and rates are shown; all for all.",
+)  # fmt: skip
 @settings_option
 @stdin_option
 @session_options
 def command(
-    file: str, points: int, as_csv: bool, velocities: bool, settings: Settings, stdin_name: str
+    file: str,
+    points: int,
+    as_csv: bool,
+    velocities: bool,
+    paths: tuple[str, ...],
+    settings: Settings,
+    stdin_name: str,
 ) -> None:
     """Print k along the stroke of the drive.
 
@@ -31,14 +41,15 @@ def command(
     under the table where there is no pose, branch points, the singular poses told apart,
     and where each result is least and greatest. CSV, and the table with --velocities, has
     the slopes of the results and how fast the points of the loads move along them and the
-    links of torques turn, by the speed of what is driven: V_B/omega_OA.
+    links of torques turn, by the speed of what is driven: V_B/omega_OA. With --path C the
+    path of a point, with --path BC the direction of a link, and how both change with the drive.
 
     \b
-    mechc stroke crank_rocker
+    mechc stroke crank_rocker --path B
     mechc stroke --points 101 --csv clamp.mech > clamp.csv
     """
     compilation = checked(begin(file, stdin_name, settings))
-    found = compilation.stroke(points)
+    found = compilation.stroke(points, paths)
     session().accept(warnings(compilation), compilation.source)
     if as_csv:
         give(to_csv(found))

@@ -134,3 +134,21 @@ def direction_stays(span: Span, link: str, drive: str) -> Message:
         f"link {link} does not follow {drive} along the stroke as its joints demand",
         f"leave its direction to a loop, or write it as a formula of {drive}",
     )
+
+
+@coded("E597")
+def no_path(name: str, known: Sequence[str], near: str) -> Message:
+    """A path was asked for of what has none: no point and no link of that name has a place.
+
+    A point has a path where vectors of known length lead to it from the origin, or from the
+    first pivot where no pivot has a place.
+
+    Wrong: ``mechc stroke crank_rocker --path C``, as its points are O1, A, B and O2
+    Right: ``mechc stroke crank_rocker --path B --path AB``
+    """
+    expected = listed(known) if known else "a drive, and points in place"
+    return Message(
+        None,
+        f"{name} has no path, expected {expected}",
+        near or "name a point or a link, or ask for all with --path all",
+    )

@@ -11,6 +11,7 @@ from ..formula.tree import Formula, Number
 from ..formula.walk import symbols
 from ..model.mechanism import Mechanism
 from ..model.result import Definition
+from ..pose.motion import Quantity
 from ..report.definitions import Solved, grouped
 from ..routine.steps import Function, Guard, Input
 from ..units import DIMENSIONS, Dimension, in_unit, si_unit
@@ -60,6 +61,33 @@ def input_words(item: Input, name: str = "") -> str:
     words = ", ".join(part for part in parts if part)
     unit = si_unit(item.dimension) or "number"
     return f"{unit}; {words}" if words else unit
+
+
+POINTS = "coordinates of points and directions of links"
+"""What the function of a mechanism's points returns."""
+
+
+def quantity_words(quantity: Quantity) -> str:
+    """Return one line on what a number of a motion is, with its SI unit."""
+    point = one_line(quantity.of)
+    match quantity.kind, quantity.axis:
+        case "place", "":
+            words = f"the direction of link {point}"
+        case "place", axis:
+            words = f"the {axis} of point {point}"
+        case "slope", _:
+            words = quantity.shown
+        case kind, "":
+            words = f"the angular {kind} of link {point}"
+        case kind, axis:
+            words = f"the {kind} of point {point} along {axis}"
+    unit = si_unit(quantity.dimension)
+    return f"{words}, in {unit}" if unit else words
+
+
+def quantity_lines(quantities: Iterable[Quantity]) -> list[str]:
+    """Return a line on each number of a motion."""
+    return [f"{q.name}: {quantity_words(q)}" for q in quantities]
 
 
 def _default_words(item: Input) -> str:

@@ -7,6 +7,7 @@ Targets are found by name; third parties add theirs through the entry-point grou
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ..model.mechanism import Mechanism
+from ..pose.motion import Motion
 from ..report.derivation.steps import Derivation
 from ..routine.steps import Routine
 from ..statics.verdict import Verdict
@@ -35,6 +36,11 @@ class Compiled(Protocol):
     @property
     def routine(self) -> Routine:
         """Return the straight-line program."""
+        ...
+
+    @property
+    def motion(self) -> Motion | None:
+        """Return where points are along the drive; None without one."""
         ...
 
     @property

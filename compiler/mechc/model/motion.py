@@ -9,7 +9,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate
 from ..syntax import ast
 from ..syntax.vocabulary import points_of
-from ..units import ANGLE, LENGTH
+from ..units import ANGLE, LENGTH, TIME
 from .expressions import Reader
 from .mechanism import Assembly, Drive, Parameter
 from .parameters import constant
@@ -40,7 +40,16 @@ def read_drive(file: ast.File, scope: Scope) -> Drive | None:
     low = _end(statement.low, name, scope)
     is_reported = statement.low is not None and low is None
     high = None if is_reported else _end(statement.high, name, scope)
-    return Drive(name.text, low, high, statement.span, ends=ends)
+    speed = _speed(statement.speed, name, scope)
+    return Drive(name.text, low, high, statement.span, ends=ends, speed=speed)
+
+
+def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:
+    """Return the rate of the coordinate in time, which may rest on parameters."""
+    dimension = scope.entries[name.text].dimension
+    if speed is None or dimension is None:
+        return None
+    return Reader(scope, DESCRIPTION).wanted(speed, dimension.over(TIME), "the speed")
 
 
 def _link_ends(name: ast.Name, scope: Scope) -> tuple[str, str] | None:

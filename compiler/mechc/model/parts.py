@@ -266,7 +266,8 @@ class Drive:
 
     It ``reshapes`` where it is a size of a rigid body: its stroke is a study, no motion. Of
     ``drive OA`` the ``ends`` are O and A: the parameter is the direction of that vector, or
-    its length where it is a telescope, and begins where they are drawn.
+    its length where it is a telescope, and begins where they are drawn. ``speed`` is its rate
+    in time.
     """
 
     parameter: str
@@ -275,6 +276,7 @@ class Drive:
     span: Span
     reshapes: bool = False
     ends: tuple[str, str] | None = None
+    speed: Formula | None = None
 
     @property
     def turns(self) -> bool:

@@ -106,9 +106,9 @@ def scalar_or_array(value: Value) -> Value:
 
 
 def pose(pose: Pose, values: Mapping[str, Value]) -> tuple[dict[str, Value], Value]:
-    """Return the intermediates at values of the inputs, and the status.
+    """Return the outputs of a pose at values of the inputs, and the status.
 
-    The status is 0 where all have values, 1 where the loops do not close or a branch has
+    The status is 0 where the loops close, 1 where the loops do not close or a branch has
     ended, and 2 where Newton's method ran out of corrections.
     """
     scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in pose.inputs}
@@ -117,9 +117,9 @@ def pose(pose: Pose, values: Mapping[str, Value]) -> tuple[dict[str, Value], Val
         for step in pose.steps:
             status = np.maximum(status, _run(step, scope))
         found = {name: scope[name] for name in pose.outputs}
-        for value in found.values():
-            status = np.maximum(status, np.isnan(value))
-    return {n: scalar_or_array(v) for n, v in found.items()}, status
+        for name in pose.closed:
+            status = np.maximum(status, np.isnan(found[name]))
+    return {n: scalar_or_array(v) for n, v in found.items()}, scalar_or_array(status)
 
 
 def _run(statement: Statement, scope: dict[str, Array]) -> Array:

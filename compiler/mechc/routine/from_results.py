@@ -3,10 +3,11 @@
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import starmap
 
-from ..formula.tree import Formula
+from ..formula.tree import Formula, Symbol
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Load, Mechanism, Parameter, Torque
 from ..model.result import Result
+from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import FORCE, TORQUE
 from .companions import Companions
@@ -14,7 +15,7 @@ from .functions import Asked, asked, function
 from .lengths import with_roots
 from .scope import Scope
 from .sharing import share
-from .steps import Function, Input, Pose, Routine, Statement, formulas_of, names_of
+from .steps import Function, Input, Points, Pose, Routine, Statement, formulas_of, names_of
 
 LONG = 24
 """Definitions beyond which functions may compute together what they have in common."""
@@ -25,6 +26,7 @@ def program(
     results: tuple[Result, ...],
     definitions: Mapping[str, Formula] | None = None,
     loops: Sequence[ClosedLoop] = (),
+    motion: Motion | None = None,
 ) -> Routine:
     """Return the routine that computes every result.
 
@@ -32,7 +34,7 @@ def program(
     it depends on, all in SI. A ``require`` guards those functions whose inputs decide
     it; one that needs more than a function is given is left to its caller. ``definitions``
     are those of the pose, on which conditions may rest that no result does; ``loops`` must
-    close for a result to have a value, needed for it or not.
+    close for a result to have a value, needed for it or not. ``motion`` is that of the drive.
     Raises ``LookupError`` for a name that neither the mechanism nor a result explains.
     """
     scope, inputs = Scope(mechanism, results, definitions or {}), _inputs(mechanism)
@@ -48,7 +50,8 @@ def program(
     companions = Companions(mechanism, results, inputs)
     functions = tuple(starmap(companions.joined, zip(made, beside, results, strict=True)))
     pose = _pose(scope, inputs, loops)
-    return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose)
+    points = _points(mechanism, motion, inputs, definitions or {}) if motion else None
+    return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose, points)
 
 
 def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> Iterator[Function]:
@@ -71,14 +74,45 @@ def _pose(scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
         found = scope.intermediates(n for loop in unseen for n in sorted(loop.names))
     if not found.names:
         return None
-    names = {*inputs, *scope.results, *(name for name, _ in found.formulas)}
-    rooted, _ = with_roots(found.formulas, [], names)
-    shared, _ = share(rooted, [], [*inputs, *scope.results])
-    steps = _leading_to(found.names, shared)
+    names = tuple(found.names)
+    return _giving(names, names, found.formulas, inputs, scope.results)
+
+
+def _points(
+    mechanism: Mechanism,
+    motion: Motion,
+    inputs: Mapping[str, Input],
+    definitions: Mapping[str, Formula],
+) -> Points:
+    """Return the program of a motion."""
+    quantities = motion.quantities
+    own = {q.name: q.formula for q in quantities if not q.is_named}
+    scope = Scope(mechanism, (), {**definitions, **dict(motion.definitions), **own})
+    names = tuple(q.name for q in quantities)
+    found = scope.definitions("", map(Symbol, names))
+    numbers = [q.formula for q in quantities if q.is_named]
+    closed = tuple(q.name for q in quantities if q.kind == "place")
+    return Points(_giving(names, closed, found.formulas, inputs, (), numbers), quantities)
+
+
+def _giving(
+    outputs: tuple[str, ...],
+    closed: tuple[str, ...],
+    formulas: Sequence[tuple[str, Formula]],
+    inputs: Mapping[str, Input],
+    taken: Iterable[str],
+    numbers: Sequence[Formula] = (),
+) -> Pose:
+    """Return the program that gives some of the names that formulas define, or of numbers."""
+    names = {*inputs, *taken, *(name for name, _ in formulas)}
+    rooted, _ = with_roots(formulas, [], names)
+    shared, _ = share(rooted, numbers, [*inputs, *taken])
+    steps = _leading_to(outputs, shared)
     used = frozenset[str]().union(*(symbols(f) for step in steps for f in formulas_of(step)))
     defined = {name for step in steps for name in names_of(step)}
+    used |= frozenset(outputs)
     known = tuple(item for name, item in inputs.items() if name in used - defined)
-    return Pose(known, steps, tuple(found.names))
+    return Pose(known, steps, outputs, closed)
 
 
 def _leading_to(names: Iterable[str], steps: Sequence[Statement]) -> tuple[Statement, ...]:

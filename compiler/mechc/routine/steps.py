@@ -12,6 +12,7 @@ from typing import Literal
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
+from ..pose.motion import Quantity
 from ..units import Dimension
 
 
@@ -189,12 +190,25 @@ class Function:
 class Pose:
     """The angles and lengths found by loops that results rest on, together.
 
-    ``outputs`` are their names in the order of the results, each defined by ``steps``.
+    ``outputs`` are their names in the order of the results, each defined by ``steps``. Those
+    that are ``closed`` have values wherever the loops close.
     """
 
     inputs: tuple[Input, ...]
     steps: tuple[Statement, ...]
     outputs: tuple[str, ...]
+    closed: tuple[str, ...]
+
+
+@frozen
+class Points:
+    """Coordinates of points, directions of links and their rates: a program, and what each is.
+
+    The outputs of the program are the names of the ``quantities``.
+    """
+
+    program: Pose
+    quantities: tuple[Quantity, ...]
 
 
 def every(functions: Iterable[Function]) -> Iterator[Function]:
@@ -207,13 +221,17 @@ def every(functions: Iterable[Function]) -> Iterator[Function]:
 
 @frozen
 class Routine:
-    """All functions of one mechanism; ``pose`` is None where loops find nothing."""
+    """All functions of one mechanism.
+
+    ``pose`` is None where loops find nothing, ``points`` where there is no drive.
+    """
 
     name: str
     title: str
     source: str
     functions: tuple[Function, ...]
     pose: Pose | None = None
+    points: Points | None = None
 
 
 def programs(routine: Routine) -> list[Common | Function | Pose]:
@@ -221,4 +239,5 @@ def programs(routine: Routine) -> list[Common | Function | Pose]:
     listed = list(every(routine.functions))
     common = {f.common.number: f.common for f in listed if f.common}
     others = (f for f in listed if not f.common)
-    return [*common.values(), *others, *([routine.pose] if routine.pose else [])]
+    poses = (routine.pose, routine.points.program if routine.points else None)
+    return [*common.values(), *others, *(pose for pose in poses if pose)]

@@ -285,11 +285,15 @@ class Screw(Statement):
 
 @frozen
 class Drive(Statement):
-    """``drive phi from a to b``, ``drive OA from a to b``: a parameter, or a link by its points."""
+    """``drive phi from a to b``, ``drive OA from a to b``: a parameter, or a link by its points.
+
+    ``speed`` is how fast it is driven, at a constant rate.
+    """
 
     name: Name
     low: Expr | None = None
     high: Expr | None = None
+    speed: Expr | None = None
 
 
 @frozen

@@ -41,10 +41,14 @@ def spelling() -> dict[str, str]:
     return parser().tables.texts
 
 
+ANYWHERE = -1
+"""The first of a word behind the name of a statement, wherever that is."""
+
 SOFT: Mapping[str, tuple[str, int]] = {
     "load": ("load", 0),
     "intensity": ("load", 2),
     "radius": ("slot", 6),
+    "speed": ("drive", ANYWHERE),
 }
 """Words that are names but in one statement, by its first word, at one place in it."""
 
@@ -59,10 +63,18 @@ def with_names(line: Sequence[Token], start: Start) -> list[Token]:
     first = line[0] if line and start == "statement" else ""
     return [
         Token("NAME", token, *span_of(token))
-        if token in SOFT and (first, place) != SOFT[token]
+        if token in SOFT and not _stands(token, place, first, line)
         else token
         for place, token in enumerate(line)
     ]
+
+
+def _stands(word: str, place: int, first: str, line: Sequence[Token]) -> bool:
+    """Tell whether a soft word at a place of a statement is a word of the language there."""
+    statement, at = SOFT[word]
+    if first != statement:
+        return False
+    return place == at if at != ANYWHERE else word not in line[2:place] and place > 1
 
 
 @cache

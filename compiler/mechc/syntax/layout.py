@@ -86,7 +86,12 @@ SECTIONS: tuple[Section, ...] = (
     bare(
         "drive",
         "the driving coordinate and its stroke",
-        Entry(ast.Drive, NAMED, plain(Kind.RANGE, "low", "high")),
+        Entry(
+            ast.Drive,
+            NAMED,
+            plain(Kind.RANGE, "low", "high"),
+            (optional("range", Kind.RANGE, "low", "high"), optional("speed", Kind.EXPRESSION)),
+        ),
     ),
     bare(
         "pivots",

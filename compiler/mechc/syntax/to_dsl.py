@@ -21,7 +21,7 @@ LINES: dict[type[ast.Statement], str] = {
     ast.SourceNote: "source {text}",
     ast.Param: "param {name}[: {dimension}][|= {value}][ +- {tolerance}]"
     "[ in {low} .. {high}][ as {label}][ about {about}]",
-    ast.Drive: "drive {name}[ from {low} to {high}]",
+    ast.Drive: "drive {name}[ from {low} to {high}][ speed {speed}]",
     ast.Pivot: "pivot {point}[ at {at}]",
     ast.Slider: "slider {point} along {along}[ through {through}]",
     ast.Link: "link {points}[ {label}]",

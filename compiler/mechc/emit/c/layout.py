@@ -17,3 +17,9 @@ def harmless(words: str) -> str:
     """
     words = words.replace("*/", "* /").replace("/*", "/ *").replace("??", "? ?")
     return f"{words} ." if words.endswith("\\") else words
+
+
+def broken(sign: str, parts: list[str]) -> str:
+    """Return parts joined by a sign on one line, or with one part on each."""
+    line = sign.join(parts)
+    return line if len(line) <= LONGEST_LINE - 14 else f"\n        {sign.lstrip()}".join(parts)

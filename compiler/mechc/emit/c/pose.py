@@ -4,13 +4,41 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ...formula.tree import Symbol
-from ...routine.steps import Common, Pose, Solver, mentioned, names_of
+from ...routine.steps import Common, Pose, Routine, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
-from .layout import harmless, wrapped
+from .layout import broken, harmless, wrapped
 from .printer import CPrinter
 from .reserved import RESERVED
 from .solvers import lines
+
+ENDED = [
+    "close or a branch has ended on the way from the default pose, 2 where Newton's method",
+    "does not converge; what is not there is NaN.",
+]
+
+POSE = [
+    "The intermediates of the pose. Returns 0 where all are there, 1 where the loops do not",
+    *ENDED,
+]
+
+POINTS = [
+    f"The {describe.POINTS}, and how both change with",
+    "the drive. Returns 0 where there is a pose, 1 where the loops do not",
+    *ENDED,
+]
+
+
+class Forms(NamedTuple):
+    """The names of a function for one pose and of that for many."""
+
+    single: str
+    batch: str
+
+    @classmethod
+    def of(cls, name: str, space: Names) -> "Forms":
+        """Return the names that such functions get."""
+        return cls(space.claim(name), space.claim(f"{name}_n"))
 
 
 class PoseContext(NamedTuple):
@@ -29,15 +57,32 @@ class PoseContext(NamedTuple):
     loop: str
 
 
-def pose_context(
+def pose_contexts(
+    routine: Routine, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+) -> list[PoseContext]:
+    """Return the functions of a mechanism's pose and its points, each for one and for many."""
+    pose, points = (Forms.of(f"{routine.name}_{what}", space) for what in ("pose", "points"))
+    found: list[PoseContext] = []
+    if routine.pose:
+        meanings = {name: name for name in routine.pose.outputs}
+        found.append(_context(routine.pose, pose, POSE, meanings, arguments, solvers))
+    if routine.points:
+        meanings = {q.name: describe.quantity_words(q) for q in routine.points.quantities}
+        program = routine.points.program
+        found.append(_context(program, points, POINTS, meanings, arguments, solvers))
+    return found
+
+
+def _context(
     pose: Pose,
-    single: str,
-    batch: str,
+    forms: Forms,
+    remarks: list[str],
+    meanings: Mapping[str, str],
     arguments: Mapping[str, str],
     solvers: Mapping[Solver, str],
 ) -> PoseContext:
-    """Return the function of a mechanism's pose, for one and for many."""
     own = {i.name: arguments[i.name] for i in pose.inputs}
+    single, batch = forms
     space = Names(RESERVED, {single, batch, *own.values(), *solvers.values()})
     names = own | mangle((n for s in pose.steps for n in names_of(s)), space)
     outputs = {n: space.claim(f"{names[n]}_out") for n in pose.outputs}
@@ -47,7 +92,7 @@ def pose_context(
     inputs = list(own.values())
     given = [*(f"{a}[{loop}]" for a in inputs), *(f"{o} + {loop}" for o in outputs.values())]
     return PoseContext(
-        [harmless(line) for line in _remarks(pose, own, outputs, number)],
+        [*remarks, "", *map(harmless, _remarks(pose, own, outputs, meanings, number))],
         wrapped(
             f"int {single}(",
             [*(f"double {a}" for a in inputs), *(f"double *{o}" for o in outputs.values())],
@@ -55,7 +100,7 @@ def pose_context(
         wrapped(f"void {batch}(", _arrays(number, inputs, list(outputs.values()), status)),
         body,
         [f"*{o} = {names[n]};" for n, o in outputs.items()],
-        " || ".join(f"{names[n]} != {names[n]}" for n in pose.outputs),
+        broken(" || ", [f"{names[n]} != {names[n]}" for n in pose.closed]),
         statuses,
         f"{single}({', '.join(given)})",
         status,
@@ -72,15 +117,15 @@ def _arrays(number: str, inputs: list[str], outputs: list[str], status: str) -> 
 
 
 def _remarks(
-    pose: Pose, own: Mapping[str, str], outputs: Mapping[str, str], number: str
+    pose: Pose,
+    own: Mapping[str, str],
+    outputs: Mapping[str, str],
+    meanings: Mapping[str, str],
+    number: str,
 ) -> list[str]:
     return [
-        "The intermediates of the pose. Returns 0 where all are there, 1 where the loops do not",
-        "close or a branch has ended on the way from the default pose, 2 where Newton's method",
-        "does not converge; what is not there is NaN.",
-        "",
         *(f"  {own[i.name]}: {describe.input_words(i, own[i.name])}" for i in pose.inputs),
-        *(f"  {out}: {name}" for name, out in outputs.items()),
+        *(f"  {out}: {meanings[name]}" for name, out in outputs.items()),
         "",
         f"The second form computes the elements 0 .. {number} - 1; its arrays must not overlap.",
     ]

@@ -29,7 +29,7 @@ from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from .helpers import BITS, helpers
 from .layout import harmless, wrapped
-from .pose import CommonContext, PoseContext, common_context, pose_context
+from .pose import CommonContext, PoseContext, common_context, pose_contexts
 from .printer import CIRCULAR, CPrinter, QuickPrinter, guarded
 from .reserved import HEADERS, LINKED, RESERVED
 from .solvers import (
@@ -88,7 +88,7 @@ class CodeContext(NamedTuple):
     """Fields are what ``c/functions.jinja`` mentions."""
 
     functions: list[FunctionContext]
-    pose: PoseContext | None
+    poses: list[PoseContext]
     solvers: list[SolverContext]
     commons: list[CommonContext]
     newton: ModuleType
@@ -119,7 +119,7 @@ class Parts(NamedTuple):
     """What a source consists of."""
 
     functions: list[FunctionContext]
-    pose: PoseContext | None
+    poses: list[PoseContext]
     solvers: list[SolverContext]
     commons: list[CommonContext]
 
@@ -127,7 +127,7 @@ class Parts(NamedTuple):
     def public(self) -> list[FunctionContext | StatusContext | PoseContext]:
         """Return what the header declares."""
         with_statuses = (each for f in self.functions for each in (f, f.status) if each)
-        return [*with_statuses, *([self.pose] if self.pose else [])]
+        return [*with_statuses, *self.poses]
 
 
 class CTarget:
@@ -206,14 +206,14 @@ def _parts(compiled: Compiled) -> Parts:
     linked = _symbols(routine.name, [*(f.name for f in listed), *statuses], space)
     called = [linked[f.otherwise.name].single for f in listed if f.otherwise]
     arguments = mangle((i.name for p in written for i in p.inputs), Names(RESERVED.besides(called)))
-    pose, batch = (space.claim(f"{routine.name}_pose{end}") for end in ("", "_n"))
     found = solvers_of(step for p in written for step in p.steps)
     solvers = {s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)}
     commons = [p for p in written if isinstance(p, Common)]
     handing = {c.number: space.claim(f"{routine.name}_values_{c.number}") for c in commons}
+    poses = pose_contexts(routine, space, arguments, solvers)
     return Parts(
         [_function(f, linked, arguments, solvers, handing, listed) for f in listed],
-        pose_context(routine.pose, pose, batch, arguments, solvers) if routine.pose else None,
+        poses,
         [solver_context(solver, name) for solver, name in solvers.items()],
         [common_context(c, handing[c.number], arguments, solvers) for c in commons],
     )

@@ -23,7 +23,7 @@ from ...model.mechanism import (
     Target,
     WithFriction,
 )
-from ...model.result import Definition, Result
+from ...model.result import Result
 from ...pose.pose import LoopKind
 from ...report.derivation.steps import (
     Derivation,
@@ -42,10 +42,11 @@ from ...units import si_unit
 from ..describe import dimension_name
 from ..target import Compiled
 from .figure import FIGURE
-from .formula import FORMULA
+from .formula import DEFINITION, FORMULA
 from .free_bodies import DIAGRAM
 from .functions import FUNCTION
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
+from .points import MOVED, moved
 
 VERSION = 1
 """Raised whenever a member changes its meaning or goes."""
@@ -95,13 +96,6 @@ PARAMETER: Kind[Parameter] = record(
     member("formula", "Of a dependent parameter.", optional(FORMULA), _dependence),
     member("label", "For reports, or empty.", TEXT, lambda p: p.label),
     member("about", "A longer remark, or empty.", TEXT, lambda p: p.about),
-)
-
-DEFINITION: Kind[Definition] = record(
-    "definition",
-    "A named intermediate.",
-    member("name", "The name that formulas mention.", TEXT, lambda d: d.name),
-    member("formula", "What it stands for.", FORMULA, lambda d: d.formula),
 )
 
 CONDITION: Kind[Require] = record(
@@ -365,4 +359,5 @@ DOCUMENT: Kind[Compiled] = record(
     member("figure", "For drawings.", optional(FIGURE), lambda c: c.figure),
     member("free_bodies", "At the figure's pose.", list_of(DIAGRAM), lambda c: c.free_bodies),
     member("functions", "Of the code.", list_of(FUNCTION), lambda c: c.routine.functions),
+    member("points", "Where points are, if there is a drive.", optional(MOVED), moved),
 )

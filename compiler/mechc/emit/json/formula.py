@@ -5,6 +5,7 @@ from typing import assert_never
 from ...formula.operations import count_operations
 from ...formula.to_text import text
 from ...formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from ...model.result import Definition
 from .kinds import TEXT, WHOLE, Json, Kind, member, record
 
 
@@ -95,4 +96,11 @@ FORMULA: Kind[Formula] = record(
     member("text", "In mechc's notation: a*sin(alpha)^2/(2*b).", TEXT, text),
     member("tree", "The same, nested.", TREE, lambda f: f),
     member("operations", "Number of operations, as sympy's count_ops.", WHOLE, count_operations),
+)
+
+DEFINITION: Kind[Definition] = record(
+    "definition",
+    "A named intermediate.",
+    member("name", "The name that formulas mention.", TEXT, lambda d: d.name),
+    member("formula", "What it stands for.", FORMULA, lambda d: d.formula),
 )

@@ -1,10 +1,10 @@
 """Functions that give many values: a pose's with its status, and what others have in common."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from ...formula.tree import Symbol
-from ...routine.steps import Common, Pose, Solve, Solver, mentioned, names_of
+from ...routine.steps import Common, Pose, Routine, Solve, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..render import Line
@@ -13,20 +13,46 @@ from .solvers import line
 
 
 class PoseContext(NamedTuple):
-    """Fields are what ``python/pose.jinja`` mentions; ``outputs`` are names and their variables."""
+    """Fields are what ``python/pose.jinja`` mentions; ``outputs`` are names and their variables.
+
+    ``meanings`` say what outputs are; ``closed`` are those that have values where loops close,
+    empty where these are all.
+    """
 
     name: str
+    title: str
     arguments: list[str]
     inputs: list[Line]
+    meanings: list[str]
     body: list[Line]
     outputs: list[Line]
+    closed: list[str]
     statuses: list[str]
 
 
-def pose_context(
-    pose: Pose, name: str, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+def pose_contexts(
+    routine: Routine, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+) -> list[PoseContext]:
+    """Return the functions of a mechanism's pose and of its points, as far as there are any."""
+    pose, points = (space.claim(name) for name in ("pose", "points"))
+    found: list[PoseContext] = []
+    if routine.pose:
+        found.append(_context(routine.pose, pose, "intermediates", (), arguments, solvers))
+    if routine.points:
+        meanings = describe.quantity_lines(routine.points.quantities)
+        program = routine.points.program
+        found.append(_context(program, points, describe.POINTS, meanings, arguments, solvers))
+    return found
+
+
+def _context(
+    pose: Pose,
+    name: str,
+    title: str,
+    meanings: Iterable[str],
+    arguments: Mapping[str, str],
+    solvers: Mapping[Solver, str],
 ) -> PoseContext:
-    """Return the function of a mechanism's pose."""
     own = {i.name: arguments[i.name] for i in pose.inputs}
     space = Names(RESERVED.besides(["found", "status"]), set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in pose.steps for n in names_of(s)), space))
@@ -39,10 +65,13 @@ def pose_context(
         statuses += [status] if status else []
     return PoseContext(
         name,
+        title,
         list(own.values()),
         [Line(own[i.name], describe.input_words(i, own[i.name])) for i in pose.inputs],
+        list(meanings),
         body,
         [Line(repr(n), printer.names[n]) for n in pose.outputs],
+        [] if pose.closed == pose.outputs else [repr(n) for n in pose.closed],
         statuses,
     )
 

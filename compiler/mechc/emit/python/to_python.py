@@ -31,7 +31,7 @@ from .pose import (
     PoseContext,
     common_context,
     common_name,
-    pose_context,
+    pose_contexts,
 )
 from .printer import KEYWORDS, MODULES, RESERVED, PythonPrinter
 from .solvers import SolverContext, line, solver_context, solver_names
@@ -68,7 +68,7 @@ class ModuleContext(NamedTuple):
     newton: ModuleType
     commons: list[CommonContext]
     functions: list[FunctionContext]
-    pose: PoseContext | None
+    poses: list[PoseContext]
     main: list[str]
 
 
@@ -115,9 +115,7 @@ def _module(compiled: Compiled) -> ModuleContext:
         newton=newton,
         commons=[common_context(p, arguments, solvers) for p in parts if isinstance(p, Common)],
         functions=functions,
-        pose=pose_context(routine.pose, space.claim("pose"), arguments, solvers)
-        if routine.pose
-        else None,
+        poses=pose_contexts(routine, space, arguments, solvers),
         main=[_shown(f, names[f.name], arguments) for f in routine.functions],
     )
 

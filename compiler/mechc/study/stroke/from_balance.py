@@ -15,6 +15,7 @@ from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, Mechanism, Parameter
 from ...model.targets import Efficiency, WithFriction
 from ...model.values import range_of
+from ...pose.motion import Motion
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH, Dimension
 from ..analysis import Analysis
@@ -26,6 +27,7 @@ from .ends import end_of_branch
 from .extrema import extrema, turns_between
 from .friction import courses, in_code, is_told, some, stuck
 from .places import SAMPLES, looked_at
+from .points import Asked, asked, path_columns
 from .reached import with_reached
 from .rounded import is_nil, rounded
 from .sides import from_both_sides, is_on_a_side
@@ -40,10 +42,18 @@ FLAT = "branch point"
 """Stands in a row at which a loop lies flat."""
 
 
-def run(solution: Solution, results: Sequence[Analysis], points: int, report: Report) -> Stroke:
+def run(
+    solution: Solution,
+    results: Sequence[Analysis],
+    points: int,
+    report: Report,
+    motion: Motion | None = None,
+    paths: Sequence[str] = (),
+) -> Stroke:
     """Return ``points`` rows along the stroke, and what is singular or extreme on it.
 
-    Reports E591 without a drive, E592 without a stroke's ends.
+    ``paths`` are the points and links whose ``motion`` is shown. Reports E591 without a drive,
+    E592 without a stroke's ends, E597 for a path of nothing.
     """
     pose = solution.plan.graph.pose
     drive = pose.mechanism.drive
@@ -53,7 +63,7 @@ def run(solution: Solution, results: Sequence[Analysis], points: int, report: Re
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:
         raise report.fail(messages.no_stroke(drive.span, drive.parameter))
-    runner = _Runner(solution, results, parameter, *ends)
+    runner = _Runner(solution, results, parameter, *ends, asked(motion, paths))
     return runner.stroke(points)
 
 
@@ -76,9 +86,11 @@ class _Runner:
         parameter: Parameter,
         low: float,
         high: float,
+        asked: Asked,
     ) -> None:
         self._solution, self._pose = solution, solution.plan.graph.pose
         self._parameter, self._low, self._high = parameter, low, high
+        self._asked = asked
         self._along = Along(solution.plan, _plain_lets(self._pose.mechanism), (low, high))
         shown = [r for r in results if r.default is not None or r.target is not None]
         shown = [in_code(r, solution) for r in shown]
@@ -150,6 +162,7 @@ class _Runner:
         for name, angle in named(transmissions(self._pose)):
             column = Column(name, ANGLE, "angle")
             yield Filled(column, partial(self._angle, angle))
+        yield from path_columns(self._asked, self._along, self._unit)
 
     def _values(self, formula: Formula, where: Analysis) -> Callable[[float], float]:
         return lambda place: self._along.of(formula, where, place)

@@ -11,7 +11,7 @@ from ...units import Dimension
 Kind = Literal[
     "output still", "drive locked", "branch point", "perpendicular load", "jump", "far", "other"
 ]
-Content = Literal["result", "slope", "velocity", "angle"]
+Content = Literal["result", "slope", "velocity", "angle", "path"]
 
 
 class Row(NamedTuple):
@@ -28,7 +28,7 @@ class Row(NamedTuple):
 
 
 class Column(NamedTuple):
-    """A result, its slope along the drive, a velocity ratio, or a transmission angle."""
+    """A result, its slope along the drive, a velocity ratio, a transmission angle, or a path."""
 
     name: str
     dimension: Dimension

@@ -1,0 +1,155 @@
+"""Coordinates of points, directions of links, and how both change with the drive."""
+
+from collections.abc import Iterator, Sequence
+from typing import Literal, NamedTuple
+
+from ..algebra.trigonometry import cosine, sine
+from ..formula.tree import ONE, ZERO, Call, Formula, Symbol, total
+from ..formula.walk import constants
+from ..frozen import frozen
+from ..model.mechanism import Parameter
+from ..units import ACCELERATION, ANGLE, FREQUENCY, LENGTH, VELOCITY, Dimension
+from .paths import paths
+from .pose import Definition, Pose, Vector
+from .rates import Rates, Titles, first_rates, second_rates, titled
+
+Kind = Literal["place", "slope", "velocity", "acceleration"]
+
+
+class Quantity(NamedTuple):
+    """One number of a motion: ``x_C``, ``phi_BC``, ``dx_C_dphi``, for people ``dx_C/dphi``.
+
+    ``of`` is the point, or the link, whose it is, ``axis`` x or y, of a link empty.
+    """
+
+    name: str
+    shown: str
+    kind: Kind
+    of: str
+    axis: str
+    dimension: Dimension
+    formula: Formula
+
+    @property
+    def is_named(self) -> bool:
+        """Tell whether it is what the pose, or the description, calls by its name."""
+        return isinstance(self.formula, Symbol) and self.formula.name == self.name
+
+
+@frozen
+class Motion:
+    """Coordinates of points, directions of links, and how they change with the drive.
+
+    Without a speed of the drive these are the slopes along it, with one velocities and
+    accelerations. ``definitions`` are what they rest on beside the definitions of the pose.
+    """
+
+    quantities: tuple[Quantity, ...]
+    definitions: tuple[Definition, ...]
+
+
+def motion(pose: Pose) -> Motion | None:
+    """Return what moves along the drive; None where there is none, or nothing has a place."""
+    drive = pose.mechanism.drive
+    if drive is None or drive.reshapes:
+        return None
+    places = (*_points(pose), *_links(pose))
+    titles = Titles("t" if drive.speed else drive.parameter, _taken(pose))
+    first = first_rates(pose, drive.speed or ONE, titles, [p.formula for p in places])
+    if drive.speed is None:
+        parameter = pose.mechanism.parameter(drive.parameter)
+        slopes = (_slope(place, first, parameter) for place in places)
+        quantities = (*places, *(s for s in slopes if s))
+        return _whole(pose, quantities, first)
+    velocities = _rates(places, first, "velocity")
+    second = second_rates(first, titles)
+    accelerations = _rates(velocities, second, "acceleration")
+    return _whole(pose, (*places, *velocities, *accelerations), first, second)
+
+
+def _taken(pose: Pose) -> Iterator[str]:
+    yield from (name for name, _ in (*pose.closing, *pose.definitions))
+    yield from (parameter.name for parameter in pose.mechanism.parameters)
+
+
+def _whole(pose: Pose, quantities: Sequence[Quantity], *rates: Rates) -> Motion | None:
+    """Return a motion, its names told apart from those of the pose; None without quantities."""
+    numbers = {c.name for c in constants(q.formula for q in quantities)}
+    taken, kept = {*_taken(pose), *numbers}, {name for name, _ in pose.definitions}
+    closing = [d for d in pose.closing if d.name not in kept]
+    named = [d for found in rates for d in found.named.values()]
+    apart: list[Quantity] = []
+    for quantity in quantities:
+        while quantity.name in taken and not quantity.is_named:
+            quantity = quantity._replace(name=f"{quantity.name}_")
+        apart.append(quantity)
+    return Motion(tuple(apart), (*closing, *named)) if apart else None
+
+
+def _points(pose: Pose) -> Iterator[Quantity]:
+    """Yield the coordinates of every point that has a place."""
+    for point, vector in paths(pose).items():
+        for axis, formula in zip("xy", _components(vector), strict=True):
+            yield _named(f"{axis}_{point}", "place", point, axis, LENGTH, formula)
+
+
+def _links(pose: Pose) -> Iterator[Quantity]:
+    """Yield the direction of every link: of its second point from its first."""
+    for link in pose.mechanism.rigid_links:
+        first, second, *_ = link.points
+        vector = pose.vector(link.name, first, second)
+        if vector:
+            name = f"phi_{first}{second}"
+            yield _named(name, "place", link.name, "", ANGLE, _direction(vector))
+
+
+def _named(
+    shown: str, kind: Kind, of: str, axis: str, dimension: Dimension, formula: Formula
+) -> Quantity:
+    return Quantity(shown.replace("'", "p"), shown, kind, of, axis, dimension, formula)
+
+
+def _components(vector: Vector) -> tuple[Formula, Formula]:
+    x, y = (total((a.length * part(a.angle)).formula() for a in vector) for part in (cosine, sine))
+    return x, y
+
+
+def _direction(vector: Vector) -> Formula:
+    """Return the angle of a vector, which runs on over full turns where it is a single arm."""
+    if len(vector) == 1:
+        return vector[0].angle.formula()
+    x, y = _components(vector)
+    return Call("atan2", (y, x))
+
+
+def _slope(place: Quantity, slopes: Rates, drive: Parameter) -> Quantity | None:
+    """Return the slope of a coordinate or a direction along the drive, None where it has none."""
+    slope = slopes.of(place.formula)
+    if slope is None or slope == ZERO:
+        return None
+    return place._replace(
+        name=titled(place.name, drive.name),
+        shown=f"d{place.shown}/d{drive.name}",
+        kind="slope",
+        dimension=place.dimension.over(drive.dimension),
+        formula=slope,
+    )
+
+
+def _rates(quantities: Sequence[Quantity], rates: Rates, kind: Kind) -> tuple[Quantity, ...]:
+    """Return the velocities of places, or the accelerations of what has a velocity."""
+    linear, angular = ("V", "omega") if kind == "velocity" else ("a", "epsilon")
+    made: list[Quantity] = []
+    for of in quantities:
+        rate = rates.of(of.formula)
+        if rate is not None and (rate != ZERO or kind == "acceleration"):
+            shown = f"{linear}_{of.of}_{of.axis}" if of.axis else f"{angular}_{of.of}"
+            dimension = _dimension(kind, of.axis)
+            made.append(_named(shown, kind, of.of, of.axis, dimension, rate))
+    return tuple(made)
+
+
+def _dimension(kind: Kind, axis: str) -> Dimension:
+    if kind == "velocity":
+        return VELOCITY if axis else FREQUENCY
+    return ACCELERATION if axis else FREQUENCY.scaled(2)

@@ -1,0 +1,60 @@
+"""Where every point is: as a vector from the origin."""
+
+from collections import deque
+from collections.abc import Iterator
+
+from ..model.mechanism import Pivot, Slider
+from ..syntax.vocabulary import points_of
+from .loops.vector_graph import mentioned
+from .pose import Pose, Vector, gathered, measured_by, reverse
+
+ORIGIN = ""
+"""The name of the plane's origin among the points that vectors join."""
+
+
+def paths(pose: Pose) -> dict[str, Vector]:
+    """Return the vector from the origin to every point that the description gives a place.
+
+    Without a place of any pivot the origin is at the first pivot. A point is left out to which
+    only vectors of open length lead, and one that stands for the place of a guide.
+    """
+    ways: dict[str, dict[str, Vector]] = {}
+    for tail, head, vector in _given(pose):
+        ways.setdefault(tail, {}).setdefault(head, vector)
+        ways.setdefault(head, {}).setdefault(tail, reverse(vector))
+    start = _start(pose, ways)
+    found: dict[str, Vector] = {start: ()}
+    waiting = deque([start])
+    while waiting:
+        here = waiting.popleft()
+        for there, vector in ways.get(here, {}).items():
+            if there not in found:
+                found[there] = gathered((*found[here], *vector))
+                waiting.append(there)
+    return {point: vector for point, vector in found.items() if points_of(point)}
+
+
+def _given(pose: Pose) -> Iterator[tuple[str, str, Vector]]:
+    """Yield the vectors whose length is known, by their points."""
+    known = {name: value for name, value in pose.placeholders.items() if value is not None}
+    open_ = pose.placeholders.keys() - known.keys()
+    for tail, head, vector in _vectors(pose):
+        if open_.isdisjoint(mentioned(vector)):
+            yield tail, head, measured_by(vector, known)
+
+
+def _vectors(pose: Pose) -> Iterator[tuple[str, str, Vector]]:
+    for (tail, head), vector in pose.vectors.items():
+        yield tail, head, vector
+    for frame in pose.frames.values():
+        first, *others = frame
+        yield from ((first, point, frame[point]) for point in others if frame[point])
+    for touch in pose.touches:
+        if touch.reach:
+            yield touch.tail, touch.point, touch.reach
+
+
+def _start(pose: Pose, ways: dict[str, dict[str, Vector]]) -> str:
+    mechanism = pose.mechanism
+    grounded = [j.point for j in (*mechanism.each(Pivot), *mechanism.each(Slider))]
+    return ORIGIN if ORIGIN in ways else next(iter([*grounded, *ways]), ORIGIN)
