@@ -1,5 +1,6 @@
 """Wheels on moving arms: Willis's relations, moments by hand, and what is told of them."""
 
+import math
 import re
 
 import pytest
@@ -7,6 +8,7 @@ import pytest
 import mechc
 from mechc.driver import compile_source
 from mechc.source import Source
+from paths import CORPUS
 
 TRAIN = """
 param r = {r} mm
@@ -80,6 +82,18 @@ def test_friction_of_teeth_acts_in_the_motion_relative_to_the_arm() -> None:
     found = values(turned)
     assert found["k_f"] == pytest.approx(-(20 + 50 * 0.98) / 20, rel=1e-12)
     assert found["k_hold"] == pytest.approx(-(20 + 50 * 1.02) / 20, rel=1e-12)
+
+
+def test_forces_beside_the_teeth_follow_by_moments_about_the_pin() -> None:
+    """The teeth on the sun have the moment −T about O, those on the rod −T·p/r about A.
+
+    The moments of the rod about A: N·l·cos psi + P·l·sin psi − T·p/r = 0.
+    """
+    text = (CORPUS / "good" / "gear_on_coupler.mech").read_text(encoding="utf-8")
+    found = mechc.loads(text + "find N_B\n", "gear_on_coupler.mech").evaluate(T=1.0)
+    push, psi = found["k"], math.radians(-15)
+    by_hand = (0.020 / 0.030 - push * 0.160 * math.sin(psi)) / (0.160 * math.cos(psi))
+    assert found["N_B"] == pytest.approx(by_hand, rel=1e-12)
 
 
 def test_two_freedoms_give_each_torque_by_the_one_that_is_known() -> None:

@@ -82,6 +82,7 @@ CONSTRUCTS = [
     ("slot B in OC", "slots: {B: OC}"),
     ("slot B in OC\nslot B in DE", "slots: {B: [OC, DE]}"),
     ("slot B in OAC about C radius r", "slots: {B: {in: OAC, about: C, radius: r}}"),
+    ("slot B in OC guiding BDE", "slots: {B: {in: OC, guiding: BDE}}"),
     ("telescope AB", "telescopes: [AB]"),
     ("gear O1 r1, O2 m*z/2", "gears: [{O1: r1, O2: m*z/2}]"),
     ("gear O1 r1, O2 r2 inner", "gears: [{O1: r1, O2: r2, inner: true}]"),

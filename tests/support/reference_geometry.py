@@ -9,7 +9,7 @@ import cmath
 import math
 import random
 import re
-from collections.abc import Collection, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping
 from contextlib import suppress
 from dataclasses import dataclass
 from fractions import Fraction
@@ -295,7 +295,10 @@ def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None =
         guides,
         slides,
         touches,
-        list(rollings(file, links, guides | slides, lambda e: evaluate(e, values))),
+        [
+            *rollings(file, links, guides | slides, lambda e: evaluate(e, values)),
+            *_blocks(file, arms, links, touches),
+        ],
         _actions(file, values, arms),
         arms.lengths,
     )
@@ -333,6 +336,22 @@ def _touches(
         pin, first = s.point.text, next(iter(links[body]))
         place = 0j if body in slides else arms.between(first, pin)
         yield PointContact(pin, body, cmath.rect(1, normal), place)
+
+
+def _blocks(
+    file: ast.File,
+    arms: Arms,
+    links: Mapping[str, Mapping[str, complex]],
+    touches: Iterable[PointContact],
+) -> Iterator[Rolling]:
+    """Yield the second place at which the block of a guided link touches its slot."""
+    for s in every(file, ast.Slot):
+        if s.guided:
+            tail, head = points_of(s.line.text)
+            ahead = arms.between(tail, head) / abs(arms.between(tail, head))
+            touch = next(t for t in touches if t.pin == s.point.text)
+            there = links[s.guided.text][s.point.text] + ahead
+            yield Rolling(s.guided.text, there, touch.body, touch.place + ahead, 1j * ahead)
 
 
 def _actions(file: ast.File, values: Values, arms: Arms) -> list[Action]:

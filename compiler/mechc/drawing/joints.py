@@ -52,6 +52,8 @@ def joint(paper: Paper, part: Part) -> Layered:
             ends = paper.ends(part.groove)
             yield Layer.JOINTS, symbols.groove_floor(*ends)
             yield from _in(Layer.JOINTS, symbols.groove(*ends))
+            if part.guided:
+                yield Layer.JOINTS, symbols.block(paper.at(part.point), part.along)
         case ArcSlot():
             yield from _arc_slot(paper, part)
         case Gears():

@@ -76,7 +76,10 @@ class Slider:
 
 @frozen
 class Slot:
-    """A pin in a groove of a body; ``along`` is the direction from ``tail`` to ``head``."""
+    """A pin in a groove of a body; ``along`` is the direction from ``tail`` to ``head``.
+
+    A ``guided`` link is fast in a block on the pin.
+    """
 
     point: str
     body: str
@@ -84,6 +87,7 @@ class Slot:
     head: str
     along: Plane
     groove: Segment
+    guided: str = ""
 
 
 @frozen

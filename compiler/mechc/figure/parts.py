@@ -175,6 +175,7 @@ class Half:
             self.point(slot.head),
             along,
             self._line(along, slot.point),
+            slot.guided and self.link(slot.guided),
         )
 
     def _contact(self, contact: model.Contact) -> drawn.Contact:

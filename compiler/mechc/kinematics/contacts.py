@@ -30,6 +30,8 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
                 yield _rack(joint, pose, velocities, spins)
             case Screw():
                 yield _screw(joint, pose, velocities, spins)
+            case Slot(guided=guided) if guided:
+                yield _turning_together(joint, spins)
             case Pivot() | Slider() | Slot() | Contact():
                 pass  # the builder carries their points; slots and contacts are touches
             case _:
@@ -38,9 +40,11 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
 
 def spinning(pose: Pose) -> set[str]:
     """Return the links whose angular velocity such a joint asks for."""
-    return {link for mesh in pose.mechanism.meshes for link in mesh.bodies} | {
-        t.body for t in pose.touches
-    }
+    mechanism = pose.mechanism
+    guiding = [slot for slot in mechanism.each(Slot) if slot.guided]
+    together = {link for joint in (*mechanism.meshes, *guiding) for link in joint.bodies}
+    slides = {slide.name for slide in mechanism.slides}
+    return (together - slides) | {t.body for t in pose.touches}
 
 
 def _touch(touch: PointContact, velocities: Velocities, spins: Spins) -> Relation:
@@ -52,6 +56,14 @@ def _touch(touch: PointContact, velocities: Velocities, spins: Spins) -> Relatio
     form = subtract(own, projection(under, touch.normal))
     rule = Rule.SLOT if touch.kind == "slot" else Rule.CONTACT
     return Relation(rule, touch.body, (touch.point,), touch.normal, form, touch.span)
+
+
+def _turning_together(slot: Slot, spins: Spins) -> Relation:
+    """ω of the link in the slot − ω of the link that has it = 0."""
+    form = {spins[slot.guided]: ONE}
+    if slot.link in spins:
+        form[spins[slot.link]] = Product(-1)
+    return Relation(Rule.TURNING, slot.guided, (slot.point,), Angle(), form, slot.span)
 
 
 def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:

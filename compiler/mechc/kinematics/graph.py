@@ -65,6 +65,8 @@ class Rule(StrEnum):
     """A point on a guide does not move across it."""
     REST = "rest"
     """A second point of the link is pinned to the ground."""
+    TURNING = "turning"
+    """A link in a slot turns with the link that has it."""
     SLOT = "slot"
     """A pin in a slot and the link under it have equal velocities across the slot."""
     CONTACT = "contact"

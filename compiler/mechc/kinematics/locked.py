@@ -54,6 +54,8 @@ def described(relation: Relation) -> str:
         return "a load that is held still"
     point, body = relation.points[0], relation.link
     match relation.rule:
+        case Rule.TURNING:
+            return f"the block that is fast in {body}"
         case Rule.SLOT:
             return f"the slot of {point} in {body}"
         case Rule.CONTACT:

@@ -139,6 +139,7 @@ def _closing(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
         _shape(link, geometry, sketch)
     for slide in mechanism.slides:
         _lay_out(slide, geometry, sketch)
+    geometry += _guided(mechanism, sketch)
     known = {frozenset((g.tail, g.head)) for g in geometry if not isinstance(g, Turn)}
     for telescope in mechanism.telescopes:
         if frozenset(telescope.points) not in known and sketch.has_all(telescope.points):
@@ -182,6 +183,17 @@ def _shape(link: Link, geometry: list[Geometry], sketch: Sketch) -> None:
         if given.takes(turn(first, hub, point, sketch)):
             angle = sketch.turn(first, hub, point)
             geometry.append(Turn(first, hub, point, angle, sketch.span(point)))
+
+
+def _guided(mechanism: Mechanism, sketch: Sketch) -> Iterator[Geometry]:
+    """Yield the drawn angles between slots and the links that are fast in their blocks."""
+    for slot in mechanism.each(Slot):
+        points = mechanism.link(slot.guided).points if slot.guided else ()
+        for other in (p for p in points if p != slot.point):
+            if sketch.has_all((slot.tail, slot.point, other)):
+                angle = sketch.turn(slot.tail, slot.point, other)
+                yield Turn(slot.tail, slot.point, other, angle, slot.span)
+                break
 
 
 def _inside(entry: Geometry, link: Link) -> bool:

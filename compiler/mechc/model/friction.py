@@ -39,6 +39,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
                 scope.report.add(messages.friction_again(rub.span, rub.point, first))
             rubbing.setdefault(key, rub)
     _judge_halves(rubbing.values(), built, scope)
+    _remark_on_blocks(rubbing.values(), built, scope)
     motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
     sense = motion.sense if motion else "tightening"
     everywhere = any(s.point is None for s in every(file, ast.PinFriction))
@@ -59,6 +60,14 @@ def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None
     for point, span in slots:
         if point not in rough:
             scope.report.add(messages.slot_without_friction(span, point))
+
+
+def _remark_on_blocks(rubbing: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
+    """Say that the couple which a block passes on gives no friction of its own."""
+    guiding = {slot.point: slot.guided for slot in built.each(Slot) if slot.guided}
+    for rub in rubbing:
+        if isinstance(rub, FaceFriction) and rub.point in guiding:
+            scope.report.add(messages.couple_without_friction(rub.span, guiding[rub.point]))
 
 
 def _judge_halves(rubbing: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:

@@ -128,7 +128,8 @@ class Slider(OnePoint, OnGround):
 class Slot(OnePoint, OnLink):
     """Pin ``point`` slides along the line from ``tail`` to ``head`` of a link.
 
-    (V_B − V of the link's point under B) · normal of the line = 0.
+    (V_B − V of the link's point under B) · normal of the line = 0. A ``guided`` link is fast
+    in the block on the pin, so that it turns with the link that has the slot.
     """
 
     point: str
@@ -136,11 +137,17 @@ class Slot(OnePoint, OnLink):
     tail: str
     head: str
     span: Span
+    guided: str = ""
 
     @property
     def id(self) -> str:
         """Return the joint's name among all joints."""
         return f"slot {self.point} in {self.tail}{self.head}"
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names."""
+        return (self.link, self.guided) if self.guided else (self.link,)
 
 
 @frozen

@@ -5,6 +5,7 @@ from typing import TypeVar
 
 from ..diagnostics.model import joints as messages
 from ..diagnostics.model.lowering import centre_of_another
+from ..frozen import replace
 from ..syntax import ast
 from .directions import read_direction
 from .mechanism import (
@@ -105,7 +106,20 @@ def _slot(statement: ast.Slot, slides: Iterable[Slide], scope: Scope) -> Slot | 
     if held is None:
         return None
     point, body, tail, head = held
-    return Slot(point, body.name, tail, head, statement.span)
+    slot = Slot(point, body.name, tail, head, statement.span)
+    return _guiding(slot, statement.guided, scope) if statement.guided else slot
+
+
+def _guiding(slot: Slot, name: ast.Name, scope: Scope) -> Slot | None:
+    """Return a slot whose block is fast in a link, which has to have the pin."""
+    guided = scope.points.link(name)
+    if guided is None:
+        return None
+    if slot.point not in guided.points:
+        scope.report.add(messages.joint_of_another(name.span, slot.point, guided.name, "slides"))
+        return None
+    scope.points.used.update(guided.points)
+    return replace(slot, guided=guided.name)
 
 
 def read_arcs(file: ast.File, slides: Sequence[Slide], scope: Scope) -> list[tuple[str, ArcSlot]]:

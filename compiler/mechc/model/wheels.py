@@ -87,7 +87,9 @@ def _fixed_to(centre: ast.Name, on: ast.Name | None, arm: str, scope: Scope) -> 
     else:
         link = scope.points.link(on)
         if link and centre.text not in link.points:
-            scope.report.add(messages.wheel_of_another(on.span, centre.text, link.name))
+            scope.report.add(
+                messages.joint_of_another(on.span, centre.text, link.name, "turns with the wheel")
+            )
             return None
     if link is None:
         return None

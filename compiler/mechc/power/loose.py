@@ -62,6 +62,8 @@ def _parts(mechanism: Mechanism) -> Iterable[tuple[str, set[str]]]:
                 pass
             case Slider(point):
                 yield "" if point in carried else f"slider {point}", {point}
+            case Slot(guided=guided) if guided:
+                yield "", {f"link {name}" for name in joint.bodies}
             case Slot(point, link, tail, head) | Contact(point, link, tail, head):
                 yield "", {point, tail, head, f"link {link}"} - mechanism.fixed
             case WheelPair():

@@ -184,6 +184,7 @@ _TRANSMISSIONS: Mapping[str, Kind] = {
     "belt": "belt",
     "rack": "rack",
     "screw": "screw",
+    "slot": "slot",
 }
 
 

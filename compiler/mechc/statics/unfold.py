@@ -304,6 +304,9 @@ class Unfolding:
                     yield from self._both(Transfer(joint.id, self._teeth(joint)))
                 case Screw():
                     yield from self._both(Transfer(joint.id, self._thread(joint)))
+                case Slot(link=link, guided=guided) if guided:
+                    couples = Couple(guided, 1.0), Couple(link, -1.0)
+                    yield from self._both(Transfer(joint.id, couples))
                 case Pivot() | Slider() | Slot() | Contact():
                     pass  # they press on one point: see _pivots, _guides and _rubbings
                 case _:

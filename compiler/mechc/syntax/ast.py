@@ -215,12 +215,14 @@ class Slot(Statement):
     """``slot B in OC``: pin B slides along the line OC of the link that carries it.
 
     ``slot B in OAC about C radius r``: along a circle about point C of the link.
+    ``slot B in OC guiding BD``: a block on B, fast in link BD, which turns with OC.
     """
 
     point: Name
     line: Name
     about: Name | None = None
     radius: Expr | None = None
+    guided: Name | None = None
 
 
 @frozen

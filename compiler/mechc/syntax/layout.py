@@ -129,6 +129,7 @@ SECTIONS: tuple[Section, ...] = (
                 key("in", Kind.POINTS, "line"),
                 optional("about", Kind.POINT, needs=("radius",)),
                 optional("radius", Kind.EXPRESSION, needs=("about",)),
+                optional("guiding", Kind.POINTS, "guided"),
             ),
         ),
     ),

@@ -26,7 +26,7 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Slider: "slider {point} along {along}[ through {through}]",
     ast.Link: "link {points}[ {label}]",
     ast.Slide: "slide {points} along {along}",
-    ast.Slot: "slot {point} in {line}[ about {about} radius {radius}]",
+    ast.Slot: "slot {point} in {line}[ about {about} radius {radius}][ guiding {guided}]",
     ast.Telescope: "telescope {points}",
     ast.Gear: f"gear {WHEELS}[ {{inner}}]",
     ast.Rack: "rack {point} on {pivot} {radius}",

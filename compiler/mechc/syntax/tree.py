@@ -69,6 +69,11 @@ def link(points: ast.Name, label: Token | None) -> ast.Link:
     return ast.Link(NOWHERE, points, unquoted(label))
 
 
+def slot(point: ast.Name, line: ast.Name, guided: ast.Name | None) -> ast.Slot:
+    """Return ``slot B in OC guiding BD``."""
+    return ast.Slot(NOWHERE, point, line, guided=guided)
+
+
 def gear(first: ast.Name, one: Rim, second: ast.Name, other: Rim, inner: Token | None) -> ast.Gear:
     """Return ``gear O1 r1 on O1A, O2 r2 inner``."""
     (radius, link), (second_radius, second_link) = one, other
@@ -266,7 +271,6 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "pivot": ast.Pivot,
     "slider": ast.Slider,
     "slide": ast.Slide,
-    "slot": ast.Slot,
     "arc_slot": ast.Slot,
     "telescope": ast.Telescope,
     "rack": ast.Rack,
@@ -291,6 +295,7 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "heading": heading,
     "param": param,
     "link": link,
+    "slot": slot,
     "gear": gear,
     "belt": belt,
     "assembly": assembly,

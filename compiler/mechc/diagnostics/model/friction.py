@@ -236,3 +236,25 @@ def slot_without_friction(span: Span, point: str) -> Message:
     """
     message = f"the pin {point} slides in its slot without friction"
     return Message(span, message, f"add 'friction contact {point} …'")
+
+
+@coded("W205")
+def couple_without_friction(span: Span, link: str) -> Message:
+    """A block with friction passes on a couple, and only the force across the slot is counted.
+
+    Without its length nothing tells how the edges of a block press. Two pins in the same
+    slot, as far apart as the block is long, have the friction of its edges::
+
+        slot B in CD guiding BE      # counts mu*|N_B|
+        friction contact B 0.1
+
+        slot B in CD                 # counts both edges, with BG the block's length
+        slot G in CD
+        friction contact B 0.1
+        friction contact G 0.1
+    """
+    return Message(
+        span,
+        f"the couple that keeps {link} from turning in its slot adds no friction here",
+        "for the friction of the edges let two pins of it slide in the slot",
+    )

@@ -255,21 +255,24 @@ def wheel_of_several(at: Span, centre: str, links: Sequence[str], arm: str) -> M
 
 
 @coded("E266")
-def wheel_of_another(at: Span, centre: str, link: str) -> Message:
-    """A wheel turns about a point of the link that it is fixed to.
+def joint_of_another(at: Span, point: str, link: str, moves: str) -> Message:
+    """A wheel, or a block in a slot, is fixed to a link that does not have its point.
 
     ::
 
         link OS "sun"
         link OA "arm"
         link AB "planet"
-        gear O r1 on AB, A r2      # wrong: AB does not reach O
-        gear O r1 on OS, A r2      # right
+        gear O r1 on AB, A r2        # wrong: AB does not reach O
+        gear O r1 on OS, A r2        # right
+
+        slot B in OC guiding AD      # wrong: AD does not have B
+        slot B in OC guiding BD      # right: BD slides along OC and turns with it
     """
     return Message(
         at,
-        f"{centre} is no point of {link}, expected a link on {centre}",
-        f"name the link that turns with the wheel on {centre}",
+        f"{point} is no point of {link}, expected a link on {point}",
+        f"name the link that {moves}",
     )
 
 

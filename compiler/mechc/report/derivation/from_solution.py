@@ -14,7 +14,7 @@ from ...kinematics.graph import Form, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...kinematics.plan import Block
 from ...kinematics.standing import standing
-from ...model.mechanism import Force, ForcePair, Speed, SpeedRatio, Torque, WheelPair
+from ...model.mechanism import Force, ForcePair, Joint, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance, Term
 from ...study.analysis import Analysis
 from ..sentences.wording import positive_first
@@ -155,11 +155,14 @@ class _Writer:
                 return Rule.BODY, (relation.link, *relation.points)
             case Law.ROTATION | Law.JOINT | Law.REST:
                 return Rule.ROTATION, (relation.link, *relation.points)
+            case Law.TURNING:
+                return Rule.TURNING, self._joint_of(relation).bodies[::-1]
             case Law.SLOT | Law.CONTACT:
                 return Rule(relation.rule.value), (*relation.points, relation.link)
-            case Law.GEAR | Law.BELT if arm := self._arm_of(relation):
-                return Rule.ON_ARM, (arm, *relation.points)
             case Law.GEAR | Law.BELT | Law.RACK:
+                joint = self._joint_of(relation)
+                if isinstance(joint, WheelPair) and joint.arm:
+                    return Rule.ON_ARM, (joint.arm, *relation.points)
                 return Rule(relation.rule.value), relation.points
             case Law.SCREW:
                 return Rule.SCREW, (relation.link, *relation.points)
@@ -168,10 +171,10 @@ class _Writer:
             case _:
                 assert_never(relation.rule)
 
-    def _arm_of(self, relation: Relation) -> str:
-        """Return the link that carries the centres of the wheels of a relation, if one does."""
-        pairs = self._graph.pose.mechanism.each(WheelPair)
-        return next(pair.arm for pair in pairs if pair.span == relation.span)
+    def _joint_of(self, relation: Relation) -> Joint:
+        """Return the joint that demands a relation."""
+        joints = self._graph.pose.mechanism.joints
+        return next(joint for joint in joints if joint.span == relation.span)
 
     # ------------------------------------------------------------------------- levers
 

@@ -36,6 +36,8 @@ class Rule(StrEnum):
     """Relations that must be solved together."""
     GUIDE = "guide"
     """A point that moves along its guide."""
+    TURNING = "turning"
+    """A link in a slot that turns with the link that has it."""
     SLOT = "slot"
     """Equal velocities of a pin and the body under it across a slot."""
     CONTACT = "contact"
@@ -82,7 +84,8 @@ class Step:
     """One numbered step: the rule, the points and link it is applied to, what it gives.
 
     ``subject`` are names of the drawing: for LEVER and ARM the pivot first, then the points;
-    for PROJECTION the two ends of the rod; for SLOT and CONTACT the pin and the body, for GEAR
+    for PROJECTION the two ends of the rod; for TURNING both links; for SLOT and CONTACT the pin
+    and the body, for GEAR
     and BELT the two pivots, for ON_ARM the arm and the two centres, for RACK the pivot and the
     rack, for PARTING the two points; for TOGETHER the links involved; for COMPONENT the point
     and the load, ``V_A_P`` being the speed of A along P.

@@ -33,6 +33,7 @@ LOCALE = Locale(
         "slide": "the body {body} only translates, in the direction {direction}",
         "telescope": "telescopic links: {links}",
         "slot": "the pin {point} slides along the line {line} of {body}",
+        "guided": "the link {guided} is fast in the block at {point} and turns with {body}",
         "arc": "the pin {point} slides in a circular slot of {body} about {centre}, of radius "
         "{radius}: the slot does what a rod {rod} would do",
         "spread": "the load {load} is spread over {stretch} in the direction {direction}; its "
@@ -109,6 +110,8 @@ LOCALE = Locale(
         "the two links.",
         "together": "The relations for {all} are solved together.",
         "guide": "The guide fixes the direction of the velocity of {all}.",
+        "turning": "The link {first} slides along {rest} without turning on it: both have equal "
+        "angular velocities.",
         "slot": "The pin {first} slides in {rest}: across the slot the pin and the body"
         " under it have equal velocities.",
         "contact": "The point {first} touches {rest}: along the common normal both have "

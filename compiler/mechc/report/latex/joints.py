@@ -54,6 +54,9 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
         case Slot(point, link, tail, head):
             on, line, body = (math(points(names)) for names in (point, tail + head, link))
             yield say["slot"].format(point=on, line=line, body=body)
+            if joint.guided:
+                guided = math(points(joint.guided))
+                yield say["guided"].format(guided=guided, point=on, body=body)
         case Contact(point, link, normal=normal):
             on, body = math(points(point)), math(points(link))
             across = math(direction(normal, style))
