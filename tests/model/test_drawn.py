@@ -7,6 +7,7 @@ from itertools import permutations
 
 import pytest
 
+import mechc
 import reference_kinematics
 from drawn_mechanisms import DRAWN
 from mechc.diagnostics import MechcError
@@ -123,6 +124,40 @@ def test_coordinates_may_be_formulas():
         "force P at B along x\nforce F at K along y\nfind k = P/F\nexpect k = b/a\n"
     )
     assert codes(text) == []
+
+
+def _moved(turned: float) -> float:
+    """Return ds/dφ of the slider crank of 50 and 40√10, over 50."""
+    across = 50 * math.sin(turned)
+    return math.sin(turned) + across * math.cos(turned) / math.sqrt(16000 - across**2)
+
+
+BY_ANGLE = FOUR_BAR.replace(
+    "A at (20 mm, 34.64 mm)",
+    "param alpha = 60 deg\nA at (40 mm*cos(alpha), 40 mm*sin(alpha))",
+).replace("drive OA", "drive alpha")
+
+
+@pytest.mark.parametrize("alpha", ["20 deg", "60 deg", "75 deg"])
+def test_what_drives_may_be_in_the_coordinates(alpha):
+    # The same four-bar by its lengths, where the coupler keeps its own.
+    lengths = "OA = 40 mm @ alpha\nAB = hypot(60 mm, 59.64 mm - 40 mm*sin(60 deg))"
+    lengths += "\nCB = hypot(20 mm, 59.64 mm)\nassembly ABC cw"
+    by_lengths = re.sub(r"(?m)^[AB] at .*\n", "", BY_ANGLE) + lengths
+    asked = {"alpha": math.radians(float(alpha.split()[0]))}
+    reference = mechc.loads(by_lengths).evaluate(**asked)["k"]
+    assert mechc.loads(BY_ANGLE).evaluate(**asked)["k"] == pytest.approx(reference, rel=1e-9)
+    assert codes(BY_ANGLE) == []
+
+
+def test_a_slider_may_drive_by_its_coordinate():
+    text = DRAWN["slider_crank"].replace("B at (150 mm", "param s = 150 mm\nB at (s")
+    driven = text.replace("drive OA from 10 deg to 170 deg", "drive s from 130 mm to 160 mm")
+    assert value(driven) == pytest.approx(value(DRAWN["slider_crank"]), rel=1e-9)
+    # At s the sides of O-A-B are 50, 40√10 and s.
+    at = mechc.loads(driven).evaluate(s=0.14)["k"]
+    turned = math.acos((50**2 + 140**2 - 16000) / (2 * 50 * 140))
+    assert abs(at) == pytest.approx(0.05 * _moved(turned), rel=1e-9)
 
 
 def test_turned_moved_and_scaled_it_is_the_same_mechanism():

@@ -84,6 +84,21 @@ def beyond_range(span: Span, name: str, parameter: Span) -> Message:
     return Message(span, message, "widen the range, or shorten the stroke", related)
 
 
+@coded("W222")
+def pose_left_out(span: Span, name: str, value: str) -> Message:
+    """The mechanism is drawn, or given, in a pose that its stroke does not reach.
+
+    Results are printed at that pose, and the closures of loops are those that follow from it,
+    so that one of the two is probably mistyped::
+
+        OA = 40 mm @ phi
+        param phi = 120 deg
+        drive phi from 10 deg to 80 deg      # warned of
+    """
+    message = f"the stroke leaves out the default pose, where {name} is {value}"
+    return Message(span, message, "widen the stroke, or give a pose within it")
+
+
 @coded("W594")
 def not_assembled(
     span: Span,

@@ -15,7 +15,8 @@ from collections.abc import Collection, Iterable, Iterator
 
 from ..diagnostics import Report
 from ..diagnostics import drawn as messages
-from ..formula.walk import symbols
+from ..formula.tree import Formula
+from ..formula.walk import substitute, symbols
 from ..frozen import replace
 from .doubts import directions
 from .drawn_checks import faults
@@ -110,8 +111,11 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
 
 
 def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
-    """Return a vector by length and direction; by components where they are formulas."""
+    """Return a vector by length and direction; by components where these are formulas."""
     x, y = sketch.offset(tail, head)
+    if sketch.polar(tail, head):
+        direction = sketch.direction(tail, head)
+        return Arrow(tail, head, sketch.length(tail, head), direction, sketch.span(head))
     if symbols(x) | symbols(y):
         return Offset(tail, head, x, y, sketch.span(head))
     return Arrow(tail, head, *sketch.vector(tail, head), sketch.span(head))
@@ -132,9 +136,17 @@ def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
 
 
 def _closing(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
-    """Return the mechanism with the shapes of its bodies as drawn, for loops to close."""
-    mechanism = with_named_sizes(_through_places(mechanism, sketch), sketch)
-    geometry = list(mechanism.geometry)
+    """Return the mechanism with the shapes of its bodies as drawn, for loops to close.
+
+    Coordinates that the drive is in say how it moves; for all else they are those of the
+    default pose.
+    """
+    driven = _driven(mechanism)
+    moved = tuple(_moved(mechanism, driven.keys(), sketch))
+    sketch.put(driven)
+    guided = frozenset(entry.head for entry in moved if not entry.tail)
+    mechanism = with_named_sizes(_through_places(mechanism, sketch, guided), sketch)
+    geometry = [*mechanism.geometry, *moved]
     for link in mechanism.links:
         _shape(link, geometry, sketch)
     for slide in mechanism.slides:
@@ -147,11 +159,38 @@ def _closing(mechanism: Mechanism, sketch: Sketch, report: Report) -> Mechanism:
     return _with_coordinates(replace(mechanism, geometry=tuple(geometry)), sketch, report)
 
 
-def _through_places(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
-    """Let guides that have no place pass through where their points are drawn."""
+def _driven(mechanism: Mechanism) -> dict[str, Formula]:
+    """Return the values of the driving parameter and of all that follows from it."""
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    found = {p.name: p.value for p in mechanism.parameters if p.name == drive and p.value}
+    for name, formula in Chain(dependent(mechanism)).definitions:
+        if found and not found.keys().isdisjoint(symbols(formula)):
+            found[name] = substitute(formula, found)
+    return found
+
+
+def _moved(
+    mechanism: Mechanism, driven: Collection[str], sketch: Sketch
+) -> Iterator[Arrow | Offset]:
+    """Yield what the drive moves by the coordinates of a point: a link's arm, a slider."""
+    for link in mechanism.links:
+        for hub, point in sketch.arms(link.points):
+            found = sketch.polar(hub, point)
+            if found and not found.angle.names.isdisjoint(driven):
+                direction = sketch.direction(hub, point)
+                yield Arrow(hub, point, sketch.length(hub, point), direction, sketch.span(point))
+    for slider in mechanism.each(Slider):
+        place = sketch.places.get(slider.point)
+        if place and not slider.through and not place.symbols.isdisjoint(driven):
+            yield Offset("", slider.point, place.x, place.y, place.span)
+
+
+def _through_places(mechanism: Mechanism, sketch: Sketch, placed: Collection[str]) -> Mechanism:
+    """Let guides that have no place pass through where their points are drawn, or ``placed``."""
     pivots, offsets, joints = list[Pivot](), list[Geometry](), list[Joint]()
     for joint in (*mechanism.joints, *_guides_of_slides(mechanism, sketch)):
-        if isinstance(joint, Slider) and not joint.through and joint.point in sketch.places:
+        is_open = isinstance(joint, Slider) and not joint.through and joint.point not in placed
+        if isinstance(joint, Slider) and is_open and joint.point in sketch.places:
             name, span = f"{joint.point}_0", sketch.span(joint.point)
             place = sketch.places[joint.point]
             pivots.append(Pivot(name, span))

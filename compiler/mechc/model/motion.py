@@ -9,7 +9,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate
 from ..syntax import ast
 from ..syntax.vocabulary import points_of
-from ..units import ANGLE, LENGTH, TIME
+from ..units import ANGLE, LENGTH, TIME, in_unit
 from .expressions import Reader
 from .mechanism import Assembly, Drive, Parameter
 from .parameters import constant
@@ -18,6 +18,9 @@ from .statements import every, only
 
 MOST_TURNS = 100
 """Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
+
+STRAY = 0.01
+"""The part of a stroke by which the default pose is off it before that is remarked upon."""
 
 ROUNDED = 1e-12
 """The part of its greatest end below which a stroke is empty."""
@@ -89,7 +92,7 @@ def check_drive(drive: Drive | None, parameters: Iterable[Parameter], report: Re
 def _check_stroke(
     drive: Drive, parameter: Parameter, ends: tuple[float, float], report: Report
 ) -> None:
-    """Report a stroke that is empty, or far too long; remark on one beyond the range."""
+    """Report a stroke that is empty, or far too long; remark on what it leaves out or passes."""
     low, high = sorted(ends)
     slack = ROUNDED * max(abs(low), abs(high))
     turns = (high - low) / (2 * math.pi)
@@ -101,6 +104,18 @@ def _check_stroke(
         least, most = (evaluate(end, {}) for end in (parameter.range.low, parameter.range.high))
         if low < least - slack or high > most + slack:
             report.add(stroke.beyond_range(drive.span, drive.parameter, parameter.span))
+    if parameter.value is not None and _strays(parameter, low, high):
+        shown = in_unit(evaluate(parameter.value, {}), parameter.unit, 6)
+        report.add(stroke.pose_left_out(drive.span, drive.parameter, shown))
+
+
+def _strays(parameter: Parameter, low: float, high: float) -> bool:
+    """Tell whether the value at the default pose is outside a stroke, full turns apart."""
+    assert parameter.value is not None
+    gap = evaluate(parameter.value, {}) - (low + high) / 2
+    if parameter.dimension == ANGLE:
+        gap = math.remainder(gap, 2 * math.pi)
+    return abs(gap) > (0.5 + STRAY) * (high - low)
 
 
 def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:

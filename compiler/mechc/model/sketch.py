@@ -13,12 +13,13 @@ from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..algebra.sums import add
 from ..formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, total
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import evaluate, substitute, symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH, Dimension, in_unit
 from .constants import number_of
 from .entries import points_of, unit_of_drawing
 from .mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
+from .polar import Polar, polar
 
 NEAR_ZERO = 1e-9
 """Places nearer to one another than this part of the drawing are one."""
@@ -35,6 +36,11 @@ class Place(NamedTuple):
     y: Formula
     at: tuple[float, float]
     span: Span
+
+    @property
+    def symbols(self) -> frozenset[str]:
+        """Return the parameters in the coordinates."""
+        return symbols(self.x) | symbols(self.y)
 
 
 ORIGIN = Place(ZERO, ZERO, (0.0, 0.0), Span(0, 0))
@@ -73,6 +79,13 @@ class Sketch:
         if symbols(x) | symbols(y) <= self.values.keys():
             at = evaluate(x, self.values), evaluate(y, self.values)
             self.places[point] = Place(x, y, at, span)
+
+    def put(self, values: Mapping[str, Formula]) -> None:
+        """Put values for parameters into the coordinates."""
+        for point, place in self.places.items():
+            if not place.symbols.isdisjoint(values):
+                x, y = substitute(place.x, values), substitute(place.y, values)
+                self._place(point, x, y, place.span)
 
     def has_all(self, points: Iterable[str]) -> bool:
         """Tell whether points are drawn."""
@@ -135,10 +148,12 @@ class Sketch:
     def length(self, tail: str, head: str) -> Formula:
         """Return the distance of two points, ``len_AB`` unless it is a parameter by itself."""
         x, y = self._components(tail, head)
-        if x and y:
-            value: Formula = Call("hypot", (x.formula(), y.formula()))
-        else:
+        if not (x and y):
             value = self._positive(x or y).formula()
+        elif found := self.polar(tail, head):
+            value = found.length.formula()
+        else:
+            value = Call("hypot", (x.formula(), y.formula()))
         if isinstance(value, Symbol):
             return value
         if not symbols(value):
@@ -149,6 +164,8 @@ class Sketch:
         """Return the direction between two points: along an axis, or named."""
         x, y = self._components(tail, head)
         angle = self._axis(x, y)
+        if angle is None and (found := self.polar(tail, head)):
+            angle = found.angle.formula()
         if angle is None:
             value = Call("atan2", (y.formula(), x.formula()))
             angle = self._named(f"phi_{tail}{head}", value, ANGLE, "deg", head)
@@ -166,6 +183,11 @@ class Sketch:
     def length_called(self, name: str, value: Number, point: str) -> Formula:
         """Return a length of a joint at a drawn point under a name."""
         return self._named(name, value, LENGTH, self.unit, point)
+
+    def polar(self, tail: str, head: str) -> Polar | None:
+        """Return the vector between two points that is written by its length and angle."""
+        x, y = self._components(tail, head)
+        return polar(x, y, self.values) if x and y else None
 
     def vector(self, tail: str, head: str) -> tuple[Formula, Absolute]:
         """Return the length and direction between two points with numbers for coordinates.
