@@ -147,15 +147,15 @@ class SolvedMechanism:
     @cached_property
     def _fixed_loads(self) -> frozenset[str]:
         """The loads whose size the description gives."""
-        return given_loads(self._compilation.mechanism, self._compilation.solution.results)
+        return given_loads(self._compilation.mechanism, self._compilation.found)
 
     def _routine(self, overridden: frozenset[str]) -> "Routine":
         """Return the routine with loads as inputs that the description gives a size, made once."""
         if not overridden:
             return self._compilation.routine
         if overridden not in self._overridden:
-            pose, solution = self._compilation.pose, self._compilation.solution
-            changed = freed(pose.mechanism, solution.results, overridden)
+            pose, found = self._compilation.pose, self._compilation.found
+            changed = freed(pose.mechanism, found, overridden)
             self._overridden[overridden] = self._compilation.routine_of(*changed)
         return self._overridden[overridden]
 

@@ -5,10 +5,13 @@ for, with those before it, so that ``fmt`` stops after syntax and ``show pose`` 
 the pose. A stage that finds errors ends the compilation with :class:`MechcError`.
 """
 
-from collections.abc import Mapping, Sequence
-from typing import TYPE_CHECKING, TypeVar
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
+from .calculation.calculation import Calculation
+from .calculation.from_pose import calculate
 from .diagnostics import Diagnostic, Report
+from .diagnostics.sheets import sheet_has_no_links
 from .emit.target import Emitted, Options, Target
 from .friction.from_balance import solve
 from .friction.solution import Solution
@@ -17,17 +20,20 @@ from .kinematics.plan import Plan
 from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
+from .model.sheets import is_sheet
 from .pose.from_model import solve_pose
 from .pose.motion import Motion, motion
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.from_plan import balance
+from .report.derivation.steps import calculated
 from .routine.from_results import program
 from .routine.steps import Routine
 from .source import Source
 from .stage import Stage, within
 from .statics.referee import cross_check
 from .statics.verdict import Verdict
+from .study.analysis import as_printed
 from .study.expectations import Finding, compare
 from .study.stroke.gaps import remark as look_for_gaps
 from .study.stroke.in_step import remark
@@ -46,6 +52,7 @@ if TYPE_CHECKING:
     from .study.stroke.stroke import Stroke
 
 T = TypeVar("T")
+P = ParamSpec("P")
 
 STAGES: Mapping[str, str] = {
     "syntax": "tree",
@@ -54,6 +61,7 @@ STAGES: Mapping[str, str] = {
     "kinematics": "plan",
     "power": "balance",
     "friction": "solution",
+    "calculation": "calculation",
     "study": "results",
     "statics": "verdict",
     "derivation": "derivation",
@@ -66,6 +74,29 @@ VIEWS: Mapping[str, str] = {**STAGES, "figure": "figure", "bodies": "free_bodies
 
 SECOND_OPINIONS = ("verdict", "constant_efficiency", "findings", "out_of_step", "gaps")
 """The attributes that hold what statics, the user's ``expect`` lines and the drive say of it."""
+
+OF_LINKAGES = frozenset(
+    {"plan", "balance", "solution", "verdict", "constant_efficiency", "out_of_step", "gaps"}
+)
+"""The attributes that a calculation sheet has not: nothing moves in it, no force balances another.
+
+Its results are those of its ``calculation``, which a mechanism has not.
+"""
+
+
+def of_linkages(
+    stage: "Callable[Concatenate[Compilation, P], T]",
+) -> "Callable[Concatenate[Compilation, P], T]":
+    """Return a stage that looks at links; of a calculation sheet it is an error (E704)."""
+
+    def run(compilation: "Compilation", /, *args: P.args, **kwargs: P.kwargs) -> T:
+        mechanism = compilation.mechanism
+        if is_sheet(mechanism):
+            raise compilation.report.fail(sheet_has_no_links(mechanism.span, mechanism.name))
+        return stage(compilation, *args, **kwargs)
+
+    run.__doc__ = stage.__doc__
+    return run
 
 
 class Compilation:
@@ -95,33 +126,51 @@ class Compilation:
         return self._sound(solve_pose(self.mechanism, self.report))
 
     @Stage
+    @of_linkages
     def plan(self) -> Plan:
         """The order in which velocities follow from one another."""
         return self._sound(plan_velocities(self.pose, self.report))
 
     @Stage
+    @of_linkages
     def balance(self) -> Balance:
         """The power equation, solved for what was asked without friction."""
         return self._sound(balance(self.plan, self.report))
 
     @Stage
+    @of_linkages
     def solution(self) -> Solution:
         """All that was asked for, in the order of the text: with friction, and the user's lets."""
         return self._sound(solve(self.balance, self.report))
 
     @Stage
+    def calculation(self) -> Calculation | None:
+        """The formulas of a calculation sheet with their values; None for a mechanism."""
+        sheet = is_sheet(self.mechanism)
+        return self._sound(calculate(self.pose, self.report)) if sheet else None
+
+    @property
+    def found(self) -> tuple[Result, ...]:
+        """What was asked for, in the order of the text: solved, or calculated."""
+        return self.calculation.results if self.calculation else self.solution.results
+
+    @Stage
     def results(self) -> "tuple[Analysis, ...]":
         """What was asked for, in the order of the text, with what follows from each."""
+        if self.calculation:
+            return tuple(map(as_printed, self.found))
         from .study.from_solution import analyse
 
         return self._sound(analyse(self.solution))
 
     @Stage
+    @of_linkages
     def verdict(self) -> Verdict:
         """The second opinion: the results by equilibrium of the free bodies."""
         return self._sound(cross_check(self.pose, self.solution.results, self.report))
 
     @Stage
+    @of_linkages
     def constant_efficiency(self) -> None:
         """What is to be said of an efficiency that is given as one number."""
         if self.pose.mechanism.friction.efficiency is not None:
@@ -132,23 +181,27 @@ class Compilation:
     @Stage
     def findings(self) -> tuple[Finding, ...]:
         """What each ``expect`` came to."""
-        pose, results = self.pose, self.solution.results
+        pose, results = self.pose, self.found
         definitions = [Definition(*d) for d in pose.definitions]
         return self._sound(compare(pose.mechanism, results, self.report, definitions))
 
     @Stage
+    @of_linkages
     def out_of_step(self) -> tuple[Link, ...]:
         """The links that do not follow the drive."""
         return self._sound(remark(self.plan, self.report))
 
     @Stage
+    @of_linkages
     def gaps(self) -> tuple[tuple[float, float], ...]:
         """The parts of the stroke on which a loop does not close."""
         return self._sound(look_for_gaps(self.plan, self.report))
 
     @Stage
     def derivation(self) -> "Derivation":
-        """The derivation in steps, as on paper."""
+        """The derivation in steps, as on paper; a sheet has none, its results alone."""
+        if self.calculation:
+            return calculated(self.results)
         from .report.derivation.from_solution import derive
 
         return self._sound(derive(self.solution, self.results))
@@ -156,7 +209,7 @@ class Compilation:
     @Stage
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(self.routine_of(self.pose.mechanism, self.solution.results))
+        return self._sound(self.routine_of(self.pose.mechanism, self.found))
 
     def routine_of(self, mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
         """Return the program of results, which may have been changed, at this pose."""
@@ -169,10 +222,12 @@ class Compilation:
         return motion(self.pose)
 
     @Stage
+    @of_linkages
     def figure(self) -> "Figure | None":
         """The mechanism drawn at the default pose; None where it cannot be assembled."""
         return self.drawn({})
 
+    @of_linkages
     def drawn(self, values: Mapping[str, float]) -> "Figure | None":
         """Return the mechanism drawn at given values, in SI and radians."""
         from .figure.from_pose import draw
@@ -188,10 +243,12 @@ class Compilation:
         return scheme(self.figure) if self.figure else None
 
     @Stage
+    @of_linkages
     def free_bodies(self) -> "tuple[Diagram, ...]":
         """Each body with the forces on it, at the default pose."""
         return self.cut_free({}, {})
 
+    @of_linkages
     def cut_free(
         self, values: Mapping[str, float], loads: Mapping[str, float]
     ) -> "tuple[Diagram, ...]":
@@ -211,6 +268,7 @@ class Compilation:
 
         return free_bodies(self.figure, self.free_bodies) if self.figure else None
 
+    @of_linkages
     def stroke(self, points: int, paths: Sequence[str] = ()) -> "Stroke":
         """Return the results along the stroke of the drive, in so many rows.
 
@@ -237,15 +295,22 @@ def compile_source(source: Source, settings: Settings | None = None) -> Compilat
 
 def complete(compilation: Compilation) -> Compilation:
     """Run every stage that has something to say: all but the program that targets emit."""
-    for value in (*STAGES.values(), *SECOND_OPINIONS):
+    for value in _applying(compilation, (*STAGES.values(), *SECOND_OPINIONS)):
         if value != "routine":
             getattr(compilation, value)
     return compilation
 
 
+def _applying(compilation: Compilation, values: tuple[str, ...]) -> Iterator[str]:
+    """Yield the attributes that a description of this kind has."""
+    for value in values:
+        if value not in OF_LINKAGES or not is_sheet(compilation.mechanism):
+            yield value
+
+
 def checked(compilation: Compilation) -> Compilation:
     """Run what must agree before anything is emitted, and the stages that it needs."""
-    for value in SECOND_OPINIONS:
+    for value in _applying(compilation, SECOND_OPINIONS):
         getattr(compilation, value)
     return compilation
 

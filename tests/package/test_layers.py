@@ -27,6 +27,7 @@ STAGES = [
     "kinematics",
     "power",
     "friction",
+    "calculation",
     "statics",
     "study",
     "figure",

@@ -60,9 +60,9 @@ def by_python(found: Compiled) -> Outputs:
 
 
 def companions(found: Compiled) -> tuple[str, ...]:
-    """Return the names of functions that stand beside results with friction."""
+    """Return the names of functions that stand beside results with friction, or of a sheet."""
     listed = [f for r in found.routine.functions for f in (r.otherwise, r.status) if f]
-    return tuple(f.name for f in listed)
+    return (*(f.name for f in listed), *(["status"] if found.routine.checks else []))
 
 
 def built(found: Compiled, folder: Path) -> SimpleNamespace:

@@ -13,7 +13,7 @@ from ..model.mechanism import Mechanism
 from ..model.result import Definition
 from ..pose.motion import Quantity
 from ..report.definitions import Solved, grouped
-from ..routine.steps import Function, Guard, Input
+from ..routine.steps import Checks, Function, Guard, Input
 from ..units import DIMENSIONS, Dimension, in_unit, si_unit
 
 
@@ -146,6 +146,11 @@ def condition_lines(function: Function) -> list[str]:
     if any(guard.balance for guard in function.guards):
         lines.append("some force of the drive balances the loads and all friction")
     return lines
+
+
+def status_lines(checks: Checks) -> list[str]:
+    """Return the conditions of a sheet by their numbers."""
+    return [f"{i}: {_condition(guard)}" for i, guard in enumerate(checks.guards, 1)]
 
 
 def remarks(function: Function, names: Mapping[str, str]) -> list[str]:

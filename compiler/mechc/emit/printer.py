@@ -11,6 +11,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
+from ..formula.choices import spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from ..routine.quotient import is_decimal, quotient_of
 from ..routine.steps import Guard
@@ -67,6 +68,8 @@ class Printer(ABC):
             case Power(base, exponent):
                 return self.power(self.print(base), self.print(exponent))
             case Call(function, arguments):
+                if simpler := spelled_out(function, arguments):
+                    return self.print(simpler, level)
                 return self._call(function, arguments, level)
             case Implicit():
                 raise TypeError("a solution is a step of its own")
@@ -97,8 +100,11 @@ class Printer(ABC):
         return self._nested(function, [self.print(a) for a in arguments])
 
     def _nested(self, function: str, arguments: list[str]) -> str:
-        """Return a call of two arguments at most: min, max and hypot take their own results."""
-        if len(arguments) <= 2:
+        """Return a call of two arguments at most: min, max and hypot take their own results.
+
+        Only a choice has three.
+        """
+        if len(arguments) <= 2 or function == "choose":
             return self.call(function, arguments)
         return reduce(lambda left, right: self.call(function, [left, right]), arguments)
 

@@ -3,6 +3,8 @@
 import math
 from collections.abc import Callable, Mapping
 
+from . import choices
+
 
 def _cot(x: float) -> float:
     return math.cos(x) / math.sin(x)
@@ -27,5 +29,6 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "max": max,
     "exp": math.exp,
     "log": math.log,
+    **choices.FUNCTIONS,
 }
-"""Every function of the language, and ``sign``, with its meaning on floats."""
+"""Every function of the language, ``sign`` and those of choices, with its meaning on floats."""

@@ -9,6 +9,7 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
+from .choices import chosen
 from .tree import (
     Call,
     Constant,
@@ -113,6 +114,9 @@ class Rounding:
                 return _product(map(self._of, factors))
             case Power(base, exponent):
                 return _power(self._of(base), self._of(exponent))
+            case Call("choose", arguments):
+                part = chosen(arguments, lambda p: self._of(p).value)
+                return Rounded(math.nan, 0.0) if part is None else self._of(part)
             case Call(function, arguments):
                 return _call(function, [*map(self._of, arguments)])
             case Implicit(system, index, arguments):

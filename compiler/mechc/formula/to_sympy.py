@@ -7,6 +7,7 @@ whole compilation.
 from functools import cache, reduce
 from typing import TYPE_CHECKING, Any, assert_never
 
+from .choices import SIGNS, spelled_out
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, System
 from .walk import constants, solution
 
@@ -20,10 +21,11 @@ NAMES = {"abs": "Abs", "min": "Min", "max": "Max"}
 def to_sympy(formula: Formula) -> "sympy.Expr":
     """Return the formula as a sympy expression over plain symbols (no assumptions).
 
-    >>> import sympy
-    >>> from .tree import Call, Symbol, quotient
-    >>> to_sympy(quotient(Call("sin", (Symbol("alpha"),)), Symbol("a")))
-    sin(alpha)/a
+        >>> import sympy
+        >>> from .choices import SIGNS, spelled_out
+    from .tree import Call, Symbol, quotient
+        >>> to_sympy(quotient(Call("sin", (Symbol("alpha"),)), Symbol("a")))
+        sin(alpha)/a
     """
     import sympy
 
@@ -44,6 +46,14 @@ def _convert(formula: Formula, sympy: Any) -> Any:
             return sympy.Mul(*(_convert(f, sympy) for f in factors))
         case Power(base, exponent):
             return sympy.Pow(_convert(base, sympy), _convert(exponent, sympy))
+        case Call(function, arguments) if simpler := spelled_out(function, arguments):
+            return _convert(simpler, sympy)
+        case Call(function, (left, right)) if function in SIGNS:
+            return sympy.Rel(_convert(left, sympy), _convert(right, sympy), _RELATIONS[function])
+        case Call("choose", (condition, value, *rest)):
+            other = _convert(rest[0], sympy) if rest else sympy.nan
+            both = (_convert(value, sympy), _holds(condition, sympy)), (other, True)
+            return sympy.Piecewise(*both)
         case Call("hypot", arguments):
             squares = (sympy.Pow(_convert(a, sympy), 2) for a in arguments)
             return sympy.sqrt(reduce(lambda x, y: x + y, squares))
@@ -54,6 +64,18 @@ def _convert(formula: Formula, sympy: Any) -> Any:
             return _solution(system, index)(*(_convert(a, sympy) for a in arguments))
         case _:
             assert_never(formula)
+
+
+_RELATIONS = {**SIGNS, "same": "==", "differs": "!="}
+
+
+def _holds(condition: Formula, sympy: Any) -> Any:
+    """Return a condition as sympy's logic has it."""
+    match condition:
+        case Call("both", parts):
+            return sympy.And(*(_holds(part, sympy) for part in parts))
+        case _:
+            return _convert(condition, sympy)
 
 
 @cache

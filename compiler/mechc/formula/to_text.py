@@ -4,6 +4,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
+from . import choices
 from .layout import is_long
 from .operations import split_fraction
 from .tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol, power
@@ -42,6 +43,9 @@ def _text(formula: Formula, level: int) -> str:
         case Power(base, exponent):
             raised = f"{_text(base, 3)}^{_text(exponent, 3)}"
             return f"({raised})" if level > 2 else raised
+        case Call(function, arguments) if function in choices.FUNCTIONS:
+            chosen = _choice(function, [_text(a, 0) for a in arguments])
+            return f"({chosen})" if level else chosen
         case Call(function, arguments):
             return f"{function}({', '.join(_text(a, 0) for a in arguments)})"
         case Implicit():
@@ -53,6 +57,25 @@ def _text(formula: Formula, level: int) -> str:
 def _solution(formula: Implicit) -> str:
     told = ", ".join(f"{_text(e, 0)} = 0" for e in equations(formula))
     return f"solution of ({told}) for {formula.system.unknowns[formula.index]}"
+
+
+def _choice(function: str, parts: list[str]) -> str:
+    """Return a condition, a choice, or a value of a table or list, in the language's words."""
+    match function, parts:
+        case "choose", _:
+            pairs = zip(parts[1::2], parts[::2], strict=False)
+            cases = ", ".join(f"{value} when {condition}" for value, condition in pairs)
+            return f"{cases} else ({parts[-1]})" if len(parts) % 2 else cases
+        case "both", _:
+            return " and ".join(parts)
+        case "interpolate", [x, *rows]:
+            pairs = zip(rows[::2], rows[1::2], strict=True)
+            return f"table({', '.join(f'{a}: {value}' for a, value in pairs)}) at {x}"
+        case "next", [least, *sizes]:
+            return f"next {least} in list({', '.join(sizes)})"
+        case "count", _:
+            return f"count({', '.join(parts)})"
+    return f" {choices.SIGNS[function]} ".join(parts)
 
 
 def _join(left: str, right: str) -> str:

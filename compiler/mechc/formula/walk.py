@@ -6,6 +6,7 @@ from functools import cache, lru_cache
 from typing import NamedTuple, assert_never
 
 from ..work import LIMIT, Allowance, at_most, spend
+from .choices import chosen
 from .derivative import jacobian
 from .functions import FUNCTIONS
 from .newton import Equations, Matrix, Status, follow, side_of
@@ -166,6 +167,9 @@ class Evaluation:
             case Power(base, exponent):
                 result = self._of(base) ** self._of(exponent)
                 return result if isinstance(result, float) else math.nan
+            case Call("choose", arguments):
+                part = chosen(arguments, self._of)
+                return math.nan if part is None else self._of(part)
             case Call(function, arguments):
                 return float(FUNCTIONS[function](*map(self._of, arguments)))
             case Implicit(system, index, arguments):

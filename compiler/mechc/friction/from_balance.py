@@ -29,7 +29,7 @@ def solve(balance: Balance, report: Report) -> Solution:
     known = {s.result.name: s for s in balance.solved} | with_friction
     finds = balance.plan.graph.pose.mechanism.finds
     solved = [known[find.name] for find in finds]
-    lets = let_results(balance.plan, [s.result for s in solved], report)
+    lets = let_results(balance.plan.graph.pose, [s.result for s in solved], report)
     solved += [Solved(with_default(let, numbers.of(let))) for let in lets]
     return Solution(balance, tuple(solved))
 

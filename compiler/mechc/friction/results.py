@@ -327,7 +327,7 @@ class FrictionResults:
         formulas = [formula, *(d.formula for d in own)]
         used = {name for f in formulas for name in symbols(f)}
         weights = [Definition(n, f) for n, f in self._valued.items() if n in used]
-        known = [*weights, *intermediates(self._plan, formulas), *ideal.where]
+        known = [*weights, *intermediates(self._plan.graph.pose, formulas), *ideal.where]
         return tuple(dict.fromkeys((*known, *own)))
 
     def _sums(self, pressed: Sequence[LoadedPair]) -> Iterable[Definition]:

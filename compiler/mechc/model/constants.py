@@ -44,6 +44,28 @@ def out_of_reach(value: float, dimension: Dimension) -> bool:
     return value != 0 and not 1 / far <= abs(value) <= far
 
 
+def names_in_worth(value: ast.Worth) -> Iterator[ast.Symbol]:
+    """Yield the symbols of what a formula of one's own may be, left to right."""
+    for expression in expressions_in(value):
+        yield from names_in(expression)
+
+
+def expressions_in(value: ast.Worth) -> Iterator[ast.Expr]:
+    """Yield the expressions that a formula of one's own is made of."""
+    match value:
+        case ast.Choice(branches, otherwise):
+            for branch in branches:
+                yield branch.value
+                yield from (side for c in branch.conditions for side in c.operands)
+            yield from expressions_in(otherwise) if otherwise else ()
+        case ast.Lookup(_, at):
+            yield at
+        case ast.NextSize(least):
+            yield least
+        case _:
+            yield value
+
+
 def names_in(expression: ast.Expr) -> Iterator[ast.Symbol]:
     """Yield the symbols of an expression, left to right."""
     return (leaf for leaf in leaves(expression) if isinstance(leaf, ast.Symbol))

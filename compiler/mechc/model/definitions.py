@@ -8,12 +8,15 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..diagnostics.model import names
+from ..diagnostics.model.sheets import other_unit
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols, walk
 from ..syntax import ast
-from .constants import names_in
-from .expressions import Reader
-from .mechanism import Let, Parameter
+from ..units import UNITS
+from .choices import read_tables, read_worth
+from .constants import names_in_worth
+from .expressions import Quantity, Reader
+from .mechanism import Let, Parameter, Require
 from .order import ordered
 from .parameters import note_unitless, read_parameter
 from .scope import FORMULA, Scope
@@ -26,24 +29,27 @@ Definition = ast.Param | ast.Let
 
 
 class Definitions(NamedTuple):
-    """What was defined, by name, each after those it needs."""
+    """What was defined, by name, each after those it needs; when lets have values."""
 
     parameters: dict[str, Parameter]
     lets: dict[str, Let]
+    requires: list[Require]
 
 
 def read_definitions(file: ast.File, scope: Scope) -> Definitions:
     """Read parameters and lets whose names the scope knows."""
-    statements = _by_name(file, scope)
-    found = Definitions({}, {})
+    statements, tables = _by_name(file, scope), read_tables(file, scope)
+    found = Definitions({}, {}, [])
     for name in _ordered(statements, scope):
         match statements[name]:
             case ast.Param() as statement:
                 if parameter := read_parameter(statement, scope, found.parameters):
                     found.parameters[name] = parameter
             case ast.Let() as statement:
-                if let := _read_let(statement, scope):
-                    found.lets[name] = let
+                if chosen := read_worth(statement, tables, scope):
+                    found.requires.extend(chosen.requires)
+                    if let := _let(statement, chosen.quantity, scope):
+                        found.lets[name] = let
     return found
 
 
@@ -72,14 +78,11 @@ def _ordered(statements: Mapping[str, Definition], scope: Scope) -> list[str]:
 def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:
     if statement.value is None:
         return set()
-    return {s.name for s in names_in(statement.value) if s.name in known}
+    return {s.name for s in names_in_worth(statement.value) if s.name in known}
 
 
-def _read_let(statement: ast.Let, scope: Scope) -> Let | None:
+def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
     name = statement.name.text
-    found = Reader(scope, FORMULA).read(statement.value)
-    if found is None:
-        return None
     entry = scope.entries[name]
     if entry.kind == "load" and entry.dimension is not None:
         if not Reader(scope, FORMULA).fits(found, entry.dimension, f"load '{name}'"):
@@ -88,7 +91,17 @@ def _read_let(statement: ast.Let, scope: Scope) -> Let | None:
     plain, posed = _plain(found.formula, scope), _posed(found.formula, scope)
     scope.define(name, found.dimension, plain, posed, _solved(found.formula, scope))
     note_unitless(name, found, scope)
-    return Let(name, found.formula, found.dimension, statement.span)
+    unit = _unit(statement, found, scope)
+    return Let(name, found.formula, found.dimension, statement.span, unit, statement.label)
+
+
+def _unit(statement: ast.Let, found: Quantity, scope: Scope) -> str:
+    """Return the unit to show a formula in, '' where none is named; refuse a wrong one."""
+    unit = statement.unit
+    if unit is None or found.sort.fits(UNITS[unit.text].dimension):
+        return unit.text if unit else ""
+    scope.report.add(other_unit(unit.span, statement.name.text, unit.text, found.dimension))
+    return ""
 
 
 def _plain(formula: Formula, scope: Scope) -> bool:

@@ -31,6 +31,7 @@ from .points import Points
 from .reactions import check_rods
 from .results import read_expects, read_requires
 from .scope import Scope
+from .sheets import as_written, refuse_links_in_a_sheet, written_as_sheet
 from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
 from .transmissions import read_arcs, read_joints, read_slides, read_telescopes
@@ -46,7 +47,10 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     check_doubled(file, report)
     points = Points(report)
     declare_points(file, points)
-    scope = Scope(report, points)
+    sheet = written_as_sheet(file)
+    if not sheet:
+        refuse_links_in_a_sheet(file, report)
+    scope = Scope(report, points, sheet)
     _declare_names(file, scope)
     finds = read_finds(file, scope)
     _declare_lets(file, finds, scope)
@@ -64,6 +68,8 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     warn_unused(found.parameters, scope)
     warn_idle(mechanism.joints, points)
     _warn_lonely(points)
+    if sheet:
+        return as_written(mechanism, file)
     for doubt in doubts(mechanism):
         report.add(doubt)
     return with_names(judged(mechanism, report), file)
@@ -147,6 +153,10 @@ def _declare_names(file: ast.File, scope: Scope) -> None:
         match statement:
             case ast.Param(name=name):
                 scope.declare(name, "parameter")
+            case ast.Table(name=name):
+                scope.declare(name, "table")
+            case ast.Sizes(name=name):
+                scope.declare(name, "list")
             case (
                 ast.Force(name=name)
                 | ast.Weight(name=name)

@@ -5,7 +5,7 @@ every definition is acyclic. Points are strings (``"A"``, ``"O1"``), and each li
 points are in the order the user named them.
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Container, Iterable, Mapping
 from fractions import Fraction
 from math import prod
 from types import MappingProxyType
@@ -186,22 +186,46 @@ class Find:
 
 @frozen
 class Let:
-    """A formula of the user's own; it may mention parameters, loads, finds and other lets."""
+    """A formula of the user's own; it may mention parameters, loads, finds and other lets.
+
+    ``unit`` is the one to give its value in ('' for that of the SI), ``label`` its text.
+    """
 
     name: str
     value: Formula
     dimension: Dimension
     span: Span
+    unit: str = ""
+    label: str = ""
+
+
+class Subject(NamedTuple):
+    """Of what a condition is that nobody wrote: a table, a list of sizes, a choice.
+
+    The formula that has no value where it fails is that of the ``let``.
+    """
+
+    kind: Literal["table", "list", "choice"]
+    name: str
+    let: str
 
 
 @frozen
 class Require:
-    """A condition of use, ``left OP right``; a chain is split into its links."""
+    """A condition of use, ``left OP right``; a chain is split into its links.
+
+    One with a ``subject`` follows from a formula, which has no value where it fails.
+    """
 
     left: Formula
     operator: Literal["<", "<=", ">", ">=", "=", "!="]
     right: Formula
     span: Span
+    subject: Subject | None = None
+
+    def concerns(self, names: Container[str]) -> bool:
+        """Return whether it is a condition of use, or one of a formula among these."""
+        return self.subject is None or self.subject.let in names
 
 
 @frozen

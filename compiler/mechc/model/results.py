@@ -31,7 +31,12 @@ HOLDS = {
 
 
 def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -> Formula:
-    """Return the formula with every let that is no parameter written out."""
+    """Return the formula with every let that is no parameter written out.
+
+    A sheet's conditions keep the names that people wrote: its lets have values as parameters do.
+    """
+    if scope.sheet:
+        return found.formula
     for name in sorted((symbols(found.formula) & scope.entries.keys()) - lets.keys()):
         if scope.entries[name].kind == "let" and name not in scope.feeding:
             scope.report.add(messages.let_too_long(found.span, name))
@@ -54,10 +59,11 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         formulas = [_of_parameters(operand, lets, scope) for operand in operands]
         pairs = zip(formulas, statement.operators, formulas[1:], strict=False)
         conditions = [Require(left, op, right, statement.span) for left, op, right in pairs]
-        if any(not _holds(condition, scope) for condition in conditions):
+        if not scope.sheet and any(not _holds(condition, scope) for condition in conditions):
             scope.report.add(quantities.condition_broken(statement.span))
         requires += conditions
-    return requires
+    implied = sorted(found.requires, key=lambda r: r.span) if scope.sheet else []
+    return [*implied, *requires]
 
 
 def _holds(condition: Require, scope: Scope) -> bool:

@@ -15,7 +15,7 @@ from ..units import Dimension
 from .forms import FORMS, form_of
 from .points import Points
 
-Kind = Literal["parameter", "let", "load", "result"]
+Kind = Literal["parameter", "let", "load", "result", "table", "list"]
 
 
 class Entry(NamedTuple):
@@ -88,8 +88,9 @@ class Scope:
     for an open one, which tell multiples that are out of reach.
     """
 
-    def __init__(self, report: Report, points: Points) -> None:
+    def __init__(self, report: Report, points: Points, sheet: bool = False) -> None:
         self.report = report
+        self.sheet = sheet
         self.points = points
         self.entries: dict[str, Entry] = {}
         self.used: set[str] = set()

@@ -12,6 +12,7 @@ from ..kinematics.plan import Plan
 from ..model.mechanism import Let, LoadForm
 from ..model.result import Definition, Result
 from ..model.values import Chain
+from ..pose.pose import Pose
 
 Needed = dict[str, Formula]
 
@@ -25,7 +26,7 @@ def resting_on(plan: Plan, formula: Formula, values: Sequence[Product]) -> tuple
     ``values`` is the same as algebra, in which the bound sums are found.
     """
     chosen = bound_sums(plan, values)
-    return (*intermediates(plan, [formula, *(d.formula for d in chosen)]), *chosen)
+    return (*intermediates(plan.graph.pose, [formula, *(d.formula for d in chosen)]), *chosen)
 
 
 def bound_sums(plan: Plan, values: Iterable[Product]) -> list[Definition]:
@@ -39,13 +40,13 @@ def bound_sums(plan: Plan, values: Iterable[Product]) -> list[Definition]:
     return chosen[::-1]
 
 
-def intermediates(plan: Plan, formulas: Sequence[Formula]) -> list[Definition]:
+def intermediates(pose: Pose, formulas: Sequence[Formula]) -> list[Definition]:
     """Return the named angles and lengths of the pose that formulas rest on, in order."""
-    if not plan.graph.pose.definitions:
+    if not pose.definitions:
         return []
     used = {s for f in formulas for s in symbols(f)}
     chosen = []
-    for definition in reversed(plan.graph.pose.definitions):
+    for definition in reversed(pose.definitions):
         if definition.name in used:
             chosen.append(Definition(*definition))
             used |= symbols(definition.formula)
@@ -68,13 +69,13 @@ def bound_names(value: Product) -> Iterator[str]:
                 yield from bound_names(term)
 
 
-def let_results(plan: Plan, results: Sequence[Result], report: Report) -> Iterator[Result]:
+def let_results(pose: Pose, results: Sequence[Result], report: Report) -> Iterator[Result]:
     """Yield the formulas of the user's own, with what they use as definitions.
 
     E831 where so many of them rest on one another that nothing can be done with them, E515
     where one rests on loads each of which is found from the other.
     """
-    mechanism = plan.graph.pose.mechanism
+    mechanism = pose.mechanism
     lets = {let.name: let.value for let in mechanism.lets}
     needs = _needs(results, lets)
     if sum(map(len, needs.values())) > MOST_STEPS:
@@ -84,9 +85,9 @@ def let_results(plan: Plan, results: Sequence[Result], report: Report) -> Iterat
     other = _needs([r.elsewhere or r for r in results], lets)
     for let in mechanism.lets:
         used = [r for r in results if r.name in needs[let.name]]
-        found = _let(let, plan, needs[let.name], used)
+        found = _let(let, pose, needs[let.name], used)
         if any(r.elsewhere for r in used):
-            changed = _let(let, plan, other[let.name], [r.elsewhere or r for r in used])
+            changed = _let(let, pose, other[let.name], [r.elsewhere or r for r in used])
             found = replace(found, elsewhere=changed)
         yield found
 
@@ -122,9 +123,9 @@ def _reached(name: str, defined: Needed) -> set[str]:
     return found
 
 
-def _let(let: Let, plan: Plan, where: Needed, used: Sequence[Result]) -> Result:
+def _let(let: Let, pose: Pose, where: Needed, used: Sequence[Result]) -> Result:
     """Return a formula of the user's own; it stands where the results stand that it uses."""
-    of_the_pose = intermediates(plan, [let.value, *where.values()])
+    of_the_pose = intermediates(pose, [let.value, *where.values()])
     known = [d for d in of_the_pose if d.name not in where]
     definitions = (*known, *(Definition(n, f) for n, f in where.items()))
     guards = tuple(dict.fromkeys(g for r in used for g in r.guards))

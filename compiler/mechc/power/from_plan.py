@@ -199,7 +199,7 @@ class _Asked:
         formula = total(product([(c, 1), (Symbol(n), 1)]) for n, c in coefficients.items())
         result = self._result(find, formula, self._dimension(load), list(values.values()))
         given = [Definition(n, f) for n in values if (f := self._given(n)) is not None]
-        found = intermediates(self._plan, [*(g.formula for g in given), formula])
+        found = intermediates(self._plan.graph.pose, [*(g.formula for g in given), formula])
         where = dict.fromkeys((*found, *result.where, *given))
         return replace(result, where=tuple(where), coefficients=coefficients)
 
@@ -238,7 +238,7 @@ class _Asked:
         given = [Definition(n, f) for n in loads if (f := self._given(n))]
         used = symbols(found.formula)
         given = [g for g in given if g.name in used]
-        before = intermediates(self._plan, [*(g.formula for g in given), found.formula])
+        before = intermediates(self._plan.graph.pose, [*(g.formula for g in given), found.formula])
         self._check_lengths(find, [found.formula, *(d.formula for d in where)])
         coefficients = found.coefficients
         dimension = ANGLE if getattr(target, "part", "") == "direction" else FORCE

@@ -5,18 +5,26 @@ order that :mod:`.quotient` fixes and has no tricks of its own.
 """
 
 from collections.abc import Callable, Mapping
-from functools import reduce
+from functools import partial, reduce
 from typing import TypeAlias, assert_never
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ..formula.choices import SIGNS, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
 from .newton import Array, follow
 from .quotient import quotient_of
 from .steps import Function, Guard, Pose, Solve, Statement
 
 Value: TypeAlias = float | Array
+
+
+def _condition(name: str, left: Array, right: Array) -> Array:
+    """Return 1 where a condition holds, 0 where it does not, NaN where a side is NaN."""
+    holds = _HOLDS[SIGNS[name]](left, right)
+    return np.where(np.isnan(left) | np.isnan(right), np.nan, holds)
+
 
 FUNCTIONS: Mapping[str, Callable[..., Array]] = {
     "sin": np.sin,
@@ -37,6 +45,8 @@ FUNCTIONS: Mapping[str, Callable[..., Array]] = {
     "max": lambda *xs: reduce(np.maximum, xs),
     "exp": np.exp,
     "log": np.log,
+    **{name: partial(_condition, name) for name in SIGNS},
+    "choose": lambda c, x, y=np.nan: np.where(c > 0, x, np.where(c <= 0, y, np.nan)),
 }
 """Every function of the language on arrays."""
 
@@ -170,6 +180,8 @@ def compute(formula: Formula, scope: Mapping[str, Array]) -> Array:
             return 1.0 / compute(base, scope)
         case Power(base, exponent):
             return np.power(compute(base, scope), compute(exponent, scope))
+        case Call(function, arguments) if simpler := spelled_out(function, arguments):
+            return compute(simpler, scope)
         case Call(function, arguments):
             return FUNCTIONS[function](*(compute(a, scope) for a in arguments))
         case Implicit():

@@ -7,11 +7,12 @@ from ..formula.tree import Formula, Symbol
 from ..formula.walk import evaluate, symbols
 from ..model.mechanism import Load, Mechanism, Parameter, Torque
 from ..model.result import Result
+from ..model.sheets import is_sheet
 from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
 from ..units import FORCE, TORQUE
 from .companions import Companions
-from .functions import Asked, asked, function
+from .functions import Asked, asked, checks, function
 from .lengths import with_roots
 from .scope import Scope
 from .sharing import share
@@ -51,7 +52,9 @@ def program(
     functions = tuple(starmap(companions.joined, zip(made, beside, results, strict=True)))
     pose = _pose(scope, inputs, loops)
     points = _points(mechanism, motion, inputs, definitions or {}) if motion else None
-    return Routine(mechanism.name, mechanism.title, mechanism.source, functions, pose, points)
+    tests = checks(scope, inputs, names) if is_sheet(mechanism) else None
+    name, title, source = mechanism.name, mechanism.title, mechanism.source
+    return Routine(name, title, source, functions, pose, points, tests)
 
 
 def _functions(listed: Sequence[Asked], scope: Scope, names: Sequence[str]) -> Iterator[Function]:

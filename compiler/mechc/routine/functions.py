@@ -25,7 +25,7 @@ from ..study.analysis import as_printed
 from .loops import closing_guard, unseen_loops
 from .scope import Scope, rename
 from .sharing import Shared, named, share
-from .steps import Function, Guard, Input, Solve, Statement, Step, formulas_of
+from .steps import Checks, Function, Guard, Input, Solve, Statement, Step, formulas_of
 from .unit_vectors import in_unit_vectors
 
 
@@ -65,7 +65,12 @@ def asked(
     unseen = tuple(unseen_loops(result, scope, loops))
     alone = Asked(result, (), result.guards, unseen)
     used = _known(result, scope.free(result.name, alone.needed), inputs)
-    decided = [r for r in scope.mechanism.requires if _decided(r, result.name, scope, used)]
+    rested = {name for name, _ in scope.definitions(result.name, alone.needed).formulas}
+    decided = [
+        r
+        for r in scope.mechanism.requires
+        if r.concerns({result.name, *rested}) and _decided(r, result.name, scope, used)
+    ]
     return Asked(result, used, (*decided, *result.guards), unseen)
 
 
@@ -95,6 +100,18 @@ def function(asked: Asked, scope: Scope, names: Iterable[str]) -> Function:
     shown = scope.definitions(result.name, asked.read).formulas
     read = _readable(result, formula, shown)
     return written(asked, steps, output, guards, read, operations(steps))
+
+
+def checks(scope: Scope, inputs: Mapping[str, Input], names: Iterable[str]) -> Checks | None:
+    """Return the conditions of a description as a program; None where it has none."""
+    requires = scope.mechanism.requires
+    sides = [side for require in requires for side in (require.left, require.right)]
+    definitions = scope.definitions("", sides)
+    guards = tuple(_guard(require, definitions.names, "") for require in requires)
+    steps, _ = steps_to(definitions.formulas, [], guards, names)
+    used = scope.free("", sides)
+    taken = tuple(item for name, item in inputs.items() if name in used)
+    return Checks(taken, steps, guards) if guards else None
 
 
 def steps_to(

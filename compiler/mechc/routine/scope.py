@@ -64,11 +64,17 @@ class Scope:
             return Key("", name)
         if name in self._free:
             return None
-        if name in self.results and name != owner and not self._is_load(owner, name):
+        if name in self.results and self._is_result(owner, name):
             return Key(name, "")
         if name in self._anywhere and name not in self._loads:
             return Key(self._anywhere[name], name)
         return None
+
+    def _is_result(self, owner: str, name: str) -> bool:
+        """Return whether a name is a result's: a formula's own one, where a condition has it."""
+        if name == owner:
+            return self.results[name].target is None and name not in self._loads
+        return not self._is_load(owner, name)
 
     def _is_load(self, owner: str, name: str) -> bool:
         """Return whether a find's name is, in another result, the load and not its solution.

@@ -211,6 +211,19 @@ class Points:
     quantities: tuple[Quantity, ...]
 
 
+@frozen
+class Checks:
+    """The conditions of a calculation sheet, together: which is the first that fails.
+
+    ``steps`` compute what the ``guards`` compare. The status is 0 where all hold, else the
+    number of the first that does not.
+    """
+
+    inputs: tuple[Input, ...]
+    steps: tuple[Statement, ...]
+    guards: tuple[Guard, ...]
+
+
 def every(functions: Iterable[Function]) -> Iterator[Function]:
     """Yield functions, each behind the one that it calls where it gives no number itself."""
     for function in functions:
@@ -223,7 +236,8 @@ def every(functions: Iterable[Function]) -> Iterator[Function]:
 class Routine:
     """All functions of one mechanism.
 
-    ``pose`` is None where loops find nothing, ``points`` where there is no drive.
+    ``pose`` is None where loops find nothing, ``points`` where there is no drive; ``checks`` are
+    those of a calculation sheet that has conditions.
     """
 
     name: str
@@ -232,12 +246,13 @@ class Routine:
     functions: tuple[Function, ...]
     pose: Pose | None = None
     points: Points | None = None
+    checks: Checks | None = None
 
 
-def programs(routine: Routine) -> list[Common | Function | Pose]:
+def programs(routine: Routine) -> list[Common | Function | Pose | Checks]:
     """Return all that has steps of its own: what functions have in common first, and once."""
     listed = list(every(routine.functions))
     common = {f.common.number: f.common for f in listed if f.common}
     others = (f for f in listed if not f.common)
     poses = (routine.pose, routine.points.program if routine.points else None)
-    return [*common.values(), *others, *(pose for pose in poses if pose)]
+    return [*common.values(), *others, *(part for part in (*poses, routine.checks) if part)]

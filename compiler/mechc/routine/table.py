@@ -10,6 +10,7 @@ from collections.abc import Iterable, Iterator
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
+from ..formula.choices import spelled_out
 from ..formula.tree import (
     Call,
     Constant,
@@ -148,6 +149,8 @@ class Table:
                 return self._power(arguments[0], value)
             case Power():
                 return self._add(Raised(*arguments), (Power, arguments))
+            case Call(function, parts_of_call) if simpler := spelled_out(function, parts_of_call):
+                return self.lower(simpler)
             case Call(function, _):
                 return self._call(function, arguments)
             case Implicit(system, index, _):

@@ -129,7 +129,12 @@ def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Fin
 
 def _in_code(result: Result, pose: Values, mechanism: Mechanism) -> Rounded:
     """Return what code gives at a pose: NaN where a condition of use or of the result fails."""
-    form = standing(result, pose) if allowed(mechanism, pose) else None
+    known = Chain({let.name: let.value for let in mechanism.lets}).complete(pose)
+    requires = tuple(
+        r for r in mechanism.requires if r.concerns({result.name, *(d.name for d in result.where)})
+    )
+    sound = allowed(replace(mechanism, requires=requires), known)
+    form = standing(result, pose) if sound else None
     if form is None:
         return Rounded(math.nan, 0.0)
     return Rounding(completed(pose, form.where)).of(form.formula)

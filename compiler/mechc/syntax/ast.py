@@ -157,6 +157,11 @@ class Heading(Statement):
 
 
 @frozen
+class SheetHeading(Heading):
+    """``sheet NAME "Title"``: the heading of a calculation sheet."""
+
+
+@frozen
 class SourceNote(Statement):
     """``source "where it comes from"``."""
 
@@ -526,11 +531,78 @@ class Find(Statement):
 
 
 @frozen
+class Condition:
+    """``a < b < c``: ``operators[i]`` stands between ``operands[i]`` and ``operands[i + 1]``."""
+
+    operands: tuple[Expr, ...]
+    operators: tuple[Literal["<", "<=", ">", ">=", "=", "!="], ...]
+
+
+@frozen
+class Branch:
+    """``2*a when a < b and c > 0``: a value, and the conditions that all hold where it is meant."""
+
+    value: Expr
+    conditions: tuple[Condition, ...]
+
+
+@frozen
+class Choice:
+    """``1 when a < b, 2 when a > b else 3``: of the branches one at most is meant."""
+
+    branches: tuple[Branch, ...]
+    otherwise: "Expr | Choice | None"
+    span: Span = field(compare=False)
+
+
+@frozen
+class Lookup:
+    """``m49 at 2*r/d``: what a table has for a value, between two of its rows in proportion."""
+
+    table: Name
+    at: Expr
+    span: Span = field(compare=False)
+
+
+@frozen
+class NextSize:
+    """``next d_min in pins``: the smallest size of a list that is no less."""
+
+    least: Expr
+    sizes: Name
+    span: Span = field(compare=False)
+
+
+Worth = Expr | Choice | Lookup | NextSize
+"""What a formula of one's own may be."""
+
+
+@frozen
 class Let(Statement):
-    """``let p = 4*P/(pi*d^2)``."""
+    """``let p = 4*P/(pi*d^2) in MPa as "label"``."""
 
     name: Name
-    value: Expr
+    value: Worth
+    unit: Name | None = None
+    label: str = ""
+
+
+@frozen
+class Table(Statement):
+    """``table m49 "Table 4.9" = 1: 0.388, 0.9: 0.400``: pairs of an argument and its value."""
+
+    name: Name
+    rows: tuple[tuple[Expr, Expr], ...]
+    source: str = ""
+
+
+@frozen
+class Sizes(Statement):
+    """``list bores "ISO 15552" = 32 mm, 40 mm``: sizes that there are, from the smallest."""
+
+    name: Name
+    sizes: tuple[Expr, ...]
+    source: str = ""
 
 
 @frozen

@@ -5,13 +5,16 @@ node and no tree is walked afterwards.
 """
 
 from fractions import Fraction
+from typing import Any
 
 from ..diagnostics import syntax, syntax_limits
 from ..source import Span
-from . import ast, limits
+from ..units import UNITS
+from . import ast, limits, text
 from .fault import Fault
 from .lalr import Token
 from .spans import span_of
+from .unit_words import unit_meant
 from .vocabulary import CONSTANTS, FUNCTIONS, TWINS, apart, counted, points_of, split_quantity
 
 Signed = tuple[int, ast.Expr]
@@ -107,6 +110,45 @@ def call(name: Token, *rest: ast.Expr | Token) -> ast.Call:
     if not arity.least <= len(arguments) <= (arity.most or len(arguments)):
         raise Fault(syntax.wrong_argument_count(span, str(name), len(arguments), counted(arity)))
     return ast.Call(function, arguments, span)
+
+
+# ---------------------------------------------------------------------------- choices
+
+
+def branch(value: ast.Expr, *conditions: tuple[Any, Any]) -> ast.Branch:
+    """Return ``value when condition and condition``."""
+    return ast.Branch(value, tuple(ast.Condition(*condition) for condition in conditions))
+
+
+def choice(*parts: ast.Branch | ast.Expr | ast.Choice | None) -> ast.Choice:
+    """Return ``value when condition, value when condition else value``."""
+    branches = tuple(part for part in parts if isinstance(part, ast.Branch))
+    last = parts[-1]
+    otherwise = None if isinstance(last, ast.Branch) else last
+    end = otherwise.span if otherwise else branches[-1].conditions[-1].operands[-1].span
+    return ast.Choice(branches, otherwise, branches[0].value.span.to(end))
+
+
+def lookup(table: Token, at: ast.Expr) -> ast.Lookup:
+    """Return ``m49 at 2*r/d``."""
+    span = span_of(table)
+    return ast.Lookup(ast.Name(str(table), span), at, span.to(at.span))
+
+
+def next_size(least: ast.Expr, sizes: ast.Name) -> ast.NextSize:
+    """Return ``next d_min in pins``."""
+    return ast.NextSize(least, sizes, least.span.to(sizes.span))
+
+
+def unit(spelled: ast.Expr) -> ast.Name:
+    """Return the unit that an expression of units spells."""
+    name = text.bare(spelled).replace(" ", "")
+    if name not in UNITS:
+        plain = [known for known in UNITS if known.isalpha()]
+        meant = unit_meant(name)
+        hint = f"did you mean {meant!r}?" if meant else ""
+        raise Fault(syntax.unknown_unit(spelled.span, name, plain, hint))
+    return ast.Name(name, spelled.span)
 
 
 # ---------------------------------------------------------------------------- vectors

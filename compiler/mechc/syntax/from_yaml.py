@@ -57,8 +57,8 @@ def read_root(root: Node, report: Report) -> Iterator[ast.Statement]:
             hint = yaml_slips.of_key(name.text, allowed)
             place = "the description"
             note(syntax_yaml.unknown_key(name.span, name.text, place, allowed, hint), report)
-        elif BESIDE[name.text].name not in {key.text for key, _ in root.entries}:
-            lacking = [BESIDE[name.text].name]
+        elif not {key.text for key, _ in root.entries}.intersection(BESIDE[name.text]):
+            lacking = BESIDE[name.text][:1]
             note(syntax_yaml.missing_key(name.span, lacking, f"'{name.text}'"), report)
 
 

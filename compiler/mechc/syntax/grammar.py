@@ -44,13 +44,22 @@ def spelling() -> dict[str, str]:
 ANYWHERE = -1
 """The first of a word behind the name of a statement, wherever that is."""
 
-SOFT: Mapping[str, tuple[str, int]] = {
-    "load": ("load", 0),
-    "intensity": ("load", 2),
-    "radius": ("slot", 6),
-    "speed": ("drive", ANYWHERE),
+SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
+    "load": frozenset({("load", 0)}),
+    "intensity": frozenset({("load", 2)}),
+    "radius": frozenset({("slot", 6)}),
+    "speed": frozenset({("drive", ANYWHERE)}),
+    "pin": frozenset({("friction", 1)}),
+    "pins": frozenset({("friction", 1)}),
+    "sheet": frozenset({("sheet", 0)}),
+    "table": frozenset({("table", 0)}),
+    "list": frozenset({("list", 0)}),
+    "next": frozenset({("let", 3), ("worth", 0)}),
 }
-"""Words that are names but in one statement, by its first word, at one place in it."""
+"""Words that are names but in one kind of statement, by its first word, at one place in it.
+
+A value of YAML stands by what it is read as, in place of a first word.
+"""
 
 
 def with_names(line: Sequence[Token], start: Start) -> list[Token]:
@@ -60,7 +69,7 @@ def with_names(line: Sequence[Token], start: Start) -> list[Token]:
     >>> [token.type for token in with_names(line, "statement") if token.type != "WS"]
     ['PARAM', 'NAME', 'EQUAL', 'NAME']
     """
-    first = line[0] if line and start == "statement" else ""
+    first = line[0] if line and start == "statement" else start
     return [
         Token("NAME", token, *span_of(token))
         if token in SOFT and not _stands(token, place, first, line)
@@ -71,10 +80,9 @@ def with_names(line: Sequence[Token], start: Start) -> list[Token]:
 
 def _stands(word: str, place: int, first: str, line: Sequence[Token]) -> bool:
     """Tell whether a soft word at a place of a statement is a word of the language there."""
-    statement, at = SOFT[word]
-    if first != statement:
-        return False
-    return place == at if at != ANYWHERE else word not in line[2:place] and place > 1
+    if (first, place) in SOFT[word]:
+        return True
+    return (first, ANYWHERE) in SOFT[word] and place > 1 and word not in line[2:place]
 
 
 @cache

@@ -77,6 +77,13 @@ SECTIONS: tuple[Section, ...] = (
         plain(Kind.NAME, "name"),
         optional("title", Kind.TEXT),
     ),
+    one(
+        "sheet",
+        "name of a calculation sheet",
+        ast.SheetHeading,
+        plain(Kind.NAME, "name"),
+        optional("title", Kind.TEXT),
+    ),
     one("source", "where it comes from", ast.SourceNote, plain(Kind.TEXT, "text")),
     named(
         "params",
@@ -284,9 +291,38 @@ SECTIONS: tuple[Section, ...] = (
         plain(Kind.EXPRESSION, "value"),
     ),
     named(
+        "tables",
+        "tables of a value for an argument, in proportion between two rows",
+        Entry(
+            ast.Table,
+            NAMED,
+            plain(Kind.ROWS, "rows"),
+            (key("rows", Kind.ROWS), optional("source", Kind.TEXT)),
+        ),
+    ),
+    named(
+        "lists",
+        "sizes that there are, from the smallest",
+        Entry(
+            ast.Sizes,
+            NAMED,
+            plain(Kind.SIZES, "sizes"),
+            (key("sizes", Kind.SIZES), optional("source", Kind.TEXT)),
+        ),
+    ),
+    named(
         "let",
         "formulas of one's own",
-        Entry(ast.Let, NAMED, plain(Kind.EXPRESSION, "value")),
+        Entry(
+            ast.Let,
+            NAMED,
+            plain(Kind.WORTH, "value"),
+            (
+                key("value", Kind.WORTH),
+                optional("unit", Kind.UNIT),
+                optional("label", Kind.TEXT),
+            ),
+        ),
     ),
     Section(
         "find",
@@ -307,6 +343,11 @@ SECTIONS: tuple[Section, ...] = (
 )
 
 BY_NAME = {section.name: section for section in SECTIONS}
-BESIDE = {beside.name: section for section in SECTIONS for beside in section.beside}
+BESIDE = {
+    beside.name: [s.name for s in SECTIONS if beside in s.beside]
+    for section in SECTIONS
+    for beside in section.beside
+}
+"""The keys that stand beside a section, and the sections of which one must be there."""
 ORDER = {entry.node: n for n, section in enumerate(SECTIONS) for entry in section.entries}
 """The place of each node's section: YAML has an order of sections, not of statements."""

@@ -23,7 +23,7 @@ def check_once(statements: Sequence[ast.Statement], report: Report) -> None:
     """Report what is stated twice, and a version that is not the first statement."""
     first: dict[type[ast.Statement], ast.Statement] = {}
     for statement in statements:
-        kind = type(statement)
+        kind = ast.Heading if isinstance(statement, ast.Heading) else type(statement)
         if kind in ONCE and kind in first:
             note(syntax.stated_twice(statement.span, ONCE[kind], first[kind].span), report)
         first.setdefault(kind, statement)

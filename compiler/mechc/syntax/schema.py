@@ -9,7 +9,7 @@ from typing import Any
 
 from ..data import data
 from ..units import DIMENSIONS
-from .layout import SECTIONS
+from .layout import BESIDE, SECTIONS
 from .sections import Entry, Key, Kind, Section, Shape
 
 Schema = dict[str, Any]
@@ -56,6 +56,10 @@ KINDS: dict[Kind, Schema] = {
     Kind.CONDITION: {"type": "string", "description": "a condition: 0 deg < alpha < 90 deg"},
     Kind.EXPECTATION: {"type": "string", "description": "k = 7.1 at alpha = 35 deg"},
     Kind.MEASURE: {**EXPRESSION, "description": "a value: 40 mm, 2*a, 40 mm +- 0.1 mm"},
+    Kind.WORTH: {**EXPRESSION, "description": "2*a, 1 when a < b else 2, m49 at r, next d in pins"},
+    Kind.UNIT: {"type": "string", "description": "a unit: MPa, N*m"},
+    Kind.ROWS: {"type": "array", "items": CARTESIAN, "minItems": 1},
+    Kind.SIZES: {"type": "array", "items": EXPRESSION, "minItems": 1},
     Kind.DIMENSION: {"enum": sorted(DIMENSIONS)},
     Kind.TEXT: {"type": ["string", "number", "null"]},
     Kind.FLAG: {"type": "boolean"},
@@ -76,8 +80,9 @@ def schema() -> Schema:
         "type": "object",
         "properties": properties,
         "additionalProperties": False,
-        "dependentRequired": {
-            key.name: [section.name] for section in SECTIONS for key in section.beside
+        "dependentSchemas": {
+            name: {"anyOf": [{"required": [section]} for section in owners]}
+            for name, owners in BESIDE.items()
         },
     }
 
@@ -118,7 +123,7 @@ def value_schema(entries: list[Entry]) -> Schema:
     """Return the schema of what stands behind a name: an entry, or several in a list."""
     one = entry_schema(entries[0]) if len(entries) == 1 else merged(entries)
     short = entries[0].short
-    if short and short.kind in (Kind.VECTOR, Kind.CARTESIAN):
+    if short and short.kind in (Kind.VECTOR, Kind.CARTESIAN, Kind.ROWS, Kind.SIZES):
         return one
     return {"anyOf": [one, {"type": "array", "items": one}]}
 

@@ -34,6 +34,10 @@ class Kind(Enum):
     CONDITION = auto()
     EXPECTATION = auto()
     MEASURE = auto()  # 40 mm +- 0.1 mm
+    WORTH = auto()  # 2*a, 1 when a < b else 2, m49 at r, next d in pins
+    UNIT = auto()
+    ROWS = auto()  # [[1, 0.388], [0.9, 0.400]]
+    SIZES = auto()  # [32 mm, 40 mm]
     DIMENSION = auto()
     TEXT = auto()
     WORD = auto()

@@ -24,6 +24,9 @@ Start = Literal[
     "end",
     "rim",
     "measure",
+    "worth",
+    "row",
+    "unit",
 ]
 """What a text may be read as: a whole statement, or what one YAML scalar holds."""
 

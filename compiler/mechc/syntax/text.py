@@ -152,11 +152,35 @@ def rim(radius: ast.Expr, link: ast.Name | None) -> str:
     return f"{expression(radius)} on {link.text}" if link else expression(radius)
 
 
-def condition(required: ast.Require) -> str:
+def condition(required: ast.Require | ast.Condition) -> str:
     """Return ``a < b < c``."""
     first, *rest = map(expression, required.operands)
     pairs = zip(required.operators, rest, strict=True)
     return " ".join([first, *(f"{operator} {operand}" for operator, operand in pairs)])
+
+
+def worth(value: ast.Worth) -> str:
+    """Return what a formula of one's own may be: an expression, a choice, a size, a look-up."""
+    match value:
+        case ast.Choice(branches=branches, otherwise=otherwise):
+            listed = ", ".join(map(branch, branches))
+            return f"{listed} else {worth(otherwise)}" if otherwise else listed
+        case ast.Lookup(table=table, at=at):
+            return f"{table.text} at {expression(at)}"
+        case ast.NextSize(least=least, sizes=sizes):
+            return f"next {expression(least)} in {sizes.text}"
+        case _:
+            return expression(value)
+
+
+def branch(chosen: ast.Branch) -> str:
+    """Return ``value when a < b and c < d``."""
+    return f"{expression(chosen.value)} when {' and '.join(map(condition, chosen.conditions))}"
+
+
+def row(pair: tuple[ast.Expr, ast.Expr]) -> str:
+    """Return ``1: 0.388``."""
+    return f"{expression(pair[0])}: {expression(pair[1])}"
 
 
 def expectation(expected: ast.Expect) -> str:

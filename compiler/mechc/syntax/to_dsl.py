@@ -18,6 +18,7 @@ WHEELS = "{first} {first_radius}[ on {first_link}], {second} {second_radius}[ on
 LINES: dict[type[ast.Statement], str] = {
     ast.Version: "mechc {number}",
     ast.Heading: "mechanism {name}[ {title}]",
+    ast.SheetHeading: "sheet {name}[ {title}]",
     ast.SourceNote: "source {text}",
     ast.Param: "param {name}[: {dimension}][|= {value}][ +- {tolerance}]"
     "[ in {low} .. {high}][ as {label}][ about {about}]",
@@ -57,13 +58,15 @@ LINES: dict[type[ast.Statement], str] = {
     ast.ScrewFriction: "friction screw {point} {coefficient} thread {thread}",
     ast.Motion: "motion {sense}",
     ast.Efficiency: "efficiency {value}",
-    ast.Let: "let {name}|= {value}",
+    ast.Table: "table {name}[ {source}] = {rows}",
+    ast.Sizes: "list {name}[ {source}] = {sizes}",
+    ast.Let: "let {name}|= {value}[ in {unit}][ as {label}]",
 }
 
 ALL_PINS = "friction pins {coefficient} diameter {diameter}[ {law}]"
 ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {link}]"
 
-QUOTED = frozenset({"title", "text", "label", "about"})
+QUOTED = frozenset({"title", "text", "label", "about", "source"})
 
 TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw)
 FRICTIONS = (
@@ -72,8 +75,9 @@ FRICTIONS = (
 )
 
 SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
-    (ast.Version, ast.Heading, ast.SourceNote),
+    (ast.Version, ast.Heading, ast.SheetHeading, ast.SourceNote),
     (ast.Param, ast.Drive),
+    (ast.Table, ast.Sizes),
     (*(ast.Pivot, ast.Slider, ast.Link, ast.Slide, ast.Slot, ast.Telescope), *TRANSMISSIONS),
     (ast.Drawn, ast.Vector, ast.Turn, ast.Assembly),
     (ast.Mirror, ast.Copies),
@@ -178,8 +182,14 @@ def written(field: str, value: Any) -> str:
             return field
         case str():
             return quoted(value) if field in QUOTED else value
+        case tuple() if field == "rows":
+            return ", ".join(map(text.row, value))
+        case tuple() if field == "sizes":
+            return ", ".join(map(text.expression, value))
         case tuple():
             return " ".join(name.text for name in value)
+        case ast.Choice() | ast.Lookup() | ast.NextSize():
+            return text.worth(value)
         case ast.Name(text=name):
             return name
         case ast.Polar() | ast.Cartesian():

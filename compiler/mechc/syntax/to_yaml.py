@@ -63,7 +63,7 @@ def named(section: Section, found: Statements) -> list[list[ast.Statement]]:
 def keeps_doubles(section: Section) -> bool:
     """Tell whether a list would mean coordinates, so that doubles stay two (wrong) keys."""
     short = section.entries[0].short
-    return short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN)
+    return short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN, Kind.ROWS, Kind.SIZES)
 
 
 def section_lines(section: Section, found: Statements) -> list[str]:
@@ -214,6 +214,12 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return scalar(text.condition(required), flow)
         case Kind.MEASURE, [value, tolerance]:
             return scalar(text.measure(value, tolerance), flow)
+        case Kind.WORTH, [value]:
+            return scalar(text.worth(value), flow)
+        case Kind.ROWS, [rows]:
+            return f"[{', '.join(f'[{_listed(row)}]' for row in rows)}]"
+        case Kind.SIZES, [sizes]:
+            return f"[{_listed(sizes)}]"
         case Kind.EXPECTATION, [subject, value, at, tolerance]:
             expected = ast.Expect(subject.span, subject, value, at, tolerance)
             return scalar(text.expectation(expected), flow)
@@ -221,6 +227,10 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return value_of(value, flow)
         case _:
             raise AssertionError(f"{kind} has no text")
+
+
+def _listed(values: Iterable[ast.Expr]) -> str:
+    return ", ".join(scalar(text.expression(value), True) for value in values)
 
 
 def value_of(value: Any, flow: bool) -> str:

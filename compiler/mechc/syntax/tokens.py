@@ -84,14 +84,16 @@ def moved(token: Token, places: Sweep) -> Token:
 
 def with_units(text: str, found: list[Token]) -> Iterator[Token]:
     """Join each number with the unit behind it."""
-    end = 0
+    end, begins_formula = 0, False
     for position, token in enumerate(found):
+        if position == 0 or found[position - 1].type == "NEWLINE":
+            begins_formula = token in ("let", "next")
         start, stop = span_of(token)
         if start < end:
             continue
         bare = token.type == "NUMBER" and not token.endswith('"')
         unit = unit_behind(text, stop) if bare else None
-        if unit is None or (unit[0] == "in" and begins_range(found[position + 1 :])):
+        if unit is None or (unit[0] == "in" and is_word(found[position + 1 :], begins_formula)):
             yield token
         else:
             end = unit.end()
@@ -103,6 +105,16 @@ def unit_behind(text: str, at: int) -> re.Match[str] | None:
     while text[at : at + 1] in BLANKS:
         at += 1
     return UNIT.match(text, at)
+
+
+def is_word(found: Sequence[Token], formula: bool) -> bool:
+    """Tell whether the word ``in``, the first of these, is no inch.
+
+    It begins a range or, in a formula of one's own, stands before a unit or a list:
+    ``F/d^2 in MPa``.
+    """
+    before = formula and len(found) > 1 and found[1].type in ("NAME", "NUMBER")
+    return before or begins_range(found)
 
 
 def begins_range(found: Sequence[Token]) -> bool:

@@ -19,6 +19,7 @@ from .vocabulary import GROUND
 Made = Callable[..., object]
 Ends = tuple[ast.Expr, ast.Expr]
 Measure = tuple[ast.Expr, ast.Expr | None]
+Row = tuple[ast.Expr, ast.Expr]
 Rim = tuple[ast.Expr, ast.Name | None]
 """A wheel: its radius, and the link that it is fixed to, or the ground."""
 
@@ -38,6 +39,26 @@ def version(number: Token) -> ast.Version:
     if number != "1":
         raise Fault(syntax.unknown_version(span_of(number), str(number)))
     return ast.Version(NOWHERE, str(number))
+
+
+def sheet_heading(name: ast.Name, title: Token | None) -> ast.SheetHeading:
+    """Return ``sheet NAME "Title"``."""
+    return ast.SheetHeading(NOWHERE, name, unquoted(title))
+
+
+def table(name: ast.Name, source: Token | None, *rows: Row) -> ast.Table:
+    """Return ``table m49 "Table 4.9" = 1: 0.388, 0.9: 0.400``."""
+    return ast.Table(NOWHERE, name, rows, unquoted(source))
+
+
+def sizes(name: ast.Name, source: Token | None, *listed: ast.Expr) -> ast.Sizes:
+    """Return ``list bores "ISO 15552" = 32 mm, 40 mm``."""
+    return ast.Sizes(NOWHERE, name, listed, unquoted(source))
+
+
+def let(name: ast.Name, value: ast.Worth, unit: ast.Name | None, label: Token | None) -> ast.Let:
+    """Return ``let p = 4*P/(pi*d^2) in MPa as "label"``."""
+    return ast.Let(NOWHERE, name, value, unit, unquoted(label))
 
 
 def heading(name: ast.Name, title: Token | None) -> ast.Heading:
@@ -287,12 +308,15 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "friction_rack": ast.RackFriction,
     "friction_screw": ast.ScrewFriction,
     "efficiency": ast.Efficiency,
-    "let": ast.Let,
 }
 
 WITH_A_FUNCTION: Mapping[str, Made] = {
     "version": version,
     "heading": heading,
+    "sheet_heading": sheet_heading,
+    "table": table,
+    "sizes": sizes,
+    "let": let,
     "param": param,
     "link": link,
     "slot": slot,
@@ -322,6 +346,12 @@ PARTS: Mapping[str, Made] = {
     "condition": expressions.chain,
     "expectation": expectation,
     "measure": measure,
+    "choice": expressions.choice,
+    "branch": expressions.branch,
+    "lookup": expressions.lookup,
+    "next_size": expressions.next_size,
+    "row": tupled,
+    "unit": expressions.unit,
     "setting": tupled,
     "range": tupled,
     "shared": tupled,

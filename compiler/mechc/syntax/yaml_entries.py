@@ -173,12 +173,16 @@ def check_keys(entry: Entry, given: set[str], spare: list[Key], span: Span, wher
         raise Fault(syntax_yaml.missing_key(span, dict.fromkeys(lacking), f"'{where}'"))
 
 
+LISTS_THEMSELVES = (Kind.VECTOR, Kind.CARTESIAN, Kind.MEASURE, Kind.ROWS, Kind.SIZES)
+"""Values that a list is, or that stand only once: it does not stand for several entries."""
+
+
 def several(value: Node, section: Section) -> tuple[Node, ...]:
     """Return the values of a key: a list stands for several, unless it is ``[x, y]``.
 
     A parameter has one value: a list of them is a mistake of its own.
     """
     short = section.entries[0].short
-    single = short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN, Kind.MEASURE)
+    single = short is not None and short.kind in LISTS_THEMSELVES
     listed = section.shape is Shape.NAMED and not single
     return value.items if listed and isinstance(value, Listing) else (value,)

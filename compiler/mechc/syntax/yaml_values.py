@@ -219,6 +219,38 @@ def measure(node: Node, source: Source) -> Fields:
     return value, tolerance
 
 
+def worth(node: Node, source: Source) -> Fields:
+    """Read an expression, or a choice, a size of a list, a value of a table."""
+    return (parsed("worth", "an expression", node, source),)
+
+
+def unit(node: Node, source: Source) -> Fields:
+    """Read a unit."""
+    return (parsed("unit", "a unit such as MPa", node, source),)
+
+
+def sizes(node: Node, source: Source) -> Fields:
+    """Read ``[32 mm, 40 mm]``."""
+    if not isinstance(node, Listing) or not node.items:
+        raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "sizes [32 mm, 40 mm]"))
+    return (tuple(expression(item, source)[0] for item in node.items),)
+
+
+def rows(node: Node, source: Source) -> Fields:
+    """Read ``[[1, 0.388], [0.9, 0.400]]``."""
+    if not isinstance(node, Listing) or not node.items:
+        raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "rows [[1, 0.388], …]"))
+    return (tuple(row(item, source) for item in node.items),)
+
+
+def row(node: Node, source: Source) -> tuple[ast.Expr, ast.Expr]:
+    """Read ``[1, 0.388]``."""
+    match node:
+        case Listing(items=(argument, value)):
+            return expression(argument, source)[0], expression(value, source)[0]
+    raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "an argument and its value"))
+
+
 def text_of(node: Node, source: Source) -> Fields:
     """Read a text."""
     if isinstance(node, Scalar):
@@ -279,6 +311,10 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.CONDITION: condition,
     Kind.EXPECTATION: expectation,
     Kind.MEASURE: measure,
+    Kind.WORTH: worth,
+    Kind.UNIT: unit,
+    Kind.ROWS: rows,
+    Kind.SIZES: sizes,
     Kind.DIMENSION: dimension,
     Kind.TEXT: text_of,
     Kind.FLAG: flag,

@@ -97,7 +97,7 @@ def _context(
             f"int {single}(",
             [*(f"double {a}" for a in inputs), *(f"double *{o}" for o in outputs.values())],
         ),
-        wrapped(f"void {batch}(", _arrays(number, inputs, list(outputs.values()), status)),
+        wrapped(f"void {batch}(", arrays(number, inputs, list(outputs.values()), status)),
         body,
         [f"*{o} = {names[n]};" for n, o in outputs.items()],
         broken(" || ", [f"{names[n]} != {names[n]}" for n in pose.closed]),
@@ -109,7 +109,7 @@ def _context(
     )
 
 
-def _arrays(number: str, inputs: list[str], outputs: list[str], status: str) -> list[str]:
+def arrays(number: str, inputs: list[str], outputs: list[str], status: str) -> list[str]:
     """Return the arguments of the form for many poses."""
     taken = [f"const double *MECHC_RESTRICT {name}" for name in inputs]
     given = [f"double *MECHC_RESTRICT {name}" for name in outputs]

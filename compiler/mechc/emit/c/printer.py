@@ -2,10 +2,13 @@
 
 from typing import assert_never
 
+from ...formula.choices import SIGNS
 from ...routine.steps import Guard
 from ..printer import Printer
 
-_FUNCTIONS = {"abs": "fabs", "sign": "mechc_sign", "min": "mechc_min", "max": "mechc_max"}
+_FUNCTIONS = {"abs": "fabs", "sign": "mechc_sign", "min": "mechc_min", "max": "mechc_max"} | {
+    name: f"mechc_{name}" for name in (*SIGNS, "choose")
+}
 CIRCULAR = ("sin", "cos", "tan")
 """Functions that the loops compute by a polynomial of their own."""
 
@@ -17,6 +20,8 @@ class CPrinter(Printer):
 
     def call(self, function: str, arguments: list[str]) -> str:
         """Return a call of ``math.h``."""
+        if function == "choose" and len(arguments) == 2:
+            arguments = [*arguments, "NAN"]
         return f"{_FUNCTIONS.get(function, function)}({', '.join(arguments)})"
 
     def power(self, base: str, exponent: str) -> str:

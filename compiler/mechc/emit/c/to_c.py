@@ -8,6 +8,7 @@ from typing import NamedTuple
 from ...diagnostics.diagnostic import MechcError
 from ...diagnostics.emission import file_hides_another, unspeakable_file_name
 from ...formula import newton
+from ...formula.choices import SIGNS
 from ...formula.tree import Call, Formula
 from ...formula.walk import walk
 from ...routine.steps import (
@@ -27,6 +28,7 @@ from ..names import Names, file_stem, mangle, transliterate
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from .checks import ChecksContext, checks_context
 from .helpers import BITS, helpers
 from .layout import harmless, wrapped
 from .pose import CommonContext, PoseContext, common_context, pose_contexts
@@ -41,6 +43,7 @@ from .solvers import (
 from .status import StatusContext, status_context
 
 _CHOICES = {"min": "<", "max": ">"}
+_SIGNS = {**SIGNS, "same": "=="}
 
 
 class Body(NamedTuple):
@@ -76,12 +79,16 @@ class FunctionContext(NamedTuple):
     status: StatusContext | None
 
 
+Declared = FunctionContext | StatusContext | PoseContext | ChecksContext
+"""What a header declares."""
+
+
 class HeaderContext(NamedTuple):
     """Fields are what ``c/header.jinja`` mentions."""
 
     preface: list[str]
     guard: str
-    functions: list[FunctionContext | StatusContext | PoseContext]
+    functions: list[Declared]
 
 
 class CodeContext(NamedTuple):
@@ -89,6 +96,7 @@ class CodeContext(NamedTuple):
 
     functions: list[FunctionContext]
     poses: list[PoseContext]
+    checks: ChecksContext | None
     solvers: list[SolverContext]
     commons: list[CommonContext]
     newton: ModuleType
@@ -99,9 +107,10 @@ class SourceContext(NamedTuple):
 
     preface: list[str]
     header: str
-    public: list[FunctionContext | StatusContext | PoseContext]
+    public: list[Declared]
     helpers: Set[str]
     choices: list[Line]
+    conditions: list[Line]
     bits: bool
     pi: bool
     code: str
@@ -120,14 +129,15 @@ class Parts(NamedTuple):
 
     functions: list[FunctionContext]
     poses: list[PoseContext]
+    checks: ChecksContext | None
     solvers: list[SolverContext]
     commons: list[CommonContext]
 
     @property
-    def public(self) -> list[FunctionContext | StatusContext | PoseContext]:
+    def public(self) -> list[Declared]:
         """Return what the header declares."""
         with_statuses = (each for f in self.functions for each in (f, f.status) if each)
-        return [*with_statuses, *self.poses]
+        return [*with_statuses, *self.poses, *([self.checks] if self.checks else [])]
 
 
 class CTarget:
@@ -172,6 +182,7 @@ def _source(parts: Parts, preface: list[str], header: str) -> str:
         public=parts.public,
         helpers=called,
         choices=[Line(name, sign) for name, sign in _CHOICES.items() if name in called],
+        conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
         bits=not called.isdisjoint(BITS),
         pi=CPrinter.pi in code,
         code=code,
@@ -202,10 +213,11 @@ def _preface(compiled: Compiled) -> list[str]:
 def _parts(compiled: Compiled) -> Parts:
     routine, space = compiled.routine, Names(LINKED)
     written, listed = programs(routine), list(every(routine.functions))
-    statuses = [f.status.name for f in listed if f.status]
-    linked = _symbols(routine.name, [*(f.name for f in listed), *statuses], space)
+    told = [f.status.name for f in listed if f.status]
+    linked = _symbols(routine.name, [*(f.name for f in listed), *told], space)
     called = [linked[f.otherwise.name].single for f in listed if f.otherwise]
     arguments = mangle((i.name for p in written for i in p.inputs), Names(RESERVED.besides(called)))
+    status, statuses = (space.claim(f"{routine.name}_status{end}") for end in ("", "_n"))
     found = solvers_of(step for p in written for step in p.steps)
     solvers = {s: space.claim(f"{routine.name}_solution_{i}") for i, s in enumerate(found, 1)}
     commons = [p for p in written if isinstance(p, Common)]
@@ -214,6 +226,9 @@ def _parts(compiled: Compiled) -> Parts:
     return Parts(
         [_function(f, linked, arguments, solvers, handing, listed) for f in listed],
         poses,
+        checks_context(routine.checks, status, statuses, arguments, solvers)
+        if routine.checks
+        else None,
         [solver_context(solver, name) for solver, name in solvers.items()],
         [common_context(c, handing[c.number], arguments, solvers) for c in commons],
     )

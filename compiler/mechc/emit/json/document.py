@@ -24,6 +24,7 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...model.result import Result
+from ...model.sheets import is_sheet
 from ...pose.pose import LoopKind
 from ...report.derivation.steps import (
     Derivation,
@@ -355,9 +356,24 @@ DOCUMENT: Kind[Compiled] = record(
     ),
     member("results", "In order.", list_of(RESULT), lambda c: c.derivation.results),
     member("derivation", "How they follow.", DERIVATION, lambda c: c.derivation),
-    member("referee", "What statics says.", VERDICT, lambda c: c.verdict),
-    member("figure", "For drawings.", optional(FIGURE), lambda c: c.figure),
-    member("free_bodies", "At the figure's pose.", list_of(DIAGRAM), lambda c: c.free_bodies),
+    member(
+        "referee",
+        "What statics says; null for a calculation sheet, in which nothing moves.",
+        optional(VERDICT),
+        lambda c: None if is_sheet(c.mechanism) else c.verdict,
+    ),
+    member(
+        "figure",
+        "For drawings.",
+        optional(FIGURE),
+        lambda c: None if is_sheet(c.mechanism) else c.figure,
+    ),
+    member(
+        "free_bodies",
+        "At the figure's pose.",
+        list_of(DIAGRAM),
+        lambda c: () if is_sheet(c.mechanism) else c.free_bodies,
+    ),
     member("functions", "Of the code.", list_of(FUNCTION), lambda c: c.routine.functions),
     member("points", "Where points are, if there is a drive.", optional(MOVED), moved),
 )

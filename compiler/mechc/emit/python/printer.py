@@ -1,5 +1,6 @@
 """How Python writes formulas, for NumPy."""
 
+from ...formula.choices import SIGNS
 from ..names import Reserved
 from ..printer import Printer
 
@@ -41,6 +42,7 @@ _FUNCTIONS = {
     "atan2": "np.arctan2",
     "min": "np.minimum",
     "max": "np.maximum",
+    **{name: f"_{name}" for name in (*SIGNS, "choose")},
 }
 
 
@@ -51,6 +53,8 @@ class PythonPrinter(Printer):
 
     def call(self, function: str, arguments: list[str]) -> str:
         """Return a call of a NumPy function."""
+        if function == "choose" and len(arguments) == 2:
+            arguments = [*arguments, "np.nan"]
         return f"{_FUNCTIONS.get(function, f'np.{function}')}({', '.join(arguments)})"
 
     def power(self, base: str, exponent: str) -> str:

@@ -1,17 +1,20 @@
 """Python: one module that needs only NumPy, for floats and arrays alike."""
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from types import ModuleType
 from typing import NamedTuple
 
 from ...diagnostics.diagnostic import MechcError
 from ...diagnostics.emission import file_hides_another
 from ...formula import newton
+from ...formula.choices import SIGNS
 from ...formula.tree import Call, Formula, Number, Power
 from ...formula.walk import symbols, walk
 from ...routine.steps import (
+    Checks,
     Common,
     Function,
+    Pose,
     Solve,
     Solver,
     every,
@@ -26,6 +29,7 @@ from ..names import Names, file_stem, mangle
 from ..printer import Printer
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
+from .checks import ChecksContext, checks_context
 from .pose import (
     CommonContext,
     PoseContext,
@@ -37,6 +41,7 @@ from .printer import KEYWORDS, MODULES, RESERVED, PythonPrinter
 from .solvers import SolverContext, line, solver_context, solver_names
 from .status import StatusContext, status_context
 
+_SIGNS = {**SIGNS, "same": "=="}
 _MAY_FAIL = ("asin", "acos", "sqrt", "log", "exp", "tan", "cot", "sec", "csc")
 
 
@@ -66,9 +71,12 @@ class ModuleContext(NamedTuple):
     preface: list[str]
     solvers: list[SolverContext]
     newton: ModuleType
+    conditions: list[Line]
+    chooses: bool
     commons: list[CommonContext]
     functions: list[FunctionContext]
     poses: list[PoseContext]
+    checks: ChecksContext | None
     main: list[str]
 
 
@@ -108,16 +116,31 @@ def _module(compiled: Compiled) -> ModuleContext:
     arguments = mangle((i.name for part in parts for i in part.inputs), free)
     solvers = solver_names(step for part in parts for step in part.steps)
     functions = [_function(f, names, arguments, solvers, listed) for f in listed]
+    called_functions = {name for part in parts for name in _called(part)}
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
         solvers=[solver_context(solver, name) for solver, name in solvers.items()],
         newton=newton,
+        conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called_functions],
+        chooses="choose" in called_functions,
         commons=[common_context(p, arguments, solvers) for p in parts if isinstance(p, Common)],
         functions=functions,
         poses=pose_contexts(routine, space, arguments, solvers),
+        checks=checks_context(routine.checks, space.claim("status"), arguments, solvers)
+        if routine.checks
+        else None,
         main=[_shown(f, names[f.name], arguments) for f in routine.functions],
     )
+
+
+def _called(part: Common | Function | Pose | Checks) -> Iterator[str]:
+    """Yield the functions of the language that a program calls."""
+    guards = () if isinstance(part, Common | Pose) else part.guards
+    sides = [side for guard in guards for side in (guard.left, guard.right)]
+    output = [part.output] if isinstance(part, Function) else []
+    for formula in (*(f for s in part.steps for f in formulas_of(s)), *sides, *output):
+        yield from (p.function for p in walk(formula) if isinstance(p, Call))
 
 
 def _preface(compiled: Compiled) -> list[str]:

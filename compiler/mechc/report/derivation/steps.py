@@ -247,3 +247,8 @@ class Derivation:
     explanations: tuple[Explanation, ...] = ()
     position: tuple[PositionStep, ...] = ()
     last_steps: tuple[LastStep, ...] = ()
+
+
+def calculated(results: tuple[Analysis, ...]) -> Derivation:
+    """Return the derivation of a calculation sheet: its results, whose formulas are given."""
+    return Derivation((), (), (), results)

@@ -1,0 +1,115 @@
+"""The results of a calculation sheet, whose formulas are given: nothing is derived."""
+
+import math
+from collections.abc import Iterator, Mapping
+
+from ..diagnostics import Diagnostic, Report
+from ..diagnostics import sheets as messages
+from ..formula.to_text import text
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..frozen import replace
+from ..model.mechanism import Mechanism, Require, Subject
+from ..model.result import Result
+from ..model.values import Chain, Values, compare, defaults, dependent
+from ..pose.pose import Pose
+from ..power.definitions import let_results
+from ..units import in_unit, si_unit
+from .calculation import Calculation, Check
+
+
+def calculate(pose: Pose, report: Report) -> Calculation:
+    """Return the results of a sheet with their values.
+
+    E550 where a condition fails at the values of the sheet, E551 where a formula has no value
+    there.
+    """
+    mechanism = pose.mechanism
+    lets = {let.name: let.value for let in mechanism.lets}
+    values = Chain({**dependent(mechanism), **lets}).complete(defaults(mechanism))
+    checks = tuple(_checked(condition, values) for condition in mechanism.requires)
+    failed = _refuse_broken(checks, mechanism, report)
+    _refuse_undefined(mechanism, values, failed, report)
+    found = let_results(pose, (), report)
+    return Calculation(pose, tuple(_with_value(result, values) for result in found), checks)
+
+
+def _with_value(result: Result, values: Values) -> Result:
+    return replace(result, default=values.get(result.name))
+
+
+def _checked(condition: Require, values: Values) -> Check:
+    return Check(condition, _value(condition.left, values), _value(condition.right, values))
+
+
+def _value(formula: Formula, values: Values) -> float | None:
+    return evaluate(formula, values) if symbols(formula) <= values.keys() else None
+
+
+def holds(check: Check) -> bool:
+    """Return whether a condition holds; True where a side of it has no value."""
+    if check.left is None or check.right is None:
+        return True
+    return compare(check.left, check.condition.operator, check.right)
+
+
+def _refuse_broken(checks: tuple[Check, ...], mechanism: Mechanism, report: Report) -> set[str]:
+    """Report every condition that fails; return the formulas that have no value by that."""
+    units, failed = units_of(mechanism), set[str]()
+    for check in checks:
+        if any(side is not None and math.isnan(side) for side in (check.left, check.right)):
+            continue  # what has no value is reported by itself
+        if not holds(check):
+            report.add(_failure(check, units))
+            if check.condition.subject:
+                failed.add(check.condition.subject.let)
+    return failed
+
+
+def _failure(check: Check, units: Mapping[str, str]) -> Diagnostic:
+    """Return what is to be said of a condition that fails."""
+    span, subject = check.condition.span, check.condition.subject
+    left, right = _sides(check, units)
+    match subject:
+        case None:
+            return messages.requirement_fails(span, left, check.condition.operator, right)
+        case Subject("table", name, _):
+            return messages.beyond_the_table(span, name, left, check.condition.operator, right)
+        case Subject("list", name, _):
+            return messages.beyond_the_list(span, name, left, right)
+        case Subject(_, name, _):
+            assert check.left is not None
+            return messages.no_single_case(span, name, round(check.left))
+
+
+def _sides(check: Check, units: Mapping[str, str]) -> Iterator[str]:
+    """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
+    condition = check.condition
+    unit = next((units[n] for n in _named(condition) if units.get(n)), "")
+    for formula, value in ((condition.left, check.left), (condition.right, check.right)):
+        assert value is not None
+        shown = in_unit(value, unit, 6)
+        yield f"{text(formula)} = {shown}" if symbols(formula) else shown
+
+
+def _named(condition: Require) -> list[str]:
+    return sorted(symbols(condition.left)) + sorted(symbols(condition.right))
+
+
+def units_of(mechanism: Mechanism) -> dict[str, str]:
+    """Return the unit in which each quantity of a sheet is written."""
+    parameters = {p.name: p.unit or si_unit(p.dimension) for p in mechanism.parameters}
+    return parameters | {let.name: let.unit or si_unit(let.dimension) for let in mechanism.lets}
+
+
+def _refuse_undefined(
+    mechanism: Mechanism, values: Values, failed: set[str], report: Report
+) -> None:
+    """Report the formulas that have no value, without those that failed or rest on others."""
+    missing, places = set(failed), {let.name: let.span for let in mechanism.lets}
+    for name, formula in Chain({let.name: let.value for let in mechanism.lets}).definitions:
+        if symbols(formula) & missing:
+            missing.add(name)
+        elif name not in missing and not math.isfinite(values.get(name, 0.0)):
+            missing.add(name)
+            report.add(messages.without_value(places[name], name))

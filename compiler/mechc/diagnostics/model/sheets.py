@@ -1,0 +1,72 @@
+"""Messages about what calculation sheets are made of (E21x)."""
+
+from collections.abc import Collection
+
+from ...source import Span
+from ...units import Dimension, described
+from ..diagnostic import Message, Related, coded, near_miss
+
+
+@coded("E210")
+def links_in_a_sheet(span: Span, heading: Span) -> Message:
+    """A description that calls itself a sheet has statements of a mechanism.
+
+    A calculation sheet has parameters, tables, formulas and conditions. What has pins, links
+    or loads is a mechanism, in which formulas may stand just as well::
+
+        mechanism clamp "Toggle clamp"             # not: sheet clamp
+        pivot O
+    """
+    message = "this belongs to a mechanism, and the description is headed as a sheet"
+    related = (Related(heading, "it is headed so here"),)
+    return Message(span, message, "head it `mechanism NAME`, or leave this out", related)
+
+
+@coded("E211")
+def no_such_table(span: Span, name: str, kind: str, known: Collection[str]) -> Message:
+    """A value is looked up in a table, or a size in a list, that is not there.
+
+    ``NAME at X`` looks X up in a table, ``next X in NAME`` takes the next size of a list::
+
+        table m49 "Table 4.9" = 1: 0.388, 0.5: 0.541
+        list  bores           = 32 mm, 40 mm, 50 mm
+        let m = m49 at r/R
+        let D = next D_min in bores
+    """
+    there = f"there are {', '.join(known)}" if known else f"declare one: {kind} {name} = …"
+    return Message(span, f"no {kind} is called '{name}'", near_miss(name, known) or there)
+
+
+@coded("E212")
+def not_in_order(span: Span, name: str, before: Span) -> Message:
+    """The arguments of a table, or the sizes of a list, do not rise (or fall) throughout.
+
+    One of them stands twice, or at a wrong place::
+
+        list bores = 32 mm, 50 mm, 40 mm           # wrong
+        list bores = 32 mm, 40 mm, 50 mm           # right
+
+    A list begins with its smallest size; a table may run either way.
+    """
+    related = (Related(before, "this stands before it"),)
+    return Message(span, f"'{name}' is not in order here", "put it in order", related)
+
+
+@coded("E213")
+def other_unit(span: Span, name: str, unit: str, found: Dimension) -> Message:
+    """A formula is to be shown in a unit of something else than it measures::
+
+    let sigma = M/W in MPa                     # right where M is a moment
+    let sigma = M/W in N                       # wrong: it is a pressure
+    """
+    message = f"'{name}' measures {described(found)}, which is not given in {unit}"
+    return Message(span, message, "name a unit of what the formula measures")
+
+
+@coded("E215")
+def table_of_one_row(span: Span, name: str) -> Message:
+    """A table has one row, so that there is nothing between two rows.
+
+    table E = 20 deg: 2                        # write: let E = 2
+    """
+    return Message(span, f"table '{name}' has one row, at least two are expected", "add a row")

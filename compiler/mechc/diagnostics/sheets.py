@@ -1,0 +1,93 @@
+"""Messages about calculation sheets (E21x, E55x, E704, W55x)."""
+
+from ..source import Span
+from .diagnostic import Message, coded
+
+
+@coded("E550")
+def requirement_fails(span: Span, left: str, operator: str, right: str) -> Message:
+    """A ``require`` of a calculation sheet fails at the values that the sheet gives.
+
+    The message has the values of both sides. Nothing is emitted: change what is given, or the
+    condition::
+
+        param d = 8 mm                             # 10 mm hold
+        let tau [MPa] = 4*F/(pi*d^2)
+        require tau <= tau_allowed
+    """
+    wanted = f"{left}, expected {_WORDS[operator]} {right}"
+    return Message(span, f"the requirement fails: {wanted}", "change what is given")
+
+
+_WORDS = {
+    "<": "less than",
+    "<=": "at most",
+    ">": "more than",
+    ">=": "at least",
+    "=": "the same as",
+    "!=": "something else than",
+}
+
+
+@coded("E552")
+def beyond_the_table(span: Span, table: str, left: str, operator: str, right: str) -> Message:
+    """A table is asked for a value outside its rows.
+
+    Between two rows a table is taken in proportion; beyond its ends nothing is known::
+
+        table m49 "Table 4.9" = 1: 0.388, 0.5: 0.541, 0.1: 1.180
+        let m = m49 at r/R                         # r/R from 0.1 to 1
+    """
+    ends = f"it begins at {left}, and {right} is asked" if left[0].isdigit() else ""
+    ends = ends or f"it ends at {right}, and {left} is asked"
+    return Message(span, f"table '{table}' has no such row: {ends}", "change what is given")
+
+
+@coded("E553")
+def no_single_case(span: Span, name: str, count: int) -> Message:
+    """Of the cases of a choice none holds at what the sheet gives, or more than one does.
+
+    Cases with commas between them exclude one another. ``else`` says what is meant where none
+    holds; what stands behind it may be a choice again, asked only then::
+
+        let K = 1.1 when v < 1 m/s, 1.3 when v >= 1 m/s
+        let K = 1.1 when v < 1 m/s else 1.3
+        let K = 1.1 when v < 1 m/s else 1.2 when v < 2 m/s else 1.3
+    """
+    found = f"{count} cases hold at once" if count else "no case holds"
+    hint = "cases that may hold together are parted by `else`" if count else "add a case, or `else`"
+    return Message(span, f"in the choice of {name} {found}, expected one", hint)
+
+
+@coded("E554")
+def beyond_the_list(span: Span, listed: str, least: str, largest: str) -> Message:
+    """No size of a list is as large as the one that is asked for::
+
+    list bores = 32 mm, 40 mm, 50 mm
+    let D = next D_min in bores                # D_min is 62 mm
+    """
+    message = f"list '{listed}' has no such size: {least}, and it ends at {largest}"
+    return Message(span, message, "change what is given, or add sizes to the list")
+
+
+@coded("E551")
+def without_value(span: Span, name: str) -> Message:
+    """A formula of a calculation sheet has no value at what the sheet gives.
+
+    It divides by zero there, takes the root of a negative number, or the like::
+
+        let s = sqrt(a - b)                        # b = 30 mm, a = 20 mm
+    """
+    return Message(span, f"{name} has no value at what is given", "look at what it is made of")
+
+
+@coded("E704")
+def sheet_has_no_links(span: Span, name: str) -> Message:
+    """A calculation sheet has no links, so that there is nothing to draw and nothing moves.
+
+    A description without pins, links and loads is a sheet: it has parameters, formulas and
+    conditions. ``mechc check``, ``derive`` and ``compile`` take it like any other; ``draw``,
+    ``stroke`` and the stages that look at links do not.
+    """
+    message = f"{name} is a calculation sheet: it has no links that could move or be drawn"
+    return Message(span, message, "`mechc derive` shows the calculation")

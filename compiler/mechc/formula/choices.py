@@ -1,0 +1,113 @@
+"""Choices, tables and lists of sizes in formulas: calls whose value depends on conditions.
+
+``choose(c1, v1, c2, v2, …, otherwise)`` is the value behind the first condition that holds; it
+has none (NaN) where none holds and nothing is said otherwise. A condition is a call that is 1
+where it holds and else 0, and NaN where a side of it is. ``interpolate(x, x1, y1, x2, y2, …)``
+lies between two rows of a table in proportion, ``next(x, s1, s2, …)`` is the smallest size that
+is no less than x; both have no value outside. Machines know the first only (:func:`spelled_out`).
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from itertools import pairwise
+
+from .tree import Call, Formula, negative, product, quotient, total
+
+SIGNS: Mapping[str, str] = {
+    "less": "<",
+    "at_most": "<=",
+    "more": ">",
+    "at_least": ">=",
+    "same": "=",
+    "differs": "!=",
+}
+"""Conditions by the sign between their sides."""
+
+CONDITIONS: Mapping[str, str] = {sign: name for name, sign in SIGNS.items()}
+
+_HOLDS: Mapping[str, Callable[[float, float], bool]] = {
+    "less": lambda a, b: a < b,
+    "at_most": lambda a, b: a <= b,
+    "more": lambda a, b: a > b,
+    "at_least": lambda a, b: a >= b,
+    "same": lambda a, b: a == b,
+    "differs": lambda a, b: a != b,
+}
+
+
+def _condition(name: str) -> Callable[[float, float], float]:
+    holds = _HOLDS[name]
+    return lambda a, b: math.nan if a != a or b != b else float(holds(a, b))
+
+
+def _choose(*parts: float) -> float:
+    """Return the chosen one of values; those that are not chosen may be None."""
+    for condition, value in zip(parts[::2], parts[1::2], strict=False):
+        if math.isnan(condition):
+            return math.nan
+        if condition:
+            return value
+    return parts[-1] if len(parts) % 2 else math.nan
+
+
+def _interpolate(x: float, *rows: float) -> float:
+    for (low, start), (high, end) in pairwise(zip(rows[::2], rows[1::2], strict=True)):
+        if low <= x <= high:
+            return start + (x - low) * ((end - start) / (high - low))
+    return math.nan
+
+
+def _next(x: float, *sizes: float) -> float:
+    return next((size for size in sizes if x <= size), math.nan)
+
+
+FUNCTIONS: Mapping[str, Callable[..., float]] = {
+    **{name: _condition(name) for name in SIGNS},
+    "both": lambda *conditions: math.prod(conditions),
+    "count": lambda *conditions: math.fsum(conditions),
+    "choose": _choose,
+    "interpolate": _interpolate,
+    "next": _next,
+}
+"""The functions of this module on floats."""
+
+
+def chosen(parts: Sequence[Formula], value: Callable[[Formula], float]) -> Formula | None:
+    """Return the part that ``choose`` chooses, so that no other need have a value."""
+    for condition, part in zip(parts[::2], parts[1::2], strict=False):
+        holds = value(condition)
+        if math.isnan(holds):
+            return None
+        if holds:
+            return part
+    return parts[-1] if len(parts) % 2 else None
+
+
+def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None:
+    """Return a call of this module in terms of simpler ones; None where it is simple.
+
+    Those are conditions of two sides, products and sums, and choices of one or two values.
+    """
+    match function, arguments:
+        case "interpolate", (x, *rows):
+            return _between_rows(x, rows)
+        case "next", (x, *sizes):
+            return Call("choose", tuple(p for s in sizes for p in (Call("at_most", (x, s)), s)))
+        case "both", _:
+            return product((condition, 1) for condition in arguments)
+        case "count", _:
+            return total(arguments)
+        case "choose", (condition, value, *rest) if len(rest) > 1:
+            return Call("choose", (condition, value, Call("choose", tuple(rest))))
+        case _:
+            return None
+
+
+def _between_rows(x: Formula, rows: Sequence[Formula]) -> Formula:
+    """Return a table as a choice of straight lines, without a value below its first row."""
+    parts: list[Formula] = []
+    for (low, start), (high, end) in pairwise(zip(rows[::2], rows[1::2], strict=True)):
+        slope = quotient(total([end, negative(start)]), total([high, negative(low)]))
+        rise = product([(total([x, negative(low)]), 1), (slope, 1)])
+        parts += [Call("at_most", (x, high)), total([start, rise])]
+    return Call("choose", (Call("at_most", (rows[0], x)), Call("choose", tuple(parts))))

@@ -1,0 +1,81 @@
+"""What makes a description a calculation sheet, and what people read of one."""
+
+from collections.abc import Iterator, Mapping
+
+from ..diagnostics import Report
+from ..diagnostics.model.sheets import links_in_a_sheet
+from ..formula.walk import symbols
+from ..frozen import replace
+from ..syntax import ast
+from ..units import UNITS, Dimension
+from .constants import expressions_in, leaves
+from .mechanism import Let, Mechanism, Parameter
+from .statements import every, only
+
+WRITTEN_IN_SHEETS = (
+    *(ast.Version, ast.Heading, ast.SourceNote),
+    *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Require, ast.Expect),
+)
+"""The statements of a sheet: a description that has others describes a mechanism."""
+
+
+def is_sheet(mechanism: Mechanism) -> bool:
+    """Return whether a description has formulas only, and nothing that could move."""
+    parts = (mechanism.links, mechanism.slides, mechanism.telescopes, mechanism.joints)
+    return not (any(parts) or mechanism.loads or mechanism.finds or mechanism.spans)
+
+
+def written_as_sheet(file: ast.File) -> bool:
+    """Return whether a file has statements of a sheet only."""
+    return all(isinstance(statement, WRITTEN_IN_SHEETS) for statement in file.statements)
+
+
+def refuse_links_in_a_sheet(file: ast.File, report: Report) -> None:
+    """Report the first statement of a mechanism where the heading says that it is a sheet."""
+    if heading := only(file, ast.SheetHeading):
+        strange = (s for s in file.statements if not isinstance(s, WRITTEN_IN_SHEETS))
+        report.add(links_in_a_sheet(next(strange).span, heading.span))
+
+
+def as_written(mechanism: Mechanism, file: ast.File) -> Mechanism:
+    """Return a sheet whose quantities have the texts and units that people read them with.
+
+    The text of a quantity is its label, or the remark behind its line.
+    """
+    lines: dict[str, ast.Param | ast.Let] = {p.name.text: p for p in every(file, ast.Param)}
+    lines |= {let.name.text: let for let in every(file, ast.Let)}
+    remarks = {name: line.label or line.remark for name, line in lines.items()}
+    parameters = tuple(replace(p, label=remarks[p.name]) for p in mechanism.parameters)
+    units: dict[str, str] = {p.name: p.unit for p in parameters}
+    lets: list[Let] = []
+    for let in mechanism.lets:
+        line = lines[let.name]
+        assert isinstance(line, ast.Let)
+        unit = let.unit or _unit(let, line, units, mechanism.parameters)
+        units[let.name] = unit
+        lets.append(replace(let, unit=unit, label=remarks[let.name]))
+    return replace(mechanism, parameters=parameters, lets=tuple(lets))
+
+
+def _unit(
+    let: Let, line: ast.Let, units: Mapping[str, str], parameters: tuple[Parameter, ...]
+) -> str:
+    """Return the unit of what a formula measures that was written first.
+
+    In the formula itself, in what it uses, or anywhere in the sheet; '' where there is none.
+    """
+    used = [units.get(name, "") for name in sorted(symbols(let.value))]
+    own = [*_units(line), *used, *(p.unit for p in parameters)]
+    return next((unit for unit in own if _measures(unit, let.dimension)), "")
+
+
+def _units(line: ast.Let) -> Iterator[str]:
+    """Yield the units written in a formula."""
+    for expression in expressions_in(line.value):
+        for leaf in leaves(expression):
+            if isinstance(leaf, ast.Number):
+                yield leaf.unit
+
+
+def _measures(unit: str, dimension: Dimension) -> bool:
+    return bool(unit) and UNITS[unit].dimension == dimension

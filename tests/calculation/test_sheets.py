@@ -1,0 +1,167 @@
+"""Calculation sheets: choices, tables and lists by hand, in the interpreter, Python and C."""
+
+import math
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+import mechc
+from mechc.cli import main
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation, complete
+from mechc.emit.registry import load
+from mechc.emit.target import Options
+from mechc.source import Source
+from run_targets import COMPILER, assert_close, built, by_c_in_batch, by_c_singly, by_python
+
+SHEET = """
+sheet cases
+param v = 1.5 m/s
+param r = 0.3
+param D = 33 mm
+table m "Table 4.9" = 1: 0.388, 0.5: 0.541, 0.1: 1.18
+list bores = 32 mm, 40 mm, 50 mm
+let K = 1.1 when v < 1 m/s, 1.2 when 1 m/s <= v < 2 m/s, 1.3 when v >= 2 m/s
+let Q = 1.1 when v < 1 m/s and r < 0.4 else 1.25 when v < 3 m/s else 1.4
+let root = sqrt(v - 1 m/s) when v > 1 m/s else 0 when v = 1 m/s else sqrt(1 m/s - v)
+let q = m at r
+let B = next D in bores
+let s = K*Q*q
+require s < 2
+"""
+
+
+def sheet(text: str = SHEET) -> Compilation:
+    return complete(Compilation(Source("cases.mech", text)))
+
+
+@pytest.mark.parametrize(
+    ("name", "given", "expected"),
+    [
+        ("K", {"v": 0.5}, 1.1),
+        ("K", {"v": 1.0}, 1.2),
+        ("K", {"v": 2.0}, 1.3),
+        ("Q", {"v": 0.5, "r": 0.3}, 1.1),
+        ("Q", {"v": 0.5, "r": 0.45}, 1.25),
+        ("Q", {"v": 4.0}, 1.4),
+        ("root", {"v": 5.0}, 2.0),
+        ("root", {"v": 1.0}, 0.0),
+        ("root", {"v": 0.75}, 0.5),
+        ("q", {"r": 0.5}, 0.541),
+        ("q", {"r": 0.75}, (0.388 + 0.541) / 2),
+        ("q", {"r": 0.3}, (1.18 + 0.541) / 2),
+        ("q", {"r": 1.01}, math.nan),
+        ("q", {"r": 0.09}, math.nan),
+        ("B", {"D": 0.001}, 0.032),
+        ("B", {"D": 0.04}, 0.04),
+        ("B", {"D": 0.041}, 0.05),
+        ("B", {"D": 0.051}, math.nan),
+        ("s", {"v": 3.0, "r": 0.1}, math.nan),
+        ("q", {"r": math.nan}, math.nan),
+        ("K", {"v": math.nan}, math.nan),
+    ],
+)
+def test_the_values(name: str, given: dict[str, float], expected: float) -> None:
+    found = mechc.loads(SHEET).evaluate(**given)[name]
+    assert found == pytest.approx(expected, rel=1e-12, nan_ok=True)
+    array = mechc.loads(SHEET).evaluate(**{k: [v, v] for k, v in given.items()})[name]
+    assert array == pytest.approx([expected, expected], rel=1e-12, nan_ok=True)
+
+
+GRID = {
+    "v": np.array([0.5, 1.0, 1.5, 2.0, 3.5, math.nan]),
+    "r": np.array([0.05, 0.1, 0.45, 0.5, 1.0, 0.2]),
+    "D": np.array([0.001, 0.032, 0.0401, 0.05, 0.0501, 0.03]),
+}
+
+
+def python(found: Compilation) -> SimpleNamespace:
+    (file,) = load("python").emit(found, Options("cases"))
+    scope: dict[str, object] = {"__name__": "cases"}
+    exec(compile(file.text, file.name, "exec"), scope)
+    return SimpleNamespace(**scope)
+
+
+def test_python_is_the_interpreter() -> None:
+    found, module = sheet(), python(sheet())
+    values = mechc.loads(SHEET).evaluate(**GRID)
+    for function in found.routine.functions:
+        given = [GRID[i.name] for i in function.inputs]
+        assert np.array_equal(getattr(module, function.name)(*given), values[function.name], True)
+
+
+def test_sympy_agrees() -> None:
+    solved = mechc.loads(SHEET)
+    for name, at in (("K", {"v": 0.5}), ("K", {"v": 2.5}), ("q", {"r": 0.2}), ("B", {"D": 0.035})):
+        assert float(solved[name].subs(at)) == pytest.approx(solved.evaluate(**at)[name])
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+def test_c_agrees(tmp_path: Path) -> None:
+    found = sheet()
+    made = built(found, tmp_path)
+    for way in (by_c_singly, by_c_in_batch):
+        assert_close(way(found, made), by_python(found), 16, found.routine)
+
+
+def test_the_status_is_the_first_condition_that_fails() -> None:
+    status = python(sheet()).status
+    assert status(1.5, 0.3, 0.033) == 0
+    numbers = {line.strip()[0]: line for line in status.__doc__.splitlines() if ": " in line}
+    assert "s < 2" in numbers["5"]
+    assert status(3.0, 0.1, 0.033) == 5
+    assert list(status([1.5, 1.5], [1.5, 0.05], 0.033)) == [3, 2]
+    assert status(1.5, 0.3, 0.06) == 4
+
+
+def test_both_notations_are_one_sheet(tmp_path: Path) -> None:
+    from mechc.cli.fmt import layout
+
+    yaml = layout(Source("cases.mech", SHEET), "yaml")
+    assert mechc.loads(yaml, "cases.yaml").evaluate() == mechc.loads(SHEET).evaluate()
+
+
+def test_units_come_back_as_they_were_written() -> None:
+    found = sheet("sheet s\nparam F = 2 kN\nparam d = 5 mm\nlet G = 2*F\nlet p = F/d^2 in MPa\n")
+    assert [let.unit for let in found.mechanism.lets] == ["kN", "MPa"]
+
+
+@pytest.mark.parametrize(
+    "stage", ["kinematics", "power", "friction", "statics", "figure", "bodies"]
+)
+def test_what_looks_at_links_says_that_there_are_none(
+    stage: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = tmp_path / "cases.mech"
+    path.write_text(SHEET)
+    assert main(["show", stage, str(path)]) == 1
+    assert "error[E704]: cases is a calculation sheet" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", ["draw", "stroke"])
+def test_commands_that_need_links_say_so_too(
+    command: str, capsys: pytest.CaptureFixture[str], tmp_path: Path
+) -> None:
+    path = tmp_path / "cases.mech"
+    path.write_text(SHEET)
+    assert main([command, str(path)]) == 1
+    assert "error[E704]: cases is a calculation sheet" in capsys.readouterr().err
+
+
+def test_a_broken_requirement_writes_nothing(tmp_path: Path) -> None:
+    path, out = tmp_path / "cases.mech", tmp_path / "cases.c"
+    path.write_text(SHEET.replace("s < 2", "s < 1"))
+    assert main(["compile", str(path), "-o", str(out)]) == 1
+    assert not out.exists()
+
+
+def test_an_expectation_is_held_against_what_code_gives() -> None:
+    with pytest.raises(MechcError, match=r"q has no value where 1 ± 0\.1 is expected"):
+        sheet(SHEET + "expect q = 1 +- 0.1 at r = 2\n")
+    assert sheet(SHEET + "expect B = 50 mm +- 0.1 mm at D = 41 mm, r = 0.2\n").findings
+
+
+def test_a_description_without_links_is_a_sheet_however_it_is_headed() -> None:
+    assert mechc.loads("mechanism m\nparam a = 2 mm\nlet b = 3*a\n").evaluate()["b"] == 0.006
