@@ -13,7 +13,10 @@ from .tokens import check
 from .vocabulary import points_of
 from .written import example
 
-NAMING = frozenset({"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DRIVE", "MECHANISM"})
+NAMING = frozenset(
+    {"PARAM", "LET", "FORCE", "TORQUE", "ACTUATOR", "WEIGHT", "DRIVE", "MECHANISM"}
+    | {"SHEET", "TABLE", "LIST"}
+)
 """After these words a name is given."""
 
 OPERAND = frozenset({"NAME", "NUMBER", "LEFT"})
