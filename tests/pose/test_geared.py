@@ -75,6 +75,23 @@ def test_a_train_of_wheels_is_followed_through_an_idler():
     holds(text, "phi_OA", lambda x: (crank(x), lever(-2 / 3 * (x - START))), 0.2, START, 1.3)
 
 
+@pytest.mark.parametrize(("inner", "ratio"), [("", 1 + 2.5), (" inner", 1 - 2.5)])
+def test_a_planet_follows_its_arm(inner: str, ratio: float):
+    """The sun at O is fast in the ground; the planet CB turns on the arm OAC."""
+    text = f"""{CRANK.replace("link OA", "link OAC")}
+link CB
+C at (0 mm, 70 mm)
+B at (20 mm, 100 mm)
+gear O 50 mm on ground, C 20 mm on CB{inner}
+drive OA from 10 deg to 80 deg"""
+
+    def places(x: float) -> tuple[complex, complex]:
+        centre = 0.07j * cmath.rect(1, x - START)
+        return crank(x), centre + (0.02 + 0.03j) * cmath.rect(1, ratio * (x - START))
+
+    holds(text, "phi_OA", places, 0.3, START, 1.0)
+
+
 def rocker(k: complex) -> complex:
     """Return where KB = 90.55 mm and CB = 70.71 mm meet, B to the left of the way from K to C."""
     pin, near, far = 0.15 + 0.06j, abs(0.08 - 0.04j), abs(0.06 + 0.06j)
@@ -121,3 +138,41 @@ drive s from 0 mm to 30 mm
 find k = P/F"""
     places = lambda s: (s + 0j, (0.03 + 0.02j) * cmath.rect(1, (s - 0.01) / 0.02))  # noqa: E731
     holds(text, "s", places, 0.002, 0.01, 0.025)
+
+
+@pytest.mark.parametrize("first", ["OA = @ phi\n", "CB = @ 45 deg + phi*20/50\n"])
+def test_a_drive_without_a_value_may_stand_in_two_directions(first: str):
+    lines = {"OA = @ phi\n", "CB = @ 45 deg + phi*20/50\n"} - {first}
+    text = f"{CRANK}param phi: angle\n{LEVER}gear O 20 mm, C 50 mm inner\n{first}{lines.pop()}"
+    far, turned = abs(0.02 + 0.03j), math.radians(45)
+    holds(
+        f"{text}drive phi from 0 deg to 60 deg",
+        "phi",
+        lambda x: (crank(x), 0.07 + cmath.rect(far, turned + 0.4 * x)),
+        *(0.2, 0.6, 1.0),
+    )
+
+
+def test_a_direction_that_a_loop_gives_may_stand_in_another_direction():
+    text = f"""{CRANK}
+pivot Q at (100 mm, 0 mm)
+pivot C at (170 mm, 0 mm)
+link AE
+link QE
+link CB
+E at (110 mm, 60 mm)
+B at (200 mm, 20 mm)
+param psi: angle
+CB = @ 30 deg - 20/50*(psi - 80 deg)
+QE = @ psi
+gear Q 20 mm, C 50 mm
+drive OA from -40 deg to 80 deg"""
+
+    def places(x: float) -> tuple[complex, complex]:
+        way, near, far = 0.1 - crank(x), abs(0.08 + 0.04j), abs(0.01 + 0.06j)
+        along = (abs(way) ** 2 + near**2 - far**2) / (2 * abs(way))
+        joint = crank(x) + way / abs(way) * complex(along, math.sqrt(near**2 - along**2))
+        turn = cmath.phase(joint - 0.1) - math.radians(80)
+        return crank(x), 0.17 + cmath.rect(abs(0.03 + 0.02j), math.radians(30) - 0.4 * turn)
+
+    holds(text, "phi_OA", places, -0.6, -0.1, 0.6, START, 1.2)

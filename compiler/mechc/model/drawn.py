@@ -271,21 +271,58 @@ def _with_coordinates(mechanism: Mechanism, sketch: Sketch, report: Report) -> M
     """
     waiting = {p.name: p for p in mechanism.parameters if p.value is None}
     held = Independent(_held(mechanism, waiting, sketch))
-    drive = mechanism.drive.parameter if mechanism.drive else ""
     is_whole = sketch.has_all(_pins(mechanism))
-    found = dict[str, Parameter]()
-    for entry in mechanism.geometry:
-        for name in sorted(mentioned(entry) & waiting.keys() - found.keys()):
-            value = drawn_value(name, entry, sketch)
-            moved = sum(held.takes(row) for row in rows_of(entry, sketch))
-            if value is not None and ((moved and is_whole) or name == drive):
-                found[name] = with_value(waiting[name], value)
+    found = {
+        name: with_value(waiting[name], value)
+        for name, value in _drawn_values(mechanism, waiting, held, sketch)
+        if is_whole or (mechanism.drive and name == mechanism.drive.parameter)
+    }
     parameters = tuple(found.get(p.name, p) for p in mechanism.parameters)
-    found_all = replace(mechanism, parameters=parameters)
+    valued = replace(mechanism, parameters=parameters)
     if not is_whole:
-        return found_all
-    standing = (*_led(found_all, held, sketch, report), *_standing(mechanism, held, sketch))
-    return replace(found_all, geometry=(*mechanism.geometry, *standing))
+        return valued
+    standing = (*_led(valued, held, sketch, report), *_standing(mechanism, held, sketch))
+    return replace(valued, geometry=(*mechanism.geometry, *standing))
+
+
+def _drawn_values(
+    mechanism: Mechanism, waiting: Collection[str], held: Independent, sketch: Sketch
+) -> Iterator[tuple[str, float]]:
+    """Yield what parameters are in the drawing: the drive, and those that no loop gives.
+
+    What ``waiting`` parameters give is held from then on.
+    """
+    drive = mechanism.drive.parameter if mechanism.drive else ""
+    parts = [part for entry in mechanism.geometry for part in _parts(entry)]
+    left = {n: _of(n, parts) for part in parts for n in sorted(mentioned(part) & set(waiting))}
+    while left:
+        by_loop = [n for n in left if any(_follows(part, held, sketch) for part in left[n])]
+        name = next(iter([drive] if drive in left else by_loop or left))
+        values = (drawn_value(name, part, sketch) for part in left[name])
+        value = next((value for value in values if value is not None), None)
+        if value is not None and (name == drive or name not in by_loop):
+            yield name, value
+        for part in left.pop(name):
+            if mentioned(part).isdisjoint(left):
+                for row in rows_of(part, sketch):
+                    held.takes(row)
+
+
+def _parts(entry: Geometry) -> tuple[Geometry, ...]:
+    """Return the length and the direction of a vector by themselves."""
+    if isinstance(entry, Arrow) and entry.length and entry.direction:
+        return replace(entry, direction=None), replace(entry, length=None)
+    return (entry,)
+
+
+def _of(name: str, parts: Iterable[Geometry]) -> list[Geometry]:
+    return [part for part in parts if name in mentioned(part)]
+
+
+def _follows(part: Geometry, held: Independent, sketch: Sketch) -> bool:
+    """Tell whether what an entry gives is held already."""
+    rows = list(rows_of(part, sketch))
+    return bool(rows) and not any(map(held.lacks, rows))
 
 
 def _led(
@@ -331,9 +368,6 @@ def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Ite
         if sketch.has_all((slot.tail, slot.head, slot.point)):
             yield turn(slot.head, slot.tail, slot.point, sketch)
     for entry in mechanism.geometry:
-        if mentioned(entry).isdisjoint(waiting):
-            yield from rows_of(entry, sketch)
-        elif isinstance(entry, Arrow) and entry.length and entry.direction:
-            parts = (replace(entry, direction=None), replace(entry, length=None))
-            given = (part for part in parts if mentioned(part).isdisjoint(waiting))
-            yield from (row for part in given for row in rows_of(part, sketch))
+        for part in _parts(entry):
+            if mentioned(part).isdisjoint(waiting):
+                yield from rows_of(part, sketch)

@@ -1,8 +1,9 @@
 """What wheels alone lead in a drawn mechanism: it follows the drive from where it is drawn.
 
-A gear, a belt, a rack or a screw ties two motions since the drawing: turns of links, ways of
-sliders along their guides. ``r·turn`` of two gears is equal but for its sign, the way of a
-rack is ``r·turn``. Where one motion is known as a formula of the drive, so is the other.
+A gear, a belt, a rack or a screw ties motions since the drawing: turns of links, ways of
+sliders along their guides. ``r·turn`` of two gears is equal but for its sign, as seen from the
+arm that carries them; the way of a rack is ``r·turn``. Where all motions but one are known as
+formulas of the drive, so is that one.
 """
 
 import math
@@ -12,8 +13,8 @@ from typing import NamedTuple, assert_never
 from ..diagnostics import Report
 from ..diagnostics import drawn as messages
 from ..formula.tree import (
-    ONE,
     PI,
+    ZERO,
     Call,
     Formula,
     Number,
@@ -32,7 +33,6 @@ from .mechanism import (
     Direction,
     Geometry,
     Joint,
-    Link,
     Mechanism,
     Mesh,
     Offset,
@@ -48,10 +48,10 @@ from .standing import direction_matters, place_matters
 Values = Mapping[str, float]
 
 
-class Side(NamedTuple):
-    """One of two motions that wheels tie: of a body, or of its ``point`` along a guide.
+class Term(NamedTuple):
+    """A motion that wheels tie, of a body or of its ``point`` along a guide, and its factor.
 
-    ``factor`` times the motion is the same on both sides.
+    Of all that one pair of wheels ties, motions times factors add up to zero.
     """
 
     body: str
@@ -85,63 +85,67 @@ class Train:
 
     def __init__(self, mechanism: Mechanism, sketch: Sketch, values: Values) -> None:
         self._mechanism, self._sketch, self._values = mechanism, sketch, values
-        self._motions = dict[str, Formula]()
+        self._motions: dict[str, Formula] = {"": ZERO}
 
     def followers(self, held: Independent) -> Iterator[Geometry]:
         """Yield where links and sliders are that nothing but wheels leads, wheel after wheel."""
         if not any(self._free(held)):
             return
-        self._motions = dict(self._given())
-        pairs = [p for mesh in self._mechanism.meshes for p in self._both_ways(mesh)]
-        while pair := next(filter(self._leads, pairs), None):
-            leader, led = pair
-            parts = (leader.factor, 1), (led.factor, -1), (self._motions[leader.body], 1)
-            motion = self._motions[led.body] = product(parts)
+        self._motions |= dict(self._given())
+        ties = [self._tie(mesh) for mesh in self._mechanism.meshes]
+        while one := next(filter(None, map(self._led, ties)), None):
+            led, motion = one
+            self._motions[led.body] = motion
             row = self._row(led)
             if row is not None and held.takes(row):
                 yield self._placed(led, motion)
 
+    def _led(self, tie: tuple[Term, ...]) -> tuple[Term, Formula] | None:
+        """Return the one motion of a tie that is not known, and what it is."""
+        unknown = [term for term in tie if term.body not in self._motions]
+        if len(unknown) != 1:
+            return None
+        (led,) = unknown
+        others = ((t.factor, self._motions[t.body]) for t in tie if t is not led)
+        parts = (
+            product([(factor, 1), (led.factor, -1), (motion, 1), (number(-1), 1)])
+            for factor, motion in others
+        )
+        return led, total(parts)
+
     def check(self, held: Independent, report: Report) -> None:
         """Report E516 for what wheels alone lead, where the leader's motion is no formula."""
-        for mesh, side in self._free(held):
-            if self._matters(side):
-                report.add(messages.wheels_alone_lead(mesh.span, side.body, mesh.id))
+        for mesh, term in self._free(held):
+            if self._matters(term):
+                report.add(messages.wheels_alone_lead(mesh.span, term.body, mesh.id))
 
-    def _free(self, held: Independent) -> Iterator[tuple[Mesh, Side]]:
+    def _free(self, held: Independent) -> Iterator[tuple[Mesh, Term]]:
         """Yield what nothing else holds of the motions that wheels tie."""
         for mesh in self._mechanism.meshes:
-            for side in self._sides(mesh):
-                row = self._row(side)
+            for term in self._tie(mesh):
+                row = self._row(term)
                 if row is not None and held.lacks(row):
-                    yield mesh, side
+                    yield mesh, term
 
-    def _matters(self, side: Side) -> bool:
-        if side.point:
-            return place_matters(side.point, self._mechanism)
-        return direction_matters(self._link(side), self._mechanism)
+    def _matters(self, term: Term) -> bool:
+        if term.point:
+            return place_matters(term.point, self._mechanism)
+        links = (link for link in self._mechanism.links if link.name == term.body)
+        return any(direction_matters(link, self._mechanism) for link in links)
 
-    def _link(self, side: Side) -> Link:
-        return next(link for link in self._mechanism.links if link.name == side.body)
-
-    def _both_ways(self, mesh: Mesh) -> Iterator[tuple[Side, Side]]:
-        first, second = self._sides(mesh)
-        yield from ((first, second), (second, first))
-
-    def _leads(self, pair: tuple[Side, Side]) -> bool:
-        leader, led = pair
-        return leader.body in self._motions and led.body not in self._motions
-
-    def _sides(self, mesh: Mesh) -> tuple[Side, Side]:
-        """Return the two motions that a pair of wheels ties."""
+    def _tie(self, mesh: Mesh) -> tuple[Term, ...]:
+        """Return the motions that a pair of wheels ties."""
         match mesh:
-            case WheelPair(first_link=first, second_link=second, second_radius=radius):
-                back = radius if mesh.same else negative(radius)
-                return Side(first, "", mesh.first_radius), Side(second, "", back)
+            case WheelPair(first_link=first, second_link=second):
+                ahead = mesh.first_radius
+                back = negative(mesh.second_radius) if mesh.same else mesh.second_radius
+                arm = negative(total([ahead, back]))
+                return Term(first, "", ahead), Term(second, "", back), Term(mesh.arm, "", arm)
             case Rack(point, _, link, radius):
-                return Side(link, "", radius), Side(self._guided(point), point, ONE)
+                return Term(link, "", radius), Term(self._guided(point), point, number(-1))
             case Screw(point, pitch, link):
                 for_radian = product([(pitch, 1), (number(2), -1), (PI, -1)])
-                return Side(link, "", for_radian), Side(self._guided(point), point, ONE)
+                return Term(link, "", for_radian), Term(self._guided(point), point, number(-1))
             case _:
                 assert_never(mesh)
 
@@ -205,24 +209,26 @@ class Train:
                     return total([self._sketch.start(tail, head), degrees(90 * quarter)])
         return None
 
-    def _arm(self, side: Side) -> tuple[str, str] | None:
-        return next(self._sketch.arms(self._link(side).points), None)
+    def _arm(self, term: Term) -> tuple[str, str] | None:
+        """Return a drawn arm of a link; None of the ground."""
+        links = (link for link in self._mechanism.links if link.name == term.body)
+        return next((arm for link in links for arm in self._sketch.arms(link.points)), None)
 
-    def _row(self, side: Side) -> Row | None:
+    def _row(self, term: Term) -> Row | None:
         """Return the row of a motion; None where nothing drawn takes part in it."""
-        if not side.point:
-            arm = self._arm(side)
+        if not term.point:
+            arm = self._arm(term)
             return direction(*arm, self._sketch) if arm else None
-        guide = self._guide(side.point)
+        guide = self._guide(term.point)
         if guide is None or not symbols(guide) <= self._values.keys():
             return None
-        return fixed(side.point, self._value(guide) - math.pi / 2)
+        return fixed(term.point, self._value(guide) - math.pi / 2)
 
-    def _placed(self, side: Side, motion: Formula) -> Geometry:
+    def _placed(self, term: Term, motion: Formula) -> Geometry:
         """Return where a link or a slider is after a motion from its drawn place."""
-        if side.point:
-            return self._moved(side.point, motion)
-        arm = self._arm(side)
+        if term.point:
+            return self._moved(term.point, motion)
+        arm = self._arm(term)
         assert arm is not None
         span = self._sketch.span(arm[1])
         return Arrow(*arm, None, Absolute(total([self._sketch.start(*arm), motion]), span), span)

@@ -259,7 +259,7 @@ class _Closing:
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
         points = group.triples()[0] if group.kind == "triangle" else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)
-        state.take(chosen, wanted, [side], group.kind, points)
+        state.take(state.unwound(chosen), wanted, [side], group.kind, points)
         return True
 
     def _familiar(self, cycle: Cycle) -> list[Angle]:

@@ -2,14 +2,15 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from fractions import Fraction
 
 from ...algebra.angle import Angle
-from ...formula.tree import Formula
-from ...formula.walk import evaluate
+from ...formula.tree import Call, Formula, degrees, negative, total
+from ...formula.walk import evaluate, symbols
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH
-from ..pose import ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
+from ..pose import Arm, ClosedLoop, Definition, Limit, LoopKind, SolvedLoop, Vector, turned_by
 from ..samples import Values, poses_nearby
 from ..terms import Terms
 from ..tolerances import SAME_ANGLE
@@ -133,6 +134,29 @@ class State:
         (_, _), (bx, by), (cx, cy) = (places[p] for p in points)
         return bx * cy < by * cx
 
+    def unwound(self, closure: Closure) -> Closure:
+        """Return a closure with each angle of the user's within half a turn of the default pose.
+
+        Where it stands in a multiple that is no whole one, or in a length, it may not jump by
+        a turn where the direction that it is found by passes 180°.
+        """
+        here = self.tried(closure, self.base)
+        definitions = (
+            Definition(name, self._unwound(name, formula, here[name]))
+            if name in self.named & self.angles and math.isfinite(here.get(name, math.nan))
+            else Definition(name, formula)
+            for name, formula in closure.definitions
+        )
+        return closure._replace(definitions=tuple(definitions))
+
+    def _unwound(self, name: str, formula: Formula, value: float) -> Formula:
+        if all(_turns_whole(name, arm) for edge in self.web.edges for arm in edge.arms):
+            full = degrees(-360 * round(value / math.tau))
+            return total([formula, full])
+        middle = degrees(90 * round(math.remainder(value, math.tau) / (math.pi / 2)))
+        apart = total([formula, negative(middle)])
+        return total([middle, Call("atan2", (Call("sin", (apart,)), Call("cos", (apart,))))])
+
     def recognised(self, closure: Closure, unknown: Names, familiar: Iterable[Angle]) -> Closure:
         """Return a closure with each direction that is a familiar one written as that one.
 
@@ -145,6 +169,12 @@ class State:
             if same := next((s for a in known if (s := _alike(name, a, poses))), None):
                 closure = _rewritten(closure, name, same, name in self.named)
         return closure
+
+
+def _turns_whole(name: str, arm: Arm) -> bool:
+    """Tell whether a vector is the same where an angle is a full turn greater."""
+    factor = dict(arm.angle.terms).get(name, Fraction(0))
+    return factor.denominator == 1 and name not in symbols(arm.length.formula())
 
 
 def _passing_zero(mechanism: Mechanism) -> Iterator[str]:
