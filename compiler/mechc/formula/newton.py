@@ -97,8 +97,7 @@ def follow(
     for _ in range(corrections):
         aim = reached + step
         here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
-        residuals, matrix = equations(found, here)
-        sign = eliminate(matrix, residuals)
+        sign, residuals = _correction(equations, found, here)
         size = math.sqrt(sum((r / s) * (r / s) for r, s in zip(residuals, scales, strict=True)))
         if not (sign == side != 0 and (size <= TINY or size <= _allowed(last))):
             step, last, found = step / 2, 0.0, list(base)
@@ -117,8 +116,15 @@ def follow(
 
 def side_of(equations: Equations, unknowns: Sequence[float], outer: Sequence[float]) -> int:
     """Return the sign of the Jacobian's determinant."""
+    return _correction(equations, unknowns, outer)[0]
+
+
+def _correction(
+    equations: Equations, unknowns: Sequence[float], outer: Sequence[float]
+) -> tuple[int, list[float]]:
+    """Return the sign of the Jacobian's determinant, and what Newton's step takes off."""
     residuals, matrix = equations(unknowns, outer)
-    return eliminate(matrix, residuals)
+    return eliminate(matrix, residuals), residuals
 
 
 def _longest(anchor: Sequence[float], outer: Sequence[float]) -> float:

@@ -56,37 +56,14 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     compass = Directions(mechanism, terms, report)
     vectors = Vectors(mechanism, terms, compass)
     closed = close(mechanism, terms, compass, vectors, report)
-    mechanism, found = closed.mechanism, closed.found
-    for fault in unfound_angles(mechanism, vectors, found, closed.left):
+    mechanism = closed.mechanism
+    for fault in unfound_angles(mechanism, vectors, closed.found, closed.left):
         report.add(fault)
     report.stop_on_errors()
     mechanism = with_directions(mechanism, vectors, report)
     survey = _Survey(mechanism, terms, compass, vectors, report)
-    guides, axis = survey.guides(), survey.axis()
-    lines = {**survey.lines(), **survey.thrusts()}
-    held = tuple(touches(mechanism, compass, vectors, survey.direction))
-    frames, slides = survey.frames(), survey.slides()
-    pose = Pose(
-        mechanism=mechanism,
-        frames=frames,
-        guides=guides,
-        lines=lines,
-        axis=axis,
-        definitions=tuple(terms.definitions),
-        placeholders=dict.fromkeys(vectors.placeholders),
-        free=tuple(p.name for p in mechanism.parameters if not p.dependent),
-        rates=closed.rates,
-        slides=slides,
-        touches=held,
-        radii={radius: terms.length(radius) for radius in radii(mechanism)},
-        limits=closed.limits,
-        loops=closed.loops,
-        closing=tuple(terms.definitions),
-        put_in=tuple(d for d in terms.definitions if d.name in closed.put_in),
-        vectors=vectors.given(),
-        solved=closed.solved,
-    )
-    unfound = survey.report_unfound(pose, found, closed.left)
+    pose = survey.pose(closed)
+    unfound = survey.report_unfound(pose, closed.found, closed.left)
     survey.close_loops(pose, unfound)
     report.stop_on_errors()
     _remark(pose, vectors, closed, report)
@@ -127,6 +104,33 @@ class _Survey:
         self._mechanism, self._terms = mechanism, terms
         self._compass, self._vectors, self._report = compass, vectors, report
         self._missing = Missing(vectors)
+
+    def pose(self, closed: Closed) -> Pose:
+        """Return all directions and frames, read in the order of their definitions."""
+        guides, axis = self.guides(), self.axis()
+        lines = {**self.lines(), **self.thrusts()}
+        held = tuple(touches(self._mechanism, self._compass, self._vectors, self.direction))
+        frames, slides = self.frames(), self.slides()
+        return Pose(
+            mechanism=self._mechanism,
+            frames=frames,
+            guides=guides,
+            lines=lines,
+            axis=axis,
+            definitions=tuple(self._terms.definitions),
+            placeholders=dict.fromkeys(self._vectors.placeholders),
+            free=tuple(p.name for p in self._mechanism.parameters if not p.dependent),
+            rates=closed.rates,
+            slides=slides,
+            touches=held,
+            radii={radius: self._terms.length(radius) for radius in radii(self._mechanism)},
+            limits=closed.limits,
+            loops=closed.loops,
+            closing=tuple(self._terms.definitions),
+            put_in=tuple(d for d in self._terms.definitions if d.name in closed.put_in),
+            vectors=self._vectors.given(),
+            solved=closed.solved,
+        )
 
     def frames(self) -> Mapping[str, Mapping[str, Vector]]:
         """Return the frames of links and slides."""
