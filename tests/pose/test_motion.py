@@ -9,7 +9,7 @@ import reference_closed
 from mechc.driver import Compilation, compile_source
 from mechc.files import find, read
 from mechc.model.values import defaults
-from mechc.routine.evaluate import pose
+from mechc.routine.evaluate import evaluate, pose
 from mechc.source import Source
 from paths import LIBRARY
 
@@ -132,3 +132,17 @@ def test_a_slot_in_a_place_that_nothing_gives_has_no_coordinates() -> None:
 
 def test_without_a_drive_nothing_moves() -> None:
     assert compile_source(read(LIBRARY / "karpenko_fig9_packet_clamp.mech")).motion is None
+
+
+def test_components_of_velocities_are_slopes_of_coordinates() -> None:
+    asked = "find x = V_C_x/omega_OAC, y = V_C_y/omega_OAC, u = V_B_x/V_C_x, v = V_C/omega_OAC"
+    compilation = compile_source(Source("a.mech", CRANK_SLIDER + asked))
+    found = found_at(compilation, 2.0)
+    x, y, u, v = (
+        evaluate(f, {**defaults(compilation.mechanism), "phi": 2.0})
+        for f in compilation.routine.functions[1:]
+    )
+    assert x == pytest.approx(found["dx_C_dphi"], rel=1e-14)
+    assert y == pytest.approx(found["dy_C_dphi"], rel=1e-14)
+    assert u == pytest.approx(found["dx_B_dphi"] / found["dx_C_dphi"], rel=1e-14)
+    assert v == pytest.approx(math.hypot(x, y), rel=1e-14)

@@ -66,6 +66,7 @@ CONSTRUCTS = [
     ("drive phi", "drive: phi"),
     ("drive phi speed 60 rpm", "drive: {phi: {speed: 60 rpm}}"),
     ("drive s from 0 to l speed 2*v", "drive: {s: {range: 0 .. l, speed: 2*v}}"),
+    ("find V_C_x/omega_OA", "find: [V_C_x/omega_OA]"),
     ("pivot O", "pivots: [O]"),
     ("pivot O at (x, -y)", "pivots: {O: [x, -y]}"),
     ("pivot O\npivot C at (0, 1 m)", "pivots: [O, {C: [0, 1 m]}]"),

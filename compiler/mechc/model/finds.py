@@ -196,7 +196,7 @@ def _load(symbol: ast.Symbol, scope: Scope, alone: bool = False) -> Part | None:
 
 
 def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Part | None:
-    """Read ``V_D`` or ``omega_OB``."""
+    """Read ``V_D``, ``V_D_x`` or ``omega_OB``."""
     points = ast.Name("".join(form.points), symbol.span)
     identifier = symbol.name.replace("'", "p")
     match form.prefix:
@@ -204,16 +204,16 @@ def _velocity(symbol: ast.Symbol, form: Form, scope: Scope) -> Part | None:
             link = scope.points.link(points)
             return Part(Speed("link", link.name), FREQUENCY, identifier) if link else None
         case "V":
-            return _point_velocity(points, identifier, scope)
+            return _point_velocity(points, form, identifier, scope)
         case _:
             scope.report.add(messages.not_findable(symbol.span))
             return None
 
 
-def _point_velocity(point: ast.Name, identifier: str, scope: Scope) -> Part | None:
+def _point_velocity(point: ast.Name, form: Form, identifier: str, scope: Scope) -> Part | None:
     if not scope.points.acting(point):
         return None
     if point.text in scope.points.fixed:
         scope.report.add(messages.still_point(point.span, point.text))
         return None
-    return Part(Speed("point", point.text), VELOCITY, identifier)
+    return Part(Speed("point", point.text, form.axis), VELOCITY, identifier)

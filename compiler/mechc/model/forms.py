@@ -1,7 +1,8 @@
 """Quantities of the mechanism itself, named by its points: ``V_D``, ``phi_AB``."""
 
 import re
-from typing import NamedTuple
+from collections.abc import Mapping
+from typing import Literal, NamedTuple
 
 from ..syntax.vocabulary import points_of
 
@@ -15,27 +16,31 @@ FORMS = {
 }
 """Quantities of the mechanism itself, as ``V_D``: their prefixes and meanings."""
 
-_FORM = re.compile(rf"({'|'.join(FORMS)})_(.+)")
+_FORM = re.compile(rf"({'|'.join(FORMS)})_([^_]+)(?:_([xy]))?")
+AXES: Mapping[str | None, Literal["", "x", "y"]] = {None: "", "x": "x", "y": "y"}
 _SEVERAL_POINTS = frozenset({"omega", "phi", "len"})
 _ONE_POINT = frozenset({"V", "R"})
 
 
 class Form(NamedTuple):
-    """A reserved name taken apart: ``omega_OB`` is ``omega`` of O and B."""
+    """A reserved name taken apart: ``omega_OB`` is ``omega`` of O and B, ``V_D_x`` has an axis."""
 
     prefix: str
     points: tuple[str, ...]
+    axis: Literal["", "x", "y"] = ""
 
 
 def form_of(name: str) -> Form | None:
     """Take a reserved name apart; None for any other name.
 
     >>> form_of("omega_OB"), form_of("R_o"), form_of("phi_A")
-    (Form(prefix='omega', points=('O', 'B')), None, None)
+    (Form(prefix='omega', points=('O', 'B'), axis=''), None, None)
+    >>> form_of("V_D_x"), form_of("omega_OB_x")
+    (Form(prefix='V', points=('D',), axis='x'), None)
     """
     match = _FORM.fullmatch(name)
     points = points_of(match[2]) if match else ()
-    if not match or not points:
+    if not match or not points or (match[3] and match[1] != "V"):
         return None
     misfits = _ONE_POINT if len(points) > 1 else _SEVERAL_POINTS
-    return None if match[1] in misfits else Form(match[1], points)
+    return None if match[1] in misfits else Form(match[1], points, AXES[match[3]])

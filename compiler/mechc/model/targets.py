@@ -7,10 +7,20 @@ from ..frozen import frozen
 
 
 class Speed(NamedTuple):
-    """``V_D`` (kind ``point``) or ``omega_OB`` (kind ``link``; ``of`` is the link's name)."""
+    """``V_D`` (kind ``point``) or ``omega_OB`` (kind ``link``; ``of`` is the link's name).
+
+    Along an ``axis`` it is a component, ``V_D_x``.
+    """
 
     kind: Literal["point", "link"]
     of: str
+    axis: Literal["", "x", "y"] = ""
+
+    @property
+    def name(self) -> str:
+        """Return the quantity's name as it is asked for."""
+        prefix, axis = "V" if self.kind == "point" else "omega", self.axis and f"_{self.axis}"
+        return f"{prefix}_{self.of}{axis}"
 
 
 @frozen

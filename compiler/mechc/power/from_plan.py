@@ -298,10 +298,10 @@ class _Asked:
         (upper, signed), (lower, signed_below) = (speed(self._plan, s) for s in (above, below))
         moving = [i for i, v in enumerate(lower) if v]
         if not moving:
-            self._report.add(messages.speed_vanishes(find.span, _called(below)))
+            self._report.add(messages.speed_vanishes(find.span, below.name))
             return None
         if len(moving) > 1 or any(v for i, v in enumerate(upper) if i not in moving):
-            ratio = f"{_called(above)}/{_called(below)}"
+            ratio = f"{above.name}/{below.name}"
             self._report.add(messages.speeds_independent(find.span, ratio))
             return None
         value = canonical(upper[moving[0]] / lower[moving[0]])
@@ -328,7 +328,3 @@ class _Asked:
 
 def _rate(wanted: Speed) -> Dimension:
     return FREQUENCY if wanted.kind == "link" else VELOCITY
-
-
-def _called(wanted: Speed) -> str:
-    return f"{'omega' if wanted.kind == 'link' else 'V'}_{wanted.of}"

@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from fractions import Fraction
 from typing import NamedTuple
 
-from ..algebra.angle import Rational
+from ..algebra.angle import Angle, Rational
 from ..algebra.factors import Factor, Opaque, Trig
 from ..algebra.from_formula import to_product
 from ..algebra.intervals import Box, sign
@@ -30,10 +30,13 @@ def speed(plan: Plan, wanted: Speed) -> Rate:
     """Return a speed per unit of each drive.
 
     A link's is counter-clockwise; a point's is signed along its guide, counter-clockwise
-    about its link's pivot, and a magnitude elsewhere.
+    about its link's pivot, and a magnitude elsewhere; a component along its axis.
     """
     if wanted.kind == "link":
         return Rate(plan.spin(wanted.of))
+    if wanted.axis:
+        axis = Angle.constant(0 if wanted.axis == "x" else 90)
+        return Rate(plan.component(wanted.of, axis))
     guide = plan.graph.pose.guide_of(wanted.of)
     if guide is not None:
         return Rate(plan.component(wanted.of, guide))

@@ -14,7 +14,6 @@ from ..model.mechanism import (
     Normal,
     Reaction,
     Require,
-    Speed,
     SpeedRatio,
     Target,
     WithFriction,
@@ -216,7 +215,7 @@ def title(target: Target | None) -> str:
         case LoadForm(load):
             return f"load {load} that balances the others"
         case SpeedRatio(above, below):
-            return f"speed ratio {_speed(above)}/{_speed(below)}"
+            return f"speed ratio {above.name}/{below.name}"
         case Reaction(point, link, part):
             on = f"link {link} by its neighbours" if link else "the mechanism by the ground"
             return f"{PARTS[part]} force at {point} on {on}"
@@ -237,7 +236,3 @@ PARTS = {"x": "x component of the", "y": "y component of the", "size": "size of 
     "direction": "direction of the"
 }
 """The parts of a reaction in words."""
-
-
-def _speed(speed: Speed) -> str:
-    return f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}"

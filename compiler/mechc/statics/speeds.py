@@ -46,17 +46,20 @@ def speed_ratio(unfolding: Unfolding, target: SpeedRatio) -> Answer:
 def has_sign(unfolding: Unfolding, target: SpeedRatio) -> bool:
     """Return whether both speeds have a positive direction."""
     return all(
-        speed.kind == "link" or direction_of_motion(unfolding, speed.of) is not None
+        speed.kind == "link" or direction_of_motion(unfolding, speed) is not None
         for speed in (target.above, target.below)
     )
 
 
-def direction_of_motion(unfolding: Unfolding, point: str) -> Plane | None:
+def direction_of_motion(unfolding: Unfolding, speed: Speed) -> Plane | None:
     """Return the direction in which a point's speed counts as positive, None where it has none.
 
-    That is along the guide of a slider or slide, and counter-clockwise about the pivot of a link.
+    That is along the axis of a component, along the guide of a slider or slide, and
+    counter-clockwise about the pivot of a link.
     """
-    pose = unfolding.pose
+    if speed.axis:
+        return Plane(1.0, 0.0) if speed.axis == "x" else Plane(0.0, 1.0)
+    pose, point = unfolding.pose, speed.of
     guide = pose.guide_of(point)
     if guide is not None:
         return direction(guide.evaluate(unfolding.values))
@@ -73,7 +76,7 @@ def _probes(unfolding: Unfolding, speed: Speed) -> Probes:
     if speed.kind == "link":
         couple = unfolding.couple(speed.of, 1.0)
         return Probes((couple,), couple)
-    motion = direction_of_motion(unfolding, speed.of)
+    motion = direction_of_motion(unfolding, speed)
     if motion is not None:
         push = unfolding.push(speed.of, motion)
         return Probes((push,), push)

@@ -14,7 +14,6 @@ from ...model.mechanism import (
     Normal,
     Reaction,
     Require,
-    Speed,
     SpeedRatio,
     WithFriction,
 )
@@ -72,7 +71,7 @@ def ratio(result: Analysis) -> Formula | None:
         case LoadRatio(above, below):
             return quotient(Symbol(above), Symbol(below))
         case SpeedRatio(above, below):
-            return quotient(_speed(above), _speed(below))
+            return quotient(Symbol(above.name), Symbol(below.name))
         case Efficiency():
             return _share(result)
         case _:
@@ -86,10 +85,6 @@ def _share(result: Analysis) -> Formula:
     below = any(isinstance(f, Power) and f.base == real for f in walk(result.formula))
     below = below or result.formula == ZERO
     return quotient(ideal, real) if below else quotient(real, ideal)
-
-
-def _speed(speed: Speed) -> Formula:
-    return Symbol(f"V_{speed.of}" if speed.kind == "point" else f"omega_{speed.of}")
 
 
 def asked(result: Analysis) -> Formula:
