@@ -1,0 +1,335 @@
+"""Friction on levers, rods, guides and wheels built by hand: slips, signs and closed forms."""
+
+import math
+from fractions import Fraction
+
+import pytest
+
+from mechc.algebra.product import ONE, ZERO, Product
+from mechc.algebra.sums import add
+from mechc.algebra.trigonometry import cosine, sine
+from mechc.formula.tree import Call, Symbol, number
+from mechc.formula.walk import evaluate
+from mechc.friction import pairs
+from mechc.friction.coupled import true_sizes
+from mechc.friction.efficiency import Drives
+from mechc.friction.free_bodies import BodyForce, EquationsCoupled
+from mechc.friction.iterated import exact, first_order
+from mechc.friction.lever import Bearing, moment, on_lever
+from mechc.friction.linear import LinearSolver
+from mechc.friction.naming import Endings, Meanings
+from mechc.friction.normal_forces import Component, Idle, LoadedPair, loaded_pairs
+from mechc.friction.pairs import FrictionPair
+from mechc.friction.signs import AtAnyPose, AtOnePose, bare, is_root
+from mechc.friction.standing import without_standing
+from mechc.frozen import replace
+from mechc.kinematics.release import JointRef
+from mechc.model.joint_friction import (
+    Friction,
+    GuideFriction,
+    PinFriction,
+    ThreadFriction,
+    WheelFriction,
+)
+from mechc.model.mechanism import LoadRatio, Mirror
+from mechc.model.result import Definition, FrictionResult, Result
+from mechc.model.values import completed
+from mechc.power.equations import equations_of
+from mechc.power.loads import terms
+from mechc.power.speeds import root
+from mechc.units import NUMBER
+from small_poses import (
+    ALONG,
+    HERE,
+    RACK,
+    SCREW,
+    VALUES,
+    arm,
+    at,
+    driven_slider,
+    form,
+    graph,
+    lever,
+    number_of,
+    on_pivots,
+    plan,
+    slider_crank,
+    unknown,
+    wheels,
+)
+
+A, B, L, R, C = (VALUES[n] for n in "ablrc")
+ALPHA, PHI, PSI = (VALUES[n] for n in ("alpha", "phi", "psi"))
+RHO = 0.01
+
+
+def any_pose():
+    return AtAnyPose(set(), Meanings(), ())
+
+
+def one_pose(**values):
+    return AtOnePose(set(), Meanings(), (), {**VALUES, "rho": RHO, **values}, {})
+
+
+def value(size, signs):
+    """Return a product in numbers, what was named put in."""
+    known = completed({**VALUES, "rho": RHO}, signs.definitions)
+    return evaluate(size.formula(), known)
+
+
+# --------------------------------------------------------------------------- the lever
+
+ARMS = {"A": arm("a", at(0)), "B": arm("b", at(90))}
+UP = BodyForce("P", "A", at(90))
+LOAD = BodyForce("F", "B", at(0))
+
+
+def test_a_moment_is_arm_times_force_counter_clockwise():
+    assert moment(UP, ARMS) == Product.symbol("a")
+    assert moment(LOAD, ARMS) == -Product.symbol("b")
+    assert moment(BodyForce("M", "", None, ZERO, ONE), ARMS) == ONE
+
+
+def test_a_lever_without_friction_balances_moments():
+    found = on_lever(UP, [LOAD], ARMS, None, any_pose())
+    assert found.size == Product.symbol("b") / Product.symbol("a")
+
+
+@pytest.mark.parametrize("signs", [any_pose, one_pose])
+@pytest.mark.parametrize("turn", [1, -1])
+def test_a_lever_lifts_against_the_friction_circle_of_its_pivot(signs, turn):
+    """a·P − b·F = ±ρ·|R|, R the sum of both forces: more than without friction, or less."""
+    at_pose = signs()
+    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    size = value(on_lever(UP, [LOAD], ARMS, bearing, at_pose).size, at_pose)
+    assert A * size - B == pytest.approx(turn * RHO * math.hypot(size, 1))
+
+
+@pytest.mark.parametrize("turn", [1, -1])
+def test_parallel_forces_on_a_lever_need_no_root(turn):
+    """a·P − b·F = ±ρ·(P + F)."""
+    arms, signs = {"A": arm("a", at(0)), "B": arm("b", at(180))}, one_pose()
+    bearing = Bearing("O", Product.symbol("rho"), Product(turn))
+    size = value(on_lever(UP, [UP._replace(name="F", point="B")], arms, bearing, signs).size, signs)
+    assert A * size - B == pytest.approx(turn * RHO * (size + 1))
+
+
+def test_a_couple_that_drives_a_lever_adds_the_friction_of_its_load():
+    """M = b·F + ρ·F."""
+    signs = one_pose()
+    couple = BodyForce("M", "", None, ZERO, ONE)
+    bearing = Bearing("O", Product.symbol("rho"), ONE)
+    assert value(on_lever(couple, [LOAD], ARMS, bearing, signs).size, signs) == pytest.approx(
+        B + RHO
+    )
+
+
+def test_a_force_has_its_cosine_along_and_its_sine_across():
+    pull = BodyForce("F", "A", at(phi=1), Product.symbol("a"))
+    assert pull.along(at(psi=1)) == Product.symbol("a") * cosine(at(phi=1, psi=-1))
+    assert pull.across(at(psi=1)) == Product.symbol("a") * sine(at(phi=1, psi=-1))
+    assert pull.scaled(Product(2)).size == Product.symbol("a").scaled(2)
+
+
+# --------------------------------------------------------------------- pairs and slips
+
+
+def rubbing(pose, *joints):
+    mechanism = replace(pose.mechanism, friction=Friction(tuple(joints)))
+    return replace(pose, mechanism=mechanism)
+
+
+def pin(point, carrier="", radius="r"):
+    return PinFriction(point, carrier, Symbol(radius), HERE)
+
+
+def slip_of(pose):
+    (pair,) = pairs.pairs(pose)
+    return pair, form(pair.slip(graph(pose)), pi=math.pi)
+
+
+def test_a_pin_slips_with_the_relative_rotation_of_its_links():
+    pose = rubbing(slider_crank(), pin("A", "OA"))
+    pair, slip = slip_of(pose)
+    omega, slide = unknown(graph(pose), "OA"), unknown(graph(pose), "B")
+    assert (pair.name, pair.joint) == ("A", JointRef("pin", "A", "AB"))
+    own = {omega: -R * math.cos(PHI - PSI) / L - 1, slide: -math.sin(PSI) / L}
+    assert slip == pytest.approx(own)
+
+
+def test_a_pivot_slips_with_the_rotation_of_its_link():
+    pose = rubbing(slider_crank(), pin("O"))
+    assert slip_of(pose)[1] == {unknown(graph(pose), "OA"): 1}
+
+
+def test_a_guide_slips_with_the_speed_of_its_slider():
+    pose = rubbing(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
+    pair, slip = slip_of(pose)
+    assert (pair.name, pair.joint) == ("B_guide", JointRef("ground", "B"))
+    assert slip == {unknown(graph(pose), "B"): 1}
+
+
+def test_rims_slip_with_their_wheel_and_racks_with_their_slider():
+    pose = rubbing(on_pivots(wheels()), WheelFriction(wheels().id, "gear", "O", Symbol("b"), HERE))
+    assert slip_of(pose)[1] == {unknown(graph(pose), "OA"): R}
+    pose = rubbing(driven_slider(RACK), WheelFriction(RACK.id, "rack", "K", Symbol("b"), HERE))
+    assert slip_of(pose)[1] == {unknown(graph(pose), "K"): 1}
+
+
+def test_a_thread_slips_with_its_pitch_and_its_turn():
+    """v·p/(πd) + ω·d/2."""
+    thread = ThreadFriction(SCREW.id, "K", Symbol("b"), Symbol("l"), HERE)
+    pose = rubbing(driven_slider(SCREW), thread)
+    slip = slip_of(pose)[1]
+    own = {unknown(graph(pose), "K"): C / (math.pi * L), unknown(graph(pose), "OA"): L / 2}
+    assert slip == pytest.approx(own)
+
+
+def test_nothing_rubs_with_a_coefficient_of_zero_or_on_a_shared_guide():
+    assert pairs.pairs(rubbing(slider_crank(), GuideFriction("B", number(0), HERE))) == ()
+    shared = slider_crank(mirror=Mirror(ALONG, ("B",), HERE), axis=at())
+    pose = rubbing(shared, GuideFriction("B", number(Fraction(1, 5)), HERE), pin("O"))
+    (pair,) = pairs.pairs(pose)
+    assert (pair.name, pair.number) == ("O", 2)
+
+
+def test_radii_have_one_name_where_they_are_alike():
+    (pivot,) = pairs.pairs(rubbing(lever(), pin("O")))
+    other = pivot._replace(name="A", factor=Product.symbol("c"))
+    assert pairs.radii([pivot, pivot._replace(name="A")]) == {"O": "rho", "A": "rho"}
+    assert pairs.radii([pivot, other]) == {"O": "rho_O", "A": "rho_A"}
+    assert pairs.reduced("C_guide") == "mu_C"
+
+
+# ----------------------------------------------------------------------- normal forces
+
+
+def loaded(pose, driving, **given):
+    found = plan(pose)
+    equations = equations_of(terms(found))
+    return loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
+
+
+def test_a_guide_is_pressed_by_the_load_times_the_tangent():
+    """Driven by M, the slip per unit speed of the crank is that of the slider."""
+    pose = rubbing(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
+    (pair,) = loaded(pose, "M", F=ONE)
+    (across,) = pair.components
+    assert number_of(across.ideal) == pytest.approx(math.tan(PSI))
+    assert number_of(pair.slip) == pytest.approx(-R * math.sin(PHI - PSI) / math.cos(PSI))
+    assert number_of(across.by["B_guide"]) == pytest.approx(math.tan(PSI))
+
+
+def test_a_pair_that_may_slip_alone_is_idle():
+    pose = rubbing(on_pivots(), pin("Q"))
+    alone = replace(pose.mechanism, loads=pose.mechanism.loads[:1])
+    with pytest.raises(Idle):
+        loaded(replace(pose, mechanism=alone), "M")
+
+
+def test_a_slip_that_is_rounding_at_any_pose_is_zero():
+    """sin²φ + cos²φ − 1, which the algebra of angles does not see."""
+    turn = at(phi=1)
+    slip = add([sine(turn) ** 2, cosine(turn) ** 2, -ONE])
+    hidden = Product.symbol("a") * slip if slip else ZERO
+    found = without_standing([hidden, Product.symbol("a")], plan(lever()))
+    assert [bool(x) for x in found] == [False, True]
+
+
+# ------------------------------------------------------------------------------- signs
+
+
+def test_a_sign_is_that_of_the_odd_factors():
+    a, b = Product.symbol("a"), Product.symbol("b")
+    assert bare(Product(-3) * a * a * b**-1) == -b
+    assert is_root(root(Product.symbol("a")))
+
+
+def test_at_one_pose_a_sign_is_a_number_with_its_condition():
+    signs = one_pose()
+    assert signs.of("s", -sine(at(psi=1))) == ONE
+    assert list(signs.conditions.values()) == [-1]
+
+
+def test_at_any_pose_a_sign_is_a_name_and_its_square_is_one():
+    signs = any_pose()
+    one = signs.of("s", sine(at(psi=1)))
+    assert signs.of("t", -sine(at(psi=1)) * sine(at(psi=1)) ** 2) == -one
+    assert signs.definitions == [Definition("s", Call("sign", (sine(at(psi=1)).formula(),)))]
+    assert signs.unsquared(one * one * one) == one
+    assert signs.unsquared(one * one) == ONE
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_line_is_turned_by_the_arc_of_a_sine_either_way(sense):
+    signs = one_pose()
+    turned = signs.turned("delta", at(phi=1), "asin", Product.symbol("rho").scaled(sense))
+    known = completed({**VALUES, "rho": RHO}, signs.definitions)
+    assert turned.evaluate(known) == pytest.approx(PHI + sense * math.asin(RHO))
+
+
+def test_names_get_endings_where_they_mean_something_else():
+    meanings = Meanings()
+    meanings.note([Definition("delta", Symbol("a"))])
+    signs = AtAnyPose(set(), meanings, ("hold",))
+    assert signs.define("delta", Symbol("b")) == "delta_hold"
+    assert signs.define("delta", Symbol("b")) == "delta_hold"
+    assert Endings().of("k", "tightening") == ("k_f",)
+
+
+# ---------------------------------------------------------- ways to the driving load
+
+
+def single(ideal, by=ZERO, slip=ONE, factor=Fraction(1, 5)):
+    """Return one guide whose own friction changes how hard it is pressed."""
+    pair = FrictionPair("G", JointRef("ground", "B"), Product(factor), lambda graph: {})
+    return LoadedPair(pair, slip, (Component(ideal, {"G": by} if by else {}),), ())
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_guide_that_its_own_friction_presses_gives_a_quotient(sense):
+    """n = 2 − σ·μ·n/2 and P = 3 + σ·μ·n with μ = 1/5."""
+    pressed = single(Product(2), by=Product(Fraction(1, 2)))
+    solver = LinearSolver("P", Product(3), [pressed], one_pose(), sense)
+    size = 2 / (1 + sense * 0.1)
+    assert number_of(solver.solve()) == pytest.approx(3 + sense * 0.2 * size)
+
+
+def test_more_pairs_than_a_person_reads_hang_together():
+    with pytest.raises(EquationsCoupled):
+        LinearSolver("P", ONE, [single(ONE)] * 4, one_pose(), 1)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_to_first_order_friction_adds_its_power_under_ideal_forces(sense):
+    pressed = single(Product(-2), slip=Product(-3))
+    found = first_order(number(5), [pressed], sense, lever().mechanism)
+    assert evaluate(found.formula, {}) == pytest.approx(5 + sense * 0.2 * 2 * 3)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_the_coupled_equations_give_the_true_pressing_force(sense):
+    """The same guide as above, by Newton's method: n = 2/(1 ± μ/2)."""
+    pressed = [single(Product(2), by=Product(Fraction(1, 2)))]
+    sizes = true_sizes(pressed, sense, set())
+    known = completed({}, sizes.definitions)
+    assert known[sizes.names["G"]] == pytest.approx(2 / (1 + sense * 0.1))
+    found = exact(number(3), pressed, sizes, lambda value: value)
+    whole = evaluate(found.formula, completed({}, found.where))
+    assert whole == pytest.approx(3 + sense * 0.2 * 2 / (1 + sense * 0.1))
+
+
+@pytest.mark.parametrize(("sense", "expected"), [("tightening", 0.8), ("releasing", 1.25)])
+def test_what_arrives_is_the_smaller_over_the_larger_load(sense, expected):
+    """k = 2: tightening the drive takes 2.5, and held at 2.5 the load drives it."""
+    ideal = Result("k", LoadRatio("P", "F"), NUMBER, number(2))
+    real = FrictionResult("k_f", None, NUMBER, number(Fraction(5, 2)))
+    found = Drives(ideal, sense, plan(lever())).efficiency(real, HERE)
+    assert evaluate(found.formula, completed({}, found.where)) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize(("sense", "expected"), [("tightening", 2.5), ("releasing", 1.6)])
+def test_a_given_efficiency_divides_what_drives_and_multiplies_what_follows(sense, expected):
+    ideal = Result("k", LoadRatio("P", "F"), NUMBER, number(2))
+    found = Drives(ideal, sense, plan(lever())).with_constant("k_f", number(Fraction(4, 5)))
+    assert evaluate(found.formula, completed({}, found.where)) == pytest.approx(expected)
