@@ -1,0 +1,146 @@
+"""Figures of linkages built by hand: open lengths, points, joints and what stands beside them."""
+
+import math
+
+import pytest
+
+from mechc.figure.figure import Dimension, Rack
+from mechc.figure.from_pose import draw
+from mechc.figure.lengths import choose
+from mechc.figure.ways import Linear, Way, Ways, along
+from mechc.formula.tree import Symbol
+from mechc.frozen import replace
+from mechc.model.mechanism import Arrow, Mirror
+from mechc.pose.places import Plane
+from small_poses import (
+    ALONG,
+    HERE,
+    RACK,
+    VALUES,
+    at,
+    driven_slider,
+    lever,
+    on_pivots,
+    slider_crank,
+    slotted,
+    two_bars,
+    wheels,
+)
+
+A, B, R, L, C = (VALUES[n] for n in "abrlc")
+ALPHA, PHI, PSI = (VALUES[n] for n in ("alpha", "phi", "psi"))
+X, Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
+
+
+def polar(size, angle):
+    return Plane(size * math.cos(angle), size * math.sin(angle))
+
+
+def near(plane):
+    return pytest.approx(tuple(plane))
+
+
+# --------------------------------------------------------------------------- lengths
+
+
+def test_open_lengths_close_their_loop():
+    """From O 3 ahead and 4 up, back by s along x and t along y."""
+    ways = [
+        Way("O", "A", Linear(Plane(3.0, 4.0))),
+        Way("A", "B", Linear(parts={"s": X.times(-1)})),
+        Way("B", "O", Linear(parts={"t": Y.times(-1)})),
+    ]
+    assert choose(ways, ["s", "t"], 1.0) == pytest.approx({"s": 3.0, "t": 4.0})
+
+
+def test_a_length_that_no_loop_fixes_is_a_usual_one():
+    assert choose([along("O", "A", X)], ["OA"], 0.7) != {}
+    assert choose([Way("O", "A", Linear(parts={"s": X}))], ["s"], 0.7) == {"s": 0.7}
+
+
+def test_no_rod_is_turned_round_where_loops_allow_it():
+    """s − t = 2 with both near 1: the nearest are 2 and 0, which is shorter than drawn."""
+    ways = [
+        Way("O", "A", Linear(parts={"s": X})),
+        Way("A", "B", Linear(parts={"t": X.times(-1)})),
+        Way("O", "B", Linear(Plane(2.0, 0.0))),
+    ]
+    found = choose(ways, ["s", "t"], 1.0)
+    assert found["s"] - found["t"] == pytest.approx(2.0)
+    assert found["t"] == pytest.approx(0.2)
+
+
+def test_linear_vectors_add_part_by_part():
+    one, other = Linear(X, {"s": Y}), Linear(Y, {"s": X, "t": Y})
+    assert one.plus(other, -1).at({"s": 2.0, "t": 3.0}) == Plane(1.0 - 2.0, -1.0 + 2.0 - 3.0)
+
+
+# ---------------------------------------------------------------------------- points
+
+
+def between(figure, tail, head):
+    return figure.points[head].minus(figure.points[tail])
+
+
+def test_a_lever_is_drawn_as_its_vectors_say():
+    figure = draw(lever())
+    assert between(figure, "O", "A") == near(polar(A, ALPHA))
+    assert between(figure, "O", "B") == near(polar(B, ALPHA + math.pi / 2))
+
+
+def test_a_slider_crank_is_drawn_link_by_link():
+    figure = draw(slider_crank())
+    reach = polar(R, PHI).plus(polar(L, PSI))
+    assert between(figure, "O", "B") == near(reach)
+
+
+def test_given_values_move_the_points():
+    figure = draw(lever(), {"alpha": 1.0})
+    assert between(figure, "O", "A") == near(polar(A, 1.0))
+
+
+def test_halves_are_images_of_one_another():
+    pose = two_bars(mirror=Mirror(ALONG, ("K",), HERE), axis=at(90))
+    figure = draw(pose)
+    half, twin = between(figure, "K", "B"), between(figure, "K", "B'")
+    assert (twin.x, twin.y) == pytest.approx((-half.x, half.y))
+
+
+def test_gears_touch_and_belts_leave_room():
+    gears, belt = draw(on_pivots(wheels())), draw(on_pivots(wheels("belt", same=True)))
+    assert math.hypot(*between(gears, "O", "Q")) == pytest.approx(R + C)
+    assert math.hypot(*between(belt, "O", "Q")) > R + C
+
+
+def test_inner_gears_are_apart_by_the_difference_of_their_radii():
+    figure = draw(on_pivots(wheels(same=True)))
+    assert math.hypot(*between(figure, "O", "Q")) == pytest.approx(C - R)
+
+
+def test_a_rack_passes_its_pivot_on_the_right_of_its_guide():
+    """The guide leads up: with the pivot on its left the rack is a radius to the right of that."""
+    figure = draw(driven_slider(RACK))
+    assert between(figure, "O", "K").x == pytest.approx(R)
+    assert any(isinstance(part, Rack) for part in figure.parts)
+
+
+def test_a_pin_lies_in_its_slot():
+    figure = draw(slotted())
+    apart = between(figure, "Q", "A")
+    turn = VALUES["theta"]
+    assert apart.x * math.sin(turn) == pytest.approx(apart.y * math.cos(turn))
+
+
+def test_a_slider_is_guided_along_its_direction():
+    ways = Ways(slider_crank(), VALUES)
+    assert ways.guide("B") == near(X)
+    assert ways.unit(at(90)) == near(Y)
+
+
+def test_a_given_length_is_measured_along_its_vector():
+    pose = lever()
+    entry = Arrow("O", "A", Symbol("a"), None, HERE)
+    figure = draw(replace(pose, mechanism=replace(pose.mechanism, geometry=(entry,))))
+    (mark,) = [part for part in figure.parts if isinstance(part, Dimension)]
+    assert (mark.text, mark.value) == ("a", pytest.approx(A))
+    assert mark.along == near(polar(1.0, ALPHA))

@@ -1,0 +1,222 @@
+"""What is said of a result, on formulas and functions written by hand."""
+
+import math
+
+import pytest
+
+from mechc.algebra.intervals import Interval
+from mechc.algebra.product import ONE, Product
+from mechc.algebra.sums import add
+from mechc.diagnostics import Report
+from mechc.formula.rounding import Size
+from mechc.formula.tree import Call, Symbol, number, quotient, total
+from mechc.frozen import replace
+from mechc.model.mechanism import Drive, Find, LoadRatio
+from mechc.model.result import Definition, Result
+from mechc.power.from_plan import balance
+from mechc.source import Source
+from mechc.study import ranges
+from mechc.study.analysis import Break
+from mechc.study.breaks import breaks
+from mechc.study.poses import complete, default_pose, random_poses
+from mechc.study.ratios import sizes
+from mechc.study.stroke.columns import Filled, named_apart
+from mechc.study.stroke.extrema import extrema, turns_between
+from mechc.study.stroke.places import ENOUGH, GRADED, graded, looked_at
+from mechc.study.stroke.reached import with_reached
+from mechc.study.stroke.sides import from_both_sides
+from mechc.study.stroke.stroke import Column, Extremum, Stretch
+from mechc.study.stroke.transmission import named, transmissions
+from mechc.study.trends import trend
+from mechc.study.zeros import poles, zeros
+from mechc.units import LENGTH, NUMBER
+from small_poses import HERE, VALUES, lever, plan, slider_crank, two_bars
+
+PHI, PSI = VALUES["phi"], VALUES["psi"]
+x, a = Product.symbol("x"), Product.symbol("a")
+
+# ------------------------------------------------------------------------------ trends
+
+
+def box(low, high):
+    return {"x": Interval(low, high), "a": Interval(1.0, 1.0)}
+
+
+@pytest.mark.parametrize(
+    ("slope", "expected"),
+    [(ONE, "rises"), (-ONE, "falls"), (Product(0), "constant"), (add([x, -a]), "turns")],
+)
+def test_a_result_moves_as_its_derivative_says(slope, expected):
+    assert trend(x, slope, "x", box(0.5, 2.0)) == expected
+
+
+def test_a_result_rises_on_either_side_of_a_pole_and_not_across():
+    """1/(a − x) has the slope 1/(a − x)² and jumps at x = a."""
+    below = add([a, -x])
+    assert trend(below**-1, below**-2, "x", box(0.5, 2.0)) == "rises between poles"
+    assert trend(below**-1, below**-2, "x", box(0.1, 0.9)) == "rises"
+
+
+# ------------------------------------------------------------------------------ ranges
+
+
+def test_a_boundary_is_narrowed_down_to_where_it_lies():
+    assert ranges.last(lambda v: v < math.pi, 3.0, 4.0) == pytest.approx(math.pi, rel=1e-12)
+
+
+def test_spans_are_the_parts_on_which_something_holds():
+    places = [0.0, 1.0, 2.0, 3.0, 4.0]
+    found = list(ranges.spans(places, lambda v: v < 0.5 or v > 2.5))
+    assert found == [(0.0, pytest.approx(0.5)), (pytest.approx(2.5), 4.0)]
+
+
+def result(formula, *where):
+    return Result("k", None, NUMBER, formula, tuple(where))
+
+
+def test_results_are_followed_along_the_angles_and_the_drive_they_rest_on():
+    pose = lever(drive=Drive("a", None, None, HERE))
+    of = [result(Symbol("u"), Definition("u", total([Symbol("a"), Symbol("b"), Symbol("phi")])))]
+    assert list(ranges.varying(pose.mechanism, of)) == ["a", "phi"]
+    assert list(ranges.moved(pose.mechanism, of)) == ["a", "phi"]
+    assert ranges.turns("phi", pose.mechanism)
+    assert not ranges.turns("a", pose.mechanism)
+    assert (ranges.unit_of("a", pose.mechanism), ranges.unit_of("phi", pose.mechanism)) == ("m", "")
+
+
+def test_one_load_without_a_size_may_have_any_and_two_none():
+    mechanism = lever().mechanism
+    assert sizes(mechanism, result(Symbol("F"))) == {"F": 1.0}
+    assert sizes(mechanism, result(total([Symbol("F"), Symbol("P")]))) is None
+    assert sizes(mechanism, result(Symbol("F"), Definition("F", number(3)))) == {}
+
+
+def test_random_poses_are_the_same_each_time():
+    mechanism = lever().mechanism
+    assert default_pose(mechanism) == pytest.approx(VALUES)
+    assert list(random_poses(mechanism, 2)) == list(random_poses(mechanism, 2))
+    assert len(list(random_poses(mechanism, 3))) == 3
+    assert complete(mechanism, {"a": 1.0}) == {"a": 1.0}
+
+
+# ------------------------------------------------------------------- zeros and poles
+
+
+def solved(pose, above, below):
+    """Return the ratio of two loads, solved, and the balance that it is of."""
+    find = Find("k", LoadRatio(above, below), HERE)
+    asked = replace(pose, mechanism=replace(pose.mechanism, finds=(find,)))
+    found = balance(plan(asked), Report(Source("", "")))
+    return found.solved[0], found
+
+
+def test_a_toggle_needs_no_force_where_it_is_straight():
+    """k = P/F = 2·tan α is zero at α = 0, where K stands still, and infinite at 90°."""
+    item, found = solved(two_bars(), "P", "F")
+    (zero,) = zeros(item, found, VALUES)
+    (pole,) = poles(item, found, VALUES)
+    assert (zero.kind, pole.kind) == ("output still", "perpendicular load")
+
+
+def test_a_crank_drives_a_slider_and_stands_still_at_its_dead_centres():
+    item, found = solved(slider_crank(), "M", "F")
+    (zero,) = zeros(item, found, VALUES)
+    assert zero.kind == "output still"
+    assert [p.kind for p in poles(item, found, VALUES)] == ["drive locked"]
+
+
+def test_a_length_that_is_infinite_somewhere_breaks_a_result():
+    """a/cos φ is; a sum of two positive lengths is never zero."""
+    where = [
+        Definition("len", quotient(Symbol("a"), Call("cos", (Symbol("phi"),)))),
+        Definition("other", quotient(Symbol("a"), total([Symbol("a"), Symbol("b")]))),
+    ]
+    assert breaks(where, VALUES) == (Break("len", Call("cos", (Symbol("phi"),))),)
+
+
+# ------------------------------------------------------------------------- the stroke
+
+
+class Written:
+    """A result along the stroke as a function written by hand."""
+
+    def __init__(self, at):
+        self._at = at
+
+    def of(self, formula, result, place):
+        return self._at(place)
+
+
+class Plain:
+    name, formula, derivatives = "k", None, None
+
+
+def test_extrema_lie_between_the_places_where_a_result_turns():
+    places = [i / 7 for i in range(15)]
+    found = list(extrema(Plain, "x", Written(lambda v: (v - 1.03) ** 2 + 2), places))
+    assert [(e.kind, e.drive, e.value) for e in found] == [
+        ("minimum", pytest.approx(1.03, abs=1e-6), pytest.approx(2))
+    ]
+    (top,) = extrema(Plain, "x", Written(lambda v: math.sin(v)), [i / 5 for i in range(15)])
+    assert (top.kind, top.drive) == ("maximum", pytest.approx(math.pi / 2, abs=1e-6))
+    assert not list(extrema(Plain, "x", Written(lambda v: v), places))
+
+
+def test_an_extremum_beside_a_pole_turns_before_it():
+    found = Extremum("k", "minimum", 1.0, 2.0)
+    assert turns_between(found, [2.0], Plain, Written(lambda v: (v - 1) ** 2 + 2))
+    assert not turns_between(found, [2.0], Plain, Written(lambda v: 2.0))
+
+
+def test_the_sides_of_a_place_are_continued_to_it():
+    def anywhere(place):
+        return True
+
+    smooth = from_both_sides(lambda v: 3 + v, anywhere, 1.0, 1.0)
+    assert smooth == Size(pytest.approx(4.0))
+    jump = from_both_sides(lambda v: math.copysign(2.0, v), anywhere, 0.0, 1.0)
+    assert jump == Size(None, undetermined=True)
+    pole = from_both_sides(lambda v: 1 / abs(v) if v else math.inf, anywhere, 0.0, 1.0)
+    assert pole.number == math.inf
+    onesided = from_both_sides(lambda v: math.copysign(2.0, v), lambda v: v > 0, 0.0, 1.0)
+    assert onesided.number == 2.0
+
+
+def test_places_lie_closer_where_a_loop_ends():
+    steps = list(graded(1.0, 2.0))
+    assert len(steps) == GRADED - 1
+    assert steps[0] == 1 + GRADED**-2
+    free, ended = Stretch(0.0, 1.0, "", ""), Stretch(0.0, 1.0, "loop", "")
+    many = [i / (2 * ENOUGH) for i in range(1, 2 * ENOUGH)]
+    assert looked_at(free, many) == [0.0, *many, 1.0]
+    assert len(looked_at(ended, many)) == len(many) + 2 + GRADED - 1
+
+
+def test_what_the_default_pose_is_not_on_cannot_be_reached():
+    first, second = Stretch(0.0, 1.0, "", "loop"), Stretch(2.0, 3.0, "loop", "")
+    found = with_reached([first, second], 0.5, "excluded", False)
+    assert [s.reached for s in found] == [True, False]
+    joined = [first._replace(after="excluded"), second._replace(before="excluded")]
+    assert [s.reached for s in with_reached(joined, 0.5, "excluded", False)] == [True, True]
+    round_ = [first, Stretch(2.0, 2 * math.pi, "loop", "")]
+    assert [s.reached for s in with_reached(round_, 0.5, "excluded", True)] == [True, True]
+    assert [s.reached for s in with_reached(round_, 0.5, "excluded", False)] == [True, False]
+    assert [s.reached for s in with_reached([first, second], None, "", False)] == [True, True]
+
+
+def test_columns_of_one_name_are_told_apart():
+    columns = [Filled(Column("k", LENGTH, c), abs) for c in ("result", "slope", "slope")]
+    assert [f.column.name for f in named_apart(columns)] == ["k", "k (slope)", "k (slope)'"]
+
+
+def test_a_rod_passes_its_force_by_its_angle_to_the_normal_of_the_guide():
+    """At the slider 90° less the angle between rod and guide."""
+    found = dict(named(transmissions(slider_crank(drive=Drive("phi", None, None, HERE)))))
+    assert list(found) == ["mu_B"]
+    assert found["mu_B"].at(VALUES) == pytest.approx(math.pi / 2 - abs(PSI))
+
+
+def test_a_crank_that_is_no_drive_has_a_transmission_angle():
+    found = dict(named(transmissions(slider_crank())))
+    assert found["mu_A"].at(VALUES) == pytest.approx(PHI - PSI)
+    assert (found["mu_A"].rod, found["mu_A"].onto) == ("AB", "OA")
