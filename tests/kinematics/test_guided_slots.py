@@ -28,6 +28,29 @@ find k = M/F
 find N_A
 """
 
+CYLINDER = """
+mechanism cylinder
+param psi = 60 deg
+param d   = 320 mm
+param s   = 120 mm
+param D   = 400 mm
+pivot  C
+slider E along x
+link   CD "cylinder"
+link   BE "piston rod"
+slot B in CD guiding BE
+CD = D @ psi
+CB = d @ psi
+BE = s @ CD
+actuator P between C and B
+force    F at E along -x
+force    W = P/4 at D along -y
+find k = F/P
+find N_B
+expect k = cos(psi)*(1 + D*sin(psi)/(4*(d + s)))
+expect N_B = -P*D*cos(psi)/(4*(d + s))
+"""
+
 
 def by_hand(turned: float) -> tuple[float, float]:
     """Return M and the force of the slot on the block, for a force F of 1 N.
@@ -73,6 +96,14 @@ def test_free_bodies_show_the_couple_of_the_block() -> None:
         if acting.kind == "slot" and not acting.point
     }
     assert couples == pytest.approx({"AE": 0.040, "CD": -0.040}, rel=1e-12)
+
+
+def test_a_piston_rod_in_its_cylinder_bears_a_side_load() -> None:
+    """Moments of the cylinder about C, and forces across the rod."""
+    compilation = compile_source(Source("a.mech", CYLINDER))
+    assert [finding.outcome for finding in compilation.findings] == ["proved", "proved"]
+    assert compilation.verdict.agrees
+    assert compilation.verdict.trials
 
 
 @pytest.mark.parametrize(
