@@ -19,7 +19,10 @@ def nothing_can_move(parts: Sequence[str], at: Span) -> Message:
         link  OAC            # wrong: two pivots hold the link
 
     Take a pivot, a guide or a rod away, or check that each rod is written between the
-    points it really joins.
+    points it really joins. A truss or a frame that is meant to stand has no k; the forces at
+    its joints and along its rods can be asked for::
+
+        find N_AC, R_A
     """
     if not parts:
         return Message(at, "nothing can move: no link or slider is described", "add a link")
@@ -28,6 +31,35 @@ def nothing_can_move(parts: Sequence[str], at: Span) -> Message:
         at,
         f"nothing can move: {held}, expected a mobility of 1 or more",
         "look for a link with two pivots, a point with two guides, or a rod too many",
+    )
+
+
+@coded("E402")
+def asked_of_a_frame(at: Span, name: str) -> Message:
+    """A ratio, a load or a speed is asked of a truss or a frame, in which nothing moves.
+
+    Virtual power tells how loads balance in a motion. Where there is none every load is borne
+    by the joints, whatever the others are::
+
+        find k = P/F         # wrong: P does not follow from F
+        find N_AC, R_A       # right: what the loads do to the joints
+    """
+    return Message(
+        at,
+        f"nothing moves, so no balance of loads gives {name}: mobility 0",
+        "ask for forces at joints, such as R_O or N_AB, or take a constraint away",
+    )
+
+
+@coded("E403")
+def friction_in_a_frame(at: Span) -> Message:
+    """Friction is given in a truss or a frame, in which nothing slips.
+
+    Where bodies slip friction resists, and the sense of the motion tells its direction. In
+    a frame it may be anything up to its bound, so that it changes no force for certain.
+    """
+    return Message(
+        at, "nothing moves, so nothing tells how friction acts: mobility 0", "leave it out"
     )
 
 

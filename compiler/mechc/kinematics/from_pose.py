@@ -1,6 +1,16 @@
 """From the pose to the velocity-constraint graph, and on to its plan."""
 
 from ..diagnostics import Report
+from ..diagnostics import kinematics as messages
+from ..model.mechanism import (
+    Axial,
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Normal,
+    Reaction,
+    SpeedRatio,
+)
 from ..pose.pose import Pose
 from .builder import Builder
 from .plan import Plan
@@ -11,6 +21,20 @@ def plan_velocities(pose: Pose, report: Report) -> Plan:
     """Return the plan by which all velocities follow from the drives.
 
     Reports E401 where nothing can move, E841 where too much does, and W401 for a redundant
-    constraint.
+    constraint. A frame, of whose joints forces are asked for, need not move.
     """
-    return plan_of(Builder(pose).graph(), report)
+    finds = pose.mechanism.finds
+    asks_for_forces = any(isinstance(f.target, Reaction | Axial | Normal) for f in finds)
+    plan = plan_of(Builder(pose).graph(), report, may_stand=asks_for_forces)
+    if not plan.mobility:
+        _check_frame(pose.mechanism, report)
+    return plan
+
+
+def _check_frame(mechanism: Mechanism, report: Report) -> None:
+    """Report E402 for what only a motion could give, and E403 for friction, of a frame."""
+    for find in mechanism.finds:
+        if isinstance(find.target, LoadRatio | LoadForm | SpeedRatio):
+            report.add(messages.asked_of_a_frame(find.span, find.name))
+    for rub in mechanism.friction.rubbing[:1]:
+        report.add(messages.friction_in_a_frame(rub.span))

@@ -18,8 +18,10 @@ MOTIONS = 64
 """Independent motions of a description: each speed has a term for every one of them."""
 
 
-def plan_of(graph: Graph, report: Report, taken: frozenset[str] = frozenset()) -> Plan:
-    """Return the solved graph; report what cannot move or is held twice.
+def plan_of(
+    graph: Graph, report: Report, taken: frozenset[str] = frozenset(), may_stand: bool = False
+) -> Plan:
+    """Return the solved graph; report what is held twice, or cannot move unless it ``may_stand``.
 
     Long sums get names that are neither parameters nor ``taken``.
     """
@@ -31,6 +33,8 @@ def plan_of(graph: Graph, report: Report, taken: frozenset[str] = frozenset()) -
     mobility = len(graph.unknowns) - len(relations)
     for relation in redundant:
         report.add(messages.redundant_constraint(relation.span, described(relation)))
+    if mobility == 0 and may_stand and graph.unknowns:
+        return _standing(graph, relations, redundant)
     if mobility <= 0:
         raise report.fail(messages.nothing_can_move(*locked(graph, relations)))
     if mobility > MOTIONS:
@@ -38,6 +42,12 @@ def plan_of(graph: Graph, report: Report, taken: frozenset[str] = frozenset()) -
         raise report.fail(messages.too_many_motions(span, mobility, MOTIONS))
     drives = _drives(graph, [residues(r.form, point) for r in relations])
     return _solved(graph, relations, drives, redundant, taken)
+
+
+def _standing(graph: Graph, relations: Sequence[Relation], redundant: tuple[Relation, ...]) -> Plan:
+    """Return the plan of a frame: no drives, and no step that leads to a speed."""
+    speeds: dict[int, Speeds] = dict.fromkeys(range(len(graph.unknowns)), ())
+    return Plan(graph, tuple(relations), (), (), speeds, (), redundant)
 
 
 def _drives(graph: Graph, rows: Sequence[Residues]) -> tuple[int, ...]:

@@ -82,8 +82,8 @@ class _Asked:
         return replace(balanced, solved=checked(balanced, self._report))
 
     def _warn_of_idle_loads(self) -> None:
-        """Warn of loads without work, but not where friction or a result shows them."""
-        if self._mechanism.friction.rubbing:
+        """Warn of loads without work, but not in a frame, nor where friction or a find has them."""
+        if self._mechanism.friction.rubbing or not self._plan.mobility:
             return
         shown = [let.value for let in self._mechanism.lets]
         for solved in self._solved_so_far:
