@@ -12,7 +12,7 @@ from typing import NamedTuple
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..algebra.sums import add
-from ..formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, total
+from ..formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, negative, total
 from ..formula.walk import evaluate, substitute, symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH, Dimension, in_unit
@@ -53,6 +53,25 @@ class _Vector(NamedTuple):
     components: Components
     length: Formula
     angle: Formula
+
+
+class Image(NamedTuple):
+    """A reflection for a ``sense`` of −1, then a turn by so many degrees, a multiple of 90."""
+
+    sense: int
+    turned: int
+
+    def of(self, components: Components) -> Components:
+        """Return the image of a vector."""
+        x, y = components[0], components[1] if self.sense > 0 else -components[1]
+        for _ in range(self.turned // 90 % 4):
+            x, y = -y, x
+        return x, y
+
+
+PARALLELS = (Image(1, 0), Image(1, 180))
+MIRRORED = (Image(-1, 180), Image(-1, 0), Image(-1, 90), Image(-1, -90))
+IMAGES = (*PARALLELS, *MIRRORED, Image(1, 90), Image(1, -90))
 
 
 class Sketch:
@@ -192,21 +211,34 @@ class Sketch:
     def vector(self, tail: str, head: str) -> tuple[Formula, Absolute]:
         """Return the length and direction between two points with numbers for coordinates.
 
-        Of vectors that are parallel, or equal, in the drawing the later has those of the first.
+        Of vectors that are parallel in the drawing, at right angles, or images of one another
+        across an axis, the later has the direction of the first, and its length if it is equal:
+        what moves only since it is symmetric must be seen to be so.
         """
         components, span = self._components(tail, head), self.span(head)
-        alike = [v for v in self._vectors if self._parallel(v.components, components)]
-        equal = [v for v in alike if self._same_size(v.components, components)]
-        if alike:
-            first = next(iter(equal or alike))
-            ahead = add([a * b for a, b in zip(components, first.components, strict=True)])
-            turned = [] if self._value(ahead) > 0 else [degrees(180)]
-            direction = Absolute(total([first.angle, *turned]), span)
+        found = self._image(components)
+        if found:
+            first, angle = found
+            is_equal = self._same_size(first.components, components)
+            length = first.length if is_equal else self.length(tail, head)
+            direction = Absolute(angle, span)
         else:
-            direction = self.direction(tail, head)
-        length = equal[0].length if equal else self.length(tail, head)
+            length, direction = self.length(tail, head), self.direction(tail, head)
         self._vectors.append(_Vector(components, length, direction.angle))
         return length, direction
+
+    def _image(self, components: Components) -> tuple[_Vector, Formula] | None:
+        """Return an earlier vector and the direction that follows from its own, if one does.
+
+        One that is equal comes before one that is only parallel, and this before an image.
+        """
+        for image in IMAGES:
+            alike = [v for v in self._vectors if self._along(image.of(v.components), components)]
+            equal = (v for v in alike if self._same_size(v.components, components))
+            if first := next(equal, alike[0] if alike else None):
+                turned = first.angle if image.sense > 0 else negative(first.angle)
+                return first, total([turned, degrees(image.turned)] if image.turned else [turned])
+        return None
 
     def turn(self, first: str, vertex: str, second: str) -> Formula:
         """Return the counter-clockwise angle at a point between two others."""
@@ -242,11 +274,12 @@ class Sketch:
         quarter = 90 if y else 0
         return degrees(quarter if self._value(x or y) > 0 else quarter - 180)
 
-    def _parallel(self, one: Components, other: Components) -> bool:
-        """Tell whether two vectors are parallel but for rounding."""
+    def _along(self, one: Components, other: Components) -> bool:
+        """Tell whether two vectors have one direction but for rounding."""
+        ahead = add([a * b for a, b in zip(one, other, strict=True)])
         across = add([one[0] * other[1], -(one[1] * other[0])])
         sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
-        return abs(self._value(across)) <= PARALLEL * math.prod(sizes)
+        return abs(self._value(across)) <= PARALLEL * math.prod(sizes) and self._value(ahead) > 0
 
     def _same_size(self, one: Components, other: Components) -> bool:
         sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))

@@ -4,17 +4,18 @@ A fragment needs amsmath, array, booktabs and longtable; where it holds Cyrillic
 also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ...data import data
 from ...formula.layout import is_angle
+from ...formula.tree import ZERO
 from ...formula.walk import symbols
 from ...frozen import replace
 from ...model.mechanism import Parameter, WithFriction
-from ...report.derivation.steps import Derivation, Equation, LastStep, Step
+from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
@@ -190,7 +191,7 @@ def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool)
         position=tuple(_position(section, locale, style) for section in whole.position),
         steps=tuple(_step(step, locale, style) for step in derivation.steps),
         several=_several(derivation, locale),
-        balances=_balances(derivation.balances, locale, style),
+        balances=_equations(derivation.balances, locale, style),
         last=_last(derivation.last_steps, locale, style),
         results=tuple(section_block(s, locale, style) for s in whole.results),
         conditions=conditions(mechanism.requires, Speller(style)),
@@ -214,17 +215,21 @@ def _step(step: Step, locale: Locale, style: Notation) -> StepBlock:
     )
 
 
-def _equations(equations: tuple[Sides, ...], locale: Locale, style: Notation) -> str:
-    if not equations:
-        return ""
-    rows = tuple(Line(_chained(sides[:-1], style), sides[-1]) for sides in equations)
-    return display(rows, style, locale.where)
+def _equations(equations: Iterable[Sides], locale: Locale, style: Notation) -> str:
+    """Return equations below each other, each by itself where a sum that is zero is too wide."""
+    rows = [(sides, Line(_chained(sides[:-1], style), sides[-1])) for sides in equations]
+    if any(_is_wide(line) for _, line in rows):
+        return "\n".join(
+            vanishing(sides[0], style, locale.where)
+            if _is_wide(line)
+            else display((line,), style, locale.where)
+            for sides, line in rows
+        )
+    return display(tuple(line for _, line in rows), style, locale.where) if rows else ""
 
 
-def _balances(balances: tuple[Equation, ...], locale: Locale, style: Notation) -> str:
-    if any(box(e.left, style).width > LINE for e in balances):
-        return "\n".join(vanishing(e.left, style, locale.where) for e in balances)
-    return _equations(balances, locale, style)
+def _is_wide(line: Line) -> bool:
+    return line.right == ZERO and line.left.width > LINE
 
 
 def _last(steps: tuple[LastStep, ...], locale: Locale, style: Notation) -> str:

@@ -29,6 +29,9 @@ from .notation import name as name_of
 EM_PER_GLYPH = 0.58
 """Mean width of an italic letter with its share of space, in em of the text font."""
 
+EM_PER_CAPITAL = 0.18
+"""By how much a capital letter is wider than that."""
+
 
 class Box(NamedTuple):
     """A piece of mathematics: its LaTeX, its estimated width in em, whether it is tall.
@@ -68,7 +71,8 @@ def plain(tex: str, tall: bool = False) -> Box:
     locale = re.sub(r"\\(?:operatorname|mathrm|mathit|left|right|,)", "", locale)
     locale = re.sub(r"\\arc([a-z]+)", r"arc\1", locale)
     glyphs = re.sub(r"[{}_^]", "", re.sub(r"\\[A-Za-z]+", "x", locale))
-    return Box(tex, EM_PER_GLYPH * len(glyphs), tall)
+    capitals = sum(map(str.isupper, glyphs))
+    return Box(tex, EM_PER_GLYPH * len(glyphs) + EM_PER_CAPITAL * capitals, tall)
 
 
 def row(boxes: Iterable[Box]) -> Box:
