@@ -13,6 +13,7 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
 from mechc.emit.registry import load
 from mechc.emit.target import Options
+from mechc.report.text.note import render
 from mechc.source import Source
 from run_targets import COMPILER, assert_close, built, by_c_in_batch, by_c_singly, by_python
 
@@ -165,3 +166,48 @@ def test_an_expectation_is_held_against_what_code_gives() -> None:
 
 def test_a_description_without_links_is_a_sheet_however_it_is_headed() -> None:
     assert mechc.loads("mechanism m\nparam a = 2 mm\nlet b = 3*a\n").evaluate()["b"] == 0.006
+
+
+PIN = """
+sheet pin "Pin in shear"
+param F = 2 kN  # force
+param tau_a = 75 MPa as "allowable stress"
+param s = 10 mm
+table K_v "own tests" = 0 m/s: 1.0, 2 m/s: 1.5
+param v = 1 m/s
+list dowels "ISO 2340" = 6 mm, 8 mm
+let K = K_v at v
+let d_s = sqrt(4*K*F/(pi*tau_a)) in mm  # for shear
+let d = next max(d_s, 0.3*s) in dowels
+let tau = 4*K*F/(pi*d^2)
+let c = 2*tau/tau_a when d > 7 mm else 1
+require tau <= tau_a
+require s > d  # room
+"""
+
+
+def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture[str]) -> None:
+    lines = render(sheet(PIN).mechanism, sheet(PIN).results, unicode=False).splitlines()
+    assert lines[:3] == ["Pin in shear", "", "Given"]
+    for line in [
+        "  K = K_v at v = K_v at 1 m/s = 1.25",
+        "  d_s = sqrt(4*K*F / (pi * tau_a)) = sqrt(4 * 1.25 * 2 kN / (pi * 75 MPa)) = 6.51470 mm",
+        "  d = next max(d_s, 0.3 * s) in dowels = next max(6.515 mm, 0.3 * 10 mm) in dowels = 8 mm"
+        " (d_s decides)",
+        "  tau = 4*K*F/(pi*d^2) = 4 * 1.25 * 2 kN / (pi * (8 mm)^2) = 49.7359 MPa",
+        "  c = (2*tau/tau_a when d > 7 mm; else 1) = 2 * 49.74 MPa / (75 MPa) = 1.32629",
+        "  tau <= tau_a: 49.7359 MPa <= 75 MPa, reserve 1.51",
+        "  s > d: 10 mm > 8 mm, reserve 1.25, the least",
+    ]:
+        assert any(found.startswith(line.replace("6.51470", "6.5147")) for found in lines), line
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_the_latex_note_says_the_same(language: str) -> None:
+    (file,) = load("latex").emit(sheet(PIN), Options("pin", language=language, fragment=True))
+    point = "." if language == "en" else "{,}"
+    milli = "mm" if language == "en" else "мм"
+    assert rf"\frac{{4\cdot 1{point}25\cdot 2\," in file.text
+    assert rf"(8\,\text{{{milli}}})^{{2}}" in file.text
+    assert rf"d=8\,\text{{{milli}}}\geq \max(d_s,0{point}3s)" in file.text
+    assert f"1{point}25" in file.text.split(r"\begin{longtable}")[-1]

@@ -350,7 +350,7 @@ def test_show_every_stage(run: Mechc, stage: str) -> None:
     assert max(map(len, out.splitlines())) < 400
 
 
-@pytest.mark.parametrize("kind", ["four-bar", "slider-crank", "gripper", "cylinder"])
+@pytest.mark.parametrize("kind", ["four-bar", "slider-crank", "gripper", "cylinder", "sheet"])
 def test_new_by_coordinates_compiles_as_it_is(run: Mechc, kind: str) -> None:
     for name in ("a.mech", "b.yaml"):
         run("new", name, f"--{kind}")

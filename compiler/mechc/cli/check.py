@@ -17,6 +17,7 @@ from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import own_conditions, reaction
 from ..report.text.derivation import speller
+from ..report.text.note import in_brief
 from ..report.text.overview import overview
 from ..report.text.verdict import to_text
 from ..source import Source
@@ -91,6 +92,10 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
         yield from _overview(compilation)
     else:
         yield f"{compilation.source.name}: {compilation.mechanism.name}"
+    if compilation.calculation:
+        yield from in_brief(compilation.mechanism, compilation.results)
+        yield from _of_findings(compilation)
+        return
     told, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
     known = letters(compilation.mechanism, compilation.results)
     before: Analysis | None = None
@@ -102,8 +107,7 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
         yield from _of_result(shown, where, literals, known, before)
         before = result
         yield from (f"    {line}" for line in friction_remarks(result, LOCALE, spell))
-    for finding in compilation.findings:
-        yield f"  {_of_finding(finding, compilation.source)}"
+    yield from _of_findings(compilation)
     yield from _of_verdict(compilation.verdict, verbose)
 
 
@@ -161,6 +165,12 @@ def _of_definition(group: Definition | Solved, known: Letters) -> Iterator[str]:
         return
     g = f", g = {float(GRAVITY.value)} m/s^2" if group.name in known.usual else ""
     yield f"    where {group.name} = {text(group.formula)}{g}"
+
+
+def _of_findings(compilation: Compilation) -> Iterator[str]:
+    """Yield what every expectation came to."""
+    for finding in compilation.findings:
+        yield f"  {_of_finding(finding, compilation.source)}"
 
 
 def _of_finding(finding: Finding, source: Source) -> str:

@@ -22,12 +22,14 @@ from .terminal import give, say
 @click.option("--slider-crank", "kind", flag_value="slider-crank", help="A slider-crank.")
 @click.option("--gripper", "kind", flag_value="gripper", help="One half of a gripper.")
 @click.option("--cylinder", "kind", flag_value="cylinder", help="A lever on a cylinder.")
+@click.option("--sheet", "kind", flag_value="sheet", help="A calculation sheet.")
 def command(name: str, kind: str) -> None:
     """Start a description from a commented example.
 
     NAME.mech is written, or NAME.yaml if NAME ends so; - prints to standard output.
     The example compiles as it is. The toggle clamp has angles for parameters; the
-    others stand by the places of their pins, as a drawing has them.
+    others stand by the places of their pins, as a drawing has them. A calculation sheet
+    has no links: it calculates whether a pin holds.
 
     \b
     mechc new clamp
@@ -50,6 +52,6 @@ def command(name: str, kind: str) -> None:
 def starter(path: Path, kind: str) -> str:
     """Return an example in the notation that the path's suffix says."""
     text = (data("cli") / "starters" / f"{kind}.mech").read_text("utf-8")
-    named = re.sub(r"(?m)^mechanism \w+", f"mechanism {path.stem}", text)
+    named = re.sub(r"(?m)^(mechanism|sheet) \w+", rf"\1 {path.stem}", text)
     source = Source("starter.mech", named.replace("FILE", path.name))
     return layout(source, "mech" if path.suffix == ".mech" else "yaml")

@@ -10,6 +10,7 @@ is no less than x; both have no value outside. Machines know the first only (:fu
 import math
 from collections.abc import Callable, Mapping, Sequence
 from itertools import pairwise
+from typing import TypeGuard
 
 from .tree import Call, Formula, negative, product, quotient, total
 
@@ -70,6 +71,11 @@ FUNCTIONS: Mapping[str, Callable[..., float]] = {
     "next": _next,
 }
 """The functions of this module on floats."""
+
+
+def is_choice(formula: Formula) -> TypeGuard[Call]:
+    """Return whether a formula chooses between values."""
+    return isinstance(formula, Call) and formula.function == "choose"
 
 
 def chosen(parts: Sequence[Formula], value: Callable[[Formula], float]) -> Formula | None:

@@ -12,6 +12,7 @@ from enum import IntEnum
 from fractions import Fraction
 from typing import Generic, TypeVar, assert_never
 
+from .choices import SIGNS
 from .layout import (
     TRIGONOMETRIC,
     decimal,
@@ -147,6 +148,14 @@ class Typesetter(ABC, Generic[Piece]):
         """Return a function of several arguments."""
 
     @abstractmethod
+    def joined_by(self, sign: str, pieces: Sequence[Piece]) -> Piece:
+        """Return the sides of a comparison by its sign, or conditions that all hold by a comma."""
+
+    @abstractmethod
+    def cases(self, rows: Sequence[tuple[Piece, Piece]], other: Piece | None) -> Piece:
+        """Return values with the conditions under which they are meant, and one elsewhere."""
+
+    @abstractmethod
     def solution(self, unknown: str, zeros: Sequence[Piece]) -> Piece:
         """Return an unknown and what is zero for it."""
 
@@ -275,6 +284,14 @@ class Typesetter(ABC, Generic[Piece]):
 
     def _call(self, function: str, arguments: Row) -> Piece:
         match function, arguments:
+            case "choose", _:
+                return self.cases(*self._cases(arguments))
+            case "both", _:
+                return self.joined_by(",", [self.set(a, Around.SUM, False) for a in arguments])
+            case _, (left, right) if function in SIGNS:
+                angle = is_angle(left, self.angles) or is_angle(right, self.angles)
+                both = [self.set(side, Around.SUM, angle) for side in (left, right)]
+                return self.joined_by(SIGNS[function], both)
             case "hypot", _:
                 return self.root(self.set(squares(arguments), Around.SUM, False))
             case "sqrt", (argument,):
@@ -285,3 +302,16 @@ class Typesetter(ABC, Generic[Piece]):
                 inner = self.whole(argument, function in TRIGONOMETRIC)
                 return self.applied(function, "", argument, inner)
         return self.called(function, [self.whole(a) for a in arguments])
+
+    def _cases(self, parts: Row) -> tuple[list[tuple[Piece, Piece]], Piece | None]:
+        """Return a choice as rows; a choice for what is left goes on with them."""
+        pairs = zip(parts[1::2], parts[::2], strict=False)
+        rows = [(self.whole(value), self.whole(condition)) for value, condition in pairs]
+        match parts[len(rows) * 2 :]:
+            case (Call("choose", inner),):
+                others, last = self._cases(inner)
+                return [*rows, *others], last
+            case (other,):
+                return rows, self.whole(other)
+            case _:
+                return rows, None

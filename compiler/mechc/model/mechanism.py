@@ -60,6 +60,7 @@ from .targets import Speed as Speed
 from .targets import SpeedRatio as SpeedRatio
 from .targets import Target as Target
 from .targets import WithFriction as WithFriction
+from .written import Written, WrittenSides, WrittenTable
 
 J = TypeVar("J", bound=Joint)
 
@@ -188,7 +189,8 @@ class Find:
 class Let:
     """A formula of the user's own; it may mention parameters, loads, finds and other lets.
 
-    ``unit`` is the one to give its value in ('' for that of the SI), ``label`` its text.
+    ``unit`` is the one to give its value in ('' for that of the SI), ``label`` its text; of a
+    calculation sheet there is what was ``written``.
     """
 
     name: str
@@ -197,6 +199,7 @@ class Let:
     span: Span
     unit: str = ""
     label: str = ""
+    written: Written | None = None
 
 
 class Subject(NamedTuple):
@@ -222,6 +225,7 @@ class Require:
     right: Formula
     span: Span
     subject: Subject | None = None
+    written: WrittenSides | None = None
 
     def concerns(self, names: Container[str]) -> bool:
         """Return whether it is a condition of use, or one of a formula among these."""
@@ -274,6 +278,7 @@ class Mechanism:
     lets: tuple[Let, ...] = ()
     requires: tuple[Require, ...] = ()
     expects: tuple[Expect, ...] = ()
+    tables: tuple[WrittenTable, ...] = ()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
 

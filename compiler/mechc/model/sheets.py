@@ -1,6 +1,6 @@
 """What makes a description a calculation sheet, and what people read of one."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 
 from ..diagnostics import Report
 from ..diagnostics.model.sheets import links_in_a_sheet
@@ -8,8 +8,9 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..syntax import ast
 from ..units import UNITS, Dimension
+from . import written
 from .constants import expressions_in, leaves
-from .mechanism import Let, Mechanism, Parameter
+from .mechanism import Let, Mechanism, Parameter, Require
 from .statements import every, only
 
 WRITTEN_IN_SHEETS = (
@@ -53,8 +54,22 @@ def as_written(mechanism: Mechanism, file: ast.File) -> Mechanism:
         assert isinstance(line, ast.Let)
         unit = let.unit or _unit(let, line, units, mechanism.parameters)
         units[let.name] = unit
-        lets.append(replace(let, unit=unit, label=remarks[let.name]))
-    return replace(mechanism, parameters=parameters, lets=tuple(lets))
+        shown = written.worth(line.value)
+        lets.append(replace(let, unit=unit, label=remarks[let.name], written=shown))
+    return replace(
+        mechanism,
+        parameters=parameters,
+        lets=tuple(lets),
+        requires=tuple(_with_sides(mechanism.requires, file)),
+        tables=written.tables(file.statements),
+    )
+
+
+def _with_sides(requires: Iterable[Require], file: ast.File) -> Iterator[Require]:
+    """Yield conditions with what was written, but for those that nobody wrote."""
+    sides = (link for statement in every(file, ast.Require) for link in written.sides(statement))
+    for require in requires:
+        yield require if require.subject else replace(require, written=next(sides))
 
 
 def _unit(

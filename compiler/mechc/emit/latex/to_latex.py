@@ -15,6 +15,7 @@ from ...formula.tree import ZERO
 from ...formula.walk import symbols
 from ...frozen import replace
 from ...model.mechanism import Parameter, WithFriction
+from ...model.sheets import is_sheet
 from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.languages import registry
 from ...report.languages.locale import Locale
@@ -43,6 +44,7 @@ from ...report.sentences.remarks import called, conditions, reaction
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
 from ...units import ANGLE
 from ..target import Compiled, Emitted, Options
+from .note import note_report
 
 
 class StepBlock(NamedTuple):
@@ -94,9 +96,7 @@ class Latex:
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return one ``.tex`` file."""
         locale = registry.locale(options.language)
-        style = _style(compiled, notation(options.language))
-        report = _report(compiled, locale, style, options.fragment)
-        body = _TEMPLATES.get_template("body.jinja").render(report._asdict())
+        body = _body(compiled, locale, notation(options.language), options.fragment)
         text = body if options.fragment else _document(body, locale)
         return (Emitted(f"{options.stem}.tex", text),)
 
@@ -117,6 +117,15 @@ _TEMPLATES = Environment(
     keep_trailing_newline=True,
     autoescape=False,
 )
+
+
+def _body(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> str:
+    """Return the report of a mechanism, or the calculation note of a sheet."""
+    if is_sheet(compiled.mechanism):
+        note = note_report(compiled, locale, style, fragment)
+        return _TEMPLATES.get_template("note.jinja").render(note._asdict())
+    report = _report(compiled, locale, _style(compiled, style), fragment)
+    return _TEMPLATES.get_template("body.jinja").render(report._asdict())
 
 
 def _document(body: str, locale: Locale) -> str:

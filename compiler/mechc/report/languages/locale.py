@@ -109,6 +109,9 @@ class Locale(NamedTuple):
     derivatives: str
     slope: str
 
+    calculation: Mapping[str, str]
+    """The words of a calculation sheet."""
+
     holds: str
     requirements: str
     numbers: str

@@ -67,7 +67,8 @@ class MadeNames:
 class Notation:
     """How functions, decimals and names are written, and which names are angles.
 
-    ``made`` are the names made up in the document that is written by this notation;
+    ``made`` are the names made up in the document that is written by this notation, ``units``
+    the letters of units in the language, ``otherwise`` stands in a choice at the last case;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`).
     """
 
@@ -75,6 +76,8 @@ class Notation:
     decimal: str
     phi: str
     made: MadeNames
+    units: Mapping[str, str]
+    otherwise: str
     angles: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
 
@@ -82,7 +85,9 @@ class Notation:
 def notation(language: str) -> Notation:
     """Return the notation of a language's books, for one document."""
     known = locale(language)
-    return Notation({**_COMMON, **known.functions}, known.decimal, known.phi, MadeNames())
+    functions, made = {**_COMMON, **known.functions}, MadeNames()
+    otherwise = known.calculation["otherwise"]
+    return Notation(functions, known.decimal, known.phi, made, known.units, otherwise)
 
 
 def name(symbol: str, style: Notation) -> str:

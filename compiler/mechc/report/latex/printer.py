@@ -21,10 +21,12 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ...formula.layout import TRIGONOMETRIC, in_degrees
-from ...formula.tree import Call, Formula, Number, Pi, Power, Product, Symbol
+from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
 from ...formula.typesetting import Row, Typesetter
+from ...syntax.vocabulary import split_quantity
 from .notation import Notation
 from .notation import name as name_of
+from .unit_symbols import unit_symbol
 
 EM_PER_GLYPH = 0.58
 """Mean width of an italic letter with its share of space, in em of the text font."""
@@ -112,7 +114,20 @@ class _Latex(Typesetter[Box]):
         return plain(r"\pi")
 
     def name(self, name: str) -> Box:
+        if name[0] in "0123456789.-(":
+            return self._quantity(name)
         return plain(name_of(name, self.style))._replace(open=name.startswith("len_"))
+
+    def _quantity(self, text: str) -> Box:
+        """Return a number with its unit; what is beside it is a factor of its own."""
+        inner = text.removeprefix("(").removesuffix(")")
+        digits, unit = split_quantity(inner.removeprefix("-"))
+        digits = "-" + digits if inner.startswith("-") else digits
+        mantissa, _, exponent = digits.lower().partition("e")
+        number = mantissa.replace(".", self.style.decimal)
+        number += rf"\cdot 10^{{{int(exponent)}}}" if exponent else ""
+        tex = number + unit_symbol(unit, self.style)
+        return plain(f"({tex})" if inner != text else tex)._replace(open=bool(unit))
 
     def parentheses(self, inner: Box) -> Box:
         """Return a box in parentheses of its own height."""
@@ -179,6 +194,19 @@ class _Latex(Typesetter[Box]):
         )
         return row((plain(self.style.functions[function]), self.parentheses(row(parts))))
 
+    def joined_by(self, sign: str, pieces: Sequence[Box]) -> Box:
+        written = {",": r",\; ", "<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq "}.get(sign, sign)
+        first, *others = pieces
+        return row((first, *(part for piece in others for part in (plain(written), piece))))
+
+    def cases(self, rows: Sequence[tuple[Box, Box]], other: Box | None) -> Box:
+        """Return the cases below each other; each is meant where none above it is."""
+        lines = [rf"{value.tex}, & {condition.tex}" for value, condition in rows]
+        lines += [rf"{other.tex} & \text{{{self.style.otherwise}}}"] if other else []
+        width = max(value.width + condition.width for value, condition in rows) + 3.0
+        inner = r" \\ ".join(lines)
+        return Box(rf"\begin{{cases}} {inner} \end{{cases}}", width, tall=True)
+
     def solution(self, unknown: str, zeros: Sequence[Box]) -> Box:
         """Set an unknown and its equations in a row; where they are defined they have lines."""
         first, *others = (row((zero, plain("=0"))) for zero in zeros)
@@ -191,6 +219,8 @@ def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
     is_function = isinstance(formula, Call) and not after.tex.startswith(("(", r"\left"))
     raised = isinstance(formula, Power) and isinstance(formula.base, Call)
     is_letter = isinstance(formula, Symbol)
+    if isinstance(formula, Constant) and after.tex[0].isdigit():
+        return True
     return (before.open and not (is_function or raised)) or (
         (before.tex[-1].isdigit() and after.tex[0].isdigit()) or (before.tex == "d" and is_letter)
     )

@@ -10,20 +10,18 @@ r"""Numbers and quantities with the user's unit, as LaTeX.
 '12{,}5^\\circ'
 """
 
-import re
 from fractions import Fraction
 
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Formula, Number
 from ...formula.walk import evaluate
-from ...units import ANGLE, LENGTH, NUMBER, SPELLINGS, UNITS, Dimension, base_units
+from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units
 from ..languages.locale import Locale
 from .notation import Notation
 from .printer import latex
+from .unit_symbols import unit_symbol as unit_symbol
 
 _DIGITS = 6
-
-MICRO = r"\textmu m"
 
 
 def quantity(
@@ -79,25 +77,3 @@ def decimal(value: Fraction | float, style: Notation) -> str:
     mantissa, _, exponent = f"{float(value):.{_DIGITS}g}".partition("e")
     digits = mantissa.replace(".", style.decimal)
     return rf"{digits}\cdot 10^{{{int(exponent)}}}" if exponent else digits
-
-
-def unit_symbol(unit: str, locale: Locale) -> str:
-    r"""Return a unit behind its number.
-
-    >>> from ..languages.uk import LOCALE
-    >>> unit_symbol("m/s^2", LOCALE), unit_symbol("1/m", LOCALE)
-    ('\\,\\text{м}/\\text{с}^2', '\\,\\text{м}^{-1}')
-    """
-    if not unit:
-        return ""
-    if unit in ("deg", "°"):
-        return r"^\circ"
-    unit = re.sub(r"^1/([A-Za-z]+)(?:\^(\d+))?", lambda m: f"{m[1]}^{{-{m[2] or 1}}}", unit)
-    letters = re.sub(r"[^\W\d]+|[\"°]", lambda m: rf"\text{{{_word(m[0], locale)}}}", unit)
-    return r"\," + letters.replace("*", r"\cdot ")
-
-
-def _word(unit: str, locale: Locale) -> str:
-    """Return a unit of one word in letters of the language, micrometres with their sign."""
-    usual = SPELLINGS.get(unit, unit)
-    return locale.units.get(usual, MICRO if usual == "um" else usual)

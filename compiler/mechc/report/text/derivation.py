@@ -11,6 +11,7 @@ from ...formula.walk import evaluate
 from ...frozen import replace
 from ...model.mechanism import GRAVITY, Mechanism, Parameter
 from ...model.result import Definition
+from ...model.sheets import is_sheet
 from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit
 from ..definitions import Solved, grouped
@@ -19,6 +20,7 @@ from ..languages.en import LOCALE
 from ..sections import PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, lines, position_sentence, sentence
+from . import note
 from .printer import ASCII, UNICODE, Signs, print_point, print_side
 
 WIDTH = 80
@@ -63,8 +65,10 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
 
     Velocities are named ``V_A``, angular velocities ``ω_OA``; with ``unicode`` False
     only ASCII characters are used in formulas. Lines keep to 80 columns, except a
-    formula that has no place to break.
+    formula that has no place to break. Of a calculation sheet it is the calculation.
     """
+    if is_sheet(mechanism):
+        return note.render(mechanism, derivation.results, unicode)
     spell = speller(derivation, mechanism, unicode)
     whole = outline(derivation, mechanism)
     lines = [*_title(mechanism), *_position(whole.position, spell)]

@@ -107,7 +107,7 @@ class _Terminal(Typesetter[str]):
         return self.signs.pi
 
     def name(self, name: str) -> str:
-        return print_name(name, self.signs)
+        return name if name[0] in "0123456789.-(" else print_name(name, self.signs)
 
     def parentheses(self, inner: str) -> str:
         return f"({inner})"
@@ -164,6 +164,15 @@ class _Terminal(Typesetter[str]):
 
     def called(self, function: str, arguments: Sequence[str]) -> str:
         return f"{self._word(function)}({', '.join(arguments)})"
+
+    def joined_by(self, sign: str, pieces: Sequence[str]) -> str:
+        spaced = ", " if sign == "," else f" {self.signs.relations.get(sign, sign)} "
+        return spaced.join(pieces)
+
+    def cases(self, rows: Sequence[tuple[str, str]], other: str | None) -> str:
+        """Return the cases on one line; after those before it each is meant where none of them."""
+        last = [f"else {other}"] if other else []
+        return "; ".join([*(f"{value} when {condition}" for value, condition in rows), *last])
 
     def solution(self, unknown: str, zeros: Sequence[str]) -> str:
         equal = ", ".join(f"{zero} = 0" for zero in zeros)

@@ -1,0 +1,151 @@
+"""The report of a calculation sheet, ready for its template."""
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from ...formula.tree import Formula, Symbol
+from ...frozen import replace
+from ...report.languages.locale import Locale
+from ...report.latex.directions import math
+from ...report.latex.given import ParameterRow, parameter_row
+from ...report.latex.notation import Notation, spellings
+from ...report.latex.printer import Box, box, latex, plain, row
+from ...report.latex.quantity import decimal
+from ...report.latex.text import escape
+from ...report.latex.unit_symbols import unit_symbol
+from ...report.note import Note, NoteCheck, NoteLine, Quantity, note
+from ...units import ANGLE, UNITS
+from ..target import Compiled
+
+LINE = 36.0
+"""Room for a formula, the numbers put in and the value on one line, in em."""
+
+
+class TableBlock(NamedTuple):
+    """A table with two rows of cells, or a list with one."""
+
+    name: str
+    source: str
+    columns: str
+    rows: tuple[str, ...]
+
+
+class LineBlock(NamedTuple):
+    """A formula with what it comes to."""
+
+    label: str
+    display: str
+    remark: str
+
+
+class CheckRow(NamedTuple):
+    """A condition in a table of checks."""
+
+    condition: str
+    numbers: str
+    reserve: str
+    verdict: str
+
+
+class NoteReport(NamedTuple):
+    """All that the template of a sheet prints."""
+
+    locale: Locale
+    words: Mapping[str, str]
+    made_by: str
+    section: str
+    title: str
+    source: str
+    parameters: tuple[ParameterRow, ...]
+    tables: tuple[TableBlock, ...]
+    lines: tuple[LineBlock, ...]
+    checks: tuple[CheckRow, ...]
+
+
+def note_report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> NoteReport:
+    """Return the report of a calculation sheet."""
+    mechanism = compiled.mechanism
+    found = note(mechanism, compiled.derivation.results)
+    style = _style(compiled, found, style)
+    words = locale.calculation
+    return NoteReport(
+        locale=locale,
+        words=words,
+        made_by=locale.made_by.format(version=compiled.version),
+        section="subsection" if fragment else "section",
+        title=escape(mechanism.title or mechanism.name),
+        source=escape(mechanism.source),
+        parameters=tuple(parameter_row(p, locale, style) for p in mechanism.parameters),
+        tables=tuple(_tables(found, style)),
+        lines=tuple(_line(line, words, style) for line in found.lines),
+        checks=tuple(_check(check, words, style) for check in found.checks),
+    )
+
+
+def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
+    """Return the notation with this sheet's angles and its names told apart."""
+    parameters = compiled.mechanism.parameters
+    angles = {p.name for p in parameters if p.dimension == ANGLE}
+    angles |= {line.name for line in found.lines if line.dimension == ANGLE}
+    names = [p.name for p in parameters] + [line.name for line in found.lines]
+    style = replace(style, angles=frozenset(angles))
+    return replace(style, spellings=spellings(names, style))
+
+
+def _tables(found: Note, style: Notation) -> Iterator[TableBlock]:
+    for table in found.tables:
+        columns = zip(*table.rows, strict=True)
+        rows = tuple(" & ".join(math(latex(c, style)) for c in column) for column in columns)
+        name, source = escape(table.name), escape(table.source)
+        yield TableBlock(name, source, "l" * len(table.rows), rows)
+
+
+def _line(line: NoteLine, words: Mapping[str, str], style: Notation) -> LineBlock:
+    said = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
+    if line.decides:
+        said.append(words["decides"].format(formula=math(latex(line.decides, style))))
+    return LineBlock(escape(line.label), _display(line, style), "; ".join(said))
+
+
+def _display(line: NoteLine, style: Notation) -> str:
+    """Return a formula, the numbers put in and what it comes to, as one display."""
+    left = box(Symbol(line.name), style)
+    if line.kind == "list" and line.value and line.asked:
+        found, asked = _quantity(line.value, style), _quantity(line.asked, style)
+        needed = box(line.formula, style)
+        return rf"\[ {left.tex}={found.tex}\geq {needed.tex}={asked.tex} \]"
+    sides = [_side(line, formula, style) for formula in (line.formula, line.numbers) if formula]
+    if line.value and not line.is_number:
+        sides.append(_quantity(line.value, style))
+    if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
+        return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
+    rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
+    return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
+
+
+def _side(line: NoteLine, formula: Formula, style: Notation) -> Box:
+    """Return a formula; of a table its name, applied to what it is asked for."""
+    if not line.of:
+        return box(formula, style, line.dimension == ANGLE)
+    inner = box(formula, style)
+    name = plain(rf"\text{{{escape(line.of)}}}")
+    return row((name, Box(rf"\left({inner.tex}\right)", inner.width + 1.0, inner.tall)))
+
+
+def _quantity(quantity: Quantity, style: Notation) -> Box:
+    size = UNITS[quantity.unit].size if quantity.unit in UNITS else 1.0
+    return plain(decimal(quantity.value / size, style) + unit_symbol(quantity.unit, style))
+
+
+_SIGNS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq "}
+
+
+def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> CheckRow:
+    sign = _SIGNS.get(check.operator, check.operator)
+    sides = (latex(side, style) for side in (check.left, check.right))
+    values = [_quantity(side, style).tex for side in check.values or ()]
+    reserve = math(decimal(float(f"{check.reserve:.3g}"), style)) if check.reserve else ""
+    verdict = words["least" if check.decides else "holds"] if values else ""
+    condition = math(sign.join(sides))
+    label = f"{escape(check.label)}: " if check.label else ""
+    return CheckRow(label + condition, math(sign.join(values)) if values else "", reserve, verdict)

@@ -1,0 +1,140 @@
+"""What people wrote, for people: formulas with the numbers and units that stand in them.
+
+Formulas that are computed with are in SI. Here a number that has a unit or a point is a
+:class:`~..formula.tree.Constant` whose name is the text of it: ``5 mm``, ``0.25``.
+"""
+
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Literal, assert_never
+
+from ..formula.choices import CONDITIONS
+from ..formula.tree import (
+    PI,
+    Call,
+    Constant,
+    Formula,
+    Number,
+    Symbol,
+    negative,
+    power,
+    product,
+    total,
+)
+from ..frozen import frozen
+from ..syntax import ast
+from ..units import UNITS, behind
+
+
+@frozen
+class WrittenTable:
+    """A table or, with one column, a list of sizes, and where it is from."""
+
+    name: str
+    source: str
+    rows: tuple[tuple[Formula, ...], ...]
+
+
+@frozen
+class Written:
+    """A formula of one's own as it is written.
+
+    One that is looked up has the ``kind`` of what it is ``of``; the formula is what that is asked
+    for.
+    """
+
+    formula: Formula
+    kind: Literal["", "table", "list"] = ""
+    of: str = ""
+
+
+@frozen
+class WrittenSides:
+    """The sides of a condition as they are written, and the remark behind it."""
+
+    left: Formula
+    right: Formula
+    label: str = ""
+
+
+def worth(value: ast.Worth) -> Written:
+    """Return a formula of one's own as it is written."""
+    match value:
+        case ast.Choice():
+            return Written(_choice(value))
+        case ast.Lookup(table, at):
+            return Written(expression(at), "table", table.text)
+        case ast.NextSize(least, sizes):
+            return Written(expression(least), "list", sizes.text)
+        case _:
+            return Written(expression(value))
+
+
+def tables(statements: Iterable[ast.Statement]) -> tuple[WrittenTable, ...]:
+    """Return the tables and lists among statements as they are written."""
+    found: list[WrittenTable] = []
+    for statement in statements:
+        match statement:
+            case ast.Table(_, name, rows, source):
+                pairs = tuple((expression(a), expression(value)) for a, value in rows)
+                found.append(WrittenTable(name.text, source, pairs))
+            case ast.Sizes(_, name, sizes, source):
+                column = tuple((expression(size),) for size in sizes)
+                found.append(WrittenTable(name.text, source, column))
+    return tuple(found)
+
+
+def sides(require: ast.Require) -> list[WrittenSides]:
+    """Return the links of a condition as they are written."""
+    operands = map(expression, require.operands)
+    return [WrittenSides(left, right, require.remark) for left, right in pairwise(operands)]
+
+
+def expression(node: ast.Expr) -> Formula:
+    """Return an expression as it is written."""
+    match node:
+        case ast.Number():
+            return _number(node)
+        case ast.Symbol(name):
+            return PI if name == "pi" else Symbol(name)
+        case ast.Sum(terms):
+            parts = ((sign, expression(term)) for sign, term in terms)
+            return total(part if sign > 0 else negative(part) for sign, part in parts)
+        case ast.Product(factors):
+            return product((expression(factor), sign) for sign, factor in factors)
+        case ast.Power(base, exponent):
+            return power(expression(base), expression(exponent))
+        case ast.Call(function, arguments):
+            return Call(function, tuple(map(expression, arguments)))
+        case _:
+            assert_never(node)
+
+
+def _number(node: ast.Number) -> Formula:
+    if not node.unit and node.digits.isdecimal():
+        return Number(node.value)
+    unit = UNITS.get(node.unit)
+    plain = Number(node.value * unit.factor if unit else node.value)
+    value = product([(plain, 1), (PI, 1)]) if unit and unit.pi else plain
+    return Constant(f"{node.digits}{behind(node.unit)}", value)
+
+
+def _choice(choice: ast.Choice) -> Formula:
+    parts: list[Formula] = []
+    for branch in choice.branches:
+        links = [link for condition in branch.conditions for link in _links(condition)]
+        condition = links[0] if len(links) == 1 else Call("both", tuple(links))
+        parts += [condition, expression(branch.value)]
+    match choice.otherwise:
+        case None:
+            return Call("choose", tuple(parts))
+        case ast.Choice() as other:
+            return Call("choose", (*parts, _choice(other)))
+        case other:
+            return Call("choose", (*parts, expression(other)))
+
+
+def _links(condition: ast.Condition) -> list[Formula]:
+    operands = [expression(operand) for operand in condition.operands]
+    triples = zip(operands, condition.operators, operands[1:], strict=False)
+    return [Call(CONDITIONS[operator], (left, right)) for left, operator, right in triples]

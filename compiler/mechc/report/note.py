@@ -1,0 +1,196 @@
+"""The calculation note of a sheet: each formula, the numbers put in, what it comes to; the checks.
+
+One content for the terminal and for typesetting. Formulas are as people wrote them, values in
+the units in which they are given.
+"""
+
+import math
+from collections.abc import Iterator, Mapping, Sequence
+from fractions import Fraction
+from typing import Literal, NamedTuple
+
+from ..formula.choices import chosen, is_choice
+from ..formula.tree import Call, Constant, Formula, Number, Power, Symbol
+from ..formula.walk import children, evaluate, rebuild, symbols, walk
+from ..model.mechanism import Let, Mechanism, Require
+from ..model.result import Result
+from ..model.values import Chain, defaults, dependent
+from ..model.written import WrittenTable
+from ..units import Dimension, in_unit, si_unit
+
+DIGITS = 4
+"""Significant digits of numbers that are put in."""
+
+
+class Quantity(NamedTuple):
+    """A value in SI, and the unit that it is given in."""
+
+    value: float
+    unit: str
+
+    def text(self, digits: int) -> str:
+        """Return the value to so many digits in its unit: ``5 mm``."""
+        return in_unit(self.value, self.unit, digits)
+
+
+class NoteLine(NamedTuple):
+    """A formula of a sheet, with the numbers put in, and what it comes to.
+
+    ``of`` is the table or list that is asked, for what ``formula`` comes to: ``asked``. Of
+    several things that the largest or smallest is taken of, one ``decides``. There are no
+    ``numbers`` where nothing is put in, and no ``value`` where a parameter has none.
+    """
+
+    name: str
+    label: str
+    kind: Literal["", "table", "list"]
+    of: str
+    formula: Formula
+    numbers: Formula | None
+    value: Quantity | None
+    asked: Quantity | None
+    decides: Formula | None
+    dimension: Dimension
+
+    @property
+    def is_number(self) -> bool:
+        """Return whether the formula is a number alone: a constant."""
+        return isinstance(self.formula, Number | Constant)
+
+
+class NoteCheck(NamedTuple):
+    """A condition, its sides in numbers, and by what factor it holds, if that has a meaning."""
+
+    label: str
+    left: Formula
+    operator: str
+    right: Formula
+    values: tuple[Quantity, Quantity] | None
+    reserve: float | None
+    decides: bool
+
+
+class Note(NamedTuple):
+    """A calculation sheet as people read it."""
+
+    tables: tuple[WrittenTable, ...]
+    lines: tuple[NoteLine, ...]
+    checks: tuple[NoteCheck, ...]
+
+
+def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
+    """Return the calculation note of a sheet, at the values that it gives."""
+    units = {p.name: p.unit or si_unit(p.dimension) for p in mechanism.parameters}
+    units |= {let.name: let.unit or si_unit(let.dimension) for let in mechanism.lets}
+    values = Chain(dependent(mechanism)).complete(defaults(mechanism))
+    values |= {r.name: r.default for r in results if r.default is not None}
+    given = {name: Quantity(value, units[name]) for name, value in values.items()}
+    lines = tuple(_line(let, given) for let in mechanism.lets)
+    checks = [_check(r, given) for r in mechanism.requires if not r.subject]
+    return Note(mechanism.tables, lines, tuple(_with_the_least(checks)))
+
+
+def _line(let: Let, given: Mapping[str, Quantity]) -> NoteLine:
+    assert let.written
+    formula = let.written.formula
+    values = {name: quantity.value for name, quantity in given.items()}
+    known = symbols(formula) <= values.keys()
+    value = given.get(let.name)
+    asked = Quantity(evaluate(formula, values), value.unit) if known and value else None
+    return NoteLine(
+        let.name,
+        let.label,
+        let.written.kind,
+        let.written.of,
+        formula,
+        _numbers(formula, given) if known else None,
+        value,
+        asked,
+        _deciding(formula, given),
+        let.dimension,
+    )
+
+
+def _numbers(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
+    """Return a formula in numbers, of a choice what is chosen; None where nothing is put in."""
+    if is_choice(formula):
+        values = {name: quantity.value for name, quantity in given.items()}
+        part = chosen(formula.arguments, lambda f: evaluate(f, values))
+        return _numbers(part, given) if part else None
+    return put_in(formula, given) if symbols(formula) else None
+
+
+def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+    """Return a formula with quantities for symbols, in brackets where a power is taken of one."""
+    match formula:
+        case Constant():
+            return formula
+        case Symbol(name):
+            return _constant(given[name], bracketed=given[name].value < 0)
+        case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
+            quantity = given[name]
+            bracketed = bool(quantity.unit) or quantity.value < 0
+            return Power(_constant(quantity, bracketed), put_in(exponent, given))
+        case _:
+            parts = children(formula)
+            found = tuple(put_in(part, given) for part in parts)
+            return rebuild(formula, found) if parts else formula
+
+
+def _constant(quantity: Quantity, bracketed: bool) -> Constant:
+    text = quantity.text(DIGITS)
+    return Constant(f"({text})" if bracketed else text, Number(Fraction(quantity.value)))
+
+
+def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
+    """Return the part that is the largest, or smallest, of several; None where none is taken."""
+    values = {name: quantity.value for name, quantity in given.items()}
+    for part in walk(formula):
+        if isinstance(part, Call) and part.function in ("min", "max"):
+            if not symbols(part) <= values.keys():
+                return None
+            best = max if part.function == "max" else min
+            return best(part.arguments, key=lambda a: evaluate(a, values))
+    return None
+
+
+# -------------------------------------------------------------------------- checks
+
+
+def _check(require: Require, given: Mapping[str, Quantity]) -> NoteCheck:
+    assert require.written
+    left, right, label = require.written.left, require.written.right, require.written.label
+    values = _sides(require, given)
+    reserve = _reserve(values[0].value, values[1].value, require.operator) if values else None
+    return NoteCheck(label, left, require.operator, right, values, reserve, decides=False)
+
+
+def _sides(require: Require, given: Mapping[str, Quantity]) -> tuple[Quantity, Quantity] | None:
+    """Return both sides in the unit of the first quantity in them."""
+    names = [*sorted(symbols(require.left)), *sorted(symbols(require.right))]
+    if not names or not set(names) <= given.keys():
+        return None
+    unit = next((given[n].unit for n in names if _alike(n, require, given)), "")
+    values = {name: quantity.value for name, quantity in given.items()}
+    left, right = (evaluate(side, values) for side in (require.left, require.right))
+    return Quantity(left, unit), Quantity(right, unit)
+
+
+def _alike(name: str, require: Require, given: Mapping[str, Quantity]) -> bool:
+    """Return whether a side is a quantity by itself, whose unit is then that of both."""
+    return Symbol(name) in (require.left, require.right) and bool(given[name].unit)
+
+
+def _reserve(left: float, right: float, operator: str) -> float | None:
+    """Return how many times a positive limit is above what is held against it."""
+    small, large = (left, right) if operator in ("<", "<=") else (right, left)
+    sound = operator in ("<", "<=", ">", ">=") and small > 0 and large > 0
+    return large / small if sound and math.isfinite(large / small) else None
+
+
+def _with_the_least(checks: Sequence[NoteCheck]) -> Iterator[NoteCheck]:
+    """Yield checks, of several that one with the least reserve as deciding."""
+    reserves = [check.reserve for check in checks if check.reserve is not None]
+    least = min(reserves) if len(reserves) > 1 else None
+    for check in checks:
+        yield check._replace(decides=check.reserve is not None and check.reserve == least)
