@@ -129,7 +129,8 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             return _constant(given[name], bracketed=given[name].value < 0)
         case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
             quantity = given[name]
-            bracketed = bool(quantity.unit) or quantity.value < 0
+            is_divisor = exponent == Number(Fraction(-1))
+            bracketed = (bool(quantity.unit) and not is_divisor) or quantity.value < 0
             return Power(_constant(quantity, bracketed), put_in(exponent, given))
         case _:
             parts = children(formula)
