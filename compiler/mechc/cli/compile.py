@@ -59,6 +59,11 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
 )
 @click.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
 @click.option(
+    "--numbers/--no-numbers",
+    default=True,
+    help="Put the values given into the formulas of LaTeX output.",
+)
+@click.option(
     "--lang",
     "language",
     type=Word(list(LANGUAGES)),
@@ -79,6 +84,7 @@ def command(
     target: str | None,
     paths: tuple[str, ...],
     fragment: bool,
+    numbers: bool,
     language: str,
     settings: Settings,
     deps: str | None,
@@ -98,7 +104,7 @@ def command(
     wanted = outputs(paths, target)
     compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    options = Options(stem="", fragment=fragment, language=language)
+    options = Options(stem="", fragment=fragment, language=language, numbers=numbers)
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]
     printed = [emitted[0].text for output, emitted in made if output.path is None]

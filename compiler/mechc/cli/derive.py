@@ -13,19 +13,22 @@ from .terminal import say, speaks_unicode
 
 @click.command("derive", cls=Command)
 @description_argument
+@click.option("--numbers/--no-numbers", default=True, help="Put the values given into formulas.")
 @settings_option
 @stdin_option
 @session_options
-def command(file: str, settings: Settings, stdin_name: str) -> None:
+def command(file: str, numbers: bool, settings: Settings, stdin_name: str) -> None:
     """Print the derivation of k step by step.
 
     Each velocity relation with the rule that gives it, the power equation, k, and where
-    it vanishes and blows up.
+    it vanishes and blows up, then the same with the values given put in.
 
     \b
     mechc derive clamp.mech
     """
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    text = render(compilation.derivation, compilation.mechanism, unicode=speaks_unicode())
+    text = render(
+        compilation.derivation, compilation.mechanism, unicode=speaks_unicode(), numbers=numbers
+    )
     say(text, end="")

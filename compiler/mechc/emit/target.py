@@ -72,6 +72,8 @@ class Options(NamedTuple):
     fragment: bool = False
     language: str = "en"
     """One of :data:`~mechc.report.languages.registry.LANGUAGES`."""
+    numbers: bool = True
+    """Whether reports put the given values into their formulas."""
     single: bool = False
     """One self-contained file (for standard output)."""
     named: bool = True

@@ -6,31 +6,17 @@ the units in which they are given.
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
-from fractions import Fraction
 from typing import Literal, NamedTuple
 
 from ..formula.choices import chosen, is_choice
-from ..formula.tree import Call, Constant, Formula, Number, Power, Symbol
-from ..formula.walk import children, evaluate, rebuild, symbols, walk
+from ..formula.tree import Call, Constant, Formula, Number, Symbol
+from ..formula.walk import evaluate, symbols, walk
 from ..model.mechanism import Let, Mechanism, Require
 from ..model.result import Result
 from ..model.values import Chain, defaults, dependent
 from ..model.written import WrittenTable
-from ..units import Dimension, in_unit, si_unit
-
-DIGITS = 4
-"""Significant digits of numbers that are put in."""
-
-
-class Quantity(NamedTuple):
-    """A value in SI, and the unit that it is given in."""
-
-    value: float
-    unit: str
-
-    def text(self, digits: int) -> str:
-        """Return the value to so many digits in its unit: ``5 mm``."""
-        return in_unit(self.value, self.unit, digits)
+from ..units import Dimension, si_unit
+from .put_in import Quantity, put_in
 
 
 class NoteLine(NamedTuple):
@@ -118,29 +104,6 @@ def _numbers(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
         part = chosen(formula.arguments, lambda f: evaluate(f, values))
         return _numbers(part, given) if part else None
     return put_in(formula, given) if symbols(formula) else None
-
-
-def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
-    """Return a formula with quantities for symbols, in brackets where a power is taken of one."""
-    match formula:
-        case Constant():
-            return formula
-        case Symbol(name):
-            return _constant(given[name], bracketed=given[name].value < 0)
-        case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
-            quantity = given[name]
-            is_divisor = exponent == Number(Fraction(-1))
-            bracketed = (bool(quantity.unit) and not is_divisor) or quantity.value < 0
-            return Power(_constant(quantity, bracketed), put_in(exponent, given))
-        case _:
-            parts = children(formula)
-            found = tuple(put_in(part, given) for part in parts)
-            return rebuild(formula, found) if parts else formula
-
-
-def _constant(quantity: Quantity, bracketed: bool) -> Constant:
-    text = quantity.text(DIGITS)
-    return Constant(f"({text})" if bracketed else text, Number(Fraction(quantity.value)))
 
 
 def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:

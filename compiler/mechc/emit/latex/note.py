@@ -13,7 +13,8 @@ from ...report.latex.printer import Box, box, latex, plain, row
 from ...report.latex.quantity import decimal
 from ...report.latex.text import escape
 from ...report.latex.unit_symbols import unit_symbol
-from ...report.note import Note, NoteCheck, NoteLine, Quantity, note
+from ...report.note import Note, NoteCheck, NoteLine, note
+from ...report.put_in import Quantity
 from ...units import ANGLE, UNITS
 from ..target import Compiled
 

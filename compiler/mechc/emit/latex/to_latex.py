@@ -17,6 +17,7 @@ from ...frozen import replace
 from ...model.mechanism import Parameter, WithFriction
 from ...model.sheets import is_sheet
 from ...report.derivation.steps import Derivation, LastStep, Step
+from ...report.evaluated import evaluated
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
@@ -29,13 +30,13 @@ from ...report.latex.given import (
     vector_rows,
 )
 from ...report.latex.notation import Notation, notation, of_first_order, of_force, spellings
+from ...report.latex.numbers import numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.results import (
     SectionBlock,
     Speller,
     check,
     definitions,
-    numbers,
     section_block,
 )
 from ...report.latex.text import escape, has_cyrillic
@@ -82,6 +83,7 @@ class Report(NamedTuple):
     last: str
     results: tuple[SectionBlock, ...]
     conditions: str
+    values: str
     numbers: tuple[str, ...]
     check: str
     remarks: tuple[str, ...]
@@ -96,7 +98,7 @@ class Latex:
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return one ``.tex`` file."""
         locale = registry.locale(options.language)
-        body = _body(compiled, locale, notation(options.language), options.fragment)
+        body = _body(compiled, locale, notation(options.language), options)
         text = body if options.fragment else _document(body, locale)
         return (Emitted(f"{options.stem}.tex", text),)
 
@@ -119,12 +121,12 @@ _TEMPLATES = Environment(
 )
 
 
-def _body(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> str:
+def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> str:
     """Return the report of a mechanism, or the calculation note of a sheet."""
     if is_sheet(compiled.mechanism):
-        note = note_report(compiled, locale, style, fragment)
+        note = note_report(compiled, locale, style, options.fragment)
         return _TEMPLATES.get_template("note.jinja").render(note._asdict())
-    report = _report(compiled, locale, _style(compiled, style), fragment)
+    report = _report(compiled, locale, _style(compiled, style), options)
     return _TEMPLATES.get_template("body.jinja").render(report._asdict())
 
 
@@ -183,15 +185,16 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
     yield from (p for p in compiled.mechanism.literals if p.name not in shown)
 
 
-def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> Report:
+def _report(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Report:
     mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
     whole = outline(derivation, mechanism)
+    found = tuple(evaluated(whole, mechanism)) if options.numbers else ()
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
         conventions=locale.conventions.format(x="$x$"),
         convention_of_speeds=_convention(derivation, locale),
-        section="subsection" if fragment else "section",
+        section="subsection" if options.fragment else "section",
         title=escape(mechanism.title or mechanism.name),
         source=escape(mechanism.source),
         parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
@@ -204,7 +207,8 @@ def _report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool)
         last=_last(derivation.last_steps, locale, style),
         results=tuple(section_block(s, locale, style) for s in whole.results),
         conditions=conditions(mechanism.requires, Speller(style)),
-        numbers=numbers(derivation.results, locale, style),
+        values=values(found, locale, style),
+        numbers=numbers(derivation.results, {e.left for e in found}, locale, style),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
     )

@@ -41,8 +41,12 @@ def length_of(formula: Formula, locale: Locale, style: Notation, unit: str = "")
 
 def measured(value: float, dimension: Dimension, locale: Locale, style: Notation) -> str:
     """Return a computed value, given in SI, in the usual unit of its dimension."""
-    chosen = usual_unit(dimension)
-    return decimal(value / _factor(chosen), style) + unit_symbol(chosen, locale)
+    return in_unit(value, usual_unit(dimension), locale, style)
+
+
+def in_unit(value: float, unit: str, locale: Locale, style: Notation) -> str:
+    """Return a computed value, given in SI, in a unit."""
+    return decimal(value / _factor(unit), style) + unit_symbol(unit, locale)
 
 
 def usual_unit(dimension: Dimension) -> str:

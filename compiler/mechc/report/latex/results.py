@@ -2,12 +2,10 @@
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import groupby
-from math import isfinite
 from typing import NamedTuple
 
 from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
-from ...formula.operations import count_operations
 from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition
@@ -21,15 +19,12 @@ from ..sections import Section
 from ..sentences.remarks import asked, heading, is_nameless, ratio, remarks, said
 from .display import LINE, Line, balance, display, vanishing
 from .notation import Notation, name, points
+from .numbers import short_derivatives, slope
 from .printer import Box, box, latex, plain
-from .quantity import decimal, measured, unit_symbol
+from .quantity import decimal, unit_symbol
 
 _WIDE = 9.0
 """Em beyond which a left side is no mere name or ratio of speeds."""
-
-
-LONGEST_DERIVATIVE = 60
-"""A derivative of more operations than this is given by its value."""
 
 
 class ParagraphBlock(NamedTuple):
@@ -197,24 +192,10 @@ def _derivatives(result: Analysis, locale: Locale, style: Notation) -> str:
         return ""
     symbol = latex(asked(result), style)
     lines = tuple(
-        Line(_slope(symbol, parameter, style, total=bool(result.where)), formula)
-        for parameter, formula in _short_derivatives(result)
+        Line(slope(symbol, parameter, style, total=bool(result.where)), formula)
+        for parameter, formula in short_derivatives(result)
     )
     return display(lines, style, locale.where) if lines else ""
-
-
-def _short_derivatives(result: Analysis) -> Iterator[tuple[str, Formula]]:
-    """Yield the derivatives that a person would write down; of others the value is given."""
-    for parameter, formula in (result.derivatives or {}).items():
-        if formula != ZERO and count_operations(formula) <= LONGEST_DERIVATIVE:
-            yield parameter, formula
-
-
-def _slope(symbol: str, parameter: str, style: Notation, total: bool) -> Box:
-    """Return the sign of a derivative: a total one where other angles follow the parameter."""
-    d = r"\mathrm{d}" if total else r"\partial"
-    whole = rf"\frac{{{d} {symbol}}}{{{d} {name(parameter, style)}}}"
-    return Box(whole, 0.6 + plain(symbol).width, tall=True)
 
 
 _SIGNS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq ", "~": r"\sim "}
@@ -245,31 +226,6 @@ class Speller(NamedTuple):
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         return f"${points(names)}$"
-
-
-def numbers(results: Iterable[Analysis], locale: Locale, style: Notation) -> tuple[str, ...]:
-    """Return the results at the default pose, and those of their derivatives that are long."""
-    shown: list[str] = []
-    for result in results:
-        shown += [_number(result, locale, style), *_slopes(result, locale, style)]
-    return tuple(filter(None, shown))
-
-
-def _slopes(result: Analysis, locale: Locale, style: Notation) -> Iterator[str]:
-    symbol, short = latex(asked(result), style), dict(_short_derivatives(result))
-    for parameter, (value, dimension) in result.slopes.items():
-        if parameter not in short and (result.derivatives or {})[parameter] != ZERO:
-            left = _slope(symbol, parameter, style, total=bool(result.where)).tex
-            yield f"${left}={measured(value, dimension, locale, style)}$"
-
-
-def _number(result: Analysis, locale: Locale, style: Notation) -> str:
-    symbol = latex(asked(result), style)
-    if result.undetermined:
-        return rf"${symbol}$ {locale.undetermined} ($0/0$)"
-    if result.default is None or not isfinite(result.default):
-        return ""
-    return f"${symbol}={measured(result.default, result.dimension, locale, style)}$"
 
 
 def check(verdict: Verdict, locale: Locale, style: Notation) -> str:

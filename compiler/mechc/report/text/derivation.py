@@ -16,12 +16,17 @@ from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit
 from ..definitions import Solved, grouped
 from ..derivation.steps import Derivation, LastStep, Step
+from ..evaluated import evaluated
 from ..languages.en import LOCALE
-from ..sections import PositionSection, Section, outline
+from ..put_in import Quantity, in_degrees
+from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, lines, position_sentence, sentence
 from . import note
 from .printer import ASCII, UNICODE, Signs, print_point, print_side
+
+SHOWN = 6
+"""Significant digits of values."""
 
 WIDTH = 80
 """Columns that lines keep to where they can."""
@@ -48,6 +53,12 @@ class Speller(NamedTuple):
             line += f" {shown} {print_side(side, self.signs, angle)}"
         return line
 
+    def quantity(self, quantity: Quantity) -> str:
+        """Return a value in its unit, an angle in degrees."""
+        if quantity.unit != "deg":
+            return quantity.text(SHOWN)
+        return print_side(in_degrees(quantity.value, SHOWN), self.signs, True)
+
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         return print_point(names, self.signs)
@@ -60,12 +71,15 @@ class Speller(NamedTuple):
         return f"{_DEEP}{name} = {value.replace('-', self.signs.minus)}"
 
 
-def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True) -> str:
+def render(
+    derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True, numbers: bool = True
+) -> str:
     """Return the derivation as text, ending in a line feed.
 
     Velocities are named ``V_A``, angular velocities ``ω_OA``; with ``unicode`` False
     only ASCII characters are used in formulas. Lines keep to 80 columns, except a
     formula that has no place to break. Of a calculation sheet it is the calculation.
+    ``numbers`` adds what the formulas come to at the default pose.
     """
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, unicode)
@@ -79,12 +93,26 @@ def render(derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True
         again = title == before == LOCALE.results
         lines += ["", *([] if again else [title]), *_section(section, spell)]
         before = title
+    if numbers:
+        lines += _numbers(whole, mechanism, spell)
     if mechanism.requires:
         lines += [
             "",
             *_wrapped(f"{LOCALE.requirements} {conditions(mechanism.requires, spell)}.", ""),
         ]
     return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
+
+
+def _numbers(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+    """Yield what formulas come to at the default pose, with the numbers put in."""
+    found = tuple(evaluated(whole, mechanism))
+    if found:
+        yield from ("", LOCALE.numbers, f"     {LOCALE.at_default}:")
+    for left, numbers, value, angle in found:
+        sides = [spell.relation((left,), (), False)]
+        sides += [spell.relation((numbers,), (), angle)] if numbers else []
+        sides.append(spell.quantity(value))
+        yield from _broken(" = ".join(sides).replace("-", spell.signs.minus))
 
 
 def speller(derivation: Derivation, mechanism: Mechanism, unicode: bool) -> Speller:

@@ -1,0 +1,122 @@
+"""What a report's formulas come to at the default pose, with the numbers put in."""
+
+import math
+from collections.abc import Iterable, Iterator, Mapping
+from typing import NamedTuple
+
+from ..formula.layout import is_angle
+from ..formula.operations import count_operations
+from ..formula.tree import Formula, Implicit, Symbol
+from ..formula.walk import constants, evaluate, substitute, symbols, walk
+from ..model.mechanism import Mechanism, Parameter
+from ..model.result import Definition
+from ..model.values import Chain, defaults, dependent
+from ..study.analysis import Analysis
+from ..units import ANGLE, LENGTH, NUMBER, UNITS, si_unit
+from .put_in import Quantity, put_in
+from .sections import Outline
+from .sentences.remarks import asked
+
+LONGEST = 40
+"""A formula of more operations than this is given by its value alone."""
+
+
+class Evaluated(NamedTuple):
+    """A name, its formula in numbers, and its value; no ``numbers`` where nobody would put them in.
+
+    The numbers of a ratio stand without their unit where all have the same.
+    """
+
+    left: Formula
+    numbers: Formula | None
+    value: Quantity
+    angle: bool
+
+
+def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
+    """Yield the definitions and results of a report that have a value, in its order."""
+    given = _given(whole, mechanism)
+    for name, formula in _definitions(whole):
+        if name in given:
+            value = given[name]
+            numbers = _numbers(formula, given, value.unit in ("", "deg"))
+            yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
+    for result in (r for section in whole.results for r in section.results):
+        yield from _of_result(result, given, usual_length(mechanism))
+
+
+def _definitions(whole: Outline) -> Iterator[Definition]:
+    for section in whole.position:
+        yield from section.where
+    for result in whole.results:
+        yield from result.where
+
+
+def _of_result(result: Analysis, given: Mapping[str, Quantity], usual: str) -> Iterator[Evaluated]:
+    if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
+        return
+    angle = result.dimension == ANGLE
+    unit = usual if result.dimension == LENGTH else si_unit(result.dimension)
+    value = Quantity(result.default, "deg" if angle else unit)
+    bare = result.dimension in (ANGLE, NUMBER)
+    yield Evaluated(asked(result), _numbers(result.formula, given, bare), value, angle)
+
+
+def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
+    """Return the quantities that formulas mention, each in the unit that it was given in."""
+    where = list(_definitions(whole))
+    values = dict(Chain({**dependent(mechanism), **dict(where)}).complete(defaults(mechanism)))
+    named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals)}
+    units = {name: _unit(p) for name, p in named.items()}
+    usual = usual_length(mechanism)
+    angles = {name for name, unit in units.items() if unit == "deg"}
+    for definition in where:
+        if definition.name not in units and (unit := _found_unit(definition, usual, angles)):
+            units[definition.name] = unit
+            angles |= {definition.name} if unit == "deg" else set()
+    values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
+    known = {name: value for name, value in values.items() if math.isfinite(value)}
+    return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
+
+
+def usual_length(mechanism: Mechanism) -> str:
+    """Return the unit in which a description gives its lengths first, metres where in none."""
+    given = (*mechanism.parameters, *mechanism.literals)
+    return next((p.unit for p in given if p.dimension == LENGTH and p.unit), "m")
+
+
+def _unit(parameter: Parameter) -> str:
+    return "deg" if parameter.dimension == ANGLE else parameter.unit or si_unit(parameter.dimension)
+
+
+def _found_unit(definition: Definition, usual: str, angles: Iterable[str]) -> str:
+    """Return the unit of what a loop gives, '' where its dimension is not known by its name."""
+    if definition.name.startswith("len_"):
+        return usual
+    return "deg" if is_angle(definition.formula, set(angles)) else ""
+
+
+def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> Formula | None:
+    """Return a formula with its numbers put in, if it is short and all of them are known."""
+    names = symbols(formula) | {c.name for c in constants([formula])}
+    if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
+        return None
+    if any(isinstance(part, Implicit) for part in walk(formula)):
+        return None
+    units = {given[n].unit for n in names} - {"deg"}
+    if bare and len(units) == 1:
+        return put_in(_as_symbols(formula), {n: _bare(q) for n, q in given.items()})
+    return put_in(_as_symbols(formula), given)
+
+
+def _bare(quantity: Quantity) -> Quantity:
+    """Return a quantity without its unit, an angle as it is."""
+    if quantity.unit == "deg":
+        return quantity
+    size = UNITS[quantity.unit].size if quantity.unit in UNITS else 1.0
+    return Quantity(quantity.value / size, "")
+
+
+def _as_symbols(formula: Formula) -> Formula:
+    """Return a formula in which named numbers are symbols, to be put in like all others."""
+    return substitute(formula, {c.name: Symbol(c.name) for c in constants([formula])})

@@ -1,0 +1,82 @@
+"""What formulas come to at the default pose, as LaTeX."""
+
+from collections.abc import Collection, Iterable, Iterator
+from math import isfinite
+
+from ...formula.operations import count_operations
+from ...formula.tree import ZERO, Formula
+from ...study.analysis import Analysis
+from ..evaluated import Evaluated
+from ..languages.locale import Locale
+from ..sentences.remarks import asked
+from .display import LINE
+from .notation import Notation, name
+from .printer import Box, box, latex, plain
+from .quantity import in_unit, measured
+
+LONGEST_DERIVATIVE = 60
+"""A derivative of more operations than this is given by its value."""
+
+
+def values(found: Iterable[Evaluated], locale: Locale, style: Notation) -> str:
+    """Return formulas with the numbers put in, below each other."""
+    lines = [_line(item, locale, style) for item in found]
+    rows = " \\\\\n".join(lines)
+    return f"\\begin{{align*}}\n{rows}\n\\end{{align*}}" if lines else ""
+
+
+def _line(item: Evaluated, locale: Locale, style: Notation) -> str:
+    """Return a formula in numbers and its value, in two lines where one is too short."""
+    left, value = box(item.left, style), in_unit(item.value.value, item.value.unit, locale, style)
+    if item.numbers is None:
+        return f"{left.tex}&={value}"
+    numbers = box(item.numbers, style, item.angle)
+    is_long = left.width + numbers.width + plain(value).width + 2.4 > LINE
+    between = r" \\ &=" if is_long else "="
+    return f"{left.tex}&={numbers.tex}{between}{value}"
+
+
+def numbers(
+    results: Iterable[Analysis], shown: Collection[Formula], locale: Locale, style: Notation
+) -> tuple[str, ...]:
+    """Return the results at the default pose, and those of their derivatives that are long.
+
+    Those that are ``shown`` with their formulas are left out.
+    """
+    found: list[str] = []
+    for result in results:
+        if asked(result) not in shown:
+            found.append(_number(result, locale, style))
+        found += _slopes(result, locale, style)
+    return tuple(filter(None, found))
+
+
+def _number(result: Analysis, locale: Locale, style: Notation) -> str:
+    symbol = latex(asked(result), style)
+    if result.undetermined:
+        return rf"${symbol}$ {locale.undetermined} ($0/0$)"
+    if result.default is None or not isfinite(result.default):
+        return ""
+    return f"${symbol}={measured(result.default, result.dimension, locale, style)}$"
+
+
+def _slopes(result: Analysis, locale: Locale, style: Notation) -> Iterator[str]:
+    symbol, short = latex(asked(result), style), dict(short_derivatives(result))
+    for parameter, (value, dimension) in result.slopes.items():
+        if parameter not in short and (result.derivatives or {})[parameter] != ZERO:
+            left = slope(symbol, parameter, style, total=bool(result.where)).tex
+            yield f"${left}={measured(value, dimension, locale, style)}$"
+
+
+def short_derivatives(result: Analysis) -> Iterator[tuple[str, Formula]]:
+    """Yield the derivatives that a person would write down; of others the value is given."""
+    for parameter, formula in (result.derivatives or {}).items():
+        if formula != ZERO and count_operations(formula) <= LONGEST_DERIVATIVE:
+            yield parameter, formula
+
+
+def slope(symbol: str, parameter: str, style: Notation, total: bool) -> Box:
+    """Return the sign of a derivative: a total one where other angles follow the parameter."""
+    d = r"\mathrm{d}" if total else r"\partial"
+    whole = rf"\frac{{{d} {symbol}}}{{{d} {name(parameter, style)}}}"
+    return Box(whole, 0.6 + plain(symbol).width, tall=True)

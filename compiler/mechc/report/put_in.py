@@ -1,0 +1,69 @@
+"""Formulas with numbers put in for their symbols, as calculation notes have them."""
+
+import math
+from collections.abc import Mapping
+from fractions import Fraction
+from typing import NamedTuple
+
+from ..formula.layout import TRIGONOMETRIC
+from ..formula.tree import Call, Constant, Formula, Number, Power, Symbol, degrees
+from ..formula.walk import children, evaluate, rebuild, symbols
+from ..units import in_unit
+
+DIGITS = 4
+"""Significant digits of numbers that are put in."""
+
+
+class Quantity(NamedTuple):
+    """A value in SI, and the unit that it is given in."""
+
+    value: float
+    unit: str
+
+    def text(self, digits: int) -> str:
+        """Return the value to so many digits in its unit: ``5 mm``."""
+        return in_unit(self.value, self.unit, digits)
+
+
+def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+    """Return a formula with quantities for symbols, in brackets where a power is taken of one.
+
+    A sine or cosine is that of its angle in degrees, whatever this is a sum of.
+
+    >>> from ..formula.to_text import text
+    >>> from ..formula.tree import product, total
+    >>> a, alpha, beta = map(Symbol, ("a", "alpha", "beta"))
+    >>> formula = product([(a, 1), (Call("sin", (total([alpha, beta]),)), 1)])
+    >>> ten = Quantity(math.radians(10), "deg")
+    >>> text(put_in(formula, {"a": Quantity(0.04, "mm"), "alpha": ten, "beta": ten}))
+    '40 mm*sin(pi/9)'
+    """
+    match formula:
+        case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
+            values = {name: quantity.value for name, quantity in given.items()}
+            return Call(function, (in_degrees(evaluate(angle, values), DIGITS),))
+        case Constant():
+            return formula
+        case Symbol(name) if given[name].unit == "deg":
+            return in_degrees(given[name].value, DIGITS)
+        case Symbol(name):
+            return _constant(given[name], bracketed=given[name].value < 0)
+        case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
+            quantity = given[name]
+            is_divisor = exponent == Number(Fraction(-1))
+            bracketed = (bool(quantity.unit) and not is_divisor) or quantity.value < 0
+            return Power(_constant(quantity, bracketed), put_in(exponent, given))
+        case _:
+            parts = children(formula)
+            found = tuple(put_in(part, given) for part in parts)
+            return rebuild(formula, found) if parts else formula
+
+
+def _constant(quantity: Quantity, bracketed: bool) -> Constant:
+    text = quantity.text(DIGITS)
+    return Constant(f"({text})" if bracketed else text, Number(Fraction(quantity.value)))
+
+
+def in_degrees(angle: float, digits: int) -> Formula:
+    """Return an angle in radians as degrees, to so many digits."""
+    return degrees(Fraction(f"{math.degrees(angle):.{digits}g}"))

@@ -1,0 +1,66 @@
+"""Numbers put into a report's formulas: what they come to is what stands behind them."""
+
+import math
+from fractions import Fraction
+
+import pytest
+
+from good_mechanisms import CLOSED, compiled
+from mechc.formula.to_text import text
+from mechc.formula.tree import Constant, Number
+from mechc.formula.walk import children, evaluate, rebuild
+from mechc.report.evaluated import evaluated
+from mechc.report.sections import outline
+from mechc.report.text.derivation import render
+
+
+def found(name):
+    mechanism, derivation = compiled(name).mechanism, compiled(name).derivation
+    return list(evaluated(outline(derivation, mechanism), mechanism))
+
+
+def shown(name):
+    return {text(item.left): item for item in found(name)}
+
+
+def test_units_that_cancel_are_left_out():
+    k = shown("karpenko_fig9_packet_clamp")["k"]
+    assert text(k.numbers) == "100*sin(19*pi/180)/(2*250*cos(pi/15)*cos(7*pi/180))"
+
+
+def test_units_that_do_not_cancel_stand():
+    items = shown("crank_rocker")
+    assert text(items["k"].numbers).startswith("40 mm*sin(")
+    assert items["k"].value.text(6) == "36.5879 mm"
+    assert items["theta"].value.unit == "deg"
+
+
+def test_they_can_be_switched_off():
+    compilation = compiled("crank_rocker")
+    derivation, mechanism = compilation.derivation, compilation.mechanism
+    assert "At the values given" in render(derivation, mechanism)
+    assert "At the values given" not in render(derivation, mechanism, numbers=False)
+
+
+def in_figures(formula):
+    """Return a formula of quantities with the figures that are printed, all in one unit."""
+    if isinstance(formula, Constant):
+        return Number(Fraction(formula.name.strip("()").split()[0]))
+    parts = children(formula)
+    return rebuild(formula, tuple(map(in_figures, parts))) if parts else formula
+
+
+def gap(item):
+    """Return by what part the figures printed miss the value, of an angle by how many radians."""
+    printed = evaluate(in_figures(item.numbers), {})
+    if item.value.unit == "deg":
+        return math.remainder(printed - item.value.value, 2 * math.pi)
+    value = float(item.value.text(12).split()[0])
+    return (printed - value) / value
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_the_figures_come_to_the_value(name):
+    items = [item for item in found(name) if item.numbers is not None]
+    for item in items:
+        assert abs(gap(item)) < 0.02, text(item.left)
