@@ -5,11 +5,11 @@ from itertools import pairwise
 
 import pytest
 
-from good_mechanisms import ALL
+from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
 from mechc.drawing.from_diagrams import LARGEST, SHORTEST
-from readable_drawings import assert_readable, lettering, opened
+from readable_drawings import assert_readable, lettering
 
 FEW = [
     "claw_with_friction",
@@ -28,13 +28,13 @@ FEW = [
 
 @pytest.mark.parametrize("name", FEW)
 def test_no_label_is_on_a_line(name):
-    assert_readable(opened(name).free_body_diagrams)
+    assert_readable(begun(name).free_body_diagrams)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_nor_in_all_others(name):
-    drawing = opened(name).free_body_diagrams
+    drawing = begun(name).free_body_diagrams
     assert drawing is not None or name == "speeds"
     if drawing is not None:
         assert_readable(drawing)
@@ -49,7 +49,7 @@ def arrows(drawing):
 
 def test_forces_are_to_scale_and_point_as_they_act():
     name = "karpenko_fig9_packet_clamp"
-    (diagram,) = opened(name).free_bodies
+    (diagram,) = begun(name).free_bodies
     bodies = [b for b in diagram.bodies if not (b.kind == "link" and b.name.endswith("'"))]
     forces = [a.force for b in bodies for a in b.forces if a.force and math.hypot(*a.force) > 1e-9]
     largest = max(math.hypot(*force) for force in forces)
@@ -57,22 +57,22 @@ def test_forces_are_to_scale_and_point_as_they_act():
         (round(force.angle, 6), max(SHORTEST, LARGEST * math.hypot(*force) / largest))
         for force in forces
     ]
-    found = [tip.minus(tail) for tail, tip in arrows(opened(name).free_body_diagrams)]
+    found = [tip.minus(tail) for tail, tip in arrows(begun(name).free_body_diagrams)]
     drawn = [(round(arrow.angle, 6), math.hypot(*arrow)) for arrow in found]
     for one, other in zip(sorted(drawn), sorted(expected), strict=True):
         assert one == pytest.approx(other)
 
 
 def test_forces_have_names_and_sizes():
-    found = lettering(opened("karpenko_fig9_packet_clamp").free_body_diagrams)
+    found = lettering(begun("karpenko_fig9_packet_clamp").free_body_diagrams)
     assert {"F", "P = 0.0671\u2009F", "RO = 0.5\u2009F"} <= set(found)
     assert "k, without friction, forces per unit of F" in found
 
 
 def test_friction_circles_are_as_large_as_they_are():
-    figure, scale = opened("lever_clamp_with_friction").figure, None
-    drawing = opened("lever_clamp_with_friction").free_body_diagrams
-    plain, rubbing = opened("lever_clamp_with_friction").free_bodies
+    figure, scale = begun("lever_clamp_with_friction").figure, None
+    drawing = begun("lever_clamp_with_friction").free_body_diagrams
+    plain, rubbing = begun("lever_clamp_with_friction").free_bodies
     (offset,) = {abs(a.offset) for b in rubbing.bodies for a in b.forces if a.offset}
     (circle,) = [s for s in drawing.shapes if isinstance(s, Arc) and s.pen == AXIS]
     scale = circle.radius / offset
@@ -83,7 +83,7 @@ def test_friction_circles_are_as_large_as_they_are():
 
 
 def test_of_halves_one_is_drawn():
-    drawing = opened("karpenko_fig9_packet_clamp").free_body_diagrams
+    drawing = begun("karpenko_fig9_packet_clamp").free_body_diagrams
     assert "Every body of one mirrored half" in drawing.description
     assert lettering(drawing).count("A") == 1
     assert "A'" not in lettering(drawing)

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import mechc
-from good_mechanisms import ALL
+from good_mechanisms import ALL, begun
 from grown import Grown
 from mechc.cli import main, make_gallery
 from mechc.diagnostics import MechcError
@@ -26,7 +26,7 @@ from mechc.figure.figure import Actuator, Force, Spring, Torque
 from mechc.files import find, library, read
 from mechc.formula.names import split_points
 from mechc.source import Source
-from readable_drawings import assert_readable, lettering, opened, places
+from readable_drawings import assert_readable, lettering, places
 
 every_mechanism = pytest.mark.parametrize("name", ALL)
 
@@ -34,7 +34,7 @@ CLAMP = "karpenko_fig9_packet_clamp"
 
 
 def drawn(name, **values):
-    return scheme(opened(name).drawn(values))
+    return scheme(begun(name).drawn(values))
 
 
 # ------------------------------------------------------------- where labels are
@@ -42,7 +42,7 @@ def drawn(name, **values):
 
 @every_mechanism
 def test_no_label_is_on_a_line_or_touches_another(name):
-    assert_readable(opened(name).scheme)
+    assert_readable(begun(name).scheme)
 
 
 @pytest.mark.parametrize("seed", [*range(0, 60, 4)])
@@ -69,7 +69,7 @@ def assert_grown_readable(seed):
 
 @every_mechanism
 def test_every_point_and_load_has_its_name(name):
-    figure, found = opened(name).figure, lettering(opened(name).scheme)
+    figure, found = begun(name).figure, lettering(begun(name).scheme)
     for point in figure.points:
         is_made = not split_points(point)  # it only tells where a guide lies
         assert is_made or "".join(run.text for run in lettering_of(point)) in found
@@ -103,7 +103,7 @@ def test_arrows_point_as_the_forces_do():
 
 def test_halves_are_in_one_place_or_clearly_in_two():
     for name in library():
-        figure = opened(name).figure
+        figure = begun(name).figure
         if figure.mirror is None or not figure.chosen:
             continue
         for point, at in figure.points.items():
@@ -113,7 +113,7 @@ def test_halves_are_in_one_place_or_clearly_in_two():
 
 def test_the_ground_of_a_pivot_is_off_its_bars():
     for name in library():
-        figure = opened(name).figure
+        figure = begun(name).figure
         links = [p for p in figure.parts if type(p).__name__ == "Link"]
         for pivot in (p for p in figure.parts if type(p).__name__ == "Pivot"):
             for tail, head in (rod for link in links for rod in link.rods):
@@ -125,7 +125,7 @@ def test_the_ground_of_a_pivot_is_off_its_bars():
 
 def test_no_measure_is_negative_and_no_angle_is_there_twice():
     for name in library():
-        parts = opened(name).figure.parts
+        parts = begun(name).figure.parts
         assert all(p.value > 0 for p in parts if type(p).__name__ == "Dimension"), name
         marks = [(p.vertex, p.text, round(math.tan(p.start), 6), round(p.sweep, 6)) for p in parts
                  if type(p).__name__ == "AngleMark"]  # fmt: skip
@@ -281,11 +281,11 @@ def test_the_same_bytes_for_any_hash(hash_seed):
 @pytest.mark.parametrize("name", library())
 def test_the_gallery_shows_the_library_as_it_is(name):
     made = (make_gallery.folder() / f"{name}.svg").read_text(encoding="utf-8")
-    assert made == to_svg(opened(name).scheme), "python -m mechc.cli.make_gallery"
+    assert made == to_svg(begun(name).scheme), "python -m mechc.cli.make_gallery"
 
 
 def test_the_gallery_has_all_mechanisms_and_no_others():
-    titles = {name: opened(name).scheme.title for name in library()}
+    titles = {name: begun(name).scheme.title for name in library()}
     readme = (make_gallery.folder().parent / "README.md").read_text(encoding="utf-8")
     assert readme.endswith(make_gallery.section(titles)), "python -m mechc.cli.make_gallery"
     assert {path.stem for path in make_gallery.folder().iterdir()} == set(titles)

@@ -13,13 +13,14 @@ from mechc.formula.walk import evaluate
 from mechc.friction import pairs
 from mechc.friction.coupled import true_sizes
 from mechc.friction.efficiency import Drives
-from mechc.friction.free_bodies import BodyForce, EquationsCoupled
+from mechc.friction.free_bodies import BodyForce, EquationsCoupled, Task
 from mechc.friction.iterated import exact, first_order
 from mechc.friction.lever import Bearing, moment, on_lever
 from mechc.friction.linear import LinearSolver
 from mechc.friction.naming import Endings, Meanings
-from mechc.friction.normal_forces import Component, Idle, LoadedPair, loaded_pairs
+from mechc.friction.normal_forces import Component, Idle, LoadedPair, loaded_pairs, scaled
 from mechc.friction.pairs import FrictionPair
+from mechc.friction.sequential import SequentialSolver
 from mechc.friction.signs import AtAnyPose, AtOnePose, bare, is_root
 from mechc.friction.standing import without_standing
 from mechc.frozen import replace
@@ -103,6 +104,15 @@ def test_a_lever_lifts_against_the_friction_circle_of_its_pivot(signs, turn):
     bearing = Bearing("O", Product.symbol("rho"), Product(turn))
     size = value(on_lever(UP, [LOAD], ARMS, bearing, at_pose).size, at_pose)
     assert A * size - B == pytest.approx(turn * RHO * math.hypot(size, 1))
+
+
+@pytest.mark.parametrize(("turn", "turns"), [(1, False), (-1, True)])
+def test_no_force_within_the_friction_circle_lifts_the_load(turn, turns):
+    """With ρ > a the moment that friction adds outgrows that of the drive; it may still hold."""
+    signs = one_pose(rho=0.5)
+    found = on_lever(UP, [LOAD], ARMS, Bearing("O", Product.symbol("rho"), Product(turn)), signs)
+    known = completed({**VALUES, "rho": 0.5}, signs.definitions)
+    assert (evaluate(found.turns.formula(), known) > 0) is turns
 
 
 @pytest.mark.parametrize("turn", [1, -1])
@@ -199,6 +209,45 @@ def test_radii_have_one_name_where_they_are_alike():
     assert pairs.radii([pivot, pivot._replace(name="A")]) == {"O": "rho", "A": "rho"}
     assert pairs.radii([pivot, other]) == {"O": "rho_O", "A": "rho_A"}
     assert pairs.reduced("C_guide") == "mu_C"
+
+
+# -------------------------------------------------------------- bodies one after another
+
+
+def chained(pose, driving, sense, **given):
+    """Return the driving load that follows body after body, by the signs of the pose."""
+    found, signs = plan(pose), one_pose()
+    equations = equations_of(terms(found))
+    pressed = loaded_pairs(found, equations, driving, pairs.pairs(pose), given)
+    owners = {load.name: equations.owner(load.name) for load in pose.mechanism.loads}
+    solver = SequentialSolver(Task(pose, driving, given, owners, pressed), False, signs, sense)
+    return value(solver.solve(), signs)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_guide_under_a_rod_is_overcome_with_its_friction(sense):
+    """F = S·(cos ψ ∓ μ·|sin ψ|) and M = S·r·sin(φ − ψ)."""
+    pose = rubbing(slider_crank(), GuideFriction("B", number(Fraction(1, 5)), HERE))
+    rod = 1 / (math.cos(PSI) - sense * 0.2 * abs(math.sin(PSI)))
+    expected = rod * R * math.sin(PHI - PSI)
+    assert chained(pose, "M", sense, F=ONE) == pytest.approx(expected)
+
+
+@pytest.mark.parametrize("sense", [1, -1])
+def test_a_rod_pulls_along_a_tangent_of_the_friction_circles_at_its_ends(sense):
+    """The line passes A and B at ±ρ: of the four tangents the one that takes the most, or least.
+
+    With ψ' its direction, sin(ψ' − ψ) = (d_B − d_A)/l and M = S·(r·sin(φ − ψ') + d_A).
+    """
+    pose = rubbing(slider_crank(), pin("A", "OA", "rho"), pin("B", "", "rho"))
+
+    def moment(at_a, at_b):
+        line = PSI + math.asin((at_b - at_a) / L)
+        return (R * math.sin(PHI - line) + at_a) / math.cos(line)
+
+    tangents = [moment(d, e) for d in (RHO, -RHO) for e in (RHO, -RHO)]
+    expected = max(tangents) if sense > 0 else min(tangents)
+    assert chained(pose, "M", sense, F=ONE) == pytest.approx(expected)
 
 
 # ----------------------------------------------------------------------- normal forces
@@ -333,3 +382,8 @@ def test_a_given_efficiency_divides_what_drives_and_multiplies_what_follows(sens
     ideal = Result("k", LoadRatio("P", "F"), NUMBER, number(2))
     found = Drives(ideal, sense, plan(lever())).with_constant("k_f", number(Fraction(4, 5)))
     assert evaluate(found.formula, completed({}, found.where)) == pytest.approx(expected)
+
+
+def test_what_adds_to_a_multiple_of_the_drive_slips_as_much_more():
+    (found,) = scaled([single(ONE, slip=Product(3))], Product(2))
+    assert found.slip == Product(6)

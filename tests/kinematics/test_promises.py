@@ -8,6 +8,7 @@ from mechc.algebra.product import ONE
 from mechc.driver import Compilation
 from mechc.frozen import replace
 from mechc.kinematics.check import broken_promises
+from mechc.kinematics.standing import standing
 from mechc.source import Source
 from small_poses import (
     RACK,
@@ -25,7 +26,9 @@ from small_poses import (
 
 @pytest.mark.parametrize("name", ALL)
 def test_promises_are_kept(name):
-    assert broken_promises(begun(name).plan) == []
+    plan = begun(name).plan
+    assert broken_promises(plan) == []
+    assert broken_promises(standing(plan)) == []
 
 
 @pytest.mark.parametrize("seed", range(20))

@@ -8,8 +8,9 @@ import pytest
 import reference_geometry
 import reference_kinematics
 from generators import scissor
+from good_mechanisms import compiled
 from mechc.diagnostics import Report
-from mechc.driver import Compilation, compile_source, emit
+from mechc.driver import emit
 from mechc.emit import registry
 from mechc.emit.target import Options
 from mechc.routine.evaluate import evaluate
@@ -46,11 +47,6 @@ def tree_of(source: Source) -> ast.File:
     tree = read(source, report)
     report.stop_on_errors()
     return tree
-
-
-@cache
-def compiled(name: str) -> Compilation:
-    return compile_source(source_of(name))
 
 
 # ------------------------------------------------------------------------ the text

@@ -2,21 +2,10 @@
 
 import itertools
 import math
-from functools import cache
 
 import numpy as np
 
-from good_mechanisms import ALL
 from mechc.drawing.drawing import Arc
-from mechc.driver import Compilation
-from mechc.source import Source
-
-
-@cache
-def opened(name):
-    """Return a compilation that goes no farther than it must: a picture needs no result."""
-    path = ALL[name]
-    return Compilation(Source(path.name, path.read_text(encoding="utf-8")))
 
 
 def written(label):

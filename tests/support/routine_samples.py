@@ -4,11 +4,10 @@ from fractions import Fraction
 from functools import cache
 from typing import Literal
 
+import good_mechanisms
 from known import Known
-from mechc import driver
 from mechc.data import data
 from mechc.emit.target import Compiled
-from mechc.files import find, read
 from mechc.formula.tree import (
     PI,
     Call,
@@ -294,7 +293,7 @@ def solved(name: str) -> Compiled:
     """Return a sample, or a mechanism of the library, as it comes to a target."""
     if name in SAMPLES:
         return compiled(name)
-    return driver.compile_source(read(find(name)))
+    return good_mechanisms.compiled(name)
 
 
 def guarded_by(operators: tuple[Operator, ...]) -> Compiled:
