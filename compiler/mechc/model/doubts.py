@@ -12,6 +12,7 @@ from ..source import Span
 from ..units import ANGLE, LENGTH
 from .mechanism import (
     Absolute,
+    Along,
     Arrow,
     Contact,
     Direction,
@@ -37,6 +38,9 @@ FAR = 200.0
 SOME = 0.731
 """A value for what is open, at which no formula vanishes by chance."""
 
+SQUARE = 1e-9
+"""The cosine of an angle that is as good as 90°."""
+
 FARTHEST = 1e6
 """Lengths in metres beyond which a vector is as good as infinite."""
 
@@ -55,6 +59,8 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     yield from _held(mechanism)
     yield from _without_value(mechanism.lets, values)
     yield from _of_no_size(mechanism, values)
+    if mechanism.friction.rubbing:
+        yield from _standing_for_friction(mechanism, values)
 
 
 # -------------------------------------------------------------------------- angles
@@ -282,3 +288,31 @@ def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
 def _is_zero(formula: Formula, values: Values) -> bool:
     """Tell whether a formula is zero whatever the loads and lengths that it rests on."""
     return evaluate(formula, dict.fromkeys(symbols(formula), SOME) | dict(values)) == 0
+
+
+# ------------------------------------------------------------- loads that are friction
+
+
+def _standing_for_friction(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
+    """Yield the forces that are a share of another one at the same point, and across it."""
+    forces = {load.name: load for load in mechanism.loads if isinstance(load, Force)}
+    for load in forces.values():
+        shares = symbols(load.tie) if load.tie and not load.spread else frozenset()
+        pressing = [forces[name] for name in shares & forces.keys()]
+        if len(pressing) != 1 or len(shares) == 1 or pressing[0].point != load.point:
+            continue
+        if _is_across(load.along, pressing[0].along, values):
+            yield messages.keeps_its_arrow(load.span, load.name, pressing[0].name)
+
+
+def _is_across(one: Direction, other: Direction, values: Values) -> bool:
+    """Tell whether two directions are known to be square to one another."""
+    match one, other:
+        case Absolute(angle), Absolute(against):
+            if not symbols(angle) | symbols(against) <= values.keys():
+                return False
+            return abs(math.cos(evaluate(angle, values) - evaluate(against, values))) < SQUARE
+        case Along(tail, head, quarter), Along(start, end, turned):
+            return {tail, head} == {start, end} and (quarter - turned) % 2 == 1
+        case _:
+            return False

@@ -189,3 +189,25 @@ def pins_overlap(span: Span, diameter: float, points: Sequence[str], apart: floa
         f"{listed(points, 'and')} are {apart * 1000:.6g} mm apart"
     )
     return Message(span, message, "check the diameter")
+
+
+@coded("W206")
+def keeps_its_arrow(span: Span, name: str, pressing: str) -> Message:
+    """A force that is a share of another one, and across it, seems to be friction.
+
+    Friction turns round with the motion, and a load does not: ``k_f`` and ``k_hold`` are both
+    found with this force as its arrow has it, which is right for one of them at most. What
+    loses by it does not enter the efficiency either::
+
+        force N at A along -y
+        force T = mu*N at A along x     # warned of beside friction elsewhere
+        friction pins 0.1 diameter 10 mm
+
+    Describe the other sense by itself, with ``motion releasing`` and this arrow turned.
+    """
+    return Message(
+        span,
+        f"{name} keeps its arrow where the motion turns round: as friction under {pressing} it is "
+        "right in one sense of the motion only",
+        "for the other sense turn its arrow, in a description of its own",
+    )
