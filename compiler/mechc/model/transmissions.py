@@ -4,6 +4,7 @@ from collections.abc import Collection, Iterable, Sequence
 from typing import TypeVar
 
 from ..diagnostics.model import joints as messages
+from ..diagnostics.model import wheels
 from ..diagnostics.model.lowering import centre_of_another
 from ..frozen import replace
 from ..syntax import ast
@@ -116,7 +117,7 @@ def _guiding(slot: Slot, name: ast.Name, scope: Scope) -> Slot | None:
     if guided is None:
         return None
     if slot.point not in guided.points:
-        scope.report.add(messages.joint_of_another(name.span, slot.point, guided.name, "slides"))
+        scope.report.add(wheels.joint_of_another(name.span, slot.point, guided.name, "slides"))
         return None
     scope.points.used.update(guided.points)
     return replace(slot, guided=guided.name)
@@ -170,7 +171,7 @@ def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw
     if not point or not link or not pitch:
         return None
     if scope.points.fixed.isdisjoint(link.points):
-        scope.report.add(messages.wheel_without_pivot(statement.link.span, link.name))
+        scope.report.add(wheels.wheel_without_pivot(statement.link.span, link.name))
         return None
     scope.points.used.update(link.points)
     return Screw(point, pitch, link.name, statement.span)
@@ -182,6 +183,6 @@ def _guided(name: ast.Name, slides: Iterable[Slide], scope: Scope) -> str | None
     if not points:
         return None
     if points[0] not in scope.points.guided.union(*(s.points for s in slides)):
-        scope.report.add(messages.rack_without_guide(name.span, points[0]))
+        scope.report.add(wheels.rack_without_guide(name.span, points[0]))
         return None
     return points[0]

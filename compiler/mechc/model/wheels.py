@@ -4,8 +4,8 @@ import math
 from collections.abc import Iterable, Iterator
 from typing import Literal
 
-from ..diagnostics.model import joints as messages
 from ..diagnostics.model import names
+from ..diagnostics.model import wheels as messages
 from ..formula.tree import Formula
 from ..syntax import ast
 from ..syntax.vocabulary import GROUND, points_of

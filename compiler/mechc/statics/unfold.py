@@ -47,6 +47,7 @@ from .assembly import (
     Wrench,
     direction,
 )
+from .transfers import block, rims, teeth, thread
 
 
 @frozen
@@ -295,55 +296,25 @@ class Unfolding:
                 yield JointFriction(touch.kind, self._twin(touch.point), body, *mirrored)
 
     def _transfers(self) -> Iterator[Transfer]:
-        """Yield the forces that wheels and screws pass on."""
+        """Yield what wheels, racks, screws and guided links pass on."""
         for joint in self.pose.mechanism.joints:
             match joint:
                 case WheelPair():
-                    yield from self._both(self._rims(joint))
-                case Rack():
-                    yield from self._both(Transfer(joint.id, self._teeth(joint)))
-                case Screw():
-                    yield from self._both(Transfer(joint.id, self._thread(joint)))
-                case Slot(link=link, guided=guided) if guided:
-                    couples = Couple(guided, 1.0), Couple(link, -1.0)
-                    yield from self._both(Transfer(joint.id, couples))
+                    yield from self._both(rims(joint, self.values))
+                case Rack(point, pivot, link):
+                    centre = self.arm(link, next(iter(self.pose.frames[link])), pivot)
+                    along = self.direction_of_guide(point)
+                    yield from self._both(teeth(joint, along, centre, self.values))
+                case Screw(point):
+                    yield from self._both(
+                        thread(joint, self.direction_of_guide(point), self.values)
+                    )
+                case Slot(guided=guided) if guided:
+                    yield from self._both(block(joint))
                 case Pivot() | Slider() | Slot() | Contact():
                     pass  # they press on one point: see _pivots, _guides and _rubbings
                 case _:
                     assert_never(joint)
-
-    def _rims(self, pair: WheelPair) -> Transfer:
-        """Return the couples of a unit force on the rims of two wheels.
-
-        Gears press on each other at the pitch point. Between the centres that gives moments
-        of one sign; inner gears have both centres on one side of it, and the tight side of an
-        open belt pulls one wheel backwards as it pulls the other one on: opposite signs.
-
-        On the two wheels together these forces cancel, so that what their pins pass on to the
-        arm is a couple: the opposite of both moments.
-        """
-        first = evaluate(pair.first_radius, self.values)
-        second = evaluate(pair.second_radius, self.values) * (-1 if pair.same else 1)
-        wheels = (
-            Couple(pair.first_link or GROUND, first),
-            Couple(pair.second_link or GROUND, second),
-        )
-        return Transfer(pair.id, wheels, (Couple(pair.arm or GROUND, -first - second),))
-
-    def _thread(self, screw: Screw) -> tuple[Action, Action]:
-        """Return a unit force on a nut along its guide, and the couple that the screw takes."""
-        lead = evaluate(screw.pitch, self.values) / (2 * math.pi)
-        return Push(screw.point, self.direction_of_guide(screw.point)), Couple(screw.link, -lead)
-
-    def _teeth(self, rack: Rack) -> tuple[Action, Action]:
-        """Return a force on a rack along its guide, and what its wheel takes at the pitch point."""
-        along = self.direction_of_guide(rack.point)
-        right = along.turned().times(-evaluate(rack.radius, self.values))
-        first = next(iter(self.pose.frames[rack.link]))
-        centre = self.arm(rack.link, first, rack.pivot)
-        x, y = centre.x + right.x, centre.y + right.y
-        back = Wrench(rack.link, along.times(-1), y * along.x - x * along.y)
-        return Push(rack.point, along), back
 
     def _both(self, transfer: Transfer) -> Iterator[Transfer]:
         """Yield a transfer and its twin in the other half."""

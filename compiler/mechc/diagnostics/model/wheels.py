@@ -1,0 +1,164 @@
+"""Messages for wheels, racks and screws, and for the links that they are fixed to."""
+
+from collections.abc import Iterable, Sequence
+
+from ...source import Span
+from ..diagnostic import Message, coded
+
+
+@coded("E266")
+def joint_of_another(at: Span, point: str, link: str, moves: str) -> Message:
+    """A wheel, or a block in a slot, is fixed to a link that does not have its point.
+
+    ::
+
+        link OS "sun"
+        link OA "arm"
+        link AB "planet"
+        gear O r1 on AB, A r2        # wrong: AB does not reach O
+        gear O r1 on OS, A r2        # right
+
+        slot B in OC guiding AD      # wrong: AD does not have B
+        slot B in OC guiding BD      # right: BD slides along OC and turns with it
+    """
+    return Message(
+        at,
+        f"{point} is no point of {link}, expected a link on {point}",
+        f"name the link that {moves}",
+    )
+
+
+@coded("E267")
+def no_arm(at: Span, first: str, second: str) -> Message:
+    """The centres of two wheels keep their distance: pivots, or points of one link, the arm.
+
+    A wheel's own link is not the arm, since the wheel turns against it::
+
+        link OA "arm"
+        link OS "sun"
+        link AB "planet"
+        gear O r1 on OS, A r2          # right: OA carries both
+        gear O r1 on OS, B r2          # wrong: no link carries O and B
+    """
+    return Message(
+        at,
+        f"no arm carries {first} and {second}, expected two pivots, or a link through both that is "
+        "neither wheel",
+        f"add the arm: `link {first}{second}`",
+    )
+
+
+@coded("E268")
+def several_arms(at: Span, first: str, second: str, links: Iterable[str]) -> Message:
+    """Two links carry the centres of the same wheels, which makes one body of them.
+
+    ::
+
+        link OA
+        link OAB             # wrong beside OA
+        gear O r1 on OS, A r2
+    """
+    return Message(
+        at,
+        f"{' and '.join(links)} carry both {first} and {second}, expected one arm",
+        "make one link of them",
+    )
+
+
+@coded("E292")
+def wheel_without_pivot(at: Span, what: str) -> Message:
+    """A gear, a pulley or a screw turns about a pin on the ground.
+
+    ::
+
+        pivot O1
+        link O1A
+        gear O1 r1, O2 r2
+    """
+    return Message(
+        at, f"{what} turns about no pivot, expected a pin on the ground", "add a `pivot` line"
+    )
+
+
+@coded("E293")
+def wheel_of_several(at: Span, centre: str, links: Sequence[str], arm: str) -> Message:
+    """A wheel is fixed to the one link on its centre; here there is none, or there are several.
+
+    The arm that carries both wheels does not count. ``on`` tells which link is meant::
+
+        pivot O1
+        link O1A             # the gear on O1 turns with it
+        link O1B
+        gear O1 r1, O2 r2            # wrong: with O1A or with O1B?
+        gear O1 r1 on O1A, O2 r2     # right
+        gear O1 r1 on ground, A r2   # right: a gear that stands still
+    """
+    named = ", ".join(links)
+    count = f"carries {named}" if named else "carries no link"
+    beside = f" beside the arm {arm}" if arm else ""
+    return Message(
+        at,
+        f"point {centre} {count}{beside}, expected one link to which the wheel is fixed",
+        f"say which turns with the wheel: `on {links[0]}`" if links else "add its `link` line",
+    )
+
+
+@coded("E294")
+def radius_not_positive(at: Span, shown: str) -> Message:
+    """A radius or a pitch is zero or negative. A rack's may be negative: it lies on the left."""
+    return Message(at, f"expected a positive length, found {shown}", "check the value")
+
+
+@coded("E295")
+def rack_without_guide(at: Span, point: str) -> Message:
+    """A rack or a screw moves a point along its guide, and this point has none.
+
+    The point is a slider, or belongs to a ``slide``.
+
+    ::
+
+        slider A along x
+        rack A on O r
+    """
+    return Message(
+        at,
+        f"point {point} is no slider, so it has no guide to move along",
+        f"add `slider {point} along x`",
+    )
+
+
+@coded("E298")
+def wheels_across_the_mirror(at: Span, first: str, second: str, are_twins: bool) -> Message:
+    """A pair of wheels joins the two halves of a mirrored mechanism.
+
+    The mirror by itself turns a link and its twin oppositely and equally fast, as equal
+    gears or a crossed belt between them do, so such a pair adds nothing::
+
+        gear O r, O' r                 # wrong: leave it out
+        mirror across y sharing K
+
+    Any other pair across the line needs both halves described.
+    """
+    left_out = "leave the pair out: the mirror turns a link and its twin oppositely already"
+    return Message(
+        at,
+        f"the wheels on {first} and {second} join the halves of the mirror",
+        left_out if are_twins else "describe both halves, without the mirror",
+    )
+
+
+@coded("E236")
+def wheels_overlap(span: Span, pivots: str, apart: float, radii: float) -> Message:
+    """The wheels of a belt stand where they overlap.
+
+    A belt runs round both wheels in one plane, so that their pivots are farther apart than
+    the sum of their radii::
+
+        pivot O at (0, 0)
+        pivot Q at (60 mm, 0)
+        belt O 40 mm, Q 30 mm     # wrong: 70 mm
+        belt O 20 mm, Q 30 mm     # right
+    """
+    message = f"the wheels on {pivots} are {apart * 1000:.7g} mm apart and overlap"
+    hint = f"their radii make {radii * 1000:.7g} mm: are they diameters?"
+    return Message(span, message, hint)
