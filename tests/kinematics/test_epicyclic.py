@@ -137,3 +137,9 @@ def test_reports_tell_the_arm_and_which_wheel_stands_still(
 ) -> None:
     report = mechc.loads(train(), "train.mech").emit("latex", language=language).lower()
     assert (report.count(arm), report.count(still)) == (1, 1)
+
+
+def test_reports_do_not_tell_a_planet_for_the_ring() -> None:
+    report = mechc.loads(train(), "train.mech").emit("latex")
+    assert report.count("mesh, one inside the other") == 1
+    assert "The relations for $OS$, $AB$ and $OA$ are solved together" in report

@@ -115,7 +115,7 @@ class _Writer:
             self._names[unknown] = self._notation.of_itself(unknown)
         equations = tuple(Equation(_sum(r.form, self._names), ZERO) for r in relations)
         results = tuple(Equation(self._names[u].symbol, self._by_drives(u)) for u in unknowns)
-        links = tuple(dict.fromkeys(r.link or r.points[0] for r in relations))
+        links = tuple(dict.fromkeys(name for r in relations for name in self._involved(r)))
         return Step(Rule.TOGETHER, links, equations, results)
 
     def _by_drives(self, unknown: int) -> Formula:
@@ -171,10 +171,15 @@ class _Writer:
             case _:
                 assert_never(relation.rule)
 
+    def _involved(self, relation: Relation) -> tuple[str, ...]:
+        """Return what a relation is about: wheels, a link, or a point."""
+        if relation.rule in (Law.GEAR, Law.BELT):
+            return self._joint_of(relation).bodies
+        return (relation.link or relation.points[0],)
+
     def _joint_of(self, relation: Relation) -> Joint:
         """Return the joint that demands a relation."""
-        joints = self._graph.pose.mechanism.joints
-        return next(joint for joint in joints if joint.span == relation.span)
+        return next(j for j in self._graph.pose.mechanism.joints if j.span == relation.span)
 
     # ------------------------------------------------------------------------- levers
 

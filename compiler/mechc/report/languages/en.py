@@ -40,8 +40,8 @@ LOCALE = Locale(
         "resultant acts at {point}, {reach}",
         "contact": "the point {point} touches {body} with the common normal {normal}",
         "gear": "the gears on {first} (radius {one}) and {second} (radius {two}) mesh",
-        "inner": "the gear on {first} (radius {one}) and the inner gear on {second} "
-        "(radius {two}) mesh",
+        "inner": "the gears on {first} (radius {one}) and {second} (radius {two}) mesh, one "
+        "inside the other",
         "belt": "a belt joins the pulleys on {first} (radius {one}) and {second} (radius {two})",
         "crossed": "a crossed belt joins the pulleys on {first} (radius {one}) and "
         "{second} (radius {two})",
