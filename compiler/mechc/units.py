@@ -241,7 +241,8 @@ PARTS = SIMPLE | {"h": _unit(3600, TIME), "1": _unit(1, NUMBER)}
 """What compounds are made of; behind a number alone, h is more likely to be a height."""
 
 COMPOUNDS = """
-    mm^2 cm^2 m^2 in^2 ft^2 mm^3 cm^3 m^3 in^3 ft^3
+    mm^2 cm^2 m^2 in^2 ft^2 mm^3 cm^3 m^3 in^3 ft^3 mm^4 cm^4 m^4 in^4
+    kg*m^2 kg*cm^2 kg/m^3 g/cm^3
     N*m N*mm N*cm kN*m kN*mm daN*m kgf*m kgf*cm kgf*mm
     lbf*ft ft*lbf lbf*in in*lbf ozf*in in*ozf
     N/mm^2 N/cm^2 N/m^2 kN/m^2 kgf/cm^2 kgf/mm^2 lbf/in^2

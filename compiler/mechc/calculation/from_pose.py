@@ -1,7 +1,7 @@
 """The results of a calculation sheet, whose formulas are given: nothing is derived."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import sheets as messages
@@ -28,7 +28,7 @@ def calculate(pose: Pose, report: Report) -> Calculation:
     lets = {let.name: let.value for let in mechanism.lets}
     values = Chain({**dependent(mechanism), **lets}).complete(defaults(mechanism))
     checks = tuple(_checked(condition, values) for condition in mechanism.requires)
-    failed = _refuse_broken(checks, mechanism, report)
+    failed = _refuse_broken(checks, report)
     _refuse_undefined(mechanism, values, failed, report)
     found = let_results(pose, (), report)
     return Calculation(pose, tuple(_with_value(result, values) for result in found), checks)
@@ -53,23 +53,23 @@ def holds(check: Check) -> bool:
     return compare(check.left, check.condition.operator, check.right)
 
 
-def _refuse_broken(checks: tuple[Check, ...], mechanism: Mechanism, report: Report) -> set[str]:
+def _refuse_broken(checks: tuple[Check, ...], report: Report) -> set[str]:
     """Report every condition that fails; return the formulas that have no value by that."""
-    units, failed = units_of(mechanism), set[str]()
+    failed = set[str]()
     for check in checks:
         if any(side is not None and math.isnan(side) for side in (check.left, check.right)):
             continue  # what has no value is reported by itself
         if not holds(check):
-            report.add(_failure(check, units))
+            report.add(_failure(check))
             if check.condition.subject:
                 failed.add(check.condition.subject.let)
     return failed
 
 
-def _failure(check: Check, units: Mapping[str, str]) -> Diagnostic:
+def _failure(check: Check) -> Diagnostic:
     """Return what is to be said of a condition that fails."""
     span, subject = check.condition.span, check.condition.subject
-    left, right = _sides(check, units)
+    left, right = _sides(check)
     match subject:
         case None:
             return messages.requirement_fails(span, left, check.condition.operator, right)
@@ -82,24 +82,14 @@ def _failure(check: Check, units: Mapping[str, str]) -> Diagnostic:
             return messages.no_single_case(span, name, round(check.left))
 
 
-def _sides(check: Check, units: Mapping[str, str]) -> Iterator[str]:
+def _sides(check: Check) -> Iterator[str]:
     """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
     condition = check.condition
-    unit = next((units[n] for n in _named(condition) if units.get(n)), "")
+    unit = condition.unit or si_unit(condition.dimension)
     for formula, value in ((condition.left, check.left), (condition.right, check.right)):
         assert value is not None
         shown = in_unit(value, unit, 6)
         yield f"{text(formula)} = {shown}" if symbols(formula) else shown
-
-
-def _named(condition: Require) -> list[str]:
-    return sorted(symbols(condition.left)) + sorted(symbols(condition.right))
-
-
-def units_of(mechanism: Mechanism) -> dict[str, str]:
-    """Return the unit in which each quantity of a sheet is written."""
-    parameters = {p.name: p.unit or si_unit(p.dimension) for p in mechanism.parameters}
-    return parameters | {let.name: let.unit or si_unit(let.dimension) for let in mechanism.lets}
 
 
 def _refuse_undefined(

@@ -113,8 +113,8 @@ def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> C
     return Chosen(
         Quantity(formula, rows[0][1].sort, lookup.span),
         (
-            Require(low, "<=", at.formula, lookup.span, subject),
-            Require(at.formula, "<=", high, lookup.span, subject),
+            Require(low, "<=", at.formula, lookup.span, subject, dimension=at.dimension),
+            Require(at.formula, "<=", high, lookup.span, subject, dimension=at.dimension),
         ),
     )
 
@@ -128,9 +128,9 @@ def _next_size(wanted: ast.NextSize, let: ast.Let, tables: Tables, scope: Scope)
     if not sizes or not least or not _fits(least, sizes[0], f"a size of list '{name}'", scope):
         return None
     formula = Call("next", (least.formula, *(size.formula for size in sizes)))
-    largest = Require(
-        least.formula, "<=", sizes[-1].formula, wanted.span, Subject("list", name, let.name.text)
-    )
+    last, subject = sizes[-1].formula, Subject("list", name, let.name.text)
+    dimension = sizes[0].dimension
+    largest = Require(least.formula, "<=", last, wanted.span, subject, dimension=dimension)
     return Chosen(Quantity(formula, sizes[0].sort, wanted.span), (largest,))
 
 

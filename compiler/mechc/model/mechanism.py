@@ -14,7 +14,7 @@ from typing import Literal, NamedTuple, TypeVar
 from ..formula.tree import Formula, Number
 from ..frozen import frozen
 from ..source import Span
-from ..units import Dimension
+from ..units import NUMBER, Dimension
 from .joint_friction import FaceFriction as FaceFriction
 from .joint_friction import Friction as Friction
 from .joint_friction import GuideFriction as GuideFriction
@@ -217,7 +217,8 @@ class Subject(NamedTuple):
 class Require:
     """A condition of use, ``left OP right``; a chain is split into its links.
 
-    One with a ``subject`` follows from a formula, which has no value where it fails.
+    One with a ``subject`` follows from a formula, which has no value where it fails. Of a
+    calculation sheet there is what was ``written``, and the ``unit`` to give both sides in.
     """
 
     left: Formula
@@ -226,6 +227,8 @@ class Require:
     span: Span
     subject: Subject | None = None
     written: WrittenSides | None = None
+    dimension: Dimension = NUMBER
+    unit: str = ""
 
     def concerns(self, names: Container[str]) -> bool:
         """Return whether it is a condition of use, or one of a formula among these."""

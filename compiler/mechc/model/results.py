@@ -54,11 +54,13 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         reader = Reader(scope, CONDITION)
         read = [reader.read(operand) for operand in statement.operands]
         operands = [operand for operand in read if operand]
-        if len(operands) < len(read) or reader.alike(operands, "compare") is None:
+        sort = reader.alike(operands, "compare") if len(operands) == len(read) else None
+        if sort is None:
             continue
         formulas = [_of_parameters(operand, lets, scope) for operand in operands]
         pairs = zip(formulas, statement.operators, formulas[1:], strict=False)
-        conditions = [Require(left, op, right, statement.span) for left, op, right in pairs]
+        place, dimension = statement.span, sort.dimension
+        conditions = [Require(*pair, place, dimension=dimension) for pair in pairs]
         if not scope.sheet and any(not _holds(condition, scope) for condition in conditions):
             scope.report.add(quantities.condition_broken(statement.span))
         requires += conditions

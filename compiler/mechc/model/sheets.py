@@ -7,7 +7,7 @@ from ..diagnostics.model.sheets import links_in_a_sheet
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..syntax import ast
-from ..units import UNITS, Dimension
+from ..units import ANGLE, UNITS, Dimension
 from . import written
 from .constants import expressions_in, leaves
 from .mechanism import Let, Mechanism, Parameter, Require
@@ -60,16 +60,24 @@ def as_written(mechanism: Mechanism, file: ast.File) -> Mechanism:
         mechanism,
         parameters=parameters,
         lets=tuple(lets),
-        requires=tuple(_with_sides(mechanism.requires, file)),
+        requires=tuple(_with_sides(mechanism.requires, units, file)),
         tables=written.tables(file.statements),
     )
 
 
-def _with_sides(requires: Iterable[Require], file: ast.File) -> Iterator[Require]:
-    """Yield conditions with what was written, but for those that nobody wrote."""
+def _with_sides(
+    requires: Iterable[Require], units: Mapping[str, str], file: ast.File
+) -> Iterator[Require]:
+    """Yield conditions with their unit and with what was written, if anybody wrote them."""
     sides = (link for statement in every(file, ast.Require) for link in written.sides(statement))
     for require in requires:
-        yield require if require.subject else replace(require, written=next(sides))
+        shown = None if require.subject else next(sides)
+        own = written.units(shown.left, shown.right) if shown else []
+        names = sorted(symbols(require.left) | symbols(require.right))
+        unit = _first(
+            [*own, *(units.get(n, "") for n in names), *units.values()], require.dimension
+        )
+        yield replace(require, written=shown, unit=unit)
 
 
 def _unit(
@@ -81,7 +89,13 @@ def _unit(
     """
     used = [units.get(name, "") for name in sorted(symbols(let.value))]
     own = [*_units(line), *used, *(p.unit for p in parameters)]
-    return next((unit for unit in own if _measures(unit, let.dimension)), "")
+    return _first(own, let.dimension)
+
+
+def _first(units: Iterable[str], dimension: Dimension) -> str:
+    """Return the first unit of a dimension; degrees where there is none of an angle."""
+    usual = "deg" if dimension == ANGLE else ""
+    return next((unit for unit in units if _measures(unit, dimension)), usual)
 
 
 def _units(line: ast.Let) -> Iterator[str]:

@@ -21,8 +21,10 @@ from ..formula.tree import (
     product,
     total,
 )
+from ..formula.walk import walk
 from ..frozen import frozen
 from ..syntax import ast
+from ..syntax.vocabulary import split_quantity
 from ..units import UNITS, behind
 
 
@@ -88,6 +90,12 @@ def sides(require: ast.Require) -> list[WrittenSides]:
     """Return the links of a condition as they are written."""
     operands = map(expression, require.operands)
     return [WrittenSides(left, right, require.remark) for left, right in pairwise(operands)]
+
+
+def units(*formulas: Formula) -> list[str]:
+    """Return the units written in formulas."""
+    numbers = (part.name for f in formulas for part in walk(f) if isinstance(part, Constant))
+    return [split_quantity(number)[1] for number in numbers]
 
 
 def expression(node: ast.Expr) -> Formula:

@@ -89,7 +89,7 @@ def _line(let: Let, given: Mapping[str, Quantity]) -> NoteLine:
         let.written.kind,
         let.written.of,
         formula,
-        _numbers(formula, given) if known else None,
+        _numbers(formula, let.written.kind, given) if known else None,
         value,
         asked,
         _deciding(formula, given),
@@ -97,25 +97,27 @@ def _line(let: Let, given: Mapping[str, Quantity]) -> NoteLine:
     )
 
 
-def _numbers(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
-    """Return a formula in numbers, of a choice what is chosen; None where nothing is put in."""
+def _numbers(formula: Formula, kind: str, given: Mapping[str, Quantity]) -> Formula | None:
+    """Return a formula in numbers, of a choice what is chosen.
+
+    None where nothing is put in, or where it would be what the formula comes to.
+    """
     if is_choice(formula):
         values = {name: quantity.value for name, quantity in given.items()}
         part = chosen(formula.arguments, lambda f: evaluate(f, values))
-        return _numbers(part, given) if part else None
-    return put_in(formula, given) if symbols(formula) else None
+        return _numbers(part, kind, given) if part else None
+    is_value = isinstance(formula, Symbol) and not kind
+    return put_in(formula, given) if symbols(formula) and not is_value else None
 
 
 def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None:
-    """Return the part that is the largest, or smallest, of several; None where none is taken."""
+    """Return the part that is the largest, or smallest, of several, if one is."""
     values = {name: quantity.value for name, quantity in given.items()}
-    for part in walk(formula):
-        if isinstance(part, Call) and part.function in ("min", "max"):
-            if not symbols(part) <= values.keys():
-                return None
-            best = max if part.function == "max" else min
-            return best(part.arguments, key=lambda a: evaluate(a, values))
-    return None
+    taken = [p for p in walk(formula) if isinstance(p, Call) and p.function in ("min", "max")]
+    if len(taken) != 1 or not symbols(taken[0]) <= values.keys():
+        return None
+    best = max if taken[0].function == "max" else min
+    return best(taken[0].arguments, key=lambda a: evaluate(a, values))
 
 
 # -------------------------------------------------------------------------- checks
@@ -130,19 +132,13 @@ def _check(require: Require, given: Mapping[str, Quantity]) -> NoteCheck:
 
 
 def _sides(require: Require, given: Mapping[str, Quantity]) -> tuple[Quantity, Quantity] | None:
-    """Return both sides in the unit of the first quantity in them."""
-    names = [*sorted(symbols(require.left)), *sorted(symbols(require.right))]
-    if not names or not set(names) <= given.keys():
-        return None
-    unit = next((given[n].unit for n in names if _alike(n, require, given)), "")
+    """Return both sides in the unit that they are written in; None where one has no value."""
     values = {name: quantity.value for name, quantity in given.items()}
+    if not symbols(require.left) | symbols(require.right) <= values.keys():
+        return None
+    unit = require.unit or si_unit(require.dimension)
     left, right = (evaluate(side, values) for side in (require.left, require.right))
     return Quantity(left, unit), Quantity(right, unit)
-
-
-def _alike(name: str, require: Require, given: Mapping[str, Quantity]) -> bool:
-    """Return whether a side is a quantity by itself, whose unit is then that of both."""
-    return Symbol(name) in (require.left, require.right) and bool(given[name].unit)
 
 
 def _reserve(left: float, right: float, operator: str) -> float | None:
