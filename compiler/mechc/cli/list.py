@@ -52,7 +52,7 @@ def command(long: bool, as_json: bool) -> None:
 def _row(name: str, path: Path) -> Row:
     compilation = Compilation(read(path))
     try:
-        mechanism, (first, *_) = compilation.mechanism, compilation.solution.results
+        mechanism, (first, *_) = compilation.mechanism, compilation.found
     except MechcError as error:
         return Row(name, "", "", f"({error.diagnostics[0].code})")
     return Row(name, mechanism.title, mechanism.source, f"{first.name} = {text(first.formula)}")

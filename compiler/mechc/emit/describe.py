@@ -13,7 +13,7 @@ from ..model.mechanism import Mechanism
 from ..model.result import Definition
 from ..pose.motion import Quantity
 from ..report.definitions import Solved, grouped
-from ..routine.steps import Checks, Function, Guard, Input
+from ..routine.steps import Checks, Function, Guard, Input, Routine
 from ..units import DIMENSIONS, Dimension, in_unit, si_unit
 
 
@@ -173,9 +173,14 @@ def _condition(guard: Guard) -> str:
     return f"{text(guard.left)} {guard.operator} {text(guard.right)}"
 
 
-def unchecked(mechanism: Mechanism, functions: Iterable[Function]) -> list[str]:
-    """Return the conditions of use that no function can check from its inputs."""
-    checked = {line for f in functions for line in condition_lines(f)}
+def unchecked(mechanism: Mechanism, routine: Routine) -> list[str]:
+    """Return the conditions of use that no function can check from its inputs.
+
+    Of a calculation sheet the status has them all.
+    """
+    if routine.checks:
+        return []
+    checked = {line for f in routine.functions for line in condition_lines(f)}
     lines = [f"{text(r.left)} {r.operator} {text(r.right)}" for r in mechanism.requires]
     return [line for line in dict.fromkeys(lines) if line not in checked]
 

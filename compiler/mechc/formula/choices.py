@@ -98,7 +98,8 @@ def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None
         case "interpolate", (x, *rows):
             return _between_rows(x, rows)
         case "next", (x, *sizes):
-            return Call("choose", tuple(p for s in sizes for p in (Call("at_most", (x, s)), s)))
+            found = _halved(x, [(size, size) for size in sizes])
+            return Call("choose", (Call("at_most", (x, sizes[-1])), found))
         case "both", _:
             return product((condition, 1) for condition in arguments)
         case "count", _:
@@ -110,10 +111,20 @@ def spelled_out(function: str, arguments: tuple[Formula, ...]) -> Formula | None
 
 
 def _between_rows(x: Formula, rows: Sequence[Formula]) -> Formula:
-    """Return a table as a choice of straight lines, without a value below its first row."""
-    parts: list[Formula] = []
+    """Return a table as a choice of straight lines, without a value beyond its ends."""
+    lines: list[tuple[Formula, Formula]] = []
     for (low, start), (high, end) in pairwise(zip(rows[::2], rows[1::2], strict=True)):
         slope = quotient(total([end, negative(start)]), total([high, negative(low)]))
         rise = product([(total([x, negative(low)]), 1), (slope, 1)])
-        parts += [Call("at_most", (x, high)), total([start, rise])]
-    return Call("choose", (Call("at_most", (rows[0], x)), Call("choose", tuple(parts))))
+        lines.append((high, total([start, rise])))
+    inside = Call("both", (Call("at_most", (rows[0], x)), Call("at_most", (x, rows[-2]))))
+    return Call("choose", (inside, _halved(x, lines)))
+
+
+def _halved(x: Formula, values: Sequence[tuple[Formula, Formula]]) -> Formula:
+    """Return the value up to whose limit x is, by halves, so that long lists nest no deeper."""
+    if len(values) == 1:
+        return values[0][1]
+    half = len(values) // 2
+    below, above = _halved(x, values[:half]), _halved(x, values[half:])
+    return Call("choose", (Call("at_most", (x, values[half - 1][0])), below, above))

@@ -33,9 +33,19 @@ class Chosen(NamedTuple):
     requires: tuple[Require, ...] = ()
 
 
+MOST = 200
+"""Rows of a table, or sizes of a list: more are a file of data."""
+
+
 def read_tables(file: ast.File, scope: Scope) -> Tables:
     """Read the tables and lists of a description, whose names the scope knows."""
     found = Tables({}, {})
+    lengths = [(table.name, len(table.rows)) for table in every(file, ast.Table)]
+    lengths += [(listed.name, len(listed.sizes)) for listed in every(file, ast.Sizes)]
+    for name, length in lengths:
+        if length > MOST:
+            scope.report.add(messages.too_long(name.span, name.text, MOST))
+            return found
     for table in every(file, ast.Table):
         if rows := _rows(table, scope):
             found.tables[table.name.text] = rows

@@ -142,6 +142,7 @@ def check(line: Iterable[Token]) -> None:
             check_unit(before, token)
         before = token
     check_nesting(line)
+    check_cases(line)
 
 
 def dotted(before: Token | None, behind: Token | None) -> str:
@@ -212,6 +213,13 @@ def check_unit(number: Token, behind: Token) -> None:
         span = Span(span_of(number).end - len(unit), span_of(behind).end)
         power = f"a power of a quantity is written ({number})^…"
         raise Fault(syntax.unknown_unit(span, f"{unit}^", (), power))
+
+
+def check_cases(line: Iterable[Token]) -> None:
+    """Refuse choices of more cases than anybody reads, each in the ``else`` of the one before."""
+    cases = [token for token in line if token.type == "WHEN"]
+    if len(cases) > limits.NESTING:
+        raise Fault(syntax_limits.nested_too_deep(span_of(cases[-1]), limits.NESTING))
 
 
 def check_nesting(line: Iterable[Token]) -> None:

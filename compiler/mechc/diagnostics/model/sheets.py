@@ -70,3 +70,15 @@ def table_of_one_row(span: Span, name: str) -> Message:
     table E = 20 deg: 2                        # write: let E = 2
     """
     return Message(span, f"table '{name}' has one row, at least two are expected", "add a row")
+
+
+@coded("E216")
+def too_long(span: Span, name: str, most: int) -> Message:
+    """A table or a list of sizes is longer than what a sheet is written with.
+
+    Its values go into the formulas of the code, one by one. A large table is data of a program
+    of one's own::
+
+        table m = 1: 0.388, 0.5: 0.541, ...        # 200 rows at most
+    """
+    return Message(span, f"'{name}' is too long, expected {most} values at most", "thin it out")

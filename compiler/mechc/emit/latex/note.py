@@ -7,6 +7,7 @@ from ...formula.tree import Formula, Symbol
 from ...frozen import replace
 from ...report.languages.locale import Locale
 from ...report.latex.directions import math
+from ...report.latex.display import LINE, Line, display
 from ...report.latex.given import ParameterRow, parameter_row
 from ...report.latex.notation import Notation, spellings
 from ...report.latex.printer import Box, box, latex, plain, row
@@ -18,12 +19,12 @@ from ...report.put_in import Quantity
 from ...units import ANGLE, UNITS
 from ..target import Compiled
 
-LINE = 36.0
-"""Room for a formula, the numbers put in and the value on one line, in em."""
+COLUMNS = 8
+"""Rows of a table that stand beside each other; longer ones go on below."""
 
 
 class TableBlock(NamedTuple):
-    """A table with two rows of cells, or a list with one."""
+    """A table with two rows of cells, or a list with one; '' for the name of what goes on."""
 
     name: str
     source: str
@@ -78,7 +79,7 @@ def note_report(compiled: Compiled, locale: Locale, style: Notation, fragment: b
         source=escape(mechanism.source),
         parameters=tuple(parameter_row(p, locale, style) for p in mechanism.parameters),
         tables=tuple(_tables(found, style)),
-        lines=tuple(_line(line, words, style) for line in found.lines),
+        lines=tuple(_line(line, locale, style) for line in found.lines),
         checks=tuple(_check(check, words, style) for check in found.checks),
     )
 
@@ -95,20 +96,23 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
 
 def _tables(found: Note, style: Notation) -> Iterator[TableBlock]:
     for table in found.tables:
-        columns = zip(*table.rows, strict=True)
-        rows = tuple(" & ".join(math(latex(c, style)) for c in column) for column in columns)
-        name, source = escape(table.name), escape(table.source)
-        yield TableBlock(name, source, "l" * len(table.rows), rows)
+        for start in range(0, len(table.rows), COLUMNS):
+            part = table.rows[start : start + COLUMNS]
+            columns = zip(*part, strict=True)
+            rows = tuple(" & ".join(math(latex(c, style)) for c in column) for column in columns)
+            name, source = ("", "") if start else (escape(table.name), escape(table.source))
+            yield TableBlock(name, source, "l" * len(part), rows)
 
 
-def _line(line: NoteLine, words: Mapping[str, str], style: Notation) -> LineBlock:
+def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
+    words = locale.calculation
     said = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
     if line.decides:
         said.append(words["decides"].format(formula=math(latex(line.decides, style))))
-    return LineBlock(escape(line.label), _display(line, style), "; ".join(said))
+    return LineBlock(escape(line.label), _display(line, locale.where, style), "; ".join(said))
 
 
-def _display(line: NoteLine, style: Notation) -> str:
+def _display(line: NoteLine, where: str, style: Notation) -> str:
     """Return a formula, the numbers put in and what it comes to, as one display."""
     left = box(Symbol(line.name), style)
     if line.kind == "list" and line.value and line.asked:
@@ -118,10 +122,18 @@ def _display(line: NoteLine, style: Notation) -> str:
     sides = [_side(line, formula, style) for formula in (line.formula, line.numbers) if formula]
     if line.value and not line.is_number:
         sides.append(_quantity(line.value, style))
+    if max(side.width for side in sides) > LINE:
+        return _broken(line, left, sides[-1], where, style)
     if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
         return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
     rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
     return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
+
+
+def _broken(line: NoteLine, left: Box, value: Box, where: str, style: Notation) -> str:
+    """Return a formula that no line holds, broken, and what it comes to, without the numbers."""
+    broken = display((Line(left, line.formula, line.dimension == ANGLE),), style, where)
+    return f"{broken}\n\\[ {left.tex}={value.tex} \\]" if line.value else broken
 
 
 def _side(line: NoteLine, formula: Formula, style: Notation) -> Box:
