@@ -22,6 +22,7 @@ ELSEWHERE = {
     "W591": "study/test_stroke.py",
     "W594": "study/test_stroke_ends.py",
     "E597": "emit/test_points.py",
+    "E340": "pose/test_driven.py",
     "E540": "friction/test_telescopes.py",
     "E601": "statics/test_referee.py",
     "E602": "statics/test_referee.py",

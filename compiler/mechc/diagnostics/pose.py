@@ -193,6 +193,19 @@ def cannot_assemble(at: Span, loop: str, drive: str, stretches: Iterable[Stretch
     )
 
 
+@coded("E340")
+def out_of_reach(at: Span, loop: str, drive: str) -> Message:
+    """The drive of a drawn mechanism is set to where a loop does not close.
+
+    ``-D phi_OA=30deg`` moves a mechanism from where it is drawn; ``mechc stroke`` shows
+    how far it can go.
+
+        drive OA from 10 deg to 80 deg
+    """
+    message = f"the loop {loop} cannot be assembled with {drive} as it is set"
+    return Message(at, message, "set it nearer to where it is drawn")
+
+
 @coded("E310")
 def length_open(at: Span, points: str) -> Message:
     """A formula asks for the length of a vector, and nothing gives it.

@@ -46,7 +46,10 @@ def read_thrust(
     check_sign(free, statement.free.span, "the free length of a spring", scope)
     if not rate or not free:
         return None
-    stretch = total([free, negative(Symbol(f"len_{first}{second}"))])
+    vector = f"{first}{second}"
+    rate = scope.named("c", vector, rate, statement.rate.span)
+    free = scope.named("l", vector, free, statement.free.span)
+    stretch = total([free, negative(Symbol(f"len_{vector}"))])
     force = product([(rate, 1), (stretch, 1)])
     return ForcePair(
         spring_name(statement), first, second, statement.span, force, times, True, *links

@@ -72,7 +72,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
         return as_written(mechanism, file)
     for doubt in doubts(mechanism):
         report.add(doubt)
-    return with_names(judged(mechanism, report), file)
+    return with_names(judged(mechanism, report), file, scope.constants.values())
 
 
 def _headed(file: ast.File, report: Report) -> Mechanism:

@@ -6,7 +6,7 @@ this vanish, are these relations independent?) is decided by the number. Numbers
 size are one quantity under one name, so that a parallelogram stays one.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, assert_never
 
 from ..formula.tree import ZERO, Constant, Formula, Sum, negative, number
@@ -59,15 +59,22 @@ class Quantity(NamedTuple):
         return f"{self.kind}_{self.of}"
 
 
-def with_names(mechanism: Mechanism, file: ast.File) -> Mechanism:
-    """Return the mechanism with a named quantity for each length that is a number."""
+def with_names(
+    mechanism: Mechanism, file: ast.File, named: Collection[tuple[Constant, Span]]
+) -> Mechanism:
+    """Return the mechanism with a named quantity for each length that is a number.
+
+    ``named`` are the numbers that have names already, with their places.
+    """
     found = [*_lengths(mechanism), *_coordinates(mechanism), *_of_joints(mechanism)]
     literals = list(_one_for_each_size(item for q in found for item in _numbers(q)))
-    if not literals:
+    if not literals and not named:
         return mechanism
-    taken, written = _names(mechanism), tuple(_written_lengths(file))
+    everything = tuple(_written(file))
+    written = [n for n in everything if UNITS[n.unit].dimension == LENGTH]
+    taken = _names(mechanism) | {constant.name for constant, _ in named}
     known: dict[tuple[str, Formula], Formula] = {}
-    parameters: list[Parameter] = []
+    parameters = [_parameter(constant, span, everything) for constant, span in named]
     for literal in literals:
         symbol = Constant(_free(literal.name, taken), literal.formula)
         known[literal.kind, literal.formula] = symbol
@@ -164,18 +171,18 @@ def _parameter(symbol: Constant, place: Span, written: Sequence[ast.Number]) -> 
     exact = (unit for unit, value in units.items() if symbol.value in (value, negative(value)))
     anywhere = next((n.unit for n in written), "m")
     unit = next(exact, next(iter(units), anywhere))
-    return Parameter(symbol.name, LENGTH, place, symbol.value, unit=unit)
+    return Parameter(symbol.name, UNITS[unit].dimension, place, symbol.value, unit=unit)
 
 
-def _written_lengths(node: object) -> Iterator[ast.Number]:
-    """Yield the numbers with a unit of length in a syntax tree."""
+def _written(node: object) -> Iterator[ast.Number]:
+    """Yield the numbers with a unit in a syntax tree."""
     if isinstance(node, ast.Number):
-        if node.unit and UNITS[node.unit].dimension == LENGTH:
+        if node.unit:
             yield node
         return
     parts = node if isinstance(node, tuple) else (getattr(node, f.name) for f in fields(node))
     for part in parts:
-        yield from _written_lengths(part)
+        yield from _written(part)
 
 
 def _put(mechanism: Mechanism, known: Known) -> Mechanism:

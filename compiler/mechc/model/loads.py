@@ -120,7 +120,12 @@ def _distributed(
     reader = Reader(scope, DESCRIPTION)
     written = [e for e in (statement.intensity, statement.end) if e is not None]
     read = [reader.wanted(e, STIFFNESS, "an intensity") for e in written]
-    intensities = tuple(formula for formula in read if formula is not None)
+    name = statement.name.text
+    intensities = tuple(
+        scope.named("q", name, formula, e.span)
+        for e, formula in zip(written, read, strict=True)
+        if formula is not None
+    )
     if link is None or not ends or not along or len(intensities) < len(written):
         return None
     if intensities and _cancels(intensities, scope):
@@ -131,8 +136,7 @@ def _distributed(
         scope.report.add(stretch_without_length(statement.line.span, *ends[:2]))
         return None
     spread = Spread(link.name, ends[0], ends[1], length, _centroid(intensities), intensities)
-    name, tie = statement.name.text, spread.resultant
-    return Force(name, point, along, statement.span, tie, times, spread=spread)
+    return Force(name, point, along, statement.span, spread.resultant, times, spread=spread)
 
 
 def _length(tail: str, head: str, built: Mechanism) -> Formula | None:

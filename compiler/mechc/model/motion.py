@@ -44,7 +44,8 @@ def read_drive(file: ast.File, scope: Scope) -> Drive | None:
     is_reported = statement.low is not None and low is None
     high = None if is_reported else _end(statement.high, name, scope)
     speed = _speed(statement.speed, name, scope)
-    return Drive(name.text, low, high, statement.span, ends=ends, speed=speed)
+    start = _end(statement.start, name, scope)
+    return Drive(name.text, low, high, statement.span, ends=ends, speed=speed, start=start)
 
 
 def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:

@@ -273,8 +273,8 @@ class Drive:
 
     It ``reshapes`` where it is a size of a rigid body: its stroke is a study, no motion. Of
     ``drive OA`` the ``ends`` are O and A: the parameter is the direction of that vector, or
-    its length where it is a telescope, and begins where they are drawn. ``speed`` is its rate
-    in time.
+    its length where it is a telescope, and begins where they are drawn, or at the ``start``
+    that is set from outside. ``speed`` is its rate in time.
     """
 
     parameter: str
@@ -284,6 +284,7 @@ class Drive:
     reshapes: bool = False
     ends: tuple[str, str] | None = None
     speed: Formula | None = None
+    start: Formula | None = None
 
     @property
     def turns(self) -> bool:

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics.model import names as messages
-from ..formula.tree import Formula
+from ..formula.tree import ZERO, Constant, Formula, Number
 from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..syntax import ast
@@ -85,7 +85,8 @@ class Scope:
     ``lets`` holds the names of all lets, which are entered behind what is asked for, and
     ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
     the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
-    for an open one, which tell multiples that are out of reach.
+    for an open one, which tell multiples that are out of reach. ``constants`` are the numbers
+    that have got a name, by what they are and their value, with their places.
     """
 
     def __init__(self, report: Report, points: Points, sheet: bool = False) -> None:
@@ -98,6 +99,7 @@ class Scope:
         self.lets: set[str] = set()
         self.values: dict[str, float] = {}
         self.sizes: dict[str, float] = {}
+        self.constants: dict[tuple[str, Formula], tuple[Constant, Span]] = {}
         self._misfits: set[tuple[str, Dimension]] = set()
         self._unknowns: set[tuple[str, str]] = set()
 
@@ -144,6 +146,17 @@ class Scope:
         """Return where a name is declared."""
         entry = self.entries.get(name)
         return entry.span if entry else None
+
+    def named(self, kind: str, of: str, formula: Formula, span: Span) -> Formula:
+        """Return a number under a name such as ``c_AB``, one for each value; else the formula."""
+        if not isinstance(formula, Number) or formula == ZERO:
+            return formula
+        if (kind, formula) not in self.constants:
+            name = f"{kind}_{of}" if of else kind
+            while name in self.entries or any(name == c.name for c, _ in self.constants.values()):
+                name += "_"
+            self.constants[kind, formula] = Constant(name, formula), span
+        return self.constants[kind, formula][0]
 
     def first_misfit(self, name: str, wanted: Dimension) -> bool:
         """Tell whether it is the first time that a name measures something else than is wanted."""

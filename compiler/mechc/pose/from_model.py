@@ -24,6 +24,7 @@ from .bodies import aligned, on_the_line, touches
 from .closure import Closure, Condition, across
 from .directions import Directions
 from .drawn import drawn_elsewhere
+from .driven import driven_to
 from .force_pairs import Pairing, thrust_line
 from .idle import contradictions, remarks
 from .loops.closing import Closed, close
@@ -67,7 +68,7 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     survey.close_loops(pose, unfound)
     report.stop_on_errors()
     _remark(pose, vectors, closed, report)
-    return pruned(pose)
+    return driven_to(pruned(pose), report)
 
 
 def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> None:

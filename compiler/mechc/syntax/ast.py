@@ -294,13 +294,15 @@ class Screw(Statement):
 class Drive(Statement):
     """``drive phi from a to b``, ``drive OA from a to b``: a parameter, or a link by its points.
 
-    ``speed`` is how fast it is driven, at a constant rate.
+    ``speed`` is how fast it is driven, at a constant rate. ``start`` is where a link is moved
+    to from outside (``-D phi_OA=30deg``); no line says so.
     """
 
     name: Name
     low: Expr | None = None
     high: Expr | None = None
     speed: Expr | None = None
+    start: Expr | None = None
 
 
 @frozen

@@ -14,6 +14,7 @@ from ..source import Source
 from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast
 from .notation import read
+from .vocabulary import points_of
 
 
 class Setting(NamedTuple):
@@ -76,7 +77,19 @@ def params(statements: Iterable[ast.Statement]) -> tuple[ast.Param, ...]:
     return tuple(s for s in statements if isinstance(s, ast.Param))
 
 
+def driven(statements: Iterable[ast.Statement]) -> tuple[str, ...]:
+    """Return the names of what is driven by points: ``phi_OA``, of a telescope ``len_OA``."""
+    nodes = tuple(statements)
+    slack = [{*points_of(t.points.text)} for t in nodes if isinstance(t, ast.Telescope)]
+    drives = (s.name.text for s in nodes if isinstance(s, ast.Drive))
+    linked = ((name, {*points_of(name)}) for name in drives if len(points_of(name)) == 2)
+    return tuple(f"{'len' if ends in slack else 'phi'}_{name}" for name, ends in linked)
+
+
 def _set(statement: ast.Statement, values: Mapping[str, ast.Expr]) -> ast.Statement:
+    if isinstance(statement, ast.Drive):
+        start = values.get(f"phi_{statement.name.text}", values.get(f"len_{statement.name.text}"))
+        return replace(statement, start=start) if start else statement
     if not isinstance(statement, ast.Param) or statement.name.text not in values:
         return statement
     dimension = statement.dimension or _dimension(statement.value)

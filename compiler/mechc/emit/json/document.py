@@ -350,7 +350,7 @@ DOCUMENT: Kind[Compiled] = record(
     member("parameters", "In order.", list_of(PARAMETER), lambda c: c.mechanism.parameters),
     member(
         "constants",
-        "Lengths that the description gives by numbers, under the names that formulas have.",
+        "Sizes that the description gives by numbers, under the names that formulas have.",
         list_of(PARAMETER),
         lambda c: c.mechanism.literals,
     ),

@@ -6,6 +6,7 @@ from ...algebra.from_formula import to_product
 from ...formula.layout import has_minus
 from ...formula.tree import (
     Call,
+    Constant,
     Formula,
     Power,
     Product,
@@ -96,10 +97,18 @@ def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
     said = [as_ratio(e) for e in step.relations]
     hence = [e for e in dict.fromkeys(map(as_ratio, step.results)) if e not in said]
     if len(said) == len(hence) == 1 and said[0].left == hence[0].left:
-        if to_product(said[0].right) == to_product(hence[0].right):
+        if to_product(_by_name(said[0].right)) == to_product(_by_name(hence[0].right)):
             return (tuple(said[0]),), ()
         return ((*said[0], hence[0].right),), ()
     return tuple(map(tuple, said)), tuple(map(tuple, hence))
+
+
+def _by_name(formula: Formula) -> Formula:
+    """Return a formula as it is read, a number under a name being but that name."""
+    if isinstance(formula, Constant):
+        return Symbol(formula.name)
+    parts = children(formula)
+    return rebuild(formula, tuple(map(_by_name, parts))) if parts else formula
 
 
 def positive_first(terms: Iterable[Formula]) -> list[Formula]:

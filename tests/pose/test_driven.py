@@ -1,0 +1,44 @@
+"""A drawn mechanism whose drive is set to another place from outside."""
+
+import pytest
+
+from drawn_mechanisms import DRAWN
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation, complete
+from mechc.source import Source
+from mechc.syntax.settings import parse
+
+EXTENDING = """
+pivot O at (0 mm, 0 mm)
+pivot C at (100 mm, 0 mm)
+link OB
+telescope CB
+B at (20 mm, 80 mm)
+drive CB from 100 mm to 140 mm
+actuator P between C and B
+torque M on OB
+find k = P/M
+"""
+
+
+def compiled(text: str, setting: str) -> Compilation:
+    return complete(Compilation(Source("drawn.mech", text), dict([parse(setting)])))
+
+
+@pytest.mark.parametrize(
+    ("text", "drive", "values"),
+    [(DRAWN["four_bar"], "phi_OA", (10, 80)), (EXTENDING, "len_CB", (100, 140))],
+)
+def test_a_drive_that_is_set_is_where_the_stroke_has_it(text, drive, values):
+    unit = "deg" if drive.startswith("phi") else "mm"
+    rows = complete(Compilation(Source("drawn.mech", text))).stroke(2).rows
+    for value, row in zip(values, rows, strict=True):
+        (k,) = compiled(text, f"{drive}={value}{unit}").results
+        assert k.default == pytest.approx(row.values[0], rel=1e-12)
+
+
+def test_a_drive_is_set_to_where_loops_close():
+    text = DRAWN["four_bar"].replace("A at (20 mm, 34.64 mm)", "A at (20 mm, 90 mm)")
+    with pytest.raises(MechcError) as caught:
+        compiled(text, "phi_OA=-90deg")
+    assert [d.code for d in caught.value.diagnostics] == ["E340"]
