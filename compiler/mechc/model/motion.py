@@ -116,7 +116,7 @@ def _strays(parameter: Parameter, low: float, high: float) -> bool:
     gap = evaluate(parameter.value, {}) - (low + high) / 2
     if parameter.dimension == ANGLE:
         gap = math.remainder(gap, 2 * math.pi)
-    return abs(gap) > (0.5 + STRAY) * (high - low)
+    return low < high and abs(gap) > (0.5 + STRAY) * (high - low)
 
 
 def _end(end: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:

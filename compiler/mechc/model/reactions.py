@@ -78,7 +78,7 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
         return None
     tail, head, *more = scope.points.split(name) or ()
     if more or len(link.points) > 2:
-        scope.report.add(messages.not_a_rod(symbol.span, link.name, len(link.points)))
+        scope.report.add(messages.not_a_rod(symbol.span, link.name, len(link.points), tail))
         return None
     return Axial(link.name, tail, head)
 

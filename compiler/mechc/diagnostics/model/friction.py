@@ -63,7 +63,9 @@ def senseless(span: Span, what: str, value: str) -> Message:
 
         friction pins -0.1 diameter 10 mm     # wrong
     """
-    return Message(span, f"{what} of {value} makes no sense")
+    in_per_cent = what == "an efficiency" and not value.startswith("-")
+    hint = "is it in per cent? A hundredth is written 0.01" if in_per_cent else ""
+    return Message(span, f"{what} of {value} makes no sense", hint)
 
 
 @coded("E275")

@@ -49,7 +49,7 @@ def no_joint(span: Span, point: str, link: str) -> Message:
 
 
 @coded("E253")
-def not_a_rod(span: Span, link: str, number: int) -> Message:
+def not_a_rod(span: Span, link: str, number: int, pin: str) -> Message:
     """``N_AB`` is the force along a rod, a link of two points.
 
     link BOD
@@ -57,7 +57,7 @@ def not_a_rod(span: Span, link: str, number: int) -> Message:
     find R_B on BOD      # right
     """
     message = f"link {link} has {number} points, so no single force acts along it"
-    return Message(span, message, "ask for the force at a pin, as in 'find R_B on BOD'")
+    return Message(span, message, f"ask for the force at a pin, as in 'find R_{pin} on {link}'")
 
 
 @coded("E256")
