@@ -223,7 +223,7 @@ def test_report_golden(language, golden):
 def test_the_force_on_a_face_has_one_name_and_angles_the_order_of_a_drawing():
     shown = derived("d45_16_wedge_hook_with_friction")
     assert "The whole force R_A of the face on A" in shown
-    assert "P − R_A · sin(β − ρ) = 0" in shown
+    assert "P − R_A_hold · sin(β − ρ) = 0" in shown
     assert "N_A" not in shown
 
 

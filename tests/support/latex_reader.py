@@ -5,22 +5,36 @@ a dot, a thin space, a fraction or the next function.
 """
 
 import re
+from collections.abc import Collection
 from fractions import Fraction
 
-from mechc.formula.tree import Call, Formula, Symbol, degrees, negative, number, power, product
+from mechc.formula.tree import PI, Call, Formula, Symbol, degrees, negative, number, power, product
 from mechc.formula.tree import total as sum_of
 
-TOKEN = re.compile(r"\\operatorname\{\w+\}|\\mathrm\{\w+\}|\\[A-Za-z]+|\\,|[0-9.]+|[A-Za-z]|.")
-FUNCTIONS = {"\\arcsin": "asin", "\\ln": "log"} | {
-    f"\\{name}": name for name in ("sin", "cos", "tan", "cot", "exp")
-}
+TOKEN = (
+    r"\\left\||\\right\||\\operatorname\{\w+\}|\\mathrm\{\w+\}|\\[A-Za-z]+|\\,|[0-9.]+|[A-Za-z]|."
+)
+FUNCTIONS = {
+    "\\arcsin": "asin",
+    "\\arccos": "acos",
+    "\\arctan": "atan",
+    "\\ln": "log",
+    "\\operatorname{arctan2}": "atan2",
+    "\\operatorname{sgn}": "sign",
+} | {f"\\{name}": name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "min", "max")}
 
 
 class Reader:
-    """A recursive reader over the tokens of one formula."""
+    """A recursive reader over the tokens of one formula; ``names`` are read as they stand."""
 
-    def __init__(self, tex: str) -> None:
-        self.tokens = [t for t in TOKEN.findall(tex) if t not in {" ", "\\left", "\\right"}]
+    def __init__(self, tex: str, names: Collection[str] = ()) -> None:
+        known = "".join(
+            re.escape(n) + (r"(?![A-Za-z])|" if re.search(r"\\[A-Za-z]+$", n) else "|")
+            for n in sorted(names, key=len, reverse=True)
+        )
+        found = re.findall(known + TOKEN, tex.replace("\n", " "))
+        self.tokens = [t for t in found if t not in {" ", "\\left", "\\right", "&", "\\quad"}]
+        self.names = names
         self.at = 0
 
     @property
@@ -35,7 +49,7 @@ class Reader:
 
     def sum(self) -> Formula:
         terms = []
-        while self.next not in {"", ")", "}", "|"}:
+        while self.next not in {"", ")", "}", ",", "\\right|"}:
             minus = self.next in "+-" and self.take() == "-"
             term = self.row()
             terms.append(negative(term) if minus else term)
@@ -43,7 +57,7 @@ class Reader:
 
     def row(self) -> Formula:
         factors = []
-        while self.next not in {"", ")", "}", "+", "-"}:
+        while self.next not in {"", ")", "}", ",", "+", "-", "\\right|"}:
             if self.next in {"\\cdot", "\\,"}:
                 self.take()
             else:
@@ -53,7 +67,9 @@ class Reader:
     def bare(self) -> Formula:
         """Read the argument of a function that has no parentheses."""
         factors = []
-        while re.fullmatch(r"[0-9.]+|[A-Za-z]|\\(alpha|beta|theta|pi)", self.next):
+        while self.next in self.names or re.fullmatch(
+            r"[0-9.]+|[A-Za-z]|\\(alpha|beta|theta|pi)", self.next
+        ):
             factors.append(self.raised(self.atom()))
         return product((f, 1) for f in factors)
 
@@ -74,6 +90,18 @@ class Reader:
 
     def atom(self) -> Formula:
         token = self.take()
+        if token in self.names:
+            return Symbol(token)
+        if token == "\\left|":
+            inner = self.sum()
+            self.take("\\right|")
+            return Call("abs", (inner,))
+        if token == "\\pi":
+            return PI
+        if token == "{":
+            inner = self.sum()
+            self.take("}")
+            return inner
         if token in FUNCTIONS:
             return self.call(FUNCTIONS[token])
         if token == "\\frac":
@@ -95,13 +123,19 @@ class Reader:
             exponent = self.group()
         if self.next == "(":
             self.take("(")
-            argument = self.sum()
+            arguments = [self.sum()]
+            while self.next == ",":
+                self.take(",")
+                arguments.append(self.sum())
             self.take(")")
         else:
-            argument = self.bare()
-        return power(Call(function, (argument,)), exponent)
+            arguments = [self.bare()]
+        return power(Call(function, tuple(arguments)), exponent)
 
 
-def read(tex: str) -> Formula:
-    """Return the formula that a page shows."""
-    return Reader(tex).sum()
+def read(tex: str, names: Collection[str] = ()) -> Formula:
+    """Return the formula that a page shows, a symbol for each of the names spelled as there."""
+    reader = Reader(tex, names)
+    found = reader.sum()
+    assert not reader.next, f"{reader.next!r} is left of {tex}"
+    return found

@@ -126,7 +126,7 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, options.fragment)
         return _TEMPLATES.get_template("note.jinja").render(note._asdict())
-    report = _report(compiled, locale, _style(compiled, style), options)
+    report = _report(compiled, locale, style_of(compiled, style), options)
     return _TEMPLATES.get_template("body.jinja").render(report._asdict())
 
 
@@ -138,7 +138,7 @@ def _document(body: str, locale: Locale) -> str:
     )
 
 
-def _style(compiled: Compiled, style: Notation) -> Notation:
+def style_of(compiled: Compiled, style: Notation) -> Notation:
     """Return the notation with this mechanism's angles and its names told apart."""
     angles = {p.name for p in compiled.mechanism.parameters if p.dimension == ANGLE}
     for result in compiled.derivation.results:

@@ -5,7 +5,7 @@ from itertools import groupby
 from typing import assert_never
 
 from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, product, total
-from ...formula.walk import symbols, walk
+from ...formula.walk import substitute, symbols, walk
 from ...friction.solution import Solution, SolvedWithFriction
 from ...friction.steps import Step
 from ...frozen import replace
@@ -45,7 +45,7 @@ def of_friction(solution: Solution) -> Iterator[Explanation]:
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is None or not solved or not solved[0].steps:
             continue
-        steps = solved[0].steps
+        steps = told.with_one_meaning(solved[0].steps, place, solved[0].result.name)
         paragraphs = [p for step in steps for p in _passages(step, told, place)]
         names = tuple(s.result.name for s in solved)
         yield Explanation(names, (*_opening(place, steps, mechanism, told), *paragraphs))
@@ -70,7 +70,32 @@ class _Shown:
         """Names of angles by which friction turns a force, those of friction itself."""
         self._known: dict[str, Formula] = {}
         self._lines: set[tuple[str, str]] = set()
+        self._found: dict[str, Formula] = {}
         self._sayings: set[SentenceKind] = set()
+
+    def with_one_meaning(
+        self, steps: Sequence[Step], asked: WithFriction, result: str
+    ) -> Sequence[Step]:
+        """Return steps with another name for a force that is not that of an earlier result.
+
+        The force in a rod is another one while the drive moves than while it just holds.
+        """
+        found = {left.name: right for left, right in _forces(steps) if left != _driving(asked)}
+        others = self._others(found)
+        endings = ("_hold" if asked.sense == "releasing" else "_f", f"_{result}")
+        ending = next(
+            e for e in endings if all(self._found.get(n + e, found[n]) == found[n] for n in others)
+        )
+        names = {name: Symbol(name + ending) for name in others}
+        self._found |= {names.get(n, Symbol(n)).name: formula for n, formula in found.items()}
+        return [_renamed(step, names) for step in steps] if names else steps
+
+    def _others(self, found: Mapping[str, Formula]) -> set[str]:
+        """Return the names that mean something else already, and those that rest on them."""
+        others = {n for n, formula in found.items() if self._found.get(n, formula) != formula}
+        for _ in found:
+            others |= {n for n, f in found.items() if n in self._found and symbols(f) & others}
+        return others
 
     def new(self, step: Step) -> list[Equation] | None:
         """Return the definitions of a step that are new; None for a line that was told before."""
@@ -93,6 +118,22 @@ class _Shown:
             if paragraph.saying not in self._sayings:
                 self._sayings.add(paragraph.saying)
                 yield paragraph
+
+
+def _forces(steps: Iterable[Step]) -> Iterator[tuple[Symbol, Formula]]:
+    """Yield the unknowns that steps solve for, and what they are."""
+    for step in steps:
+        named = {definition.name for definition in step.defined}
+        for left, right in step.equations:
+            if isinstance(left, Symbol) and left.name not in named and right != ZERO:
+                yield left, right
+
+
+def _renamed(step: Step, names: Mapping[str, Formula]) -> Step:
+    """Return a step with other names in its formulas."""
+    equations = ((substitute(a, names), substitute(b, names)) for a, b in step.equations)
+    defined = (d._replace(formula=substitute(d.formula, names)) for d in step.defined)
+    return replace(step, equations=tuple(equations), defined=tuple(defined))
 
 
 # ------------------------------------------------------------------------------- opening

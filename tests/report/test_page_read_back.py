@@ -1,0 +1,72 @@
+"""Every formula of a report, read back with numbers, gives what code gives."""
+
+from random import Random
+
+import pytest
+
+from force_mechanisms import given
+from force_samples import pushing
+from good_mechanisms import ALL, compiled
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
+from mechc.source import Source
+from page import Page
+
+QUICK = ("fedoriv_fig2a_with_friction", "d45_16_wedge_hook_with_friction", "tongs_fig4_9_forces")
+"""Mechanisms in which names would have two meanings, did nothing tell them apart."""
+
+SPREAD = """
+mechanism boom
+pivot O at (0 m, 0 m)
+pivot C at (0 m, -1 m)
+link OBD
+telescope CB
+B at (1.2 m, 0.3 m)
+D at (1.7 m, 0.4 m)
+param c_Q = 1.5 m
+param Z1 = 2.5 m
+force G at D along -y
+load Q intensity 1200 N/m on OB along -y
+actuator P between C and B
+friction pins 0.12 diameter 50 mm
+find P
+find R_O
+let U = c_Q*P + Z1*G
+"""
+
+
+def wrong(text: str) -> list[str]:
+    return list(Page(Compilation(Source("page.mech", text))).wrong())
+
+
+def test_a_long_load_with_friction_is_not_given_by_coefficients_without():
+    assert wrong(SPREAD) == []
+
+
+@pytest.mark.parametrize("name", QUICK)
+def test_a_report_says_what_code_computes(name: str):
+    assert list(Page(compiled(name)).wrong()) == []
+
+
+def test_a_wrong_report_is_seen():
+    page = Page(compiled("fedoriv_fig2a_with_friction"))
+    page.tex = page.tex.replace(r"\boxed{k_f=2\tan(\alpha+", r"\boxed{k_f=2\tan(\alpha-")
+    assert [text.split()[0] for text in page.wrong()] == ["k_f"]
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", sorted(ALL.keys() - set(QUICK)))
+def test_every_report_says_what_code_computes(name: str):
+    assert list(Page(compiled(name)).wrong()) == []
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("seed", range(92000, 92040))
+def test_reports_of_random_mechanisms_say_what_code_computes(seed: int):
+    sample = pushing(given(seed, 1 + seed % 2, ratio=bool(seed % 3)))
+    if sample is None:
+        return
+    try:
+        assert wrong(sample.rubbing(Random(seed), said=bool(seed % 2))) == []
+    except MechcError:
+        return

@@ -1,0 +1,82 @@
+"""A report read back from its LaTeX, formula by formula, with the numbers of the default pose.
+
+What a name stands for is taken from where the page defines it; where it gives no formula (a
+force that is found by iteration, a number of few digits), the value of code stands for it.
+"""
+
+import math
+import re
+from collections.abc import Iterator, Mapping
+
+from latex_reader import read
+from mechc.driver import Compilation
+from mechc.emit.latex.to_latex import TARGET, style_of
+from mechc.emit.target import Options
+from mechc.formula.walk import evaluate, symbols
+from mechc.model.values import completed
+from mechc.report.latex.notation import name, notation
+from mechc.routine.evaluate import evaluate as run
+
+SHOWN = re.compile(
+    r"\\\[\n(.*?)\n\\\]|\\begin\{(align\*|multline\*)\}\n(.*?)\n\\end\{\2\}", re.DOTALL
+)
+NAME = re.compile(
+    r"(?:\\[A-Za-z]+|[A-Za-z])'*_(?:\{(?:[^{}]|\{(?:[^{}]|\{[^{}]*\})*\})*\}|\w)|\\[A-Z][a-z]+"
+)
+"""A name with an index, or a capital Greek letter."""
+
+DIGITS = 2e-5
+"""What constants that are printed in six figures may be off."""
+
+
+class Page:
+    """The equations of a report, and what its names stand for."""
+
+    def __init__(self, compilation: Compilation) -> None:
+        self.compilation = compilation
+        (emitted,) = TARGET.emit(compilation, Options("page"))
+        self.tex = emitted.text
+        style = style_of(compilation, notation("en"))
+        self.code = dict(self._values())
+        self.spelled = {name(symbol, style): value for symbol, value in self.code.items()}
+
+    def _values(self) -> Iterator[tuple[str, float]]:
+        """Yield the values of all names at the default pose, loads without one being 1."""
+        functions = self.compilation.routine.functions
+        inputs = {i.name: i.default for f in functions for i in f.inputs}
+        values = {n: 1.0 if default is None else default for n, default in inputs.items()}
+        for literal in self.compilation.mechanism.literals:
+            values[literal.name] = evaluate(literal.value, {})
+        values |= {f.name: float(run(f, values)) for f in functions}
+        for result in self.compilation.results:
+            values = completed(values, (d for d in result.where if d.name not in values))
+        yield from values.items()
+
+    def equations(self) -> Iterator[tuple[str, ...]]:
+        """Yield what stands between the equals signs of each equation."""
+        for single, _, several in SHOWN.findall(self.tex):
+            text = re.sub(r"\\\\(\[2pt\])?\s*&\\quad\{\}", " ", single or several)
+            for line in re.split(r"\\\\(?:\[2pt\])?\n", text):
+                line = line.removeprefix(r"\boxed{").removesuffix("}" if r"\boxed" in line else "")
+                yield tuple(part.strip() for part in line.replace("&=", "=").split("="))
+
+    def wrong(self) -> Iterator[str]:
+        """Yield each definition and result that has another value than the name on its left."""
+        known = dict(self.spelled)
+        for left, *rights in self.equations():
+            for right in rights:
+                value = self._value(right, known)
+                if value is None or not (left in known or NAME.fullmatch(left)):
+                    continue
+                meant = known.setdefault(left, value)
+                if not math.isclose(value, meant, rel_tol=DIGITS, abs_tol=1e-9):
+                    yield f"{left} is {meant}, not {value} = {right}"
+
+    def _value(self, tex: str, known: Mapping[str, float]) -> float | None:
+        """Return the value of a formula; None where it is none, or a name in it has no value."""
+        if r"\text" in tex or not tex:
+            return None
+        formula = read(tex, {*known, *NAME.findall(tex)})
+        if not symbols(formula) <= known.keys():
+            return None
+        return evaluate(formula, known)
