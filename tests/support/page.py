@@ -13,9 +13,10 @@ from mechc.driver import Compilation
 from mechc.emit.latex.to_latex import TARGET, style_of
 from mechc.emit.target import Options
 from mechc.formula.walk import evaluate, symbols
-from mechc.model.values import completed
+from mechc.model.values import completed, holds
 from mechc.report.latex.notation import name, notation
 from mechc.routine.evaluate import evaluate as run
+from mechc.study.analysis import Analysis
 
 SHOWN = re.compile(
     r"\\\[\n(.*?)\n\\\]|\\begin\{(align\*|multline\*)\}\n(.*?)\n\\end\{\2\}", re.DOTALL
@@ -39,6 +40,7 @@ class Page:
         style = style_of(compilation, notation("en"))
         self.code = dict(self._values())
         self.spelled = {name(symbol, style): value for symbol, value in self.code.items()}
+        self.open = {name(r.name, style) for r in compilation.results if not self._holds(r)}
 
     def _values(self) -> Iterator[tuple[str, float]]:
         """Yield the values of all names at the default pose, loads without one being 1."""
@@ -51,6 +53,13 @@ class Page:
         for result in self.compilation.results:
             values = completed(values, (d for d in result.where if d.name not in values))
         yield from values.items()
+
+    def _holds(self, result: Analysis) -> bool:
+        """Tell whether a result has a value here, by the case that is printed."""
+        conditions = (*result.holds, *result.guards)
+        return math.isfinite(self.code[result.name]) and all(
+            holds(c, self.code) for c in conditions
+        )
 
     def equations(self) -> Iterator[tuple[str, ...]]:
         """Yield what stands between the equals signs of each equation."""
@@ -66,7 +75,11 @@ class Page:
         for left, *rights in self.equations():
             for right in rights:
                 value = self._value(right, known)
-                if value is None or not (left in known or NAME.fullmatch(left)):
+                if (
+                    value is None
+                    or left in self.open
+                    or not (left in known or NAME.fullmatch(left))
+                ):
                     continue
                 meant = known.setdefault(left, value)
                 if not math.isclose(value, meant, rel_tol=DIGITS, abs_tol=1e-9):
