@@ -13,6 +13,7 @@ from mechc.diagnostics.statics import (
     no_equilibrium,
     pose_does_not_close,
 )
+from mechc.driver import Compilation
 from mechc.formula import tree as formula
 from mechc.frozen import replace
 from mechc.model import mechanism as model
@@ -399,3 +400,26 @@ FAULTS = ((methods_disagree, (1.0, 2.0)), (no_equilibrium, ("why",)), (pose_does
 def test_a_disagreement_is_a_fault_of_the_compiler_and_not_of_the_description():
     assert {status([Diagnostic(code, "x", None, "x")]) for code in BUGS} == {70}
     assert all("please report it" in words(HERE, "k", *rest).hint for words, rest in FAULTS)
+
+
+def test_a_ratio_of_two_loads_that_a_spring_balances_is_judged_with_the_spring():
+    """Two levers with a spring between them: at any force in it M and T stand in one ratio."""
+    text = """
+param a = 100 mm
+param alpha = 30 deg
+param beta = 50 deg
+pivot O
+pivot Q
+link OA
+link QB
+OA = a @ alpha
+QB = a @ beta
+OQ = (150 mm, 0 mm)
+torque M on OA
+torque T on QB
+spring 200 N/m between A and B free 20 mm
+find k = M/T
+"""
+    trials = Compilation(Source("levers.mech", text)).verdict.trials
+    assert len(trials) == 4
+    assert all(trial.agrees for trial in trials)

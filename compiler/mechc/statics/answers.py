@@ -43,10 +43,15 @@ class Answer(NamedTuple):
 
 
 def load_ratio(at: Balanced, above: str, below: str) -> Answer:
-    """Return ``above`` where ``below`` is 1 and the loads with a value of their own are 0."""
+    """Return ``above`` where ``below`` is 1 and the loads with a value of their own are 0.
+
+    Where nothing balances so, the ratio may be that for whatever size those loads have: with
+    two freedoms and a spring between two levers the torques on them stand in one ratio.
+    """
     mechanism = at.pose.mechanism
     known = {load.name for load in mechanism.loads if load.tie is not None}
-    return _respond(at, above, below, known | {let.name for let in mechanism.lets})
+    answer = _respond(at, above, below, known | {let.name for let in mechanism.lets})
+    return _respond(at, above, below, set()) if answer.trouble == UNBALANCED else answer
 
 
 def load_coefficient(at: Balanced, load: str, other: str, known: Set[str]) -> Answer:
