@@ -103,7 +103,7 @@ class Train:
     def _led(self, tie: tuple[Term, ...]) -> tuple[Term, Formula] | None:
         """Return the one motion of a tie that is not known, and what it is."""
         unknown = [term for term in tie if term.body not in self._motions]
-        if len(unknown) != 1:
+        if len(unknown) != 1 or self._is_nil(unknown[0].factor):
             return None
         (led,) = unknown
         others = ((t.factor, self._motions[t.body]) for t in tie if t is not led)
@@ -112,6 +112,12 @@ class Train:
             for factor, motion in others
         )
         return led, total(parts)
+
+    def _is_nil(self, factor: Formula) -> bool:
+        """Tell whether a motion does not count: an arm's, where inner wheels are alike."""
+        return symbols(factor) <= self._values.keys() and math.isclose(
+            self._value(factor), 0, abs_tol=1e-12
+        )
 
     def check(self, held: Independent, report: Report) -> None:
         """Report E516 for what wheels alone lead, where the leader's motion is no formula."""

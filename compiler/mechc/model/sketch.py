@@ -297,8 +297,13 @@ class Sketch:
         """Return a parameter of this value, a number if possible, by this name or one like it."""
         if not symbols(value):
             value = number_of(value)
-        while name in self._taken and name not in self.parameters:
+        while self._means_another(name, value):
             name += "_"
         made = Parameter(name, dimension, self.span(point), value, unit=unit, dependent=True)
         self.parameters.setdefault(name, made)
         return Symbol(name)
+
+    def _means_another(self, name: str, value: Formula) -> bool:
+        """Tell whether a name stands for something else already."""
+        known = self.parameters.get(name)
+        return name in self._taken if known is None else known.value != value
