@@ -37,9 +37,10 @@ from .study.analysis import as_printed
 from .study.expectations import Finding, compare
 from .study.stroke.gaps import remark as look_for_gaps
 from .study.stroke.in_step import remark
+from .study.stroke.points_in_step import astray
 from .syntax import ast
 from .syntax.notation import read
-from .syntax.settings import Settings, attached, put_in
+from .syntax.settings import Settings, attached, driven_by, put_in
 from .version import VERSION
 from .work import Allowance
 
@@ -104,8 +105,9 @@ class Compilation:
 
     version = VERSION
 
-    def __init__(self, source: Source, settings: Settings | None = None) -> None:
+    def __init__(self, source: Source, settings: Settings | None = None, drive: str = "") -> None:
         self.settings = settings or {}
+        self.drive = drive
         self.source = attached(source, self.settings)
         self.report = Report(self.source)
         self.allowance = Allowance()
@@ -113,7 +115,8 @@ class Compilation:
     @Stage
     def tree(self) -> ast.File:
         """What was written, in either notation."""
-        return self._sound(put_in(read(self.source, self.report), self.settings, self.source))
+        tree = driven_by(read(self.source, self.report), self.drive)
+        return self._sound(put_in(tree, self.settings, self.source))
 
     @Stage
     def mechanism(self) -> Mechanism:
@@ -219,7 +222,7 @@ class Compilation:
     @Stage
     def motion(self) -> Motion | None:
         """Coordinates of points and directions of links along the drive; None without one."""
-        return motion(self.pose)
+        return motion(self.pose, astray(self.plan))
 
     @Stage
     @of_linkages

@@ -64,6 +64,8 @@ CONSTRUCTS = [
     ("param e = 1e-3", "params: {e: 1e-3}"),
     ("drive phi from 10 deg to 80 deg", "drive: {phi: 10 deg .. 80 deg}"),
     ("drive phi", "drive: phi"),
+    ("drive phi\ndrive psi", "drive: [phi, psi]"),
+    ("drive phi from 0 to 1\ndrive s", "drive: {phi: 0 .. 1, s: }"),
     ("drive phi speed 60 rpm", "drive: {phi: {speed: 60 rpm}}"),
     ("drive s from 0 to l speed 2*v", "drive: {s: {range: 0 .. l, speed: 2*v}}"),
     ("find V_C_x/omega_OA", "find: [V_C_x/omega_OA]"),

@@ -4,13 +4,19 @@ import click
 
 from ..diagnostics import near_miss
 from ..driver import Compilation
-from ..syntax.settings import Settings, driven, params
+from ..source import Source
+from ..syntax.settings import Settings, driven, drives, params
 from .inputs import source_of
 
 
-def begin(name: str, stdin_name: str, settings: Settings) -> Compilation:
-    """Open a compilation, refusing settings of parameters that the description lacks."""
+def begin(name: str, stdin_name: str, settings: Settings, drive: str = "") -> Compilation:
+    """Open a compilation, refusing settings of parameters that the description lacks.
+
+    Of several drives the one of the name given moves.
+    """
     source = source_of(name, stdin_name)
+    if drive:
+        _check_drive(drive, source)
     if settings:
         statements = Compilation(source).tree.statements
         declared = [p.name.text for p in params(statements)]
@@ -20,4 +26,13 @@ def begin(name: str, stdin_name: str, settings: Settings) -> Compilation:
             raise click.BadParameter(
                 f"{source.name} has no parameter {unknown!r}; {hint}", param_hint="-D"
             )
-    return Compilation(source, settings)
+    return Compilation(source, settings, drive)
+
+
+def _check_drive(drive: str, source: Source) -> None:
+    declared = [d.name.text for d in drives(Compilation(source).tree.statements)]
+    if drive not in declared:
+        hint = near_miss(drive, declared) or f"it has {', '.join(declared) or 'none'}"
+        raise click.BadParameter(
+            f"{source.name} has no drive {drive!r}; {hint}", param_hint="--drive"
+        )

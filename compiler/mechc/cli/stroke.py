@@ -23,6 +23,10 @@ from .terminal import give, say
     "--path", "paths", multiple=True, metavar="NAME",
     help="A point or link whose coordinates, direction and rates are shown; all for all.",
 )  # fmt: skip
+@click.option(
+    "--drive", default="", metavar="NAME",
+    help="Which of several drives moves, the others being held at their values.",
+)  # fmt: skip
 @settings_option
 @stdin_option
 @session_options
@@ -32,6 +36,7 @@ def command(
     as_csv: bool,
     velocities: bool,
     paths: tuple[str, ...],
+    drive: str,
     settings: Settings,
     stdin_name: str,
 ) -> None:
@@ -48,7 +53,7 @@ def command(
     mechc stroke crank_rocker --path B
     mechc stroke --points 101 --csv clamp.mech > clamp.csv
     """
-    compilation = checked(begin(file, stdin_name, settings))
+    compilation = checked(begin(file, stdin_name, settings, drive))
     found = compilation.stroke(points, paths)
     session().accept(warnings(compilation), compilation.source)
     if as_csv:

@@ -20,12 +20,13 @@ from .finds import read_finds
 from .force_pairs import inside_telescopes, spring_name
 from .friction import read_friction
 from .geometry import read_geometry
+from .held import with_held, with_held_links
 from .joints import declare_points, read_drawn, read_pivots, read_sliders, warn_idle
 from .literals import with_names
 from .loads import read_loads
 from .lower import with_arcs, with_loaded_points
 from .mechanism import Find, LoadForm, Mechanism, Slider
-from .motion import check_drive, read_assemblies, read_drive
+from .motion import check_drives, read_assemblies, read_drives
 from .parameters import warn_unused
 from .points import Points
 from .reactions import check_rods
@@ -62,8 +63,10 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     check_rods(mechanism, scope)
     mechanism = _asked(mechanism, file, found, scope)
     report.stop_on_errors()
-    mechanism = with_drawn(mechanism, report)
-    check_drive(mechanism.drive, mechanism.parameters, report)
+    mechanism = with_drawn(with_held_links(mechanism, report), report)
+    check_drives(mechanism, report)
+    report.stop_on_errors()
+    mechanism = with_held(mechanism, report)
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
     warn_idle(mechanism.joints, points)
@@ -95,7 +98,7 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     joints = read_joints(file, slides, scope)
     check_belts(joints, places, scope)
     geometry = read_geometry(file, scope)
-    drive = read_drive(file, scope)
+    drives = read_drives(file, scope)
     assemblies = read_assemblies(file, scope)
     built = replace(
         mechanism,
@@ -103,7 +106,8 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
         slides=slides,
         telescopes=telescopes,
         joints=(*pivots, *guides, *sliders, *joints),
-        drive=drive,
+        drive=next(iter(drives), None),
+        held=tuple(drives[1:]),
         assemblies=tuple(assemblies),
         geometry=(*places, *fixed_places, *guide_places, *geometry),
         drawn=tuple(drawn),

@@ -256,7 +256,8 @@ class Mechanism:
     """A whole description, resolved and checked.
 
     ``literals`` are the lengths that it gives by numbers, each once, under names that it does
-    not use: formulas have a :class:`~..formula.tree.Constant` for each.
+    not use: formulas have a :class:`~..formula.tree.Constant` for each. ``held`` are the drives
+    that stay at their values while ``drive`` moves.
     """
 
     name: str
@@ -270,6 +271,7 @@ class Mechanism:
     telescopes: tuple[Telescope, ...] = ()
     joints: tuple[Joint, ...] = ()
     drive: Drive | None = None
+    held: tuple[Drive, ...] = ()
     assemblies: tuple[Assembly, ...] = ()
     geometry: tuple[Geometry, ...] = ()
     drawn: tuple[Drawn, ...] = ()
@@ -284,6 +286,11 @@ class Mechanism:
     tables: tuple[WrittenTable, ...] = ()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
+
+    @property
+    def drives(self) -> tuple[Drive, ...]:
+        """Return the drive that moves, if there is one, then those that are held."""
+        return (*([self.drive] if self.drive else []), *self.held)
 
     @property
     def bodies(self) -> tuple[Body, ...]:

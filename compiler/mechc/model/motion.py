@@ -1,9 +1,9 @@
 """What drives a mechanism, and which closure of a loop is meant."""
 
 import math
-from collections.abc import Iterable
 
 from ..diagnostics import Report, drawn, stroke
+from ..diagnostics.model import held
 from ..diagnostics.model import joints as messages
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
@@ -11,10 +11,10 @@ from ..syntax import ast
 from ..syntax.vocabulary import points_of
 from ..units import ANGLE, LENGTH, TIME, in_unit
 from .expressions import Reader
-from .mechanism import Assembly, Drive, Parameter
+from .mechanism import Assembly, Drive, Mechanism, Parameter
 from .parameters import constant
 from .scope import DESCRIPTION, Entry, Scope
-from .statements import every, only
+from .statements import every
 
 MOST_TURNS = 100
 """Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
@@ -26,11 +26,23 @@ ROUNDED = 1e-12
 """The part of its greatest end below which a stroke is empty."""
 
 
-def read_drive(file: ast.File, scope: Scope) -> Drive | None:
-    """Return the driving coordinate and its stroke, which no other parameter may enter."""
-    statement = only(file, ast.Drive)
-    if statement is None:
-        return None
+def read_drives(file: ast.File, scope: Scope) -> list[Drive]:
+    """Return the driving coordinates with their strokes: the first one moves.
+
+    No other parameter may enter a stroke.
+    """
+    found: dict[str, Drive] = {}
+    for statement in every(file, ast.Drive):
+        drive = _drive(statement, file, scope)
+        if drive and drive.parameter in found:
+            first = found[drive.parameter].span
+            scope.report.add(held.driven_twice(drive.span, drive.parameter, first))
+        elif drive:
+            found[drive.parameter] = drive
+    return list(found.values())
+
+
+def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     ends = _link_ends(statement.name, scope)
     name = _of_a_link(statement.name, file, scope) if ends else statement.name
     entry = scope.entries.get(name.text)
@@ -79,11 +91,15 @@ def _of_a_link(vector: ast.Name, file: ast.File, scope: Scope) -> ast.Name:
     return name
 
 
-def check_drive(drive: Drive | None, parameters: Iterable[Parameter], report: Report) -> None:
-    """Report a drive that follows from other parameters, and a stroke that makes no sense."""
-    moved = next((p for p in parameters if drive and p.name == drive.parameter), None)
-    if drive is None or moved is None:
-        return
+def check_drives(mechanism: Mechanism, report: Report) -> None:
+    """Report drives that follow from other parameters, and strokes that make no sense."""
+    for drive in mechanism.drives:
+        for parameter in mechanism.parameters:
+            if parameter.name == drive.parameter:
+                _check(drive, parameter, report)
+
+
+def _check(drive: Drive, moved: Parameter, report: Report) -> None:
     if moved.dependent:
         report.add(messages.drive_depends(drive.span, drive.parameter))
     elif drive.low is not None and drive.high is not None:

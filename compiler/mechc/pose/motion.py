@@ -1,6 +1,6 @@
 """Coordinates of points, directions of links, and how both change with the drive."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Collection, Iterator, Sequence
 from typing import Literal, NamedTuple
 
 from ..algebra.trigonometry import cosine, sine
@@ -48,12 +48,16 @@ class Motion:
     definitions: tuple[Definition, ...]
 
 
-def motion(pose: Pose) -> Motion | None:
-    """Return what moves along the drive; None where there is none, or nothing has a place."""
+def motion(pose: Pose, astray: Collection[str] = ()) -> Motion | None:
+    """Return what moves along the drive; None where there is none, or nothing has a place.
+
+    Nothing is said of links and points that are ``astray``: they do not follow the drive as
+    they are given.
+    """
     drive = pose.mechanism.drive
     if drive is None or drive.reshapes:
         return None
-    places = (*_points(pose), *_links(pose))
+    places = (*_points(pose, astray), *_links(pose, astray))
     titles = Titles("t" if drive.speed else drive.parameter, _taken(pose))
     first = first_rates(pose, drive.speed or ONE, titles, [p.formula for p in places])
     if drive.speed is None:
@@ -86,16 +90,19 @@ def _whole(pose: Pose, quantities: Sequence[Quantity], *rates: Rates) -> Motion 
     return Motion(tuple(apart), (*closing, *named)) if apart else None
 
 
-def _points(pose: Pose) -> Iterator[Quantity]:
+def _points(pose: Pose, astray: Collection[str]) -> Iterator[Quantity]:
     """Yield the coordinates of every point that has a place."""
-    for point, vector in paths(pose).items():
+    lost = [link for link in pose.mechanism.links if link.name in astray]
+    for point, vector in paths(pose, lost).items():
+        if point in astray:
+            continue
         for axis, formula in zip("xy", _components(vector), strict=True):
             yield _named(f"{axis}_{point}", "place", point, axis, LENGTH, formula)
 
 
-def _links(pose: Pose) -> Iterator[Quantity]:
+def _links(pose: Pose, astray: Collection[str]) -> Iterator[Quantity]:
     """Yield the direction of every link: of its second point from its first."""
-    for link in pose.mechanism.rigid_links:
+    for link in (link for link in pose.mechanism.rigid_links if link.name not in astray):
         first, second, *_ = link.points
         vector = pose.vector(link.name, first, second)
         if vector:

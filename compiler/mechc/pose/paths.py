@@ -1,9 +1,9 @@
 """Where every point is: as a vector from the origin."""
 
 from collections import deque
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 
-from ..model.mechanism import Pivot, Slider
+from ..model.mechanism import Link, Pivot, Slider
 from ..syntax.vocabulary import points_of
 from .loops.vector_graph import mentioned
 from .pose import Pose, Vector, gathered, measured_by, reverse
@@ -12,14 +12,15 @@ ORIGIN = ""
 """The name of the plane's origin among the points that vectors join."""
 
 
-def paths(pose: Pose) -> dict[str, Vector]:
+def paths(pose: Pose, astray: Collection[Link] = ()) -> dict[str, Vector]:
     """Return the vector from the origin to every point that the description gives a place.
 
     Without a place of any pivot the origin is at the first pivot. A point is left out to which
     only vectors of open length lead, and one that stands for the place of a guide.
+    Links that are ``astray`` lead nowhere: what is said of their directions holds at one pose.
     """
     ways: dict[str, dict[str, Vector]] = {}
-    for tail, head, vector in _given(pose):
+    for tail, head, vector in _given(pose, astray):
         ways.setdefault(tail, {}).setdefault(head, vector)
         ways.setdefault(head, {}).setdefault(tail, reverse(vector))
     start = _start(pose, ways)
@@ -34,12 +35,16 @@ def paths(pose: Pose) -> dict[str, Vector]:
     return {point: vector for point, vector in found.items() if points_of(point)}
 
 
-def _given(pose: Pose) -> Iterator[tuple[str, str, Vector]]:
-    """Yield the vectors whose length is known, by their points."""
+def _given(pose: Pose, astray: Collection[Link]) -> Iterator[tuple[str, str, Vector]]:
+    """Yield the vectors whose length and direction are known, by their points."""
     known = {name: value for name, value in pose.placeholders.items() if value is not None}
-    open_ = pose.placeholders.keys() - known.keys()
+    closed = {name for name, _ in (*pose.closing, *pose.definitions)}
+    values = closed | {parameter.name for parameter in pose.mechanism.parameters} | known.keys()
+    lost = [set(link.points) for link in astray]
     for tail, head, vector in _vectors(pose):
-        if open_.isdisjoint(mentioned(vector)):
+        if any({tail, head} <= points for points in lost):
+            continue
+        if mentioned(vector) <= values:
             yield tail, head, measured_by(vector, known)
 
 

@@ -15,7 +15,6 @@ ONCE: dict[type[ast.Statement], str] = {
     ast.Copies: "copies",
     ast.Motion: "motion",
     ast.Efficiency: "efficiency",
-    ast.Drive: "drive",
 }
 
 

@@ -72,6 +72,19 @@ def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
     return replace(tree, statements=tuple(_set(s, values) for s in tree.statements))
 
 
+def drives(statements: Iterable[ast.Statement]) -> tuple[ast.Drive, ...]:
+    """Return the drives among statements, in order: the first one moves."""
+    return tuple(s for s in statements if isinstance(s, ast.Drive))
+
+
+def driven_by(tree: ast.File, name: str) -> ast.File:
+    """Return the tree with the drive of a name before the others, so that it moves."""
+    found = drives(tree.statements)
+    order = iter(sorted(found, key=lambda drive: drive.name.text != name))
+    changed = tuple(next(order) if isinstance(s, ast.Drive) else s for s in tree.statements)
+    return replace(tree, statements=changed)
+
+
 def params(statements: Iterable[ast.Statement]) -> tuple[ast.Param, ...]:
     """Return the parameter declarations among statements, in order."""
     return tuple(s for s in statements if isinstance(s, ast.Param))

@@ -62,6 +62,8 @@ class _Writer:
 
     def steps(self) -> Iterator[Step]:
         """Yield the steps that what was asked for rests on."""
+        if held := self._graph.pose.mechanism.held:
+            yield Step(Rule.HELD, tuple(drive.parameter for drive in held), (), ())
         for drive in self._plan.drives:
             self._names[drive] = self._first_name(drive)
         needed = self._needed()

@@ -20,6 +20,8 @@ from ...study.analysis import Analysis
 class Rule(StrEnum):
     """The rule of mechanics that gives a relation."""
 
+    HELD = "held"
+    """Drives that stay at their values while another one moves."""
     LEVER = "lever"
     """Points of a link that turns about a pivot: V = ω·r, so speeds are as the arms."""
     ARM = "arm"
@@ -88,7 +90,7 @@ class Step:
     and the body, for GEAR
     and BELT the two pivots, for ON_ARM the arm and the two centres, for RACK the pivot and the
     rack, for PARTING the two points; for TOGETHER the links involved; for COMPONENT the point
-    and the load, ``V_A_P`` being the speed of A along P.
+    and the load, ``V_A_P`` being the speed of A along P; for HELD the coordinates.
     ``relations`` is what the rule says; ``results`` the same solved for the new speeds.
     """
 

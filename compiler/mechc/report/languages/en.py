@@ -97,6 +97,7 @@ LOCALE = Locale(
     signed="Velocities along guides are positive in the guide's direction, angular velocities "
     "counter-clockwise.",
     rules={
+        "held": "Held at its value while the drive moves: {all}.",
         "lever": "Lever rule: about the pivot {first} the velocities of {rest} are proportional "
         "to their arms.",
         "arm": "The link turns about the pivot {first}: the velocity of {rest} is the angular "

@@ -6,6 +6,7 @@ from typing import NamedTuple
 
 from ...formula.layout import decimal as exact_decimal
 from ...formula.layout import is_angle
+from ...formula.names import split_points
 from ...formula.tree import ZERO, Formula, Number, Symbol, product, total
 from ...model.mechanism import SpeedRatio
 from ...model.result import Definition
@@ -225,7 +226,8 @@ class Speller(NamedTuple):
 
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
-        return f"${points(names)}$"
+        is_drawn = split_points(names.partition("_")[0])
+        return f"${points(names) if is_drawn else latex(Symbol(names), self.style)}$"
 
 
 def check(verdict: Verdict, locale: Locale, style: Notation) -> str:

@@ -175,8 +175,9 @@ class _Runner:
         """Return the unit in which the user writes lengths, '' for anything else."""
         if dimension != LENGTH:
             return ""
-        parameters = self._pose.mechanism.parameters
-        return next((p.unit for p in parameters if p.dimension == LENGTH and p.unit), "")
+        mechanism = self._pose.mechanism
+        listed = (*mechanism.parameters, *mechanism.literals)
+        return next((p.unit for p in listed if p.dimension == LENGTH and p.unit), "")
 
     def _row(self, place: float, filled: Sequence[Filled], stretches: Sequence[Stretch]) -> Row:
         trouble = self._trouble(place)

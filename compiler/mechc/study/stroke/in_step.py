@@ -23,31 +23,44 @@ Rates = Mapping[str, float]
 
 def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
     """Return the links that do not follow the drive at its default, with W591 for each."""
-    drive = plan.graph.pose.mechanism.drive
-    if drive is None or drive.reshapes:
+    mechanism = plan.graph.pose.mechanism
+    if mechanism.drive is None:
         return ()
-    along = Along(plan, {})
-    place = along.defaults.get(drive.parameter)
-    found = tuple(_out_of_step(plan, along, place)) if place is not None else ()
+    found = tuple(x for x in out_of_step(plan) if direction_matters(x, mechanism))
     for link in found:
-        report.add(messages.direction_stays(link.span, link.name, drive.parameter))
+        report.add(messages.direction_stays(link.span, link.name, mechanism.drive.parameter))
     return found
 
 
-def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
-    """Yield the links whose direction matters and does not follow the drive."""
+def out_of_step(plan: Plan) -> tuple[Link, ...]:
+    """Return the links that do not follow the drive at its default, whether it matters or not."""
+    found = at_default(plan)
+    return tuple(_out_of_step(plan, *found)) if found else ()
+
+
+def at_default(plan: Plan) -> tuple[Along, float] | None:
+    """Return the default pose as a place of the drive, None where nothing is to be seen there."""
     pose = plan.graph.pose
-    if not _mentioned(pose) <= along.values(place).keys():
-        return
-    if plan.mobility != 1 or any(along.trouble(place + s) for s in (-DIFFERENCE, 0, DIFFERENCE)):
-        return
+    drive = pose.mechanism.drive
+    if drive is None or drive.reshapes or plan.mobility != 1:
+        return None
+    along = Along(plan, {})
+    place = along.defaults.get(drive.parameter)
+    if place is None or not _mentioned(pose) <= along.values(place).keys():
+        return None
+    stands = not any(along.trouble(place + s) for s in (-DIFFERENCE, 0, DIFFERENCE))
+    return (along, place) if stands else None
+
+
+def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
+    pose = plan.graph.pose
     drawn = {link.name: _turning(pose, link, along, place) for link in pose.mechanism.links}
     demanded, doubled = (_demanded(plan, along.values(place), size) for size in (1.0, 2.0))
     leader = _leader(pose, drawn)
     if not demanded or not demanded.get(leader):
         return
     pace = drawn[leader] / demanded[leader]
-    for link in filter(lambda link: direction_matters(link, pose.mechanism), pose.mechanism.links):
+    for link in pose.mechanism.links:
         here, there = drawn[link.name], demanded[link.name] * pace
         if demanded[link.name] != doubled[link.name]:
             # Its length is open: only whether it turns is known.

@@ -1,0 +1,64 @@
+"""Messages for drives that are held (E525 to E527)."""
+
+from ...source import Span
+from ..diagnostic import Message, Related, coded
+
+
+@coded("E525")
+def cannot_hold(at: Span, name: str) -> Message:
+    """Several drives: the first one moves, and nothing tells what the other ones hold.
+
+    A drive is held by making fast what it moves: the direction of a link on a pivot, the
+    angle between two links with a common pin, the length of a telescope, the place of a slider::
+
+        OA = a @ phi
+        AB = b @ psi            # wrong: AB turns as the loop demands, psi is no angle of a drive
+        AB = b @ phi + psi      # right: psi is the angle between OA and AB
+        drive phi from 0 deg to 90 deg
+        drive psi
+    """
+    return Message(
+        at,
+        f"the drive {name} cannot be held: found no link on a pivot, two links with a common "
+        "pin, telescope or slider that it moves",
+        "let it be the direction of a link on a pivot, or an angle between two links",
+    )
+
+
+@coded("E526")
+def driven_twice(at: Span, name: str, first: Span) -> Message:
+    """Two lines name the same drive.
+
+    Of several drives the first one moves, the others are held at their values::
+
+        drive phi from 0 deg to 90 deg
+        drive phi from 0 deg to 45 deg     # wrong
+        drive psi from 0 deg to 45 deg     # right: another one, held
+    """
+    return Message(
+        at,
+        f"{name} drives already, expected another coordinate",
+        "leave one of the two lines out",
+        (Related(first, "it is the drive here"),),
+    )
+
+
+@coded("E527")
+def held_by_what(at: Span, name: str, drive: Span) -> Message:
+    """A force at a joint, or friction, while a drive is held by what the description leaves open.
+
+    A motor holds a link by a couple, a lock at its rim by a force: k is the same, the forces in
+    the pins are not. A telescope and a slider hold by themselves::
+
+        drive phi from 0 deg to 90 deg
+        drive psi                          # held
+        find k = M/F                       # right
+        find R_O                           # wrong
+        friction pins f diameter d         # wrong
+    """
+    return Message(
+        at,
+        f"this rests on how {name} is held, expected a ratio of loads or speeds without friction",
+        "ask for it with one drive, and a load that holds the other link",
+        (Related(drive, "held here"),),
+    )

@@ -1,0 +1,71 @@
+"""Whether points stand where the drive takes them: only then is their place a path."""
+
+import math
+from collections.abc import Iterator, Mapping
+
+from ...algebra.angle import Angle
+from ...kinematics.plan import Plan
+from ...model.values import Chain, Values
+from ...pose.paths import paths
+from ...pose.pose import Vector, evaluate_vector
+from ..tolerances import DIFFERENCE, SAME_RATE
+from .along import Along
+from .in_step import at_default, out_of_step
+
+Velocities = Mapping[str, complex]
+"""How fast points move, x and y as a complex number."""
+
+
+def astray(plan: Plan) -> frozenset[str]:
+    """Return the names of links and points that do not follow the drive at its default.
+
+    A rack drawn in one place stays there, whatever the gear does. Where the drive does not
+    move all by itself, everything is where it is said to be.
+    """
+    links = out_of_step(plan)
+    found = at_default(plan)
+    points = _points(plan, *found) if found else ()
+    return frozenset((*(link.name for link in links), *points))
+
+
+def _points(plan: Plan, along: Along, place: float) -> Iterator[str]:
+    """Yield the points whose places do not change as the joints demand."""
+    pose = plan.graph.pose
+    places = paths(pose, out_of_step(plan))
+    closing = Chain(dict(pose.closing))
+    before, here, after = (
+        closing.complete(along.values(place + step)) for step in (-DIFFERENCE, 0, DIFFERENCE)
+    )
+    drawn = {point: _rate(vector, before, after) for point, vector in places.items()}
+    demanded = _demanded(plan, here)
+    leader = max(drawn, key=lambda point: abs(drawn[point]), default="")
+    if not demanded.get(leader):
+        return
+    pace = drawn[leader] / demanded[leader]
+    fastest = abs(drawn[leader])
+    for point, rate in drawn.items():
+        if abs(rate - pace * demanded.get(point, 0)) > SAME_RATE * fastest:
+            yield point
+
+
+def _rate(vector: Vector, before: Values, after: Values) -> complex:
+    start, end = (complex(*evaluate_vector(vector, values)) for values in (before, after))
+    return (end - start) / (2 * DIFFERENCE)
+
+
+def _demanded(plan: Plan, known: Values) -> Velocities:
+    values = dict(known)
+    found: dict[str, complex] = {}
+    try:
+        for name, value in plan.bindings:
+            values[name] = value.evaluate(values)
+    except (KeyError, ZeroDivisionError):
+        return found
+    for point in plan.graph.velocities:
+        try:
+            x, y = (plan.component(point, Angle.constant(a))[0].evaluate(values) for a in (0, 90))
+        except (KeyError, ZeroDivisionError):
+            continue
+        if math.isfinite(x) and math.isfinite(y):
+            found[point] = complex(x, y)
+    return found
