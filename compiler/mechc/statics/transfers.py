@@ -1,16 +1,35 @@
-"""What wheels, racks, screws and guided links pass on, from their mechanics."""
+"""The forces that wheels, racks and screws pass on, from their mechanics."""
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterator
+from typing import assert_never
 
 from ..formula.walk import evaluate
-from ..model.mechanism import Rack, Screw, Slot, WheelPair
-from .assembly import GROUND, Couple, Plane, Push, Transfer, Wrench
+from ..model.mechanism import Contact, Pivot, Rack, Screw, Slider, Slot, WheelPair
+from .assembly import GROUND, Action, Couple, Push, Transfer, Wrench
+from .halves import Halves
 
-Values = Mapping[str, float]
+
+def transfers(halves: Halves) -> Iterator[Transfer]:
+    """Yield the forces that wheels and screws pass on."""
+    for joint in halves.pose.mechanism.joints:
+        match joint:
+            case WheelPair():
+                yield from _both(halves, _rims(halves, joint))
+            case Rack():
+                yield from _both(halves, Transfer(joint.id, _teeth(halves, joint)))
+            case Screw():
+                yield from _both(halves, Transfer(joint.id, _thread(halves, joint)))
+            case Slot(link=link, guided=guided) if guided:
+                couples = Couple(guided, 1.0), Couple(link, -1.0)
+                yield from _both(halves, Transfer(joint.id, couples))
+            case Pivot() | Slider() | Slot() | Contact():
+                pass  # they press on one point: see :mod:`.unfolded`
+            case _:
+                assert_never(joint)
 
 
-def rims(pair: WheelPair, values: Values) -> Transfer:
+def _rims(halves: Halves, pair: WheelPair) -> Transfer:
     """Return the couples of a unit force on the rims of two wheels.
 
     Gears press on each other at the pitch point. Between the centres that gives moments
@@ -20,8 +39,8 @@ def rims(pair: WheelPair, values: Values) -> Transfer:
     On the two wheels together these forces cancel, so that what their pins pass on to the
     arm is a couple: the opposite of both moments.
     """
-    first = evaluate(pair.first_radius, values)
-    second = evaluate(pair.second_radius, values) * (-1 if pair.same else 1)
+    first = evaluate(pair.first_radius, halves.values)
+    second = evaluate(pair.second_radius, halves.values) * (-1 if pair.same else 1)
     wheels = (
         Couple(pair.first_link or GROUND, first),
         Couple(pair.second_link or GROUND, second),
@@ -29,20 +48,26 @@ def rims(pair: WheelPair, values: Values) -> Transfer:
     return Transfer(pair.id, wheels, (Couple(pair.arm or GROUND, -first - second),))
 
 
-def thread(screw: Screw, along: Plane, values: Values) -> Transfer:
+def _thread(halves: Halves, screw: Screw) -> tuple[Action, Action]:
     """Return a unit force on a nut along its guide, and the couple that the screw takes."""
-    lead = evaluate(screw.pitch, values) / (2 * math.pi)
-    return Transfer(screw.id, (Push(screw.point, along), Couple(screw.link, -lead)))
+    lead = evaluate(screw.pitch, halves.values) / (2 * math.pi)
+    return Push(screw.point, halves.direction_of_guide(screw.point)), Couple(screw.link, -lead)
 
 
-def teeth(rack: Rack, along: Plane, centre: Plane, values: Values) -> Transfer:
+def _teeth(halves: Halves, rack: Rack) -> tuple[Action, Action]:
     """Return a force on a rack along its guide, and what its wheel takes at the pitch point."""
-    right = along.turned().times(-evaluate(rack.radius, values))
+    along = halves.direction_of_guide(rack.point)
+    right = along.turned().times(-evaluate(rack.radius, halves.values))
+    first = next(iter(halves.pose.frames[rack.link]))
+    centre = halves.arm(rack.link, first, rack.pivot)
     x, y = centre.x + right.x, centre.y + right.y
     back = Wrench(rack.link, along.times(-1), y * along.x - x * along.y)
-    return Transfer(rack.id, (Push(rack.point, along), back))
+    return Push(rack.point, along), back
 
 
-def block(slot: Slot) -> Transfer:
-    """Return the couple that keeps a guided link from turning in its slot."""
-    return Transfer(slot.id, (Couple(slot.guided, 1.0), Couple(slot.link, -1.0)))
+def _both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
+    """Yield a transfer and its twin in the other half."""
+    yield transfer
+    if halves.axis is not None and not all(map(halves.acts_on_shared, transfer.actions)):
+        first, second, *bearings = map(halves.mirrored, (*transfer.actions, *transfer.bearings))
+        yield Transfer(f"{transfer.name}'", (first, second), tuple(bearings))
