@@ -59,12 +59,12 @@ def _lay(
 
 
 def touches(
-    mechanism: Mechanism, compass: Directions, vectors: Vectors, find: Find
+    mechanism: Mechanism, directions: Directions, vectors: Vectors, find: Find
 ) -> Iterator[PointContact]:
     """Yield every pin that slides along a body."""
     slides = {s.name for s in mechanism.slides}
     for slot in mechanism.each(Slot):
-        line = _line(slot, slot.link in slides, compass, vectors, find)
+        line = _line(slot, slot.link in slides, directions, vectors, find)
         reach = () if slot.link in slides else _reach(slot.tail, slot.point, line, vectors)
         yield PointContact("slot", slot.point, slot.link, slot.tail, reach, across(line), slot.span)
     for contact in mechanism.each(Contact):
@@ -75,10 +75,12 @@ def touches(
         yield PointContact("contact", point, contact.link, tail, reach, normal, contact.span)
 
 
-def _line(slot: Slot, on_slide: bool, compass: Directions, vectors: Vectors, find: Find) -> Angle:
+def _line(
+    slot: Slot, on_slide: bool, directions: Directions, vectors: Vectors, find: Find
+) -> Angle:
     """Return the direction of a slot; that of a link which nothing gives is reported there."""
     if not on_slide and vectors.path(slot.tail, slot.head) is None:
-        return compass.of(slot.tail, slot.head) or Angle()
+        return directions.of(slot.tail, slot.head) or Angle()
     name = f"{slot.tail}{slot.head}"
     return find(Along(slot.tail, slot.head, 0, slot.span), f"theta_{name}", f"the slot {name}")
 

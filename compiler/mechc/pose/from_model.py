@@ -54,15 +54,15 @@ def solve_pose(mechanism: Mechanism, report: Report) -> Pose:
     report.stop_on_errors()
     mechanism = with_lines(replace(mechanism, geometry=aligned(mechanism)))
     terms = Terms(mechanism)
-    compass = Directions(mechanism, terms, report)
-    vectors = Vectors(mechanism, terms, compass)
-    closed = close(mechanism, terms, compass, vectors, report)
+    directions = Directions(mechanism, terms, report)
+    vectors = Vectors(mechanism, terms, directions)
+    closed = close(mechanism, terms, directions, vectors, report)
     mechanism = closed.mechanism
     for fault in unfound_angles(mechanism, vectors, closed.found, closed.left):
         report.add(fault)
     report.stop_on_errors()
     mechanism = with_directions(mechanism, vectors, report)
-    survey = _Survey(mechanism, terms, compass, vectors, report)
+    survey = _Survey(mechanism, terms, directions, vectors, report)
     pose = survey.pose(closed)
     unfound = survey.report_unfound(pose, closed.found, closed.left)
     survey.close_loops(pose, unfound)
@@ -92,25 +92,25 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
 
 
 class _Survey:
-    """Reads frames and directions off the compass and the vectors, reporting what is missing."""
+    """Reads frames and named directions off the vectors, reporting what is missing."""
 
     def __init__(
         self,
         mechanism: Mechanism,
         terms: Terms,
-        compass: Directions,
+        directions: Directions,
         vectors: Vectors,
         report: Report,
     ) -> None:
         self._mechanism, self._terms = mechanism, terms
-        self._compass, self._vectors, self._report = compass, vectors, report
+        self._directions, self._vectors, self._report = directions, vectors, report
         self._missing = Missing(vectors)
 
     def pose(self, closed: Closed) -> Pose:
         """Return all directions and frames, read in the order of their definitions."""
         guides, axis = self.guides(), self.axis()
         lines = {**self.lines(), **self.thrusts()}
-        held = tuple(touches(self._mechanism, self._compass, self._vectors, self.direction))
+        held = tuple(touches(self._mechanism, self._directions, self._vectors, self.direction))
         frames, slides = self.frames(), self.slides()
         return Pose(
             mechanism=self._mechanism,
@@ -212,7 +212,7 @@ class _Survey:
 
     def direction(self, direction: Direction, name: str, for_what: str) -> Angle:
         """Return a direction as an angle; report one that nothing gives."""
-        angle = self._compass.resolve(direction, name)
+        angle = self._directions.resolve(direction, name)
         if angle is None:
             assert isinstance(direction, Along)
             angle = self._along_path(direction, for_what)
@@ -241,7 +241,7 @@ class _Survey:
 
     def report_unfound(self, pose: Pose, found: frozenset[str], left: Open) -> frozenset[str]:
         """Report why the directions of links are open that no loop gives; name directions."""
-        sought = {n: at for n, at in self._compass.sought.items() if n not in found}
+        sought = {n: at for n, at in self._directions.sought.items() if n not in found}
         needed: dict[str, Link] = {}
         for link in self._mechanism.links:
             used = {n for vector in pose.frames[link.name].values() for n in mentioned(vector)}

@@ -31,8 +31,8 @@ class Vectors:
     the closed chains, one for each vector between points that were connected before.
     """
 
-    def __init__(self, mechanism: Mechanism, terms: Terms, compass: Directions) -> None:
-        self._terms, self._compass = terms, compass
+    def __init__(self, mechanism: Mechanism, terms: Terms, directions: Directions) -> None:
+        self._terms, self._directions = terms, directions
         self._edges: dict[str, dict[str, Vector]] = {}
         self._lengths = {
             frozenset((g.tail, g.head)): terms.length(g.length)
@@ -115,7 +115,7 @@ class Vectors:
                     Arm(self._terms.length(y), Angle.constant(90)),
                 )
                 self._connect(tail, head, tuple(a for a in arms if a.length), span)
-                if all(a.length for a in arms) and self._compass.of(tail, head) is not None:
+                if all(a.length for a in arms) and self._directions.of(tail, head) is not None:
                     self.straighten(tail, head)
             case Arrow(tail, head, _, _, span):
                 self._enter_polar(tail, head, span)
@@ -126,7 +126,7 @@ class Vectors:
     def _enter_polar(self, tail: str, head: str, span: Span) -> None:
         if frozenset((tail, head)) in self._cartesian or head in self._edges.get(tail, ()):
             return
-        angle = self._compass.of(tail, head)
+        angle = self._directions.of(tail, head)
         if angle is None:
             return
         length = self._lengths.get(frozenset((tail, head)))

@@ -8,12 +8,12 @@ from ...diagnostics import pose as messages
 from ...model.mechanism import Assembly
 from ..samples import Values
 from ..tolerances import FLAT_TRIANGLE
+from .assembly_hints import AssemblyHints, Loops, group_span, is_ahead
 from .drawn import nearest
 from .dyads import Closure
 from .guide_lines import GuideLine
 from .reach import reach_of
 from .state import State
-from .telling import Loops, Telling, group_span, is_ahead
 from .vector_graph import loop_name
 
 
@@ -42,9 +42,9 @@ class Choice:
         if len(closures) == 1:
             return closures[0]
         possible = self._with_lengths(possible, poses, group) or possible
-        self._lines = self._rails_of(group)
-        heard = [a for a in self._unused if within is None or set(a.points) <= set(within)]
-        decisive = self._telling_lines(heard, poses, possible)
+        self._lines = self._guide_lines_of(group)
+        lines = [a for a in self._unused if within is None or set(a.points) <= set(within)]
+        decisive = self._decisive_lines(lines, poses, possible)
         self._unused = [a for a in self._unused if a not in decisive]
         meant = [i for i in possible if all(self._holds(a, poses, i) for a in decisive)]
         if not decisive and len(meant) > 1:
@@ -57,19 +57,21 @@ class Choice:
             return closures[left[0]]
         return closures[meant[0]]
 
-    def _telling_lines(
-        self, heard: Sequence[Assembly], poses: Sequence[Values], possible: Sequence[int]
+    def _decisive_lines(
+        self, lines: Sequence[Assembly], poses: Sequence[Values], possible: Sequence[int]
     ) -> list[Assembly]:
         """Return the lines that decide; of several, none that says the same of all closures.
 
         A pin whose place another line gives as well stands at one place in all of them.
         """
-        decisive = [a for a in heard if self._decides(a, poses, self._state.base)]
-        telling = [a for a in decisive if self._tells(a, poses, possible)]
+        decisive = [a for a in lines if self._decides(a, poses, self._state.base)]
+        separating = [a for a in decisive if self._separates(a, poses, possible)]
         turns = [a for a in decisive if len(a.points) == 3]
-        return [*telling, *(a for a in turns if a not in telling)] if telling else decisive
+        return [*separating, *(a for a in turns if a not in separating)] if separating else decisive
 
-    def _tells(self, assembly: Assembly, poses: Sequence[Values], possible: Sequence[int]) -> bool:
+    def _separates(
+        self, assembly: Assembly, poses: Sequence[Values], possible: Sequence[int]
+    ) -> bool:
         """Tell whether a line holds in some closures and not in others."""
         return len({self._holds(assembly, poses, i) for i in possible}) > 1
 
@@ -78,16 +80,16 @@ class Choice:
         """Return the lines that decided nothing."""
         return tuple(self._unused)
 
-    def _rails_of(self, group: Loops) -> Mapping[str, GuideLine]:
+    def _guide_lines_of(self, group: Loops) -> Mapping[str, GuideLine]:
         """Return the line of each pin; of several lines the one along which the group closes."""
-        rails = sorted(self._state.rails, key=lambda rail: rail.length in group.unknown)
-        return {rail.pin: rail for rail in rails}
+        guide_lines = sorted(self._state.guide_lines, key=lambda line: line.length in group.unknown)
+        return {line.pin: line for line in guide_lines}
 
     def _with_lengths(
         self, indices: Sequence[int], poses: Sequence[Values], group: Loops
     ) -> list[int]:
         """Return the closures in which no vector has a negative length; places may be negative."""
-        places = {rail.length for rail in self._state.rails} | self._state.named
+        places = {line.length for line in self._state.guide_lines} | self._state.named
         lengths = group.unknown - self._state.angles - places
         return [i for i in indices if all(poses[i].get(n, 0.0) >= 0 for n in lengths)]
 
@@ -106,7 +108,7 @@ class Choice:
     def _measure(self, assembly: Assembly, values: Values) -> float | None:
         """Return twice the triangle's area, or the place along the guide; None if open."""
         start = self._start(assembly, values)
-        places = self._state.web.places(start, values) if start is not None else {}
+        places = self._state.graph.places(start, values) if start is not None else {}
         if not set(assembly.points) <= places.keys():
             return None
         if len(assembly.points) == 1:
@@ -122,8 +124,8 @@ class Choice:
         """Return a point to measure from: the fixed end of a guide, or the first point."""
         if len(assembly.points) == 3:
             return assembly.points[0]
-        rail = self._lines.get(assembly.points[0])
-        return rail.start if rail and rail.angle.names <= values.keys() else None
+        line = self._lines.get(assembly.points[0])
+        return line.start if line and line.angle.names <= values.keys() else None
 
     def _holds(self, assembly: Assembly, poses: Sequence[Values], i: int) -> bool:
         mine = self._measure(assembly, poses[i]) or 0.0
@@ -146,11 +148,11 @@ class Choice:
     def _report_open(
         self, decisive: Sequence[Assembly], poses: Sequence[Values], group: Loops, refuted: bool
     ) -> None:
-        """Report that nothing tells the closures at some poses apart, and what would."""
+        """Report that nothing distinguishes the closures at some poses, and what would."""
         drive = self._state.mechanism.drive
-        lines = {point: rail for point, rail in self._lines.items() if rail.length in group.unknown}
-        telling = Telling(group, lines, self._measure, self._state.angles)
-        hint = telling.hint(poses, drive.parameter if drive else "", refuted)
+        lines = {point: line for point, line in self._lines.items() if line.length in group.unknown}
+        hints = AssemblyHints(group, lines, self._measure, self._state.angles)
+        hint = hints.hint(poses, drive.parameter if drive else "", refuted)
         if decisive:
             self._report.stop_on_errors()
             at = decisive[0]

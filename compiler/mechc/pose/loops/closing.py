@@ -31,7 +31,7 @@ from .choosing import Choice
 from .drawn import start
 from .dyads import Group
 from .groups import NOTHING, Open, closures, left_open, remaining_blocks
-from .guide_lines import GuideLine, rails
+from .guide_lines import GuideLine, guide_lines
 from .margins import in_closed_form, iterated
 from .redundant import check_fit
 from .state import State
@@ -59,30 +59,30 @@ class Closed(NamedTuple):
 
 
 def close(
-    mechanism: Mechanism, terms: Terms, compass: Directions, vectors: Vectors, report: Report
+    mechanism: Mechanism, terms: Terms, directions: Directions, vectors: Vectors, report: Report
 ) -> Closed:
     """Close all loops that mention a sought direction, and put the directions in.
 
     Reports E303 where given data disagree, E307 and E308 where the closure is not chosen,
     E309 where there is none at the default pose.
     """
-    named, lines = _sought_parameters(mechanism), list(rails(mechanism, compass))
+    named, lines = _sought_parameters(mechanism), list(guide_lines(mechanism, directions))
     edges = [*vectors.edges, *(rail.edge for rail in lines)]
     lengths = _open_lengths(edges, terms) - {p.name for p in mechanism.parameters}
-    if not (compass.sought or named or (lines and mechanism.drive)):
+    if not (directions.sought or named or (lines and mechanism.drive)):
         crossed = _crossed(lines, edges, lengths)
         if not crossed:
             return Closed(mechanism, frozenset(), {}, (), (), NOTHING, mechanism.assemblies)
         edges = [e for e in edges if mentioned(e.arms) & lengths <= crossed]
         lengths = crossed
     turning = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
-    angles = frozenset({*compass.sought, *(named & turning)})
+    angles = frozenset({*directions.sought, *(named & turning)})
     sought = {*angles, *named, *lengths}
     state = State(mechanism, terms, VectorGraph(edges, sought), lines, angles, named)
     closing = _Closing(state, report)
     closing.run()
     report.stop_on_errors()
-    compass.put(state.directions)
+    directions.put(state.directions)
     vectors.lay(state.laid())
     short = _in_one_term(state)
     vectors.put(state.directions, short)
@@ -214,34 +214,34 @@ class _Closing:
         points, state = frozenset(link.points), self._state
         inside = {
             name
-            for edge in state.web.edges
+            for edge in state.graph.edges
             if {edge.tail, edge.head} <= points
             for name in mentioned(edge.arms) & state.open_angles
         }
         if len(inside) < 2:
             return
         reference = min(inside, key=self._place)
-        state.web.sought.discard(reference)
+        state.graph.sought.discard(reference)
         for i, values in enumerate(state.values):
             values[reference] = 0.3 * i
         while self._close_next(points):
             pass
         for values in state.values:
             del values[reference]
-        state.web.sought.add(reference)
+        state.graph.sought.add(reference)
 
     def _place(self, name: str) -> tuple[int, str]:
         """Return where an unknown first stands in the description."""
-        edges = [e for e in self._state.web.edges if name in mentioned(e.arms)]
+        edges = [e for e in self._state.graph.edges if name in mentioned(e.arms)]
         return min(e.span.start for e in edges), name
 
     def _close_next(self, within: Names | None = None) -> bool:
         """Close one cycle; False where none is left that two unknowns close."""
-        pairs = list(self._state.web.pairs(within))
-        telling = [pair for pair in pairs if not pair[0].isdisjoint(self._state.angles)]
-        return any(self._settle(*pair, within) for pair in (*telling, *pairs))
+        pairs = list(self._state.graph.pairs(within))
+        turning = [pair for pair in pairs if not pair[0].isdisjoint(self._state.angles)]
+        return any(self._close(*pair, within) for pair in (*turning, *pairs))
 
-    def _settle(self, wanted: Names, cycle: Cycle, within: Names | None) -> bool:
+    def _close(self, wanted: Names, cycle: Cycle, within: Names | None) -> bool:
         if len(wanted) == 1:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
@@ -265,7 +265,7 @@ class _Closing:
     def _familiar(self, cycle: Cycle) -> list[Angle]:
         """Return the directions of the vectors that hang on the points of a loop."""
         points = {p for edge in cycle for p in (edge.tail, edge.head)}
-        around = (e for e in self._state.web.edges if not points.isdisjoint((e.tail, e.head)))
+        around = (e for e in self._state.graph.edges if not points.isdisjoint((e.tail, e.head)))
         return list(dict.fromkeys(arm.angle for edge in (*cycle, *around) for arm in edge.arms))
 
     def _fit(self, name: str, cycle: Cycle) -> bool:

@@ -36,7 +36,7 @@ def nearest(
 
 def _gap(values: Values, drawn: Mapping[str, Place], state: State) -> float:
     """Return the way from the drawn places to those of a closure, of all points together."""
-    places = state.web.places("", values)
+    places = state.graph.places("", values)
     return math.hypot(*(math.dist(places[p], at) for p, at in drawn.items() if p in places))
 
 
@@ -45,7 +45,7 @@ def _within(
 ) -> float:
     """Return how much a body differs from the drawn one, by its triangles, which have a sense."""
     known = [p for p in points if p in drawn]
-    places = state.web.places(known[0], values) if known else {}
+    places = state.graph.places(known[0], values) if known else {}
     triples = combinations([p for p in known if p in places], 3)
     return math.fsum(
         abs(_area([places[p] for p in triple]) - _area([drawn[p] for p in triple]))
@@ -62,7 +62,7 @@ def start(block: Block, state: State) -> Values:
     """Return what the unknowns of a block are in the drawing, as far as it shows them."""
     if not state.mechanism.drawn:
         return {}
-    places = {**places_of(state.mechanism.drawn, state.base), **state.web.places("", state.base)}
+    places = {**places_of(state.mechanism.drawn, state.base), **state.graph.places("", state.base)}
     shown = [e for e in block.cycle if len(e.arms) == 1 and {e.tail, e.head} <= places.keys()]
     values = dict(state.base)
     for edge in shown:

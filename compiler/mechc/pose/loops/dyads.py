@@ -8,7 +8,7 @@ by the sign of one root.
 
 Accuracy: the angles of a triangle with sides d, p, q come from the product of the four
 factors d + p + q, p + q − d … (Heron; Kahan, Miscalculating Area and Angles of a
-Needle-like Triangle, 2014), which has no cancellation near a straight knee.
+Needle-like Triangle, 2014), which has no cancellation where the triangle is nearly flat.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -203,7 +203,7 @@ class Group:
         name = "".join(ends or around) or "0"
         return self._polar(self.known, name, positive)
 
-    def knee(self) -> str:
+    def inner_pin(self) -> str:
         """Return the point between the two unknown edges, '' where they do not meet."""
         loose = [not self.unknown.isdisjoint(mentioned(e.arms)) for e in self.cycle]
         for i, edge in enumerate(self.cycle):
@@ -226,26 +226,26 @@ class Group:
             Call("atan2", (area, add([a * a, b * b, -(c * c)]).formula()))
             for a, b, c in ((d, p, q), (p, q, d))
         )
-        mu = self._named("mu", self.knee() or first.name, tip)
+        mu = self._named("mu", self.inner_pin() or first.name, tip)
         for sense in (1, -1):
             outside = first.angle_at(psi + HALF_TURN)
             sign = -sense * first.sense
             yield self._hinged(first, second, (outside, sign, base), mu * sense)
 
     def _hinged(
-        self, first: Turning, second: Turning, lead: tuple[Angle, int, Formula], knee: Angle
+        self, first: Turning, second: Turning, lead: tuple[Angle, int, Formula], inner_angle: Angle
     ) -> Closure:
         """Return a closure of a triangle: the angle at its base names or gives a direction."""
         outside, sign, base = lead
         if len(self.known) > 1 or first.name in self._kept:
             turn = base if sign > 0 else negative(base)
             named = [Definition(first.name, total([outside.formula(), turn]))]
-            other = second.angle_at(first.direction + HALF_TURN - knee)
+            other = second.angle_at(first.direction + HALF_TURN - inner_angle)
             return self._closure(named, {second.name: other})
         gamma = self._named("gamma", self._base_point() or first.name, base)
         angle = principal(outside + gamma * sign)
         direction = first.direction.put({first.name: angle})
-        other = second.angle_at(direction + HALF_TURN - knee)
+        other = second.angle_at(direction + HALF_TURN - inner_angle)
         return self._closure([], {first.name: angle, second.name: other})
 
     def _named(self, letter: str, of: str, formula: Formula) -> Angle:
@@ -263,11 +263,11 @@ class Group:
 
     def triples(self) -> list[tuple[str, str, str]]:
         """Return three points of the loop whose turn tells the closures apart."""
-        knee = self.knee()
+        inner_pin = self.inner_pin()
         loose = [e for e in self.cycle if not self.unknown.isdisjoint(mentioned(e.arms))]
-        before = next((e.tail for e in loose if e.head == knee), loose[0].tail)
-        after = next((e.head for e in loose if e.tail == knee), loose[-1].head)
-        return [(before, knee or loose[0].head, after)]
+        before = next((e.tail for e in loose if e.head == inner_pin), loose[0].tail)
+        after = next((e.head for e in loose if e.tail == inner_pin), loose[-1].head)
+        return [(before, inner_pin or loose[0].head, after)]
 
     def _turn_and_guide(self, turn: Turning, reach: Reaching) -> Iterable[Closure]:
         """RRP: the part that turns spans the distance to the line that is reached along."""

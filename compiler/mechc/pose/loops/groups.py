@@ -99,7 +99,7 @@ def remaining_blocks(state: State) -> Iterator[Block]:
 
 
 def _open_loops(state: State) -> list[Cycle]:
-    return [loop for loop in state.web.fundamental() if len(_unknown(loop, state)) > 1]
+    return [loop for loop in state.graph.fundamental() if len(_unknown(loop, state)) > 1]
 
 
 def _columns(loops: Sequence[Cycle], state: State) -> tuple[list[str], list[frozenset[int]]]:
@@ -117,7 +117,7 @@ def left_open(state: State) -> Open:
 
 
 def _unknown(loop: Cycle, state: State) -> set[str]:
-    return {n for e in loop for n in mentioned(e.arms)} & state.web.sought
+    return {n for e in loop for n in mentioned(e.arms)} & state.graph.sought
 
 
 def _determined(

@@ -45,14 +45,14 @@ class GuideLine(NamedTuple):
         return Edge(self.start, self.pin, (arm,), self.span)
 
 
-def rails(mechanism: Mechanism, compass: Directions) -> Iterator[GuideLine]:
+def guide_lines(mechanism: Mechanism, directions: Directions) -> Iterator[GuideLine]:
     """Yield the guides that pass through a point, then the slots."""
     for joint in mechanism.joints:
         match joint:
             case Slider(pin, along, span, through):
-                angle, start = compass.resolve(along, f"theta_{pin}"), through
+                angle, start = directions.resolve(along, f"theta_{pin}"), through
             case Slot(pin, _, start, head, span):
-                angle = compass.of(start, head)
+                angle = directions.of(start, head)
             case Pivot() | Contact() | WheelPair() | Rack() | Screw():
                 continue
             case _:

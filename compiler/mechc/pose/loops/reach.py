@@ -135,16 +135,16 @@ def _closed_forms(
     if len(varying) != 1 or not isinstance(varying[0], Sum):
         return
     terms = varying[0].terms
-    telling = [t for t in terms if not moving.isdisjoint(symbols(t.formula()))]
-    trigs = [f for t in telling for f in t.factors if not moving.isdisjoint(symbols(f.formula()))]
-    if len(telling) != 1 or len(trigs) != 1 or not isinstance(trigs[0], Trig):
+    moved = [t for t in terms if not moving.isdisjoint(symbols(t.formula()))]
+    trigs = [f for t in moved for f in t.factors if not moving.isdisjoint(symbols(f.formula()))]
+    if len(moved) != 1 or len(trigs) != 1 or not isinstance(trigs[0], Trig):
         return
     trig, sense = trigs[0], dict(trigs[0].angle.terms).get(drive, 0)
     rest = trig.angle - Angle(((drive, sense),))
-    if abs(sense) != 1 or telling[0].factors[trig] != 1 or not moving.isdisjoint(rest.names):
+    if abs(sense) != 1 or moved[0].factors[trig] != 1 or not moving.isdisjoint(rest.names):
         return
-    others = add(t for t in terms if t is not telling[0])
-    ratio = -(others * Product.of(trig) / telling[0])
+    others = add(t for t in terms if t is not moved[0])
+    ratio = -(others * Product.of(trig) / moved[0])
     inverse = Call("acos" if trig.function == "cos" else "asin", (ratio.formula(),))
     half = Angle.constant(0 if trig.function == "cos" else 180)
     for sign, start in ((1, Angle()), (-1, half)):

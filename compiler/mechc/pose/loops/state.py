@@ -31,13 +31,13 @@ class State:
         self,
         mechanism: Mechanism,
         terms: Terms,
-        web: VectorGraph,
+        graph: VectorGraph,
         lines: Iterable[GuideLine],
         angles: Names,
         named: Names,
     ) -> None:
-        self.mechanism, self.web, self.angles, self.named = mechanism, web, angles, named
-        self.rails = list(lines)
+        self.mechanism, self.graph, self.angles, self.named = mechanism, graph, angles, named
+        self.guide_lines = list(lines)
         self.definitions = terms.definitions
         self.directions: dict[str, Angle] = {}
         self.found: set[str] = set()
@@ -47,14 +47,14 @@ class State:
         self.loops: list[ClosedLoop] = []
         self.solved: list[SolvedLoop] = []
         self.values = poses_nearby(mechanism, terms.definitions)
-        self.signed = frozenset({*_passing_zero(mechanism), *(r.length for r in self.rails)})
+        self.signed = frozenset({*_passing_zero(mechanism), *(r.length for r in self.guide_lines)})
         named_items = (
             *mechanism.parameters,
             *mechanism.literals,
             *mechanism.loads,
             *terms.definitions,
         )
-        self._taken = {item.name for item in named_items} | web.sought
+        self._taken = {item.name for item in named_items} | graph.sought
         for values in self.values:
             for name in named:
                 values.pop(name, None)
@@ -69,18 +69,18 @@ class State:
     @property
     def open_angles(self) -> set[str]:
         """Return the directions still sought."""
-        return set(self.angles & self.web.sought)
+        return set(self.angles & self.graph.sought)
 
     @property
     def is_open(self) -> bool:
         """Tell whether a direction, a place on a line or what the user named is still sought."""
         driven = self.mechanism.drive is not None or not (self.angles or self.named)
-        places = {rail.length for rail in self.rails if driven}
-        return bool(self.web.sought & (self.angles | self.named | places))
+        places = {line.length for line in self.guide_lines if driven}
+        return bool(self.graph.sought & (self.angles | self.named | places))
 
     def laid(self) -> Iterator[Edge]:
         """Yield the vectors to the pins whose place on a line was found."""
-        return (rail.edge for rail in self.rails if rail.length in self.found)
+        return (line.edge for line in self.guide_lines if line.length in self.found)
 
     def free_name(self, stem: str) -> str:
         """Return a name that nothing has, and keep it."""
@@ -117,8 +117,8 @@ class State:
         self.definitions.extend(closure.definitions)
         settled = dict(closure.directions)
         self.directions = {n: a.put(settled) for n, a in self.directions.items()} | settled
-        self.web.put(settled)
-        self.rails = [r._replace(angle=r.angle.put(settled)) for r in self.rails]
+        self.graph.put(settled)
+        self.guide_lines = [r._replace(angle=r.angle.put(settled)) for r in self.guide_lines]
         for values in self.values:
             for name in settled:
                 values.pop(name, None)
@@ -126,11 +126,11 @@ class State:
         names = tuple(d.name for d in closure.definitions)
         self.solved.append(SolvedLoop(kind, points, names, turn))
         self.found.update(unknown)
-        self.web.sought.difference_update(unknown)
+        self.graph.sought.difference_update(unknown)
 
     def _is_clockwise(self, points: Sequence[str]) -> bool:
         """Tell how three points lie at the default pose."""
-        places = self.web.places(points[0], self.base)
+        places = self.graph.places(points[0], self.base)
         (_, _), (bx, by), (cx, cy) = (places[p] for p in points)
         return bx * cy < by * cx
 
@@ -150,7 +150,7 @@ class State:
         return closure._replace(definitions=tuple(definitions))
 
     def _unwound(self, name: str, formula: Formula, value: float) -> Formula:
-        if all(_turns_whole(name, arm) for edge in self.web.edges for arm in edge.arms):
+        if all(_turns_whole(name, arm) for edge in self.graph.edges for arm in edge.arms):
             full = degrees(-360 * round(value / math.tau))
             return total([formula, full])
         middle = degrees(90 * round(math.remainder(value, math.tau) / (math.pi / 2)))
@@ -164,7 +164,7 @@ class State:
         tell, each with other lengths.
         """
         poses = [self.tried(closure, values) for values in self.values]
-        known = [a for a in familiar if self.web.sought.isdisjoint(a.names)]
+        known = [a for a in familiar if self.graph.sought.isdisjoint(a.names)]
         for name in sorted(unknown & self.angles):
             if same := next((s for a in known if (s := _alike(name, a, poses))), None):
                 closure = _rewritten(closure, name, same, name in self.named)

@@ -1,4 +1,4 @@
-"""What tells closures apart: the ``assembly`` lines that hold in one of them only."""
+"""What distinguishes closures: the ``assembly`` lines that hold in one of them only."""
 
 import math
 from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
@@ -34,7 +34,7 @@ class Loops(Protocol):
         ...
 
     def triples(self) -> Sequence[tuple[str, str, str]]:
-        """Return points whose turn may tell the closures apart."""
+        """Return points whose turn may distinguish the closures."""
         ...
 
 
@@ -45,22 +45,22 @@ FEW = 3
 """Closures that are listed in a line; more are listed in a table, and by so many directions."""
 
 
-class Telling:
-    """Looks for lines that tell the closures of loops apart."""
+class AssemblyHints:
+    """Looks for lines that distinguish the closures of loops."""
 
     def __init__(
         self,
         group: Loops,
-        rails: Mapping[str, GuideLine],
+        guide_lines: Mapping[str, GuideLine],
         measure: Measure,
         angles: Collection[str],
     ) -> None:
-        """``rails`` are the lines whose pins the group places, ``angles`` unknown directions."""
-        self._group, self._rails, self._measure = group, rails, measure
+        """``guide_lines`` are those whose pins the group places, ``angles`` unknown directions."""
+        self._group, self._guide_lines, self._measure = group, guide_lines, measure
         self._angles = sorted(n for n in group.unknown if n in angles)
 
     def hint(self, poses: Sequence[Values], drive: str, refuted: bool) -> str:
-        """Return what to add for one closure or another; what to do where no line tells.
+        """Return what to add for one closure or another; what to do where no line does.
 
         Where the lines given are ``refuted`` it is said what the closures are instead.
         """
@@ -101,20 +101,20 @@ class Telling:
 
     def _table(self, poses: Sequence[Values], lines: Sequence[Sequence[str]]) -> str:
         """Return the hint that lists many closures, with the first of the directions."""
-        told = [{points: mode for _, points, mode in map(str.split, own)} for own in lines]
+        modes = [{points: mode for _, points, mode in map(str.split, own)} for own in lines]
         angles = [
             {n: f"{math.degrees(math.remainder(p[n], 2 * math.pi)):.4g}" for n in names}
             for p in poses
             for names in ([n for n in self._angles if n in p][:FEW],)
         ]
         point = next((triple[1] for triple in self._group.triples()), self._group.cycle[0].head)
-        return messages.one_row(point, told, angles)
+        return messages.one_row(point, modes, angles)
 
     def _shown(self, values: Values) -> str:
         return ", ".join(f"{n} = {_degrees(values[n])}" for n in self._angles if n in values)
 
     def _lines(self, values: Values, poses: Sequence[Values]) -> list[str]:
-        """Return as many lines as it takes to tell a closure from all others."""
+        """Return as many lines as distinguish a closure from all others."""
         others, lines = [p for p in poses if p is not values], list[str]()
         for probe in self._probes():
             if not others:
@@ -128,7 +128,7 @@ class Telling:
 
     def _probes(self) -> Iterator[Assembly]:
         span = group_span(self._group)
-        for point in self._rails:
+        for point in self._guide_lines:
             yield Assembly((point,), "forward", span)
         for triple in (*self._group.triples(), *combinations(_points(self._group), 3)):
             yield Assembly(triple, "ccw", span)
