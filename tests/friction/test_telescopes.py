@@ -137,7 +137,7 @@ def missed(pose: Pose, values: Mapping[str, float]) -> list[str]:
 def without(compilation: Compilation, point: str) -> Pose:
     """Return the pose without the friction of one pin, as a fault would leave it out."""
     mechanism = compilation.pose.mechanism
-    rubbing = tuple(r for r in mechanism.friction.rubbing if r.point != point)
+    rubbing = tuple(r for r in mechanism.friction.joints if r.point != point)
     friction = replace(mechanism.friction, rubbing=rubbing)
     return replace(compilation.pose, mechanism=replace(mechanism, friction=friction))
 

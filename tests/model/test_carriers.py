@@ -43,7 +43,7 @@ def remarks(made):
 def carrier(text: str, point: str) -> str:
     """Return the link that a pin is fast in."""
     mechanism = Compilation(Source("carrier.mech", text)).mechanism
-    pins = [r for r in mechanism.friction.rubbing if isinstance(r, PinFriction)]
+    pins = [r for r in mechanism.friction.joints if isinstance(r, PinFriction)]
     return next(pin.carrier for pin in pins if pin.point == point)
 
 

@@ -63,7 +63,7 @@ def test_json_gives_the_conditions_of_a_case():
     account = next(a for a in document["derivation"]["accounts"] if a["results"] == ["k_f"])
     assert [p["says"] for p in account["passages"]] == [
         "tightening",
-        "pins rub",
+        "pin friction",
         "rod forces",
         "part",
         "unit",

@@ -210,7 +210,7 @@ def assert_joints_as_asked(diagram, made):
 
 def assert_friction_is_of_its_size(diagram, made):
     values, bodies = made.figure.values, diagram.bodies
-    for rub in made.mechanism.friction.rubbing:
+    for rub in made.mechanism.friction.joints:
         at = [a for b in bodies for a in b.forces if a.point == rub.point and a.force]
         slips = [a for a in at if a.kind == "friction"]
         on_guide = [math.hypot(*a.force) for a in slips if a.by == "ground"]

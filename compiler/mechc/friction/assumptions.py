@@ -31,7 +31,7 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
     """
     mechanism = pose.mechanism
     told = mechanism.pairs_at_pins() if mechanism.friction.everywhere else ()
-    for pin in mechanism.friction.rubbing:
+    for pin in mechanism.friction.joints:
         if not isinstance(pin, PinFriction) or not pin.assumed or pin.radius == ZERO:
             continue
         bodies = mechanism.turning_at(pin.point)

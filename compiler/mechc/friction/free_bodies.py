@@ -91,8 +91,8 @@ class Bodies:
     def __init__(self, task: Task, cranks: bool) -> None:
         self._task, self._pose, self._mechanism = task, task.pose, task.pose.mechanism
         self._pressed = {p.pair.joint: p for p in task.pressed}
-        rubbing = self._mechanism.friction.rubbing
-        self._carriers = {r.point: r.carrier for r in rubbing if isinstance(r, PinFriction)}
+        joints = self._mechanism.friction.joints
+        self._carriers = {r.point: r.carrier for r in joints if isinstance(r, PinFriction)}
         self._reactions = Reactions(task.pose, (task.driving,))
         self._fixed = self._mechanism.fixed
         self._guides = task.pose.guides_and_line
@@ -196,7 +196,7 @@ class Bodies:
         return load.times * occurrences(self._mechanism, load) / self._mechanism.parts
 
     def _refuse_on_rod(self, point: str, body: str) -> None:
-        """A load on a pin that is fast in a rod and rubs in a lever would bend the rod."""
+        """A load on a pin that is fast in a rod and slips in a lever would bend the rod."""
         carrier = self._carriers.get(point, "")
         if body in self._levers and carrier and carrier != body:
             raise EquationsCoupled
@@ -235,7 +235,7 @@ class Bodies:
         return pressed
 
     def surface(self, point: str, rod: Link) -> Surface | None:
-        """Return how a rod rubs at one of its ends: in what carries the pin, or about it."""
+        """Return the friction of a rod at one of its ends: in what carries the pin, or about it."""
         own = self._pressed.get(JointRef("pin", point, rod.name))
         if own:
             return _surface(own)
@@ -269,14 +269,14 @@ class Bodies:
         return next((t for t in self._pose.touches if f"R_{t.point}" == name), None)
 
     def face(self, touch: PointContact) -> Surface | None:
-        """Return how a pin rubs on the body under it, with the ideal force on the pin."""
+        """Return the friction of a pin on the body under it, with the ideal force on the pin."""
         pressed = self._pressed.get(JointRef("touch", touch.point))
         if pressed is None:
             return None
         (component,) = pressed.components
         return _surface(pressed)._replace(pressed=component.ideal)
 
-    def is_rubbing(self, point: str) -> bool:
+    def has_friction(self, point: str) -> bool:
         """Tell whether there is friction at a pin."""
         return any(b.kind == "pin" and b.point == point for b in self._pressed)
 

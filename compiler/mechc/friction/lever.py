@@ -107,7 +107,7 @@ def _root(
 ) -> Balanced:
     """Return the root of the quadratic, with what it is made of by names.
 
-    In code the radius has the sign of the turn: where that is zero, nothing rubs.
+    In code the radius has the sign of the turn: where that is zero, there is no friction.
     """
     a, b, c, q = (
         signs.named(f"{letter}_{label}", part).formula()

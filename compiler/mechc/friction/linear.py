@@ -1,4 +1,4 @@
-"""Friction in closed form where no pin rubs: guides, faces, threads and teeth.
+"""Friction in closed form where no pin has friction: guides, faces, threads and teeth.
 
 Each is pressed along one line, so that with the signs of the pressing forces known
 n = s·(ideal + Σ D·n) is a linear system, and the driving load a quotient of sums.

@@ -1,6 +1,6 @@
-"""What rubs: for each pair of surfaces what presses them, and how fast they slip.
+"""Friction: for each pair of surfaces what presses them, and how fast they slip.
 
-A pin of several links rubs in each of them but the one that carries it.
+A pin of several links slips in each of them but the one that carries it.
 """
 
 from collections.abc import Iterable, Iterator
@@ -52,19 +52,19 @@ class FrictionPair(NamedTuple):
 
 
 def pairs(pose: Pose) -> tuple[FrictionPair, ...]:
-    """Return all pairs of surfaces that rub, in the order of the text.
+    """Return all pairs of surfaces with friction, in the order of the text.
 
-    Side forces on a guide that halves or branches share cancel: nothing rubs there, nor where
-    the coefficient is written as 0.
+    There is none where the coefficient is written as 0, nor on a guide that halves or branches
+    share: the side forces on it cancel.
     """
-    found = (pair for rubbing in pose.mechanism.friction.rubbing for pair in _of(rubbing, pose))
+    found = (pair for given in pose.mechanism.friction.joints for pair in _of(given, pose))
     return tuple(pair._replace(number=_number(pair.joint, pose)) for pair in found if pair.factor)
 
 
-def _of(rubbing: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
-    match rubbing:
+def _of(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
+    match given:
         case PinFriction():
-            yield from _pin(rubbing, pose)
+            yield from _pin(given, pose)
         case GuideFriction(point, factor):
             joint = guiding(point, pose)
             guide = pose.guide_of(point)
@@ -86,7 +86,7 @@ def _of(rubbing: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
         case FaceFriction(point, factor):
             yield _face(point, factor, pose)
         case _:
-            assert_never(rubbing)
+            assert_never(given)
 
 
 def _face(point: str, factor: Formula, pose: Pose) -> FrictionPair:

@@ -91,11 +91,11 @@ class FrictionResults:
             case _:
                 return None
 
-    def by_rubbing(self, find: Find, ideal: Result) -> FrictionResult | None:
+    def by_coefficients(self, find: Find, ideal: Result) -> FrictionResult | None:
         """Return the result that friction alone makes, whatever efficiency overrides it."""
         match find.target:
             case WithFriction(LoadRatio() | LoadForm() as of, sense):
-                named = self._rubbing(find, self._case(of, ideal), sense, "exact")
+                named = self._with_friction(find, self._case(of, ideal), sense, "exact")
                 return self._result(find, ideal, named) if named else None
             case _:
                 return None
@@ -120,9 +120,9 @@ class FrictionResults:
         efficiency = self._mechanism.friction.efficiency
         if efficiency is not None:
             return Drives(case.ideal, sense, self._plan).with_constant(find.name, efficiency)
-        return self._rubbing(find, case, sense, order)
+        return self._with_friction(find, case, sense, order)
 
-    def _rubbing(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
+    def _with_friction(self, find: Find, case: Case, sense: Sense, order: str) -> Named | None:
         sign = SIGNS[sense]
         pressed = self._press(find, case)
         if pressed is None:

@@ -207,7 +207,7 @@ class SequentialSolver:
                 raise EquationsCoupled
             parts = add(p.across(other.line) for p in known)
             self._settle(one, -(parts / one.across(other.line)))
-        if self._bodies.is_rubbing(body) and not self._are_alike(body):
+        if self._bodies.has_friction(body) and not self._are_alike(body):
             raise EquationsCoupled
         return ZERO
 

@@ -36,5 +36,5 @@ def _check_frame(mechanism: Mechanism, report: Report) -> None:
     for find in mechanism.finds:
         if isinstance(find.target, LoadRatio | LoadForm | SpeedRatio):
             report.add(messages.asked_of_a_frame(find.span, find.name))
-    for rub in mechanism.friction.rubbing[:1]:
-        report.add(messages.friction_in_a_frame(rub.span))
+    for joint in mechanism.friction.joints[:1]:
+        report.add(messages.friction_in_a_frame(joint.span))

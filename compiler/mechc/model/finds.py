@@ -43,7 +43,7 @@ class Asked(NamedTuple):
     name: str
 
 
-RUBBING = (
+FRICTIONS = (
     ast.PinFriction,
     ast.GuideFriction,
     ast.RollerFriction,
@@ -65,13 +65,15 @@ def read_finds(file: ast.File, scope: Scope) -> list[Find]:
     motion = only(file, ast.Motion)
     sense: Sense = motion.sense if motion else "tightening"
     overridden = bool(every(file, ast.Efficiency))
-    rubs = any(isinstance(s, RUBBING) for s in file.statements) and not overridden
-    if rubs or overridden:
-        finds += [more for find in finds for more in _with_friction(find, sense, rubs, scope)]
+    has_friction = any(isinstance(s, FRICTIONS) for s in file.statements) and not overridden
+    if has_friction or overridden:
+        finds += [
+            more for find in finds for more in _with_friction(find, sense, has_friction, scope)
+        ]
     return finds
 
 
-def _with_friction(find: Find, sense: Sense, rubs: bool, scope: Scope) -> Iterator[Find]:
+def _with_friction(find: Find, sense: Sense, has_friction: bool, scope: Scope) -> Iterator[Find]:
     """Yield the load or ratio with friction, to first order, when holding, its efficiency."""
     of = find.target
     if not isinstance(of, LoadRatio | LoadForm | Reaction | Axial | Normal):
@@ -81,8 +83,8 @@ def _with_friction(find: Find, sense: Sense, rubs: bool, scope: Scope) -> Iterat
         (f"{find.name}_f", WithFriction(of, sense), dimension)
     ]
     if isinstance(of, Reaction | Axial | Normal):
-        more = more if rubs else []
-    elif rubs:
+        more = more if has_friction else []
+    elif has_friction:
         more.append((f"{find.name}_f1", WithFriction(of, sense, "first"), dimension))
         if sense == "tightening":
             more.append((f"{find.name}_hold", WithFriction(of, "releasing"), dimension))

@@ -77,8 +77,8 @@ def carrying(name: ast.Name | None, point: ast.Name, scope: Scope) -> str | None
 
 
 def inside_telescopes(loads: Sequence[Load], built: Mechanism, scope: Scope) -> tuple[Load, ...]:
-    """Return loads with those that act in a telescope with rubbing ends put on its two parts."""
-    rough = {r.point for r in built.friction.rubbing if isinstance(r, PinFriction)}
+    """Return the loads; those in a telescope with friction at its ends act on its two parts."""
+    rough = {r.point for r in built.friction.joints if isinstance(r, PinFriction)}
     bent = {frozenset(t.points): t.name for t in built.telescopes if rough & {*t.points}}
     return tuple(_inside(load, bent, scope) for load in loads)
 

@@ -30,20 +30,20 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
     points = [s.point for s in every(file, ast.PinFriction) if s.point]
     named = {point.text for point in points if scope.points.acting(point)}
     pins = Pins(named, built, scope)
-    rubbing: dict[object, JointFriction] = {}
+    found: dict[object, JointFriction] = {}
     for statement in file.statements:
-        for rub in _read(statement, file, pins, built, scope):
-            key = (type(rub), getattr(rub, "kind", "")), rub.point
-            if key in rubbing:
-                first = rubbing[key].span
-                scope.report.add(messages.friction_again(rub.span, rub.point, first))
-            rubbing.setdefault(key, rub)
-    _judge_halves(rubbing.values(), built, scope)
-    _remark_on_blocks(rubbing.values(), built, scope)
+        for joint in _read(statement, file, pins, built, scope):
+            key = (type(joint), getattr(joint, "kind", "")), joint.point
+            if key in found:
+                first = found[key].span
+                scope.report.add(messages.friction_again(joint.span, joint.point, first))
+            found.setdefault(key, joint)
+    _check_halves(found.values(), built, scope)
+    _remark_on_blocks(found.values(), built, scope)
     motion, efficiency = only(file, ast.Motion), _efficiency(file, scope)
     sense = motion.sense if motion else "tightening"
     everywhere = any(s.point is None for s in every(file, ast.PinFriction))
-    friction = Friction(tuple(rubbing.values()), sense, efficiency, everywhere)
+    friction = Friction(tuple(found.values()), sense, efficiency, everywhere)
     if everywhere:
         remark_on_pairs(built, scope)
         _remark_on_slots(friction, built, scope)
@@ -54,7 +54,7 @@ def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
 
 def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None:
     """Say which pins slide in slots without friction, though every pin is said to have it."""
-    rough = {rub.point for rub in friction.rubbing if isinstance(rub, FaceFriction)}
+    rough = {joint.point for joint in friction.joints if isinstance(joint, FaceFriction)}
     slots = [(slot.point, slot.span) for slot in built.each(Slot)]
     slots += [(link.points[1], link.arc.span) for link in built.links if link.arc]
     for point, span in slots:
@@ -62,38 +62,38 @@ def _remark_on_slots(friction: Friction, built: Mechanism, scope: Scope) -> None
             scope.report.add(messages.slot_without_friction(span, point))
 
 
-def _remark_on_blocks(rubbing: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
+def _remark_on_blocks(joints: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
     """Say that the couple which a block passes on gives no friction of its own."""
     guiding = {slot.point: slot.guided for slot in built.each(Slot) if slot.guided}
-    for rub in rubbing:
-        if isinstance(rub, FaceFriction) and rub.point in guiding:
-            scope.report.add(messages.couple_without_friction(rub.span, guiding[rub.point]))
+    for joint in joints:
+        if isinstance(joint, FaceFriction) and joint.point in guiding:
+            scope.report.add(messages.couple_without_friction(joint.span, guiding[joint.point]))
 
 
-def _judge_halves(rubbing: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
+def _check_halves(joints: Iterable[JointFriction], built: Mechanism, scope: Scope) -> None:
     """Remark on guides whose side forces cancel, or would in a whole that is drawn by half."""
-    for rub in rubbing:
-        if isinstance(rub, GuideFriction) and rub.point in built.shared:
-            scope.report.add(messages.halves_cancel(rub.span, rub.point))
-        elif isinstance(rub, GuideFriction) and not built.shared:
-            _judge_half(rub, built, scope)
+    for joint in joints:
+        if isinstance(joint, GuideFriction) and joint.point in built.shared:
+            scope.report.add(messages.halves_cancel(joint.span, joint.point))
+        elif isinstance(joint, GuideFriction) and not built.shared:
+            _check_half(joint, built, scope)
 
 
-def _judge_half(rub: GuideFriction, built: Mechanism, scope: Scope) -> None:
+def _check_half(joint: GuideFriction, built: Mechanism, scope: Scope) -> None:
     """Refuse a guide that halves would share: what acts on it counts less often than the rest.
 
     A guide with the load that counts most is the half's own. One without a load is open.
     """
-    body = next((slide.points for slide in built.slides_at(rub.point)), (rub.point,))
+    body = next((slide.points for slide in built.slides_at(joint.point)), (joint.point,))
     own = [k for k in built.loads if isinstance(k, Force) and k.point in body]
     counted = [k for k in built.loads if k.times != 1]
     if not own and counted:
-        scope.report.add(messages.perhaps_a_half(rub.span, rub.point, counted[0].name))
+        scope.report.add(messages.perhaps_a_half(joint.span, joint.point, counted[0].name))
     if own:
         here, most = min(own, key=_times), max(built.loads, key=_times)
         if most.times > here.times:
             share = most.times / here.times
-            found = messages.half_of_a_whole(rub.span, rub.point, here.name, most.name, share)
+            found = messages.half_of_a_whole(joint.span, joint.point, here.name, most.name, share)
             scope.report.add(found)
 
 

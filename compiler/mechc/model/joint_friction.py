@@ -1,4 +1,4 @@
-"""What rubs: friction at pins, guides and contacts, as coefficients and lengths in SI."""
+"""Friction at pins, guides and contacts, as coefficients and lengths in SI."""
 
 from collections.abc import Iterator
 from typing import Literal
@@ -84,13 +84,13 @@ JointFriction = PinFriction | GuideFriction | FaceFriction | WheelFriction | Thr
 
 @frozen
 class Friction:
-    """All that rubs in a mechanism, and which way it moves.
+    """All friction in a mechanism, and which way it moves.
 
     ``tightening``: the driving load moves along its arrow. ``efficiency`` overrides the rest.
     ``everywhere`` tells that every pin was said to have friction.
     """
 
-    rubbing: tuple[JointFriction, ...] = ()
+    joints: tuple[JointFriction, ...] = ()
     sense: Sense = "tightening"
     efficiency: Formula | None = None
     everywhere: bool = False
@@ -98,7 +98,7 @@ class Friction:
     @property
     def is_ideal(self) -> bool:
         """Return whether there is no friction at all."""
-        return not self.rubbing and self.efficiency is None
+        return not self.joints and self.efficiency is None
 
     @property
     def parameters(self) -> frozenset[str]:
@@ -108,7 +108,7 @@ class Friction:
     def _formulas(self) -> Iterator[Formula]:
         if self.efficiency is not None:
             yield self.efficiency
-        for rub in self.rubbing:
-            yield rub.radius if isinstance(rub, PinFriction) else rub.factor
-            if isinstance(rub, ThreadFriction):
-                yield rub.thread
+        for joint in self.joints:
+            yield joint.radius if isinstance(joint, PinFriction) else joint.factor
+            if isinstance(joint, ThreadFriction):
+                yield joint.thread

@@ -83,7 +83,7 @@ class _Asked:
 
     def _warn_of_idle_loads(self) -> None:
         """Warn of loads without work, but not in a frame, nor where friction or a find has them."""
-        if self._mechanism.friction.rubbing or not self._plan.mobility:
+        if self._mechanism.friction.joints or not self._plan.mobility:
             return
         shown = [let.value for let in self._mechanism.lets]
         for solved in self._solved_so_far:

@@ -33,7 +33,7 @@ class Acts:
         self.parts = {c.part(p): (c.name, p) for c in assembly.cylinders for p in c.ends}
         self.cylinders = {cylinder.name for cylinder in assembly.cylinders}
         self.guides = {guide.point: guide.along for guide in assembly.guides}
-        self.normals = {(r.point, r.body): r.normal for r in assembly.rubbings}
+        self.normals = {(r.point, r.body): r.normal for r in assembly.contacts}
         self.transfers = {transfer.name: transfer.actions for transfer in assembly.transfers}
         self.on_pins: dict[str, dict[tuple[Kind, str], Acting]] = {}
         self.on_bodies: dict[str, list[Acting]] = {name: [] for name in self.frames}

@@ -53,7 +53,7 @@ class Cylinder(NamedTuple):
         return f"{self.name} at {point}"
 
 
-class JointFriction(NamedTuple):
+class PinOnBody(NamedTuple):
     """A pin held by a body across a line: the force on the pin is along the normal.
 
     ``arm`` is the vector from the body's first point to the pin.
@@ -125,7 +125,7 @@ class Assembly:
     pivots: tuple[str, ...]
     guides: tuple[Guide, ...]
     slides: tuple[Translation, ...]
-    rubbings: tuple[JointFriction, ...]
+    contacts: tuple[PinOnBody, ...]
     transfers: tuple[Transfer, ...]
     cylinders: tuple[Cylinder, ...]
     loads: Mapping[str, tuple[Action, ...]]

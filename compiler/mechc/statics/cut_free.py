@@ -24,7 +24,7 @@ class Solution:
     """Equations of equilibrium with all that was found.
 
     ``found`` are the unknowns, of which those of the columns ``open`` may be anything.
-    ``sizes`` are those of the loads that act, friction's among them; ``rubbing`` says which
+    ``sizes`` are those of the loads that act, friction's among them; ``frictions`` says which
     these are. ``bearings`` are where teeth, belts or threads press besides. ``common`` are
     the points that copies share, and hold by their side forces.
     """
@@ -34,7 +34,7 @@ class Solution:
     found: Sequence[float]
     open: frozenset[int]
     sizes: Mapping[str, float]
-    rubbing: Mapping[str, Pair]
+    frictions: Mapping[str, Pair]
     bearings: frozenset[Bearing]
     common: frozenset[str]
 
@@ -55,7 +55,7 @@ def cut_free(solution: Solution, places: Sweep) -> tuple[FreeBody, ...]:
     for column, unknown in enumerate(solution.system.unknowns):
         acts.unknown(unknown, None if column in solution.open else solution.found[column])
     for name, size in solution.sizes.items():
-        acts.load(name, size, solution.rubbing.get(name))
+        acts.load(name, size, solution.frictions.get(name))
     acts.settle_couples()
     acts.forget(solution.bearings)
     bodies = [_shared(body, solution.common) for body in _Drawn(acts).bodies()]

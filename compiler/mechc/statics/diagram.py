@@ -13,7 +13,7 @@ from ..pose.places import Plane as Plane
 Kind = Literal[
     "load", "pin", "ground", "guide", "slot", "contact", "gear", "belt", "rack", "screw", "friction"
 ]
-"""What an action comes from: a load, a joint, or what rubs there."""
+"""What an action comes from: a load, a joint, or the friction there."""
 
 Gap = Literal["", "indeterminate", "transmission"]
 """Why a force isn't known: equilibrium leaves it open, or nothing tells how teeth, belts

@@ -62,9 +62,9 @@ class _Maker:
         friction = self.unfolding.pose.mechanism.friction
         if friction.efficiency is not None:
             yield self._empty(friction.sense, CONSTANT)
-        elif friction.rubbing and mixed:
+        elif friction.joints and mixed:
             yield self._empty(friction.sense, MIXED)
-        elif friction.rubbing:
+        elif friction.joints:
             yield self._solved(friction.sense, solved.with_friction)
 
     def _empty(self, motion: Motion, trouble: str) -> Diagram:
@@ -83,7 +83,7 @@ class _Maker:
             bodies = tuple(_marked(bodies, self._cut(other.times(factor)), self._loose()))
         sizes = sizes_beyond_rounding(scaled, bodies, self._torques, self.places)
         sizes |= {n: s for n, s in scaled.sizes.items() if n in self.case.sizes}
-        loads = {n: s for n, s in sizes.items() if n not in solution.rubbing}
+        loads = {n: s for n, s in sizes.items() if n not in solution.frictions}
         bodies = tuple(_without({n for n, s in loads.items() if not s}, body) for body in bodies)
         return Diagram(self.case.result, motion, loads, per, self.case.left_out, bodies)
 

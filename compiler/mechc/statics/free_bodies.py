@@ -21,7 +21,7 @@ from .assembly import (
     Body,
     Couple,
     Cylinder,
-    JointFriction,
+    PinOnBody,
     Plane,
     Push,
     Transfer,
@@ -109,7 +109,7 @@ def equilibrium(assembly: Assembly) -> System:
         a for transfer in assembly.transfers for a in (*transfer.actions, *transfer.bearings)
     ]
     twisted = {a.body for a in actions if isinstance(a, Couple | Wrench)}
-    twisted |= {rubbing.body for rubbing in assembly.rubbings}
+    twisted |= {contact.body for contact in assembly.contacts}
     for body in assembly.bodies:
         if len(body.points) == 2 and body.name not in twisted:
             _tension(sums, body)
@@ -122,8 +122,8 @@ def equilibrium(assembly: Assembly) -> System:
         sums.force(Unknown("guide", guide.point, "normal"), guide.point, guide.along.turned())
     for slide in assembly.slides:
         _translation(sums, slide)
-    for rubbing in assembly.rubbings:
-        _rubbing(sums, rubbing)
+    for contact in assembly.contacts:
+        _contact(sums, contact)
     for transfer in assembly.transfers:
         _transfer(sums, transfer)
     for cylinder in assembly.cylinders:
@@ -161,13 +161,13 @@ def _translation(sums: _Sums, slide: Translation) -> None:
     sums.rows[first + 2][couple] = 1.0
 
 
-def _rubbing(sums: _Sums, rubbing: JointFriction) -> None:
+def _contact(sums: _Sums, contact: PinOnBody) -> None:
     """Let a body push a pin along the normal, and the pin push back where it is."""
-    n = Plane(*_components(rubbing.normal))
-    column = sums.force(Unknown(rubbing.body, rubbing.point, rubbing.kind), rubbing.point, n)
-    first = sums.body(rubbing.body)
+    n = Plane(*_components(contact.normal))
+    column = sums.force(Unknown(contact.body, contact.point, contact.kind), contact.point, n)
+    first = sums.body(contact.body)
     sums.act(column, first, n.times(-1))
-    sums.rows[first + 2][column] = rubbing.arm.y * n.x - rubbing.arm.x * n.y
+    sums.rows[first + 2][column] = contact.arm.y * n.x - contact.arm.x * n.y
 
 
 def _cylinder(sums: _Sums, cylinder: Cylinder) -> None:

@@ -82,8 +82,8 @@ class FrictionForces(NamedTuple):
     @property
     def parts(self) -> list[tuple[Row, float]]:
         """Return the right-hand sides under which all balances, each so many times over."""
-        rubs = zip(self.pairs, self.senses, self.frictions, strict=True)
-        return [(self.right, 1.0), *((_against(self.question, p, s), f) for p, s, f in rubs)]
+        acting = zip(self.pairs, self.senses, self.frictions, strict=True)
+        return [(self.right, 1.0), *((_against(self.question, p, s), f) for p, s, f in acting)]
 
 
 class Loaded(NamedTuple):
@@ -123,7 +123,7 @@ def others_with_friction(
             yield _answered(unfolding, target, driving, loaded.under(found))
 
 
-def rubbed(
+def friction_forces(
     unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
 ) -> FrictionForces | str:
     """Return friction at every pair of surfaces, or why none is known that balances."""
@@ -252,12 +252,12 @@ def _pressing(system: System, pair: Pair) -> tuple[int, ...]:
 
 def pairs_of(unfolding: Unfolding) -> Iterator[Pair]:
     """Yield the pairs of surfaces that have friction."""
-    for rubbing in unfolding.pose.mechanism.friction.rubbing:
-        yield from _of(rubbing, unfolding)
+    for given in unfolding.pose.mechanism.friction.joints:
+        yield from _of(given, unfolding)
 
 
-def _of(rubbing: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
-    match rubbing:
+def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
+    match given:
         case PinFriction(point, carrier, radius):
             size = evaluate(radius, unfolding.values)
             for body in unfolding.turning_on(point):
@@ -278,7 +278,7 @@ def _of(rubbing: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:
-            assert_never(rubbing)
+            assert_never(given)
 
 
 def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:

@@ -158,7 +158,7 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
             case WithFriction(Reaction(part="direction")):
                 pass  # it follows from the components, which are judged
             case WithFriction(order="exact") if mechanism.friction.efficiency is None:
-                yield _rubbing(result, target, mechanism)
+                yield _with_friction(result, target, mechanism)
             case WithFriction() | Efficiency():
                 pass  # an approximation, and quotients of what is judged
             case SpeedRatio():
@@ -193,7 +193,7 @@ def _forces(
         yield Question(f"{result.name}/{load}", formula, result.where, ask)
 
 
-def _rubbing(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
+def _with_friction(result: Result, target: WithFriction, mechanism: Mechanism) -> Question:
     """Ask for a load or force with friction where every other load is 1 or what is known."""
     from .friction import others_with_friction, with_friction
 

@@ -20,7 +20,7 @@ from .balanced import Tie, gather, ties, with_loads
 from .cases import Case
 from .cut_free import Solution
 from .free_bodies import equilibrium
-from .friction import rubbed
+from .friction import friction_forces
 from .solve import Factors, factor
 from .tolerances import INCONSISTENT
 from .unfold import Unfolding
@@ -61,21 +61,21 @@ def with_friction(unfolding: Unfolding, case: Case) -> Solution | str:
         return SEVERAL
     (drive,) = unknown
     sense = unfolding.pose.mechanism.friction.sense
-    rubs = rubbed(unfolding, sense, drive, case.sizes)
-    if isinstance(rubs, str):
-        return rubs
-    question, found = rubs.question, [0.0] * (len(rubs.question.system.unknowns) + 1)
-    for right, size in rubs.parts:
+    slipping = friction_forces(unfolding, sense, drive, case.sizes)
+    if isinstance(slipping, str):
+        return slipping
+    question, found = slipping.question, [0.0] * (len(slipping.question.system.unknowns) + 1)
+    for right, size in slipping.parts:
         found = [f + size * x for f, x in zip(found, question.factors.solve(right), strict=True)]
     loads = _of_all({**_bases(case, tied), drive: found[question.drive] * question.unit}, tied)
-    frictions = zip(rubs.pairs, rubs.senses, rubs.frictions, strict=True)
+    frictions = zip(slipping.pairs, slipping.senses, slipping.frictions, strict=True)
     return Solution(
-        unfolding.assembly(*((pair.name, pair.actions) for pair in rubs.pairs)),
+        unfolding.assembly(*((pair.name, pair.actions) for pair in slipping.pairs)),
         question.system,
         found,
         _open(question.factors),
         {**loads, **{pair.name: sense * size for pair, sense, size in frictions}},
-        {pair.name: pair for pair in rubs.pairs},
+        {pair.name: pair for pair in slipping.pairs},
         *_besides(unfolding),
     )
 

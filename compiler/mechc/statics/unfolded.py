@@ -5,7 +5,7 @@ from collections.abc import Iterator
 
 from ..model.mechanism import Pivot, Slider
 from ..pose.pose import evaluate_vector
-from .assembly import Body, Cylinder, Guide, JointFriction, Plane, Translation, direction
+from .assembly import Body, Cylinder, Guide, PinOnBody, Plane, Translation, direction
 from .halves import Halves
 
 
@@ -59,7 +59,7 @@ def slides(halves: Halves) -> Iterator[Translation]:
             yield Translation(Body(f"{slide.name}'", twins), halves.reflected(along))
 
 
-def point_contacts(halves: Halves) -> Iterator[JointFriction]:
+def point_contacts(halves: Halves) -> Iterator[PinOnBody]:
     """Yield every pin in a slot and every contact, in both halves."""
     for touch in halves.pose.touches:
         normal = direction(touch.normal.evaluate(halves.values))
@@ -67,11 +67,11 @@ def point_contacts(halves: Halves) -> Iterator[JointFriction]:
         first = next(iter(halves.pose.frames[touch.body]))
         base = halves.arm(touch.body, first, touch.tail)
         arm = Plane(base.x + reach.x, base.y + reach.y)
-        yield JointFriction(touch.kind, touch.point, touch.body, arm, normal)
+        yield PinOnBody(touch.kind, touch.point, touch.body, arm, normal)
         if not (halves.is_shared(touch.point) and halves.is_shared(touch.body)):
             body = touch.body if halves.is_shared(touch.body) else f"{touch.body}'"
             mirrored = halves.reflected(arm), halves.reflected(normal)
-            yield JointFriction(touch.kind, halves.twin(touch.point), body, *mirrored)
+            yield PinOnBody(touch.kind, halves.twin(touch.point), body, *mirrored)
 
 
 def telescopes(halves: Halves) -> Iterator[Cylinder]:

@@ -40,7 +40,7 @@ def remark_on_constant(solution: Solution, report: Report) -> None:
     for find in solution.plan.graph.pose.mechanism.finds:
         if isinstance(find.target, WithFriction):
             ideal = next(r for r in solution.results if r.target == find.target.of)
-            real = friction.by_rubbing(find, ideal) if _pairs(solution) else None
+            real = friction.by_coefficients(find, ideal) if _pairs(solution) else None
             if real is not None:
                 _Beside(solution, find, ideal, real).remark(report)
             elif where := list(_steep(solution, ideal)):
@@ -48,7 +48,7 @@ def remark_on_constant(solution: Solution, report: Report) -> None:
 
 
 def _pairs(solution: Solution) -> bool:
-    return bool(solution.plan.graph.pose.mechanism.friction.rubbing)
+    return bool(solution.plan.graph.pose.mechanism.friction.joints)
 
 
 # --------------------------------------------------------------------- beside friction

@@ -161,9 +161,9 @@ def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
     radii = [d.name for step in steps for d in step.defined if d.name.startswith("rho")]
     if any(step.kind in _AT_PINS or (step.kind == "lever" and step.sense) for step in steps):
         circle = Symbol(radii[0] if len(radii) == 1 else "rho")
-        yield Paragraph(SentenceKind.PINS_RUB, formulas={"radius": circle})
-    if any(map(_rubs_along, steps)):
-        yield Paragraph(SentenceKind.GUIDES_RUB)
+        yield Paragraph(SentenceKind.PIN_FRICTION, formulas={"radius": circle})
+    if any(map(_has_friction_along, steps)):
+        yield Paragraph(SentenceKind.GUIDE_FRICTION)
     sides = (side for step in steps for pair in step.equations for side in pair)
     used = frozenset[str]().union(*map(symbols, sides))
     if any(f"S_{link.name}" in used for link in mechanism.links):
@@ -172,7 +172,7 @@ def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
         yield Paragraph(SentenceKind.PART)
 
 
-def _rubs_along(step: Step) -> bool:
+def _has_friction_along(step: Step) -> bool:
     return step.kind == "slider" and step.equations[0][1] != ZERO
 
 
@@ -200,11 +200,15 @@ def _passages(step: Step, told: _Shown, asked: WithFriction) -> Iterator[Paragra
         case "lever":
             yield from _moments(step, new, found)
         case "slider":
-            saying = SentenceKind.RUBS_ALONG if _rubs_along(step) else SentenceKind.ALONG
+            saying = (
+                SentenceKind.ALONG_WITH_FRICTION
+                if _has_friction_along(step)
+                else SentenceKind.ALONG
+            )
             balanced = (*found[:1], *new, *found[1:])
             yield Paragraph(saying, balanced, {"point": (step.body,)})
         case "pin":
-            yield Paragraph(SentenceKind.KNEE, (*found, *new), {"point": (step.body,)})
+            yield Paragraph(SentenceKind.PIN_OF_RODS, (*found, *new), {"point": (step.body,)})
         case "straight":
             yield Paragraph(SentenceKind.STRAIGHT, (*new, *equations), formulas=_STRAIGHT)
         case "efficiency":

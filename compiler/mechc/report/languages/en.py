@@ -55,7 +55,7 @@ LOCALE = Locale(
         "spring": "the spring {load} acts between {first} and {second}",
         "drive": "the drive is {name}",
     },
-    rubbing={
+    given_friction={
         "pin": "friction in the pin {points}: the radius of its friction circle is {value}",
         "pins": "friction in the pins {points}: the radius of their friction circles is {value}",
         "guide": "friction in the guide of {point}: coefficient {value}",
@@ -148,9 +148,9 @@ LOCALE = Locale(
         "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
         "releasing": "The motion is against the arrow of {drive}; friction acts against every "
         "slip.",
-        "pins rub": "The friction of a pin is a couple: the force on the pin times the radius "
+        "pin friction": "The friction of a pin is a couple: the force on the pin times the radius "
         "{radius} of the friction circle.",
-        "guides rub": "The friction of a guide is its coefficient times the force across it.",
+        "guide friction": "The friction of a guide is its coefficient times the force across it.",
         "rod forces": "{force} is the size of the force in a rod, whether in compression or in "
         "tension.",
         "part": "By symmetry one of the equal parts is considered.",
@@ -174,8 +174,8 @@ LOCALE = Locale(
         "of the friction in the pivot:",
         "squared": "Squared, this is a quadratic equation; its solution:",
         "along": "Forces on {point} along its guide:",
-        "rubs along": "Forces on {point} along its guide, on the right its friction:",
-        "knee": "Forces on the pin {point}, across each of the rods:",
+        "along with friction": "Forces on {point} along its guide, on the right its friction:",
+        "pin of rods": "Forces on the pin {point}, across each of the rods:",
         "first order": "To first order the joints are loaded as without friction. Each friction "
         "adds its coefficient times the force {force} times the slip, per unit of the drive’s "
         "velocity.",

@@ -18,7 +18,7 @@ class Locale(NamedTuple):
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
     ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
-    ``rubbing`` what is given of friction, ``sayings`` the words of a passage about forces or
+    ``given_friction`` what is given of friction, ``sayings`` the words of a passage about forces or
     friction, with places for its names and formulas. ``with_friction`` are headings by the
     way it moves, or for the first order. ``units`` maps a unit's letters to the language's.
     """
@@ -51,7 +51,7 @@ class Locale(NamedTuple):
     mirror: str
     copies: str
     joints: Mapping[str, str]
-    rubbing: Mapping[str, str]
+    given_friction: Mapping[str, str]
     geometry: str
     vector: str
     length: str

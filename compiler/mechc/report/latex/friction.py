@@ -1,4 +1,4 @@
-"""What rubs, in sentences."""
+"""What is given of friction, in sentences."""
 
 from collections.abc import Iterator
 from typing import assert_never
@@ -24,20 +24,20 @@ from .printer import latex
 from .quantity import length_of
 
 
-def rubbing_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
+def friction_sentences(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
     """Yield a sentence for all pins of one radius, each other joint, and the motion meant."""
     friction = mechanism.friction
     if friction.is_ideal:
         return
     if friction.efficiency is not None:
         value = math(latex(friction.efficiency, style))
-        yield locale.rubbing["efficiency"].format(value=value)
+        yield locale.given_friction["efficiency"].format(value=value)
     else:
         yield from _pins(friction, locale, style)
-        for rub in friction.rubbing:
-            yield from _joint(rub, locale, style)
+        for joint in friction.joints:
+            yield from _joint(joint, locale, style)
     if drives := [math(name(drive, style)) for drive in _driving(mechanism)]:
-        yield locale.rubbing[friction.sense].format(loads=enumeration(drives, locale))
+        yield locale.given_friction[friction.sense].format(loads=enumeration(drives, locale))
 
 
 def _driving(mechanism: Mechanism) -> list[str]:
@@ -52,30 +52,32 @@ def _driving(mechanism: Mechanism) -> list[str]:
 
 def _pins(friction: Friction, locale: Locale, style: Notation) -> Iterator[str]:
     alike: dict[Formula, list[str]] = {}
-    for rub in friction.rubbing:
-        if isinstance(rub, PinFriction):
-            alike.setdefault(rub.radius, []).append(math(points(rub.point)))
+    for joint in friction.joints:
+        if isinstance(joint, PinFriction):
+            alike.setdefault(joint.radius, []).append(math(points(joint.point)))
     for radius, named in alike.items():
-        template = locale.rubbing["pins" if len(named) > 1 else "pin"]
+        template = locale.given_friction["pins" if len(named) > 1 else "pin"]
         yield template.format(
             points=enumeration(named, locale), value=math(length_of(radius, locale, style))
         )
 
 
-def _joint(rub: JointFriction, locale: Locale, style: Notation) -> Iterator[str]:
-    point = math(points(rub.point))
-    match rub:
+def _joint(joint: JointFriction, locale: Locale, style: Notation) -> Iterator[str]:
+    point = math(points(joint.point))
+    match joint:
         case PinFriction():
             return
         case GuideFriction(_, factor):
             kind = "reduced guide" if isinstance(factor, Product) else "guide"
-            yield locale.rubbing[kind].format(point=point, value=math(latex(factor, style)))
+            yield locale.given_friction[kind].format(point=point, value=math(latex(factor, style)))
         case FaceFriction(_, factor):
-            yield locale.rubbing["face"].format(point=point, value=math(latex(factor, style)))
+            yield locale.given_friction["face"].format(
+                point=point, value=math(latex(factor, style))
+            )
         case WheelFriction(_, kind, _, factor):
-            yield locale.rubbing[kind].format(point=point, value=math(latex(factor, style)))
+            yield locale.given_friction[kind].format(point=point, value=math(latex(factor, style)))
         case ThreadFriction(_, _, factor, thread):
             value, diameter = math(latex(factor, style)), math(length_of(thread, locale, style))
-            yield locale.rubbing["screw"].format(point=point, value=value, diameter=diameter)
+            yield locale.given_friction["screw"].format(point=point, value=value, diameter=diameter)
         case _:
-            assert_never(rub)
+            assert_never(joint)

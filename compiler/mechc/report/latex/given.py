@@ -28,7 +28,7 @@ from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
 from ..sentences.wording import enumeration
 from .directions import direction, math
-from .friction import rubbing_sentences
+from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import Notation, name, points
 from .printer import latex
@@ -155,7 +155,7 @@ def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, 
     sentences += joint_sentences(mechanism, locale, style)
     links = {link.name for link in mechanism.links}
     sentences += (_load(load, links, locale, style) for load in mechanism.loads)
-    sentences += rubbing_sentences(mechanism, locale, style)
+    sentences += friction_sentences(mechanism, locale, style)
     sentences += _symmetry(mechanism, locale, style)
     return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
 
