@@ -29,7 +29,7 @@ def expectation_refuted(
     """
     does = "has no value" if found == "nan" else f"is {found}"
     message = f"{subject} {does} where {expected} is expected, at {_pose(at)}"
-    return Message(span, message, "mend the expectation, or the geometry it was written for")
+    return Message(span, message, "fix the expectation, or the geometry it was written for")
 
 
 def _counted(poses: int) -> str:

@@ -3,7 +3,7 @@
 An error is a value with a code and a name. Its words are made in one place: a
 function in one of this folder's modules (``syntax``, ``model``, …), decorated with
 :func:`coded`. The function's docstring is what ``mechc explain CODE`` prints, so it
-says what is wrong, why it matters, and shows how to mend it.
+says what is wrong, why it matters, and shows how to fix it.
 """
 
 from collections.abc import Callable, Iterable

@@ -7,13 +7,15 @@ from .diagnostic import Message, coded
 
 
 @coded("E510")
-def several_freedoms(span: Span, number: int) -> Message:
-    """Friction is asked for in a mechanism of several freedoms.
+def several_degrees_of_freedom(span: Span, number: int) -> Message:
+    """Friction is asked for in a mechanism of several degrees of freedom.
 
     Which way surfaces slip on one another follows from the motion, and a mechanism of two
-    freedoms can move in many ways.
+    degrees of freedom can move in many ways.
     """
-    message = f"the mechanism has {number} freedoms, so nothing tells which way its joints slip"
+    message = (
+        f"the mechanism has {number} degrees of freedom: which way its joints slip is undetermined"
+    )
     return Message(span, message, "add a constraint, or leave friction out")
 
 
@@ -51,7 +53,7 @@ def slips_either_way(span: Span, point: str) -> Message:
     A part that can be turned or shifted idly, such as a roller or a link without a load,
     moves as friction leads it, and which way that is follows from no load.
     """
-    message = f"the joint at {point} can slip while no load moves, so nothing tells which way"
+    message = f"the joint at {point} can slip while no load moves: which way is undetermined"
     return Message(span, message, "hold what moves idly, or give that joint no friction")
 
 
@@ -111,7 +113,7 @@ def load_on_a_pin(at: Span, load: str, point: str, link: str, links: Sequence[st
     friction of the pin is that of the others on it, and so depends on which link that is: a
     lever before a rod, then the link nearest to a pivot.
 
-        force F at P along -y             # warned of where the pin at P rubs
+        force F at P along -y             # warned of where the pin at P has friction
         force F at P on NP along -y       # right
         spring c between O and P on NP    # right
     """

@@ -59,7 +59,7 @@ def friction_in_a_frame(at: Span) -> Message:
     a frame it may be anything up to its bound, so that it changes no force for certain.
     """
     return Message(
-        at, "nothing moves, so nothing tells how friction acts: mobility 0", "leave it out"
+        at, "nothing moves, how friction acts is undetermined: mobility 0", "leave it out"
     )
 
 

@@ -225,7 +225,7 @@ def length_open(at: Span, points: str) -> Message:
 
 @coded("E311")
 def side_of_the_mirror(at: Span, point: str, load: str) -> Message:
-    """A pair acts across the mirror line, and nothing tells where that line is.
+    """A pair acts across the mirror line, and the place of that line is undetermined.
 
     The line passes through the points that both halves share; from one of them vectors
     lead to the point that is pushed::
@@ -234,7 +234,9 @@ def side_of_the_mirror(at: Span, point: str, load: str) -> Message:
         mirror across y sharing O          # right
         actuator P between B and B'
     """
-    message = f"nothing tells on which side of the mirror line {point} is, where {load} pushes it"
+    message = (
+        f"the side of the mirror line is undetermined on which {point} is, where {load} pushes it"
+    )
     return Message(at, message, "name a point on the line, as in `mirror across y sharing O`")
 
 
@@ -309,7 +311,7 @@ def gears_apart(at: Span, pivots: str, apart: float, wanted: float) -> Message:
         at,
         f"the gears on {pivots} are {apart * 1000:.7g} mm apart, "
         f"their radii make {wanted * 1000:.7g} mm",
-        "mend the radii or the places; with the radii of other wheels leave the places out",
+        "fix the radii or the places; with the radii of other wheels leave the places out",
     )
 
 

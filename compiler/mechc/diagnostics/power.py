@@ -199,7 +199,8 @@ def nothing_holds(at: Span, result: str, needed: int, found: int) -> Message:
     """A force at a joint is asked for, and no load is left to hold a mechanism that can move.
 
     A load whose size is given, by `let` or by a mass, holds nothing: the mechanism would move
-    under it. As many loads as it has freedoms are left open, and follow from the others::
+    under it. As many loads as it has degrees of freedom are left open, and follow from the
+    others::
 
         link OG
         weight W mass 2 kg at G
@@ -232,8 +233,8 @@ def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
         friction pin A 0.1 diameter 10 mm        # right: pin by pin, O1 left out
     """
     message = (
-        f"the force on pin {point} is needed, and nothing tells which way a gear, belt or screw "
-        "presses there"
+        f"the force on pin {point} is needed, and which way a gear, belt or screw presses there "
+        "is undetermined"
     )
     hint = f"give friction pin by pin, and leave {point} out" if has_friction else ""
     return Message(at, message, hint)

@@ -21,7 +21,7 @@ def methods_disagree(span: Span, result: str, power: float, statics: float) -> M
     equilibrium of every link and pin, at the default pose and at three others. They differ
     here by more than rounding explains, so one of the two is wrong and nothing is emitted.
 
-    There is nothing to mend in the description: this is a bug in mechc. Please report it,
+    There is nothing to fix in the description: this is a bug in mechc. Please report it,
     with the file. ``mechc check --verbose`` shows the poses and both numbers.
     """
     found = f"virtual power gives {result} = {power!r}, equilibrium of the free bodies {statics!r}"
@@ -52,7 +52,7 @@ def pose_does_not_close(span: Span, what: str, gap: float) -> Message:
     measured. Something does not fit: a loop stays open, or a given length or angle is not
     kept. Formulas that rest on such a pose would be wrong, so nothing is emitted.
 
-    There is nothing to mend in the description: this is a bug in mechc. Please report it,
+    There is nothing to fix in the description: this is a bug in mechc. Please report it,
     with the file.
     """
     message = f"the pose that was found does not fit: {what} is off by {gap:.3g} m, expected 0"

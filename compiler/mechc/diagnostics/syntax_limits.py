@@ -47,7 +47,7 @@ def yaml_too_large(span: Span, what: str, limit: int) -> Message:
 
 @coded("E816")
 def too_many_errors(span: Span, limit: int) -> Message:
-    """Reading stopped after so many errors; mend the first ones and try again."""
+    """Reading stopped after so many errors; fix the first ones and try again."""
     return Message(span, f"more than {limit} errors: the rest of the text was not read")
 
 

@@ -222,7 +222,7 @@ class FrictionResults:
 
     def _try(self, find: Find, case: Case) -> tuple[LoadedPair, ...] | None:
         if self._equations.number != 1:
-            self._report.add(messages.several_freedoms(find.span, self._equations.number))
+            self._report.add(messages.several_degrees_of_freedom(find.span, self._equations.number))
             return None
         pressed_on = unclear(self._mechanism)
         for pair in self._pairs:

@@ -59,7 +59,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     yield from _held(mechanism)
     yield from _without_value(mechanism.lets, values)
     yield from _of_no_size(mechanism, values)
-    if mechanism.friction.rubbing:
+    if mechanism.friction.joints:
         yield from _standing_for_friction(mechanism, values)
 
 

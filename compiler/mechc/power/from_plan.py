@@ -51,7 +51,7 @@ def balance(plan: Plan, report: Report) -> Balance:
     """Return the power equations and what was asked for without friction.
 
     Reports E501 … E508 where a result is not determined or not finite at the default
-    pose, W501 … W504 for loads without work, zero and negative ratios, idle freedoms.
+    pose, W501 … W504 for loads without work, zero and negative ratios, idle degrees of freedom.
     """
     return _Asked(plan, report).balance()
 

@@ -128,9 +128,9 @@ def several_transmissions(span: Span, kind: str, point: str) -> Message:
 
 @coded("E278")
 def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fraction) -> Message:
-    """A guide rubs in one half, or branch, of a mechanism whose other halves are left out.
+    """A guide has friction in one half, or branch, of a mechanism whose other halves are left out.
 
-    A load that counts twice as often as the one on the guide tells of a second half. In the
+    A load that counts twice as often as the one on the guide suggests a second half. In the
     whole the side forces of both halves cancel on the guide that they share; one half alone
     presses it to one side, and friction would be overstated.
 
@@ -143,8 +143,8 @@ def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fracti
     ``force F2 = F at D along y``.
     """
     message = (
-        f"the guide of {point} rubs, but {other} counts {share} times for each {load} there: the "
-        "side forces of what is left out would cancel"
+        f"the guide of {point} has friction, but {other} counts {share} times for each {load} "
+        "there: the side forces of what is left out would cancel"
     )
     whole = f"copies {share}" if share.denominator == 1 and share > 2 else "mirror across …"
     return Message(span, message, f"describe the rest with '{whole} sharing {point}'")
@@ -177,19 +177,19 @@ def motion_for_nothing(span: Span) -> Message:
 def halves_cancel(span: Span, point: str) -> Message:
     """Friction is given on a guide that mirrored halves, or equal branches, share.
 
-    The side forces of the halves cancel there, so the guide is not pressed and does not
-    rub. The line has no influence.
+    The side forces of the halves cancel there, so the guide is not pressed and has no
+    friction. The line has no influence.
 
         mirror across 0 deg sharing A
         friction slider A 0.1            # warned of
     """
-    message = f"the side forces on the guide of {point} cancel, so that it does not rub"
+    message = f"the side forces on the guide of {point} cancel, so that it has no friction"
     return Message(span, message, "remove the line, or the symmetry if there is none")
 
 
 @coded("W273")
 def perhaps_a_half(span: Span, point: str, load: str) -> Message:
-    """A guide rubs in a mechanism of which perhaps one half is described only.
+    """A guide has friction in a mechanism of which perhaps one half is described only.
 
     A load that counts twice, or by half, suggests a second half that is not there. In the
     whole the side forces of the halves cancel on a guide that they share; one half alone
@@ -200,8 +200,8 @@ def perhaps_a_half(span: Span, point: str, load: str) -> Message:
         mirror across 0 deg sharing A        # right: both halves are solved
     """
     message = (
-        f"the guide of {point} rubs, but {load} does not count once: side forces of a half that "
-        "is left out would cancel there"
+        f"the guide of {point} has friction, but {load} does not count once: side forces of a "
+        "half that is left out would cancel there"
     )
     return Message(span, message, f"describe the half with 'mirror across … sharing {point}'")
 
@@ -213,7 +213,7 @@ def pair_without_pins(
     """Every pin is said to have friction, and a pair of forces has no pins of its own.
 
     An actuator or a spring is a pair of forces at two points. A telescope between them has
-    pins at its ends, which rub and bend it. Without pins each end acts on a link.
+    pins at its ends, whose friction bends it. Without pins each end acts on a link.
 
         friction pins 0.1 diameter 10 mm
         actuator P between A and B                # warned of without a line such as
@@ -244,7 +244,7 @@ def slot_without_friction(span: Span, point: str) -> Message:
 def couple_without_friction(span: Span, link: str) -> Message:
     """A block with friction passes on a couple, and only the force across the slot is counted.
 
-    Without its length nothing tells how the edges of a block press. Two pins in the same
+    Without its length it is undetermined how the edges of a block press. Two pins in the same
     slot, as far apart as the block is long, have the friction of its edges::
 
         slot B in CD guiding BE      # counts mu*|N_B|
