@@ -226,7 +226,7 @@ class Speller(NamedTuple):
 
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
-        is_drawn = split_points(names.partition("_")[0])
+        is_drawn = not names or split_points(names.partition("_")[0])
         return f"${points(names) if is_drawn else latex(Symbol(names), self.style)}$"
 
 
