@@ -70,3 +70,9 @@ def test_reports_of_random_mechanisms_say_what_code_computes(seed: int):
         assert wrong(sample.rubbing(Random(seed), said=bool(seed % 2))) == []
     except MechcError:
         return
+
+
+def test_an_efficiency_of_nothing_is_no_negative_ratio():
+    sample = pushing(given(92026, 1))
+    assert sample is not None
+    assert wrong(sample.rubbing(Random(92026), said=False)) == []

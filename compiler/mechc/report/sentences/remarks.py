@@ -4,7 +4,7 @@ from collections.abc import Iterable
 from typing import assert_never
 
 from ...formula.layout import is_angle
-from ...formula.tree import ZERO, Formula, Power, Sum, Symbol, product, quotient, total
+from ...formula.tree import ZERO, Call, Formula, Power, Sum, Symbol, product, quotient, total
 from ...formula.walk import walk
 from ...model.mechanism import (
     Axial,
@@ -79,12 +79,14 @@ def ratio(result: Analysis) -> Formula | None:
 
 
 def _share(result: Analysis) -> Formula:
-    """Return ``k/k_f``, or ``k_f/k`` where the load drives."""
+    """Return ``k/k_f``, or ``k_f/k`` where the load drives; 0 where friction then holds it."""
     name = result.name.removeprefix("eta_")
     ideal, real = Symbol(name), Symbol(f"{name}_f")
     below = any(isinstance(f, Power) and f.base == real for f in walk(result.formula))
     below = below or result.formula == ZERO
-    return quotient(ideal, real) if below else quotient(real, ideal)
+    share = quotient(ideal, real) if below else quotient(real, ideal)
+    is_held = isinstance(result.formula, Call) and result.formula.function == "max"
+    return Call("max", (share, ZERO)) if is_held else share
 
 
 def asked(result: Analysis) -> Formula:
