@@ -65,7 +65,9 @@ def _of_result(result: Analysis, given: Mapping[str, Quantity], usual: str) -> I
 def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     """Return the quantities that formulas mention, each in the unit that it was given in."""
     where = list(_definitions(whole))
-    values = dict(Chain({**dependent(mechanism), **dict(where)}).complete(defaults(mechanism)))
+    # A constant of the drawing stands in ``where`` in its unit, among parameters in SI.
+    chain = Chain({**dict(where), **dependent(mechanism)})
+    values = chain.complete(defaults(mechanism))
     named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals)}
     units = {name: _unit(p) for name, p in named.items()}
     usual = usual_length(mechanism)
