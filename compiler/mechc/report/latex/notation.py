@@ -27,6 +27,8 @@ _COMMON = {
     "exp": r"\exp",
     "sign": r"\operatorname{sgn}",
     "log": r"\ln",
+    "next": r"\operatorname{next}",
+    "interpolate": r"\operatorname{table}",
 }
 
 
