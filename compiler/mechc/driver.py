@@ -222,7 +222,8 @@ class Compilation:
     @Stage
     def motion(self) -> Motion | None:
         """Coordinates of points and directions of links along the drive; None without one."""
-        return motion(self.pose, astray(self.plan))
+        driven = self.pose.mechanism.drive is not None
+        return motion(self.pose, astray(self.plan)) if driven else None
 
     @Stage
     @of_linkages

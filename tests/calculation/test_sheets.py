@@ -207,3 +207,34 @@ def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture
         "  s > d: 10 mm > 8 mm, reserve 1.25, the least",
     ]:
         assert any(found.startswith(line.replace("6.51470", "6.5147")) for found in lines), line
+
+
+MIXED = """
+mechanism toggle
+param l = 200 mm
+param alpha = 10 deg in 2 deg .. 40 deg
+table t = 0 deg: 1, 30 deg: 2
+list bores = 32 mm, 40 mm, 50 mm
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+force P at B along 0 deg
+force F at K along -90 deg
+find k = P/F
+let c = t at alpha
+let n = 1.1 when alpha < 20 deg else 1.3
+let Q = c*n*k*(1 kN)
+let D = next sqrt(4*Q/(pi*(0.6 MPa))) in bores
+"""
+
+
+@pytest.mark.parametrize("target", ["python", "c", "latex", "json"])
+def test_formulas_of_a_mechanism_have_choices_and_tables_too(target: str) -> None:
+    found = sheet(MIXED)
+    assert load(target).emit(found, Options("toggle"))[0].text
+    values = mechc.loads(MIXED).evaluate(alpha=math.radians(15))
+    assert values["c"] == pytest.approx(1.5)
+    assert values["D"] == 0.05

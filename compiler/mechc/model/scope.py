@@ -82,9 +82,9 @@ AXES = {
 class Scope:
     """The names of one description, filled while it is read.
 
-        ``lets`` holds the names of all lets, which are entered behind what is asked for, and
-        ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
-        the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
+    ``lets`` holds the names of all lets, which are entered behind what is asked for, and
+    ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
+    the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
     for an open one, which tell multiples that are out of reach. ``constants`` are the numbers
     that have got a name, by what they are and their value, with their places. Of a calculation
     ``sheet`` a condition keeps the names of lets.
