@@ -1,5 +1,6 @@
 """Lengths that a description gives by numbers: named, listed, decided by their value."""
 
+import math
 import re
 
 import pytest
@@ -127,3 +128,36 @@ def test_names_do_not_clash_with_those_of_the_description() -> None:
     mechanism = mechc.loads(CRANK + "let x_Q = 2*k\n")
     assert {"x_Q_", "len_AB"} <= mechanism.where.keys()
     assert mechanism.evaluate()["x_Q"] == pytest.approx(2 * mechanism.evaluate()["k"])
+
+
+SIZES = """
+pivot O at (0 mm, 0 mm)
+pivot S at (0 mm, 150 mm)
+link OBG
+B at (90 mm, 40 mm)
+G at (400 mm, 180 mm)
+spring 2 N/mm between S and B free 60 mm
+load Q intensity 10 N/(5 mm) on OG along -y
+friction pin O 0.1 diameter 0.5 in
+force P at G along x
+find P
+"""
+
+
+def test_sizes_of_springs_loads_and_pins_have_names_and_units() -> None:
+    found = mechc.loads(SIZES)
+    sizes = {p.name: p for p in found._compilation.mechanism.literals}
+    units = {name: sizes[name].unit for name in ("c_SB", "l_SB", "q_Q", "d_O")}
+    assert units == {"c_SB": "N/mm", "l_SB": "mm", "q_Q": "N/mm", "d_O": "in"}
+    # The spring is 142.127 mm long; both act on the line through O and G, or at its middle.
+    force = 2000 * (0.06 - math.hypot(0.09, 0.11))
+    moment = force * (0.09 * -0.11 - 0.04 * 0.09) / math.hypot(0.09, 0.11)
+    moment -= 2000 * math.hypot(0.4, 0.18) * 0.2
+    assert found.evaluate()["P"] == pytest.approx(moment / 0.18, rel=1e-12)
+    assert {"d_O", "len_SB"} <= {str(name) for name in found.where}
+
+
+def test_a_name_that_the_description_has_is_left_to_it() -> None:
+    text_of = SIZES.replace("find P", "param d_O = 7 mm\nfind P\nlet z = d_O")
+    names = [p.name for p in mechc.loads(text_of)._compilation.mechanism.literals]
+    assert "d_O_" in names

@@ -47,8 +47,8 @@ def read_thrust(
     if not rate or not free:
         return None
     vector = f"{first}{second}"
-    rate = scope.named("c", vector, rate, statement.rate.span)
-    free = scope.named("l", vector, free, statement.free.span)
+    rate = scope.named("c", vector, rate, STIFFNESS, statement.rate.span)
+    free = scope.named("l", vector, free, LENGTH, statement.free.span)
     stretch = total([free, negative(Symbol(f"len_{vector}"))])
     force = product([(rate, 1), (stretch, 1)])
     return ForcePair(

@@ -10,15 +10,17 @@ from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, assert_never
 
 from ..formula.tree import ZERO, Constant, Formula, Sum, negative, number
-from ..formula.walk import evaluate, symbols
+from ..formula.walk import evaluate, substitute, symbols
 from ..frozen import fields, replace
 from ..source import Span
 from ..syntax import ast
-from ..units import LENGTH, UNITS
+from ..units import LENGTH, UNITS, Dimension, si_unit
+from .entries import vector_between
 from .mechanism import (
     Arrow,
     Contact,
     Force,
+    ForcePair,
     Geometry,
     Joint,
     Link,
@@ -33,6 +35,7 @@ from .mechanism import (
     Slot,
     WheelPair,
 )
+from .scope import Named
 
 Known = Mapping[tuple[str, Formula], Formula]
 """What stands for a number of metres, by the kind of length and the number."""
@@ -59,9 +62,7 @@ class Quantity(NamedTuple):
         return f"{self.kind}_{self.of}"
 
 
-def with_names(
-    mechanism: Mechanism, file: ast.File, named: Collection[tuple[Constant, Span]]
-) -> Mechanism:
+def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -> Mechanism:
     """Return the mechanism with a named quantity for each length that is a number.
 
     ``named`` are the numbers that have names already, with their places.
@@ -70,16 +71,14 @@ def with_names(
     literals = list(_one_for_each_size(item for q in found for item in _numbers(q)))
     if not literals and not named:
         return mechanism
-    everything = tuple(_written(file))
-    written = [n for n in everything if UNITS[n.unit].dimension == LENGTH]
-    taken = _names(mechanism) | {constant.name for constant, _ in named}
+    taken, written = _names(mechanism) | {n.symbol.name for n in named}, tuple(_written(file))
     known: dict[tuple[str, Formula], Formula] = {}
-    parameters = [_parameter(constant, span, everything) for constant, span in named]
+    parameters = [_parameter(*one, written) for one in named]
     for literal in literals:
         symbol = Constant(_free(literal.name, taken), literal.formula)
         known[literal.kind, literal.formula] = symbol
         known[literal.kind, negative(literal.formula)] = negative(symbol)
-        parameters.append(_parameter(symbol, literal.span, written))
+        parameters.append(_parameter(symbol, LENGTH, literal.span, written))
     return _put(replace(mechanism, literals=tuple(parameters)), known)
 
 
@@ -164,14 +163,17 @@ def _free(name: str, taken: set[str]) -> str:
     return name
 
 
-def _parameter(symbol: Constant, place: Span, written: Sequence[ast.Number]) -> Parameter:
+def _parameter(
+    symbol: Constant, dimension: Dimension, place: Span, written: Sequence[ast.Number]
+) -> Parameter:
     """Return a number as a quantity, with the unit that it was written in."""
-    inside = (n for n in written if place.start <= n.span.start and n.span.end <= place.end)
+    fitting = [n for n in written if UNITS[n.unit].dimension == dimension]
+    inside = (n for n in fitting if place.start <= n.span.start and n.span.end <= place.end)
     units = {n.unit: number(n.value * UNITS[n.unit].factor) for n in inside}
     exact = (unit for unit, value in units.items() if symbol.value in (value, negative(value)))
-    anywhere = next((n.unit for n in written), "m")
+    anywhere = next((n.unit for n in fitting), si_unit(dimension))
     unit = next(exact, next(iter(units), anywhere))
-    return Parameter(symbol.name, UNITS[unit].dimension, place, symbol.value, unit=unit)
+    return Parameter(symbol.name, dimension, place, symbol.value, unit=unit)
 
 
 def _written(node: object) -> Iterator[ast.Number]:
@@ -187,7 +189,7 @@ def _written(node: object) -> Iterator[ast.Number]:
 
 def _put(mechanism: Mechanism, known: Known) -> Mechanism:
     """Return the mechanism with numbers replaced by what stands for them."""
-    loads = tuple(_load(load, known) for load in mechanism.loads)
+    loads = tuple(_load(load, known, mechanism.geometry) for load in mechanism.loads)
     reach = _reaches(loads)
     return replace(
         mechanism,
@@ -227,8 +229,18 @@ def _reaches(loads: Iterable[Load]) -> Reaches:
     return {(found.tail, point): found.reach for point, found in spread}
 
 
-def _load(load: Load, known: Known) -> Load:
-    """Return a load; one that is spread out over a length that is a number, by its name."""
+def _load(load: Load, known: Known, geometry: Sequence[Geometry]) -> Load:
+    """Return a load; one that is spread out over a length that is a number, by its name.
+
+    So is a spring between points at a distance that is one.
+    """
+    if isinstance(load, ForcePair) and load.tie:
+        entry = vector_between((load.first, load.second), geometry)
+        length = entry.length if isinstance(entry, Arrow) else None
+        if length is None or ("len", length) not in known:
+            return load
+        apart = {f"len_{load.first}{load.second}": known["len", length]}
+        return replace(load, tie=substitute(load.tie, apart))
     if not isinstance(load, Force) or load.spread is None:
         return load
     spread = replace(load.spread, length=_named("len", load.spread.length, known))

@@ -122,7 +122,7 @@ def _distributed(
     read = [reader.wanted(e, STIFFNESS, "an intensity") for e in written]
     name = statement.name.text
     intensities = tuple(
-        scope.named("q", name, formula, e.span)
+        scope.named("q", name, formula, STIFFNESS, e.span)
         for e, formula in zip(written, read, strict=True)
         if formula is not None
     )

@@ -104,5 +104,5 @@ def _radius(statement: ast.PinFriction, scope: Scope) -> Formula | None:
     if statement.law == "coulomb":
         f = coulomb(f)
     of = statement.point.text if statement.point else ""
-    diameter = scope.named("d", of, diameter, statement.diameter.span)
+    diameter = scope.named("d", of, diameter, LENGTH, statement.diameter.span)
     return product([(HALF, 1), (f, 1), (diameter, 1)])

@@ -44,6 +44,14 @@ class Bare(NamedTuple):
     span: Span
 
 
+class Named(NamedTuple):
+    """A number under a name that it was given, and where it stands."""
+
+    symbol: Constant
+    dimension: Dimension
+    span: Span
+
+
 class Usage(NamedTuple):
     """Which kinds of names a formula may mention, and how to say so.
 
@@ -100,7 +108,7 @@ class Scope:
         self.lets: set[str] = set()
         self.values: dict[str, float] = {}
         self.sizes: dict[str, float] = {}
-        self.constants: dict[tuple[str, Formula], tuple[Constant, Span]] = {}
+        self.constants: dict[tuple[str, Formula], Named] = {}
         self._misfits: set[tuple[str, Dimension]] = set()
         self._unknowns: set[tuple[str, str]] = set()
 
@@ -148,16 +156,19 @@ class Scope:
         entry = self.entries.get(name)
         return entry.span if entry else None
 
-    def named(self, kind: str, of: str, formula: Formula, span: Span) -> Formula:
+    def named(
+        self, kind: str, of: str, formula: Formula, dimension: Dimension, span: Span
+    ) -> Formula:
         """Return a number under a name such as ``c_AB``, one for each value; else the formula."""
         if not isinstance(formula, Number) or formula == ZERO:
             return formula
         if (kind, formula) not in self.constants:
             name = f"{kind}_{of}" if of else kind
-            while name in self.entries or any(name == c.name for c, _ in self.constants.values()):
+            taken = {*self.entries, *(known.symbol.name for known in self.constants.values())}
+            while name in taken:
                 name += "_"
-            self.constants[kind, formula] = Constant(name, formula), span
-        return self.constants[kind, formula][0]
+            self.constants[kind, formula] = Named(Constant(name, formula), dimension, span)
+        return self.constants[kind, formula].symbol
 
     def first_misfit(self, name: str, wanted: Dimension) -> bool:
         """Tell whether it is the first time that a name measures something else than is wanted."""

@@ -36,7 +36,8 @@ def _open_loop(pose: Pose) -> str:
     for limit in pose.limits:
         margins = [_evaluated(margin, values) for margin in limit.margins]
         found = [values[name] for name in formulas if name in values]
-        if any(margin < 0 for margin in margins) or not all(map(math.isfinite, found)):
+        is_lost = limit.group == "system" and not all(map(math.isfinite, found))
+        if is_lost or any(margin < 0 for margin in margins):
             return limit.loop
     return ""
 

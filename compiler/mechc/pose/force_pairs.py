@@ -76,6 +76,7 @@ def _along(thrust: ForcePair, arm: Arm, pairing: Pairing) -> Angle:
 def _define_length(thrust: ForcePair, length: Product, pairing: Pairing) -> None:
     name = f"len_{thrust.first}{thrust.second}"
     known = {*pairing.vectors.placeholders, *(d.name for d in pairing.terms.definitions)}
+    known |= {literal.name for literal in pairing.mechanism.literals}
     if thrust.spring and name not in known:
         pairing.terms.definitions.append(Definition(name, length.formula()))
 

@@ -5,7 +5,7 @@ from collections.abc import Iterable, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
-from ..formula.tree import ZERO, Constant, Formula, Implicit, Number, Product, Symbol
+from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
 from ..frozen import frozen
 from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Torque
@@ -76,8 +76,6 @@ def as_written(where: Iterable[Definition], known: Letters) -> list[Definition]:
 
 def _as_written(definition: Definition, known: Letters) -> Definition:
     name, formula = definition
-    if isinstance(formula, Constant) and formula.name == name:
-        formula = formula.value  # the distance of a spring's ends is a length that is given
     unit = UNITS.get(known.units.get(name, ""))
     if name in known.usual:
         return Definition(name, by_letter(formula))
@@ -100,7 +98,6 @@ def constant_units(mechanism: Mechanism) -> dict[str, str]:
     given = {let.name: let.value for let in mechanism.lets}
     units = {load.name: literal_unit(load, given.get(load.name)) for load in mechanism.loads}
     units |= {p.name: p.unit or "m" for p in mechanism.parameters if is_constant(p)}
-    units |= {literal.name: literal.unit for literal in mechanism.literals}
     return {name: unit for name, unit in units.items() if unit}
 
 
