@@ -30,7 +30,7 @@ def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
     names = {
         place: enumeration((spell.point(n) for n in listed), locale)
         for place, listed in paragraph.names.items()
-        if listed
+        if any(listed)
     }
     formulas = {
         place: spell.relation((f,), (), place == "direction")
