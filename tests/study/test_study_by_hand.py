@@ -180,6 +180,8 @@ def test_the_sides_of_a_place_are_continued_to_it():
     assert pole.number == math.inf
     onesided = from_both_sides(lambda v: math.copysign(2.0, v), lambda v: v > 0, 0.0, 1.0)
     assert onesided.number == 2.0
+    steep = from_both_sides(lambda v: 30 + v / 1e-9, lambda v: v > 0, 0.0, 1.0)
+    assert steep.number == pytest.approx(30.0)
 
 
 def test_places_lie_closer_where_a_loop_ends():
