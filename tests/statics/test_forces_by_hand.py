@@ -80,6 +80,8 @@ def test_a_pin_pushes_a_link_as_the_link_pushes_back():
     pull = 1 / math.cos(PSI)
     found = at_joint(slider_crank(), Reaction("A", "AB", "x"))
     assert found == pytest.approx(-pull * math.cos(PSI))
+    crank = at_joint(slider_crank(), Reaction("A", "OA", "x"))
+    assert crank == pytest.approx(pull * math.cos(PSI))
 
 
 def test_a_slot_pushes_across_with_the_couple_over_its_length():
