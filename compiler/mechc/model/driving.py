@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Mapping
+from typing import assert_never
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import drawn as messages
@@ -116,3 +117,5 @@ def _drawn(entry: Geometry, sketch: Sketch) -> list[tuple[Formula, float]]:
         case Turn(first, vertex, second, angle):
             (ax, ay), (bx, by) = sketch.way(vertex, first), sketch.way(vertex, second)
             return [(angle, math.atan2(ax * by - ay * bx, ax * bx + ay * by))]
+        case _:
+            assert_never(entry)

@@ -1,6 +1,7 @@
 """What the geometry and the bodies of a mechanism name: points, and parameters."""
 
 from collections.abc import Collection, Iterable
+from typing import assert_never
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
@@ -27,6 +28,8 @@ def points_of(entry: Geometry) -> tuple[str, ...]:
             return tail, head
         case Turn(first, vertex, second):
             return first, vertex, second
+        case _:
+            assert_never(entry)
 
 
 def vector_between(ends: Collection[str], geometry: Iterable[Geometry]) -> Arrow | Offset | None:
@@ -45,4 +48,6 @@ def mentioned(entry: Geometry) -> frozenset[str]:
             given = [x, y]
         case Turn(angle=angle):
             given = [angle]
+        case _:
+            assert_never(entry)
     return frozenset().union(*map(symbols, given))

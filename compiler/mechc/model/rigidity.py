@@ -6,6 +6,7 @@ direction. What follows from the rows before it is given already.
 
 import math
 from collections.abc import Iterable, Iterator, Mapping
+from typing import assert_never
 
 from .mechanism import Absolute, Along, Arrow, Geometry, Offset, Turn
 from .sketch import Sketch
@@ -98,6 +99,8 @@ def rows_of(entry: Geometry, sketch: Sketch) -> Iterator[Row]:
             yield from ({(p, i): sign for p, sign in ends.items() if p} for i in (0, 1))
         case Turn(first, vertex, second):
             yield turn(first, vertex, second, sketch)
+        case _:
+            assert_never(entry)
 
 
 def _unit(tail: str, head: str, sketch: Sketch) -> tuple[float, float]:
