@@ -36,10 +36,10 @@ def find(name: str) -> Path:
     path = Path(name)
     if path.exists():
         return path
-    shelf = library()
-    if name in shelf:
-        return shelf[name]
-    hint = near_miss(name, [*shelf, *_neighbours(path)]) or _holding(name, shelf)
+    listed = library()
+    if name in listed:
+        return listed[name]
+    hint = near_miss(name, [*listed, *_neighbours(path)]) or _holding(name, listed)
     raise MechcError([messages.file_not_found(name, hint)])
 
 
@@ -50,9 +50,9 @@ def library() -> dict[str, Path]:
     return {p.stem: p for p in sorted(paths, key=lambda p: p.stem)}
 
 
-def _holding(name: str, shelf: Iterable[str]) -> str:
+def _holding(name: str, listed: Iterable[str]) -> str:
     """Propose the mechanisms whose names hold this one."""
-    longer = [known for known in shelf if name in known]
+    longer = [known for known in listed if name in known]
     return f"the library has {', '.join(longer[:5])}" if name and longer else ""
 
 

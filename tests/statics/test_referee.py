@@ -25,7 +25,7 @@ from mechc.statics.answers import load_ratio
 from mechc.statics.assembly import Plane, direction
 from mechc.statics.balanced import Balanced
 from mechc.statics.free_bodies import equilibrium
-from mechc.statics.poses import candidates, settle
+from mechc.statics.poses import candidates, feasible_pose
 from mechc.statics.referee import RefereeDisagrees, cross_check
 from mechc.statics.solve import factor
 from mechc.statics.speeds import speed_ratio
@@ -316,7 +316,7 @@ def test_parameters_without_a_value_are_drawn_and_dependent_ones_follow():
     for values in candidates(pose, 5):
         assert 0.5 <= values["a"] <= 2
         assert values["b"] == 2 * values["a"]
-    assert settle(pose, {"a": math.nan}, Random(1)) is None
+    assert feasible_pose(pose, {"a": math.nan}, Random(1)) is None
 
 
 # ------------------------------------------------------------------ the equations

@@ -170,7 +170,7 @@ class SequentialSolver:
         surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
         bearing = Bearing(pivot, self._factor(surface), self._turn(surface)) if surface else None
         size, turns = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
-        self._settle(unknown, size)
+        self._determine(unknown, size)
         if turns.factors:
             self.conditions.append(Condition(ONE, turns))
         return self._resistance(surface) if surface else ZERO
@@ -195,7 +195,7 @@ class SequentialSolver:
             return add((force.along(guide), -(against * force.across(guide))))
 
         size = -(add(map(along, known)) / along(unknown))
-        self._settle(unknown, size)
+        self._determine(unknown, size)
         if surface:
             pressing = add(p.across(guide) for p in (*known, unknown.scaled(size)))
             self._keep(side, pressing)
@@ -206,7 +206,7 @@ class SequentialSolver:
             if one.line is None or other.line is None or not one.across(other.line):
                 raise EquationsCoupled
             parts = add(p.across(other.line) for p in known)
-            self._settle(one, -(parts / one.across(other.line)))
+            self._determine(one, -(parts / one.across(other.line)))
         if self._bodies.has_friction(body) and not self._are_alike(body):
             raise EquationsCoupled
         return ZERO
@@ -219,7 +219,7 @@ class SequentialSolver:
         first, second = (self.sizes[f"S_{rod.name}"] for rod in rods)
         return not add((first * first, -(second * second)))
 
-    def _settle(self, force: BodyForce, size: Product) -> None:
+    def _determine(self, force: BodyForce, size: Product) -> None:
         rod, size = self._bodies.rod(force.name), canonical(size)
         if force.name != self._driving and any(isinstance(f, Opaque) for f in size.factors):
             size = self._signs.named(force.name, size)

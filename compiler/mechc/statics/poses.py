@@ -1,4 +1,4 @@
-"""Poses to judge at: the default one, then feasible ones drawn from the parameters' ranges."""
+"""Poses to check at: the default one, then feasible ones drawn from the parameters' ranges."""
 
 import math
 from collections.abc import Iterator, Mapping
@@ -39,12 +39,12 @@ def candidates(pose: Pose, number: int) -> Iterator[Values]:
     for turn in range(number + 1):
         draw = _at_default if turn == 0 else _near
         parameters = {p.name: draw(p, dice) for p in _free(pose)}
-        values = settle(pose, parameters, dice)
+        values = feasible_pose(pose, parameters, dice)
         if values is not None:
             yield values
 
 
-def settle(pose: Pose, parameters: Mapping[str, float], dice: Random) -> Values | None:
+def feasible_pose(pose: Pose, parameters: Mapping[str, float], dice: Random) -> Values | None:
     """Return the values of all symbols at given parameters, None where there is no such pose.
 
     A made-up length that no loop fixes is drawn; no result may depend on it.
