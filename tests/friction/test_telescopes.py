@@ -137,8 +137,8 @@ def missed(pose: Pose, values: Mapping[str, float]) -> list[str]:
 def without(compilation: Compilation, point: str) -> Pose:
     """Return the pose without the friction of one pin, as a fault would leave it out."""
     mechanism = compilation.pose.mechanism
-    rubbing = tuple(r for r in mechanism.friction.joints if r.point != point)
-    friction = replace(mechanism.friction, rubbing=rubbing)
+    joints = tuple(r for r in mechanism.friction.joints if r.point != point)
+    friction = replace(mechanism.friction, joints=joints)
     return replace(compilation.pose, mechanism=replace(mechanism, friction=friction))
 
 
