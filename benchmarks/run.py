@@ -23,7 +23,7 @@ from mechc.diagnostics import Report
 from mechc.driver import Compilation, compile_source, emit
 from mechc.emit import registry
 from mechc.emit.target import Options
-from mechc.files import library, read
+from mechc.files import library, mechanisms, read
 from mechc.formula.to_sympy import to_sympy
 from mechc.frozen import replace
 from mechc.kinematics.from_pose import plan_velocities
@@ -171,7 +171,7 @@ def _bytes_of_c(source: Source) -> float:
 def lengths() -> None:
     """Count the operations of the library's first results, where a printed form is known."""
     rows = []
-    for name, path in library().items():
+    for name, path in mechanisms().items():
         compilation = compile_source(read(path))
         result, *_ = compilation.solution.results
         printed = [

@@ -44,10 +44,15 @@ def find(name: str) -> Path:
 
 
 def library() -> dict[str, Path]:
-    """Return the mechanisms of the library: path by name, in alphabetical order."""
+    """Return the library, mechanisms and sheets: path by name, in alphabetical order."""
     folder = data("library")
     paths = (p for p in folder.rglob("*") if p.suffix in SUFFIXES)
     return {p.stem: p for p in sorted(paths, key=lambda p: p.stem)}
+
+
+def mechanisms() -> dict[str, Path]:
+    """Return the library without its sheets, which lie in a folder of their own."""
+    return {name: path for name, path in library().items() if path.parent.name != "sheets"}
 
 
 def _holding(name: str, listed: Iterable[str]) -> str:

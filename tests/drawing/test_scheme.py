@@ -23,7 +23,7 @@ from mechc.emit.png.picture import to_png
 from mechc.emit.svg.picture import to_svg
 from mechc.emit.tikz.picture import to_tikz
 from mechc.figure.figure import Actuator, Force, Spring, Torque
-from mechc.files import find, library, read
+from mechc.files import find, mechanisms, read
 from mechc.formula.names import split_points
 from mechc.source import Source
 from readable_drawings import assert_readable, lettering, places
@@ -102,7 +102,7 @@ def test_arrows_point_as_the_forces_do():
 
 
 def test_halves_are_in_one_place_or_clearly_in_two():
-    for name in library():
+    for name in mechanisms():
         figure = begun(name).figure
         if figure.mirror is None or not figure.chosen:
             continue
@@ -112,7 +112,7 @@ def test_halves_are_in_one_place_or_clearly_in_two():
 
 
 def test_the_ground_of_a_pivot_is_off_its_bars():
-    for name in library():
+    for name in mechanisms():
         figure = begun(name).figure
         links = [p for p in figure.parts if type(p).__name__ == "Link"]
         for pivot in (p for p in figure.parts if type(p).__name__ == "Pivot"):
@@ -124,7 +124,7 @@ def test_the_ground_of_a_pivot_is_off_its_bars():
 
 
 def test_no_measure_is_negative_and_no_angle_is_there_twice():
-    for name in library():
+    for name in mechanisms():
         parts = begun(name).figure.parts
         assert all(p.value > 0 for p in parts if type(p).__name__ == "Dimension"), name
         marks = [(p.vertex, p.text, round(math.tan(p.start), 6), round(p.sweep, 6)) for p in parts
@@ -278,14 +278,14 @@ def test_the_same_bytes_for_any_hash(hash_seed):
 # -------------------------------------------------------------------- the gallery
 
 
-@pytest.mark.parametrize("name", library())
+@pytest.mark.parametrize("name", mechanisms())
 def test_the_gallery_shows_the_library_as_it_is(name):
     made = (make_gallery.folder() / f"{name}.svg").read_text(encoding="utf-8")
     assert made == to_svg(begun(name).scheme), "python -m mechc.cli.make_gallery"
 
 
 def test_the_gallery_has_all_mechanisms_and_no_others():
-    titles = {name: begun(name).scheme.title for name in library()}
+    titles = {name: begun(name).scheme.title for name in mechanisms()}
     readme = (make_gallery.folder().parent / "README.md").read_text(encoding="utf-8")
     assert readme.endswith(make_gallery.section(titles)), "python -m mechc.cli.make_gallery"
     assert {path.stem for path in make_gallery.folder().iterdir()} == set(titles)

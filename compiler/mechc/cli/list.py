@@ -22,7 +22,7 @@ SOURCE = 34
 
 
 class Row(NamedTuple):
-    """One mechanism; ``k`` is its first result."""
+    """A mechanism or a sheet; ``k`` is its first result."""
 
     name: str
     title: str
@@ -34,7 +34,7 @@ class Row(NamedTuple):
 @click.option("-l", "--long", is_flag=True, help="With source and k, wider than a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="All of it, one object per line, uncut.")
 def command(long: bool, as_json: bool) -> None:
-    """List the mechanisms of the library by name and title.
+    """List the mechanisms and sheets of the library by name and title.
 
     \b
     mechc list

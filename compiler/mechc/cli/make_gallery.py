@@ -10,7 +10,7 @@ from pathlib import Path
 from ..data import data
 from ..driver import Compilation
 from ..emit.svg.picture import to_svg
-from ..files import library, make_folder, read, write_all
+from ..files import make_folder, mechanisms, read, write_all
 
 HEADING = "## Pictures\n"
 
@@ -64,7 +64,7 @@ def section(titles: dict[str, str]) -> str:
 
 def make() -> None:
     """Draw all, and remove pictures of what is no longer there."""
-    drawn = {name: picture(path) for name, path in library().items()}
+    drawn = {name: picture(path) for name, path in mechanisms().items()}
     make_folder(folder())
     for old in folder().glob("*.svg"):
         if old.stem not in drawn:
