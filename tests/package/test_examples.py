@@ -1,5 +1,8 @@
 """The examples run, compile without a warning, and are laid out as fmt lays them out."""
 
+import csv
+import io
+import math
 import os
 import subprocess
 import sys
@@ -10,6 +13,7 @@ import pytest
 import mechc
 from mechc.cli import main
 from paths import ROOT
+from seed_friction import entries
 
 EXAMPLES = ROOT / "examples"
 DESCRIPTIONS = sorted(p for p in EXAMPLES.iterdir() if p.suffix in {".mech", ".yaml"})
@@ -38,14 +42,41 @@ def test_crank_puller_is_the_textbook_slider_crank() -> None:
     assert crank.evaluate()["k"] == pytest.approx(float(expected), rel=1e-12)
 
 
-def test_use_from_python() -> None:
-    done = subprocess.run(
-        [sys.executable, str(EXAMPLES / "use_from_python.py")],
+def printed(script: str) -> str:
+    """Return what an example in Python prints."""
+    return subprocess.run(
+        [sys.executable, str(EXAMPLES / script)],
         env={**os.environ, "PYTHONPATH": str(ROOT / "compiler")},
         capture_output=True,
         text=True,
         check=True,
-    )
-    assert "k = a*sin(alpha + beta)/(2*b*cos(alpha)*cos(beta))" in done.stdout
-    assert "k at the default pose = 0.067068" in done.stdout
-    assert "E" in done.stdout.splitlines()[-1]
+    ).stdout
+
+
+def test_use_from_python() -> None:
+    out = printed("use_from_python.py")
+    assert "k = a*sin(alpha + beta)/(2*b*cos(alpha)*cos(beta))" in out
+    assert "k at the default pose = 0.067068" in out
+    assert "E" in out.splitlines()[-1]
+
+
+def test_figures_of_prism_jaws() -> None:
+    """Every point that is known of the 31 printed curves is in the table."""
+    table = {
+        (row["figure"], *(float(row[angle]) for angle in ("alpha", "beta", "phi"))): row
+        for row in csv.DictReader(io.StringIO(printed("hodunko-2019/figures.py")))
+    }
+    for seed, entry in entries("values.json").items():
+        if not seed.startswith("S001-F"):
+            continue
+        _, figure, curve = seed.split("-")
+        for point in entry["points"]:
+            at = (round(math.degrees(point["inputs"][a])) for a in ("alpha", "beta", "phi"))
+            found = float(table[figure[1:], *at][column(curve)])
+            assert found == pytest.approx(point["value"], abs=1e-8), seed
+
+
+def column(curve: str) -> str:
+    """Return the column of a curve; the two faces on one side have one additional force."""
+    sides = {"dP1": "dP_far", "dP2": "dP_near"}
+    return sides.get(curve) or f"{curve[:-1]}_{curve[-1]}".replace("Pp_", "P_p")
