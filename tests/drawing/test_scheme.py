@@ -230,7 +230,7 @@ def test_the_command_writes_what_the_suffix_says(tmp_path, capsys):
 
 
 def test_what_cannot_be_assembled_is_not_drawn(tmp_path, capsys):
-    """E720 where halves do not meet; a loop that does not close is an error of the pose."""
+    """E720 where halves do not meet, E704 of a sheet; an open loop is an error of the pose."""
     text = """
         mechanism rhombus
         param alpha = 35 deg
@@ -248,7 +248,7 @@ def test_what_cannot_be_assembled_is_not_drawn(tmp_path, capsys):
     (tmp_path / "empty.mech").write_text("mechanism m\nparam a = 1 m\nlet b = a\n")
     (tmp_path / "r.mech").write_text(text)
     assert main(["draw", str(tmp_path / "empty.mech")]) == 1
-    assert "E720" in capsys.readouterr().err
+    assert "E704" in capsys.readouterr().err
     target = tmp_path / "r.svg"
     target.write_text("as it was")
     assert main(["draw", str(tmp_path / "r.mech"), "-o", str(target)]) == 1

@@ -34,10 +34,11 @@ def broken_promises(solution: Solution) -> list[str]:
 
 
 def _values(solution: Solution) -> Values:
-    """Return the numbers of the default pose; loads of open size are near 1, none like another."""
-    names = sorted(load.name for load in solution.plan.graph.pose.mechanism.loads)
-    loads = {name: 1 + i / 7 for i, name in enumerate(names)}
-    return {**loads, **default_values(solution.plan)}
+    """Return the numbers of the default pose; a load of open size has none.
+
+    Of several loads the sizes decide the signs, so that a printed case has to be told by them.
+    """
+    return default_values(solution.plan)
 
 
 def _names(result: FrictionResult, mechanism: Mechanism) -> Iterator[str]:
@@ -106,7 +107,8 @@ def _printed(result: FrictionResult, values: Values) -> Iterator[str]:
 def _resists(result: FrictionResult, ideal: Mapping[Target | None, Result]) -> Iterator[str]:
     """Yield a friction that helps the drive: more than all of its power arrives, or less than none.
 
-    A drive that is held takes less than without friction, one that moves on takes more.
+    For a force F of 1 a drive that moves along its arrow takes more than without friction, by
+    what is lost, and one that moves against it less, whatever the sign of k.
     """
     number = result.default
     match result.target:
@@ -114,7 +116,7 @@ def _resists(result: FrictionResult, ideal: Mapping[Target | None, Result]) -> I
             yield f"{result.name} is {number:.6g}"
         case WithFriction(LoadRatio() as ratio, sense) if number is not None:
             without = ideal[ratio].default
-            if without is not None and (number - without) * without * SIGNS[sense] < -NEARLY:
+            if without is not None and (number - without) * SIGNS[sense] < -NEARLY:
                 yield f"{result.name} is {number:.6g}, {without:.6g} without friction"
         case _:
             pass
