@@ -4,6 +4,7 @@ import csv
 import io
 import math
 import os
+import runpy
 import subprocess
 import sys
 from pathlib import Path
@@ -80,3 +81,14 @@ def column(curve: str) -> str:
     """Return the column of a curve; the two faces on one side have one additional force."""
     sides = {"dP1": "dP_far", "dP2": "dP_near"}
     return sides.get(curve) or f"{curve[:-1]}_{curve[-1]}".replace("Pp_", "P_p")
+
+
+def test_least_forces_of_prism_jaws() -> None:
+    """The paper's forces are the least ones for a weight alone; else friction allows less."""
+    script = runpy.run_path(str(EXAMPLES / "hodunko-2019" / "least_forces.py"))
+    rows = {int(row[0]): [float(value) for value in row[1:]] for row in list(script["rows"]())[1:]}
+    assert rows[10] == pytest.approx([94.3914, 81.5532], abs=1e-4)
+    assert all(least < paper for paper, least in rows.values())
+    given = {"alpha": 2.0, "beta": 0.0, "phi": 0.1, "G": 20.0, "I": 5.0, "f": 0.1}
+    paper = mechc.load("prism_jaws").evaluate(**given)["P_c"]
+    assert script["least"](**given) == pytest.approx(paper, rel=1e-12)
