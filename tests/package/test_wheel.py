@@ -60,7 +60,9 @@ def test_wheel_carries_its_data(wheel: Path) -> None:
     names = zipfile.ZipFile(wheel).namelist()
     assert "mechc/py.typed" in names
     assert "mechc/grammar/mechc.lark" in names
-    assert {f"mechc/library/{p.name}" for p in (ROOT / "library").glob("*.mech")} <= {*names}
+    assert {
+        f"mechc/{p.relative_to(ROOT).as_posix()}" for p in (ROOT / "library").rglob("*.mech")
+    } <= {*names}
     assert {n for n in names if n.endswith(".jinja")}
     assert not [n for n in names if n.startswith(("tests", "benchmarks", "examples"))]
 
