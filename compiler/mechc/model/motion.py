@@ -57,7 +57,10 @@ def _drive(statement: ast.Drive, file: ast.File, scope: Scope) -> Drive | None:
     high = None if is_reported else _end(statement.high, name, scope)
     speed = _speed(statement.speed, name, scope)
     start = _end(statement.start, name, scope)
-    return Drive(name.text, low, high, statement.span, ends=ends, speed=speed, start=start)
+    turns = entry.dimension == ANGLE
+    return Drive(
+        name.text, low, high, statement.span, ends=ends, speed=speed, start=start, turns=turns
+    )
 
 
 def _speed(speed: ast.Expr | None, name: ast.Name, scope: Scope) -> Formula | None:

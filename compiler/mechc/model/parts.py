@@ -274,7 +274,8 @@ class Drive:
     It ``reshapes`` where it is a size of a rigid body: its stroke is a study, no motion. Of
     ``drive OA`` the ``ends`` are O and A: the parameter is the direction of that vector, or
     its length where it is a telescope, and begins where they are drawn, or at the ``start``
-    that is set from outside. ``speed`` is its rate in time.
+    that is set from outside. ``speed`` is its rate in time; the coordinate is an angle where
+    it ``turns``.
     """
 
     parameter: str
@@ -285,11 +286,7 @@ class Drive:
     ends: tuple[str, str] | None = None
     speed: Formula | None = None
     start: Formula | None = None
-
-    @property
-    def turns(self) -> bool:
-        """Tell whether a driven link turns; a telescope extends."""
-        return self.parameter.startswith("phi_")
+    turns: bool = False
 
 
 @frozen
