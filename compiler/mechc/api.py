@@ -238,7 +238,7 @@ class SolvedMechanism:
         >>> import mechc
         >>> found, status = mechc.load("crank_rocker").points(phi=[0, 1.5707963267948966])
         >>> [round(float(x), 4) for x in found["x_A"]], [round(float(y), 4) for y in found["y_B"]]
-        ([0.04, 0.0], [0.0794, 0.0573])
+        ([0.04, 0.0], [0.0711, 0.0788])
         """
         from .routine.evaluate import pose
 

@@ -109,6 +109,12 @@ class Tokens(Typesetter[str]):
     def factors(self, formulas: Row, pieces: Sequence[str]) -> str:
         return "*".join(pieces)
 
+    def joined_by(self, sign: str, pieces: Sequence[str]) -> str:
+        return sign.join(pieces)
+
+    def cases(self, rows: Sequence[tuple[str, str]], other: str | None) -> str:
+        return "; ".join((*(f"{value} if {condition}" for value, condition in rows), other or ""))
+
     def over(self, above: str, below: str, several: bool) -> str:
         return f"[{above}|{below}]"
 

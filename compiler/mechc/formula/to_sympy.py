@@ -21,11 +21,10 @@ NAMES = {"abs": "Abs", "min": "Min", "max": "Max"}
 def to_sympy(formula: Formula) -> "sympy.Expr":
     """Return the formula as a sympy expression over plain symbols (no assumptions).
 
-        >>> import sympy
-        >>> from .choices import SIGNS, spelled_out
-    from .tree import Call, Symbol, quotient
-        >>> to_sympy(quotient(Call("sin", (Symbol("alpha"),)), Symbol("a")))
-        sin(alpha)/a
+    >>> import sympy
+    >>> from .tree import Call, Symbol, quotient
+    >>> to_sympy(quotient(Call("sin", (Symbol("alpha"),)), Symbol("a")))
+    sin(alpha)/a
     """
     import sympy
 

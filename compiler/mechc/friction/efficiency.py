@@ -52,9 +52,8 @@ class Drives:
         Where the load does no work at all without friction, nothing arrives in any pose.
         """
         if self._ideal.formula == ZERO:
-            return replace(
-                real, formula=ZERO, where=(), dimension=NUMBER, case=None, elsewhere=None
-            )
+            nothing = replace(real, formula=ZERO, where=(), guards=(), inside=frozenset())
+            return replace(nothing, dimension=NUMBER, case=None, elsewhere=None)
         k_f = Definition(f"{self._ideal.name}_f", real.formula)
         without = to_product(self._ideal.formula)
         here = ((without / Product.symbol(k_f.name)) ** self._exponent).formula()

@@ -27,7 +27,7 @@ def polar(x: Product, y: Product, values: Mapping[str, float]) -> Polar | None:
     >>> a, t = Product.symbol("a"), Angle.of("t")
     >>> found = polar(a * sine(t), -a * cosine(t), {"a": 1.0})
     >>> found.length == a, str(found.angle)
-    (True, 't + -90°')
+    (True, 't - 90°')
     """
     length = _root(add([x * x, y * y]))
     if length is None or not length:
