@@ -238,3 +238,18 @@ def test_formulas_of_a_mechanism_have_choices_and_tables_too(target: str) -> Non
     values = mechc.loads(MIXED).evaluate(alpha=math.radians(15))
     assert values["c"] == pytest.approx(1.5)
     assert values["D"] == 0.05
+
+
+def test_an_expectation_may_rest_on_other_formulas():
+    text = "sheet s\nparam x = 3 mm\nlet a = 2*x\nlet b = 4*x\nexpect b = 2*a\n"
+    made = mechc.loads(text, "s.mech")
+    assert not made.warnings
+    with pytest.raises(mechc.MechcError) as caught:
+        mechc.loads(text.replace("2*a", "3*a"), "s.mech")
+    assert [d.code for d in caught.value.diagnostics] == ["E581"]
+
+
+def test_what_is_rounding_alone_is_nothing():
+    text = "sheet s\nparam F = 3 N\nlet a = 0.1*F\nlet b = 0.2*F\nlet rest = 0.3*F - a - b\n"
+    assert 0.3 * 3 - 0.1 * 3 - 0.2 * 3 != 0
+    assert mechc.loads(text, "s.mech").results["rest"].default == 0

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import sheets as messages
+from ..formula.rounding import Rounding
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -30,8 +31,18 @@ def calculate(pose: Pose, report: Report) -> Calculation:
     checks = tuple(_checked(condition, values) for condition in mechanism.requires)
     failed = _refuse_broken(checks, report)
     _refuse_undefined(mechanism, values, failed, report)
+    nothing = _rounded_zeros(mechanism)
+    known = {name: 0.0 if name in nothing else value for name, value in values.items()}
     found = let_results(pose, (), report)
-    return Calculation(pose, tuple(_with_value(result, values) for result in found), checks)
+    return Calculation(pose, tuple(_with_value(result, known) for result in found), checks)
+
+
+def _rounded_zeros(mechanism: Mechanism) -> frozenset[str]:
+    """Return the formulas of which nothing is left but rounding."""
+    lets = {let.name: let.value for let in mechanism.lets}
+    rounding = Rounding(defaults(mechanism))
+    rounding.define(Chain({**dependent(mechanism), **lets}).definitions)
+    return frozenset(name for name, value in rounding.values.items() if value.is_zero)
 
 
 def _with_value(result: Result, values: Values) -> Result:

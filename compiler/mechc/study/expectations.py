@@ -10,7 +10,7 @@ number is compared with what code gives at its pose.
 
 import math
 import random
-from collections.abc import Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from types import MappingProxyType
 from typing import Literal, NamedTuple
@@ -66,9 +66,9 @@ def compare(
     E581 where one is refuted, E582 where a number has no pose to be compared at, W581
     where formulas agree without a proof. ``definitions`` are those of the pose.
     """
-    named = {r.name: r for r in results}
+    named, known = {r.name: r for r in results}, (*definitions, *_of_lets(results))
     findings = tuple(
-        _judge(e, _with_names_of(e, named[e.subject], definitions), mechanism, definitions)
+        _judge(e, _with_names_of(e, named[e.subject], known), mechanism, definitions)
         for e in mechanism.expects
     )
     for finding in findings:
@@ -77,11 +77,20 @@ def compare(
     return findings
 
 
+def _of_lets(results: Iterable[Result]) -> Iterator[Definition]:
+    """Yield the user's own formulas, each after those that it uses."""
+    for result in results:
+        if result.target is None:
+            yield from result.where
+            yield Definition(result.name, result.formula)
+
+
 def _with_names_of(expect: Expect, result: Result, definitions: Sequence[Definition]) -> Result:
-    """Return a result that defines what an expectation mentions of the pose, too."""
+    """Return a result that defines what an expectation mentions of pose and lets, too."""
     used, chosen = set(symbols(expect.value)), list[Definition]()
+    own = {d.name for d in result.where} | {result.name}
     for name, formula in reversed(definitions):
-        if name in used:
+        if name in used - own:
             chosen.append(Definition(name, formula))
             used |= symbols(formula)
     where = dict.fromkeys((*chosen[::-1], *result.where))
