@@ -1,6 +1,6 @@
 """The report of a calculation sheet, ready for its template."""
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ...formula.tree import Formula, Symbol
@@ -19,8 +19,8 @@ from ...report.put_in import Quantity
 from ...units import ANGLE, UNITS
 from ..target import Compiled
 
-COLUMNS = 8
-"""Rows of a table that stand beside each other; longer ones go on below."""
+BETWEEN = 2.0
+"""The width between columns of a table, in letters."""
 
 
 class TableBlock(NamedTuple):
@@ -96,12 +96,27 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
 
 def _tables(found: Note, style: Notation) -> Iterator[TableBlock]:
     for table in found.tables:
-        for start in range(0, len(table.rows), COLUMNS):
-            part = table.rows[start : start + COLUMNS]
-            columns = zip(*part, strict=True)
-            rows = tuple(" & ".join(math(latex(c, style)) for c in column) for column in columns)
-            name, source = ("", "") if start else (escape(table.name), escape(table.source))
+        name, source = escape(table.name), escape(table.source)
+        for part in _parts([tuple(box(c, style) for c in cells) for cells in table.rows]):
+            rows = tuple(
+                " & ".join(math(c.tex) for c in cells) for cells in zip(*part, strict=True)
+            )
             yield TableBlock(name, source, "l" * len(part), rows)
+            name = source = ""
+
+
+def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]]:
+    """Yield the columns of a table in parts that a line holds."""
+    part: list[tuple[Box, ...]] = []
+    width = 0.0
+    for column in columns:
+        widest = max(cell.width for cell in column) + BETWEEN
+        if part and width + widest > LINE:
+            yield part
+            part, width = [], 0.0
+        part.append(column)
+        width += widest
+    yield part
 
 
 def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
