@@ -35,7 +35,7 @@ class Page:
 
     def __init__(self, compilation: Compilation) -> None:
         self.compilation = compilation
-        (emitted,) = TARGET.emit(compilation, Options("page"))
+        (emitted,) = TARGET.emit(compilation, Options("page", numbers=False))
         self.tex = emitted.text
         style = style_of(compilation, notation("en"))
         self.code = dict(self._values())
