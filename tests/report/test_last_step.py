@@ -2,6 +2,7 @@
 
 import pytest
 
+import mechc
 from good_mechanisms import CLOSED, compiled
 from mechc.algebra.equality import equal
 from mechc.formula.to_text import text
@@ -36,3 +37,24 @@ def test_with_the_speeds_put_in_it_is_k(name):
     while names := symbols(ratio) & speeds.keys():
         ratio = substitute(ratio, {name: speeds[name] for name in names})
     assert equal(ratio, k.formula)
+
+
+def test_a_ratio_with_a_sign_of_its_own_is_not_contradicted():
+    """A speed asked for is signed along its guide; in the steps it is as the point moves."""
+    text = """
+        mechanism m
+        pivot O at (0 mm, 0 mm)
+        link OA
+        link AB
+        slider B along x
+        A at (30 mm, 40 mm)
+        B at (150 mm, 0 mm)
+        torque M on OA
+        force F at B along x
+        find k = M/F
+        find v = V_B/omega_OA
+    """
+    derivation = mechc.loads(text).derivation
+    (last,) = derivation.last_steps
+    (v,) = (r for r in derivation.results if r.name == "v")
+    assert last.chain is None or equal(last.chain.product, v.formula)

@@ -8,7 +8,7 @@ from .syntax import listed
 
 
 @coded("E501")
-def load_not_balanced(at: Span, load: str, by: str) -> Message:
+def load_not_balanced(at: Span, load: str, by: str, held: str = "") -> Message:
     """A load does work and nothing is there to balance it.
 
     The force that was to hold it stands perpendicular to the motion of its point, or on a
@@ -17,8 +17,15 @@ def load_not_balanced(at: Span, load: str, by: str) -> Message:
         slider K along x
         force P at K along y    # wrong: K moves along x
 
-    Turn the force, or put it where the mechanism moves.
+    Turn the force, or put it where the mechanism moves. What only holds a drive that is held
+    does no work either: name that drive first.
     """
+    if held:
+        return Message(
+            at,
+            f"nothing balances {load}: {by} does no work while {held} is held at its value",
+            f"put the drive that {by} moves first, it is then the one that moves",
+        )
     return Message(
         at,
         f"nothing balances {load}: {by} does no work in any motion of the mechanism",
@@ -263,12 +270,18 @@ def found_from_itself(at: Span, name: str, load: str, through: Sequence[str]) ->
 
 
 @coded("W501")
-def load_does_no_work(at: Span, load: str) -> Message:
+def load_does_no_work(at: Span, load: str, held: str = "") -> Message:
     """A load does no work in any motion: it stands on a fixed point or across the motion.
 
     Such a load changes reactions, not k. If that was not meant, check the point and the
-    direction.
+    direction. What only holds a drive that is held does no work while another one moves.
     """
+    if held:
+        return Message(
+            at,
+            f"{load} does no work while {held} is held at its value",
+            f"put the drive that {load} moves first to find what {load} has to be",
+        )
     return Message(
         at, f"{load} does no work in any motion of the mechanism, so it has no influence"
     )

@@ -21,6 +21,7 @@ from ..model.mechanism import (
     Find,
     LoadForm,
     LoadRatio,
+    Mechanism,
     Normal,
     Reaction,
     Speed,
@@ -91,7 +92,8 @@ class _Asked:
         seen = {name for formula in shown for name in symbols(formula)}
         for name in self._equations.idle_loads:
             if name not in seen:
-                self._report.add(messages.load_does_no_work(self._loads[name].span, name))
+                span, held = self._loads[name].span, _held_drives(self._mechanism)
+                self._report.add(messages.load_does_no_work(span, name, held))
 
     def _warn_of_idle_motions(self) -> None:
         """Name what the idle motions are measured by: links that turn, points that move."""
@@ -132,7 +134,9 @@ class _Asked:
         others = [n for n in columns if n not in (upper, lower)]
         unknown = [upper, *others]
         if upper not in columns:
-            self._report.add(messages.load_not_balanced(find.span, below, above))
+            self._report.add(
+                messages.load_not_balanced(find.span, below, above, _held_drives(self._mechanism))
+            )
             return None
         if len(unknown) < self._equations.number:
             number = self._equations.number
@@ -188,7 +192,11 @@ class _Asked:
             self._report.add(messages.unknown_loads_do_not_match(find.span, asked, number, loose))
             return None
         if not self._equations.determines(unknown):
-            self._report.add(messages.load_not_balanced(find.span, "the other loads", load))
+            self._report.add(
+                messages.load_not_balanced(
+                    find.span, "the other loads", load, _held_drives(self._mechanism)
+                )
+            )
             return None
         known = [n for n in self._equations.columns if n not in unknown]
         values = {n: self._equations.solve(load, unknown, n) for n in known}
@@ -328,3 +336,8 @@ class _Asked:
 
 def _rate(wanted: Speed) -> Dimension:
     return FREQUENCY if wanted.kind == "link" else VELOCITY
+
+
+def _held_drives(mechanism: Mechanism) -> str:
+    """Return the drives that are held, as a message names them; '' where there are none."""
+    return ", ".join("".join(d.ends) if d.ends else d.parameter for d in mechanism.held)

@@ -3,10 +3,11 @@
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
+from ...algebra.equality import equal
 from ...algebra.from_formula import to_product
 from ...formula.tree import Formula, Symbol, product, quotient
 from ...formula.walk import symbols
-from ...model.mechanism import LoadRatio
+from ...model.mechanism import LoadRatio, SpeedRatio
 from ..sentences.wording import is_speed
 from .steps import Derivation, Equation, LastStep, PowerTerm, SpeedChain, Step
 
@@ -22,7 +23,22 @@ def last_steps(derivation: Derivation) -> Iterator[LastStep]:
         if isinstance(target, LoadRatio) and {target.above, target.below} == terms.keys():
             above, below = terms[target.above], terms[target.below]
             ratio = quotient(Symbol(target.above), Symbol(target.below))
-            yield LastStep(_in_ratios(above, below, found), Equation(ratio, _ratio(above, below)))
+            chain = _in_ratios(above, below, found)
+            chain = None if chain and _has_other_sign(chain, derivation) else chain
+            yield LastStep(chain, Equation(ratio, _ratio(above, below)))
+
+
+def _has_other_sign(chain: SpeedChain, derivation: Derivation) -> bool:
+    """Tell whether a ratio of speeds that was asked for has a sign of its own.
+
+    It is signed along a guide or counter-clockwise, those of the steps as points move.
+    """
+    for result in derivation.results:
+        match result.target:
+            case SpeedRatio(above, below):
+                if quotient(Symbol(above.name), Symbol(below.name)) == chain.ratio:
+                    return not equal(result.formula, chain.product)
+    return False
 
 
 def _ratio(above: PowerTerm, below: PowerTerm) -> Formula:
