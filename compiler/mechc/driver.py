@@ -6,6 +6,7 @@ the pose. A stage that finds errors ends the compilation with :class:`MechcError
 """
 
 from collections.abc import Callable, Iterator, Mapping, Sequence
+from pathlib import Path
 from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
 from .calculation.calculation import Calculation
@@ -13,6 +14,7 @@ from .calculation.from_pose import calculate
 from .diagnostics import Diagnostic, Report
 from .diagnostics.sheets import sheet_has_no_links
 from .emit.target import Emitted, Options, Target
+from .files import resolved
 from .friction.from_balance import solve
 from .friction.solution import Solution
 from .kinematics.from_pose import plan_velocities
@@ -21,6 +23,7 @@ from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .model.sheets import is_sheet
+from .model.uses import Used, with_used
 from .pose.from_model import solve_pose
 from .pose.motion import Motion, motion
 from .pose.pose import Pose
@@ -56,7 +59,7 @@ T = TypeVar("T")
 P = ParamSpec("P")
 
 STAGES: Mapping[str, str] = {
-    "syntax": "tree",
+    "syntax": "composed",
     "model": "mechanism",
     "pose": "pose",
     "kinematics": "plan",
@@ -105,23 +108,44 @@ class Compilation:
 
     version = VERSION
 
-    def __init__(self, source: Source, settings: Settings | None = None, drive: str = "") -> None:
+    def __init__(
+        self,
+        source: Source,
+        settings: Settings | None = None,
+        drive: str = "",
+        users: tuple[Path, ...] = (),
+    ) -> None:
         self.settings = settings or {}
         self.drive = drive
-        self.source = attached(source, self.settings)
-        self.report = Report(self.source)
+        self.report = Report(attached(source, self.settings))
         self.allowance = Allowance()
+        self.users = (*users, *([resolved(Path(source.name))] if source.folder else []))
+
+    @property
+    def source(self) -> Source:
+        """The text, with those of what it uses once these are read."""
+        return self.report.source
 
     @Stage
     def tree(self) -> ast.File:
         """What was written, in either notation."""
-        tree = driven_by(read(self.source, self.report), self.drive)
+        return self._sound(driven_by(read(self.source, self.report), self.drive))
+
+    @Stage
+    def composed(self) -> ast.File:
+        """What was written, with the sheets that it uses and the settings put in."""
+        tree = with_used(self.tree, self.report, self.users, self._used)
         return self._sound(put_in(tree, self.settings, self.source))
+
+    def _used(self, source: Source) -> Used:
+        """Return a sheet that this one uses."""
+        used = Compilation(source, users=self.users)
+        return Used(used.composed, used.mechanism, used.source)
 
     @Stage
     def mechanism(self) -> Mechanism:
         """Names resolved, quantities in SI, dimensions checked."""
-        return self._sound(resolve(self.tree, self.report))
+        return self._sound(resolve(self.composed, self.report))
 
     @Stage
     def pose(self) -> Pose:

@@ -6,7 +6,7 @@ import stat
 import sys
 from collections.abc import Iterable, Iterator, Mapping
 from contextlib import suppress
-from pathlib import Path
+from pathlib import Path, PurePosixPath
 from tempfile import mkstemp
 from typing import NamedTuple
 
@@ -14,6 +14,7 @@ from .data import data
 from .diagnostics import MechcError, near_miss
 from .diagnostics import files as messages
 from .diagnostics.syntax_limits import text_too_long
+from .frozen import replace
 from .source import Source, Span
 
 LARGEST = 1 << 20
@@ -41,6 +42,32 @@ def find(name: str) -> Path:
         return listed[name]
     hint = near_miss(name, [*listed, *_neighbours(path)]) or _holding(name, listed)
     raise MechcError([messages.file_not_found(name, hint)])
+
+
+def used(name: str, folder: Path | None, span: Span) -> Path:
+    """Return the path of what a description uses: of the library by name, or in its folder.
+
+    Raises :class:`MechcError`: E907 where there is none, E908 where a path leads elsewhere.
+    """
+    if not name.endswith(SUFFIXES):
+        listed = library()
+        if name in listed:
+            return listed[name]
+        raise MechcError([messages.used_not_found(span, name, near_miss(name, listed))])
+    parts = PurePosixPath(name).parts
+    climbs = "\\" in name or ":" in name or name.startswith("/") or ".." in parts
+    if climbs or folder is None:
+        raise MechcError([messages.used_elsewhere(span, name, nowhere=not climbs)])
+    try:
+        path = resolved(folder / name)
+        inside, there = path.is_relative_to(resolved(folder)), path.is_file()
+    except OSError:
+        inside, there = True, False
+    if not inside:
+        raise MechcError([messages.used_elsewhere(span, name, nowhere=False)])
+    if not there:
+        raise MechcError([messages.used_not_found(span, name, "a path is that from this file")])
+    return folder / name
 
 
 def library() -> dict[str, Path]:
@@ -71,7 +98,8 @@ def read(path: Path) -> Source:
     """Return the text of a file; :class:`MechcError` (E801, E902, E903) where it is none."""
     try:
         with path.open("rb") as file:
-            return decode(file.read(LARGEST + 1), str(path))
+            source = decode(file.read(LARGEST + 1), str(path))
+            return replace(source, folder=path.parent)
     except OSError as error:
         raise MechcError([messages.file_unreadable(str(path), reason(error))]) from None
 

@@ -7,9 +7,10 @@ can still point at line 9 of the user's file.
 from bisect import bisect_right
 from collections.abc import Iterator
 from functools import lru_cache
+from pathlib import Path
 from typing import NamedTuple
 
-from .frozen import frozen
+from .frozen import frozen, replace
 
 
 class Span(NamedTuple):
@@ -51,15 +52,27 @@ class Source:
 
     name: str
     text: str
-    settings: "tuple[Source, ...]" = ()
-    """What the command line sets: each text counts on behind the end of the one before."""
+    attached: "tuple[Source, ...]" = ()
+    """What the command line sets, and what it uses: each text counts on behind the one before."""
+    folder: Path | None = None
+    """Where the files are that it may use by their paths; None where it is no file."""
 
     def parts(self) -> "Iterator[tuple[int, Source]]":
-        """Yield this text and its settings, each with the offset of its first character."""
+        """Yield this text and those attached, each with the offset of its first character."""
         start = 0
-        for part in (self, *self.settings):
+        for part in (self, *self.attached):
             yield start, part
             start += len(part.text) + 1
+
+    def used(self) -> "list[Path]":
+        """Return the files that are attached: what the description uses."""
+        return [Path(text.name) for text in self.attached if text.folder is not None]
+
+    def with_attached(self, other: "Source") -> "tuple[Source, int]":
+        """Return this source with another, and what is attached to that, and where that begins."""
+        start, last = max(self.parts(), key=lambda part: part[0])
+        texts = (*self.attached, replace(other, attached=()), *other.attached)
+        return replace(self, attached=texts), start + len(last.text) + 1
 
     def part(self, span: Span) -> "tuple[Source, Span]":
         """Return the text that a span lies in, and its place there."""

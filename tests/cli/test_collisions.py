@@ -131,9 +131,9 @@ NAMES = [
 @pytest.mark.parametrize("name", NAMES)
 def test_make_reads_the_rule(tmp_path, name):
     (tmp_path / name).write_text("")
-    rules = makefile_rule([Path("out")], Path(name)) + "\techo read\n"
-    rules += makefile_rule([Path(f"{name}.c")], Path("absent")) + "\techo made\n"
-    rules += f"absent:\nlast{makefile_rule([Path('x')], Path(f'{name}.c'))[1:]}"
+    rules = makefile_rule([Path("out")], [Path(name)]) + "\techo read\n"
+    rules += makefile_rule([Path(f"{name}.c")], [Path("absent")]) + "\techo made\n"
+    rules += f"absent:\nlast{makefile_rule([Path('x')], [Path(f'{name}.c')])[1:]}"
     (tmp_path / "Makefile").write_text(rules)
     done = subprocess.run(
         ["make", "-rs", "out", "last"], cwd=tmp_path, capture_output=True, text=True
@@ -144,9 +144,9 @@ def test_make_reads_the_rule(tmp_path, name):
 @pytest.mark.parametrize("name", ["a=b", "a;b", "a|b", "a*b", "a\tb", "a\nb", "~b", "b\\", "a(b)"])
 def test_what_no_rule_can_name_is_refused(name):
     with pytest.raises(UsageError, match="no rule for make can name"):
-        makefile_rule([Path(name)], Path("d.mech"))
+        makefile_rule([Path(name)], [Path("d.mech")])
     with pytest.raises(UsageError, match="no rule for make can name"):
-        makefile_rule([Path("d.c")], Path(name))
+        makefile_rule([Path("d.c")], [Path(name)])
 
 
 def test_a_name_that_is_not_utf_8(folder, run_shell):

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import sheets as messages
+from ..diagnostics.uses import outside_used_range
 from ..formula.rounding import Rounding
 from ..formula.to_text import text
 from ..formula.tree import Formula
@@ -88,6 +89,8 @@ def _failure(check: Check) -> Diagnostic:
             return messages.beyond_the_table(span, name, left, check.condition.operator, right)
         case Subject("list", name, _):
             return messages.beyond_the_list(span, name, left, right)
+        case Subject("range", _, _, place):
+            return outside_used_range(span, left, check.condition.operator, right, place)
         case Subject(_, name, _):
             assert check.left is not None
             return messages.no_single_case(span, name, round(check.left))

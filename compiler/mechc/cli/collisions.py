@@ -23,14 +23,12 @@ class Claim(NamedTuple):
     name: str
 
 
-def refuse_collisions(written: Iterable[Path], read: Claim, printed: bool) -> None:
+def refuse_collisions(written: Iterable[Path], read: Iterable[Claim], printed: bool) -> None:
     """End with a usage error where an output is what was read, or another output.
 
     ``printed`` tells that something goes to standard output, too.
     """
-    taken: dict[Key, str] = {}
-    if read.key:
-        taken[read.key] = f"the description {read.name!r}"
+    taken = {known.key: f"the description {known.name!r}" for known in read if known.key}
     claims = [claim(path) for path in written]
     for key, name in [*claims, *(streams(sys.stdout) if printed else ())]:
         if key in taken:

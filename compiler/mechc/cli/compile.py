@@ -12,7 +12,7 @@ from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
 from ..report.languages.registry import LANGUAGES
 from ..syntax.settings import Settings
-from .collisions import refuse_collisions
+from .collisions import claim, refuse_collisions
 from .inputs import claim_of, description_argument, path_of, settings_option, stdin_option
 from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
@@ -109,9 +109,11 @@ def command(
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]
     printed = [emitted[0].text for output, emitted in made if output.path is None]
     if deps:
-        rule = makefile_rule([path for path, _ in texts], path_of(file, stdin_name))
+        read = [path_of(file, stdin_name), *compilation.source.used()]
+        rule = makefile_rule([path for path, _ in texts], list(filter(None, read)))
         _add_rule(rule, deps, texts, printed)
-    refuse_collisions([path for path, _ in texts], claim_of(file), bool(printed))
+    claims = [claim_of(file), *map(claim, compilation.source.used())]
+    refuse_collisions([path for path, _ in texts], claims, bool(printed))
     _deliver(texts, printed, [output.path for output in wanted if output.folder])
 
 

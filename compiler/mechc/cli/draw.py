@@ -72,7 +72,7 @@ def command(
     files = [path for path in paths if path != STANDARD_OUTPUT]
     pictures = {path: in_format_of(path, drawing) for path in files}
     printed = len(files) < len(paths) or not paths
-    refuse_collisions(files, claim_of(file), printed)
+    refuse_collisions(files, [claim_of(file)], printed)
     write_all(pictures)
     if printed:
         give(to_svg(drawing))

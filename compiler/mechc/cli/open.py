@@ -18,7 +18,7 @@ def begin(name: str, stdin_name: str, settings: Settings, drive: str = "") -> Co
     if drive:
         _check_drive(drive, source)
     if settings:
-        statements = Compilation(source).tree.statements
+        statements = Compilation(source).composed.statements
         declared = [p.name.text for p in params(statements)]
         declared += driven(statements)
         for unknown in (name for name in settings if name not in declared):

@@ -61,16 +61,16 @@ def placed(output: Output, emitted: tuple[Emitted, ...]) -> dict[Path, str]:
     return {output.path: main.text} | {output.path.with_name(n): text for n, text in others}
 
 
-def makefile_rule(made: Iterable[Path], read: Path | None) -> str:
+def makefile_rule(made: Iterable[Path], read: Iterable[Path]) -> str:
     r"""Return a rule for make; standard input without a name has no place in it.
 
-    >>> makefile_rule([Path("k.c"), Path("k.h")], Path("my clamp.mech"))
+    >>> makefile_rule([Path("k.c"), Path("k.h")], [Path("my clamp.mech")])
     'k.c k.h: my\\ clamp.mech\n'
     """
     targets = " ".join(_escaped(path).replace("%", "\\%") for path in made)
     if not targets:
         raise click.UsageError("a rule for make needs files: write the output to one with -o")
-    return f"{targets}:{f' {_escaped(read)}' if read else ''}\n"
+    return " ".join([f"{targets}:", *map(_escaped, read)]) + "\n"
 
 
 def _escaped(path: Path) -> str:

@@ -130,6 +130,11 @@ class Report:
             self._known.add(diagnostic)
             self.diagnostics.append(diagnostic)
 
+    def attach(self, source: Source) -> int:
+        """Attach another text, in which places may lie, and return where it begins."""
+        self.source, start = self.source.with_attached(source)
+        return start
+
     def fail(self, diagnostic: Diagnostic) -> MechcError:
         """Note an error and return the exception to raise, with all that was found."""
         self.add(diagnostic)

@@ -1,5 +1,6 @@
 """Messages for what goes wrong with files (E9xx): exit status 3."""
 
+from ..source import Span
 from .diagnostic import Message, coded
 
 
@@ -71,3 +72,43 @@ def no_descriptions(name: str) -> Message:
     """
     message = f"no file in {name!r} ends in .mech, .yaml or .yml"
     return Message(None, message, "`mechc new NAME` starts a description")
+
+
+@coded("E907")
+def used_not_found(span: Span, name: str, hint: str) -> Message:
+    """A sheet that is used is not there.
+
+    A name is one of the library, whatever files lie beside this one; a path, in quotes and with
+    its suffix, leads to a file in this file's folder or below it::
+
+        use cylinder as cyl (P = 2 kN)             # of the library
+        use "jaws.mech" as jaw                     # a file beside this one
+
+    ``mechc list`` prints the names of the library.
+    """
+    where = "file in this folder" if name.endswith((".mech", ".yaml", ".yml")) else "library"
+    message = f"there is no {where} {name!r}" if where != "library" else _not_listed(name)
+    return Message(span, message, hint or "`mechc list` prints the names of the library")
+
+
+def _not_listed(name: str) -> str:
+    return f"nothing in the library is called {name!r}"
+
+
+@coded("E908")
+def used_elsewhere(span: Span, name: str, nowhere: bool) -> Message:
+    """A path of what is used leads out of the folder of the file that uses it.
+
+    A description reads files in its own folder and below it, and the library; paths with ``..``,
+    from the root of the disk, or through links that lead elsewhere are refused, so that a
+    description from somebody else reads nothing of yours. A text that is no file, from standard
+    input or in a program, has no folder: it uses the library only::
+
+        use "../jaws.mech" as jaw                  # wrong
+        use "parts/jaws.mech" as jaw               # right
+    """
+    if nowhere:
+        message = f"{name!r} cannot be used: this text is no file, so that it has no folder"
+        return Message(span, message, "write it to a file, or use a sheet of the library")
+    message = f"{name!r} leads out of the folder of this file"
+    return Message(span, message, "put the file into this folder, or below it")

@@ -4,11 +4,12 @@ A let that uses parameters only, and that the description itself uses, is a depe
 parameter by another word; it is handed on as one.
 """
 
-from collections.abc import Mapping
-from typing import NamedTuple
+from collections.abc import Iterator, Mapping
+from typing import Literal, NamedTuple
 
 from ..diagnostics.model import names
 from ..diagnostics.model.sheets import other_unit
+from ..diagnostics.uses import given_another_kind
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols, walk
 from ..syntax import ast
@@ -16,9 +17,9 @@ from ..units import UNITS
 from .choices import read_tables, read_worth
 from .constants import names_in_worth
 from .expressions import Quantity, Reader
-from .mechanism import Let, Parameter, Require
+from .mechanism import Let, Parameter, Require, Subject
 from .order import ordered
-from .parameters import note_unitless, read_parameter
+from .parameters import constant, note_unitless, read_parameter
 from .scope import FORMULA, Scope
 from .statements import every
 
@@ -26,6 +27,9 @@ LONGEST = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""
 
 Definition = ast.Param | ast.Let
+
+_ENDS: tuple[Literal[">=", "<="], ...] = (">=", "<=")
+"""How a quantity stands to the ends of its range."""
 
 
 class Definitions(NamedTuple):
@@ -50,6 +54,7 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
                     found.requires.extend(chosen.requires)
                     if let := _let(statement, chosen.quantity, scope):
                         found.lets[name] = let
+                        found.requires.extend(_within_range(statement, let, scope))
     return found
 
 
@@ -84,6 +89,10 @@ def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:
 def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
     name = statement.name.text
     entry = scope.entries[name]
+    if isinstance(statement, ast.Given) and not found.sort.fits(statement.measures):
+        kinds = (found.dimension, statement.measures)
+        scope.report.add(given_another_kind(found.span, name, *kinds, statement.parameter.span))
+        return None
     if entry.kind == "load" and entry.dimension is not None:
         if not Reader(scope, FORMULA).fits(found, entry.dimension, f"load '{name}'"):
             return None
@@ -93,6 +102,18 @@ def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
     note_unitless(name, found, scope)
     unit = _unit(statement, found, scope)
     return Let(name, found.formula, found.dimension, statement.span, unit, statement.label)
+
+
+def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Require]:
+    """Yield that what is given to a parameter of a used sheet is in the range of that."""
+    if not isinstance(statement, ast.Given):
+        return
+    parameter, place = statement.parameter, statement.value.span
+    ends = [constant(e, scope, "an end of a range") for e in (parameter.low, parameter.high) if e]
+    for end, operator in zip(filter(None, ends), _ENDS, strict=False):
+        subject = Subject("range", parameter.name.text, let.name, end.span)
+        sides = (Symbol(let.name), operator, end.formula)
+        yield Require(*sides, place, subject, dimension=let.dimension)
 
 
 def _unit(statement: ast.Let, found: Quantity, scope: Scope) -> str:

@@ -205,12 +205,14 @@ class Let:
 class Subject(NamedTuple):
     """Of what a condition is that nobody wrote: a table, a list of sizes, a choice.
 
-    The formula that has no value where it fails is that of the ``let``.
+    The formula that has no value where it fails is that of the ``let``. A ``range`` is that of a
+    parameter of a used sheet, and stands at a ``place`` of its own.
     """
 
-    kind: Literal["table", "list", "choice"]
+    kind: Literal["table", "list", "choice", "range"]
     name: str
     let: str
+    place: Span | None = None
 
 
 @frozen

@@ -14,6 +14,7 @@ from typing import Literal
 
 from ..frozen import field, frozen
 from ..source import Span
+from ..units import Dimension
 
 # --------------------------------------------------------------------- expressions
 
@@ -587,6 +588,29 @@ class Let(Statement):
     value: Worth
     unit: Name | None = None
     label: str = ""
+
+
+@frozen
+class Use(Statement):
+    """``use cylinder as cyl (P = 2*F)``: another sheet, what is ``given`` to its parameters.
+
+    It is one of the library by its name, or a file by its path from this one's folder.
+    """
+
+    used: Name
+    prefix: Name
+    given: tuple[tuple[Name, Expr], ...] = ()
+
+
+@frozen
+class Given(Let):
+    """What stands in place of a parameter of a used sheet, and what that parameter measures.
+
+    No line says so: it is made where the used sheet is put in.
+    """
+
+    parameter: Param = field(kw_only=True)
+    measures: Dimension = field(kw_only=True)
 
 
 @frozen

@@ -54,6 +54,7 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "sheet": frozenset({("sheet", 0)}),
     "table": frozenset({("table", 0)}),
     "list": frozenset({("list", 0)}),
+    "use": frozenset({("use", 0)}),
     "next": frozenset({("let", 3), ("worth", 0)}),
 }
 """Words that are names but in one kind of statement, by its first word, at one place in it.

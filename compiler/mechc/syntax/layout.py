@@ -311,6 +311,16 @@ SECTIONS: tuple[Section, ...] = (
         ),
     ),
     named(
+        "use",
+        "other sheets, by the prefix that their names get here",
+        Entry(
+            ast.Use,
+            key("prefix", Kind.NAME),
+            plain(Kind.USED, "used"),
+            (key("name", Kind.USED, "used"), optional("with", Kind.GIVEN, "given")),
+        ),
+    ),
+    named(
         "let",
         "formulas of one's own",
         Entry(

@@ -60,6 +60,13 @@ KINDS: dict[Kind, Schema] = {
     Kind.UNIT: {"type": "string", "description": "a unit: MPa, N*m"},
     Kind.ROWS: {"type": "array", "items": CARTESIAN, "minItems": 1},
     Kind.SIZES: {"type": "array", "items": EXPRESSION, "minItems": 1},
+    Kind.USED: {"type": "string", "description": "a name of the library, or a path: jaws.mech"},
+    Kind.GIVEN: {
+        "type": "object",
+        "patternProperties": {ANY_NAME: EXPRESSION},
+        "additionalProperties": False,
+        "description": "values of parameters: {F: 3 kN, d: d}",
+    },
     Kind.DIMENSION: {"enum": sorted(DIMENSIONS)},
     Kind.TEXT: {"type": ["string", "number", "null"]},
     Kind.FLAG: {"type": "boolean"},

@@ -38,6 +38,8 @@ class Kind(Enum):
     UNIT = auto()
     ROWS = auto()  # [[1, 0.388], [0.9, 0.400]]
     SIZES = auto()  # [32 mm, 40 mm]
+    USED = auto()  # a name of the library, or a path
+    GIVEN = auto()  # {F: 3 kN, d: d}
     DIMENSION = auto()
     TEXT = auto()
     WORD = auto()

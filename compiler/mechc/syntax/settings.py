@@ -13,6 +13,7 @@ from ..frozen import replace
 from ..source import Source
 from ..units import DIMENSIONS, NUMBER, UNITS
 from . import ast
+from .moved import moved
 from .notation import read
 from .vocabulary import points_of
 
@@ -49,12 +50,12 @@ def parse(text: str) -> tuple[str, Setting]:
     tree = read(report.source, report)
     report.stop_on_errors()
     found = next(s.value for s in params(tree.statements) if s.value)
-    return name.strip(), Setting(_moved(found, -len(_WORD)), Source(COMMAND_LINE, setting))
+    return name.strip(), Setting(moved(found, -len(_WORD)), Source(COMMAND_LINE, setting))
 
 
 def attached(source: Source, settings: Settings) -> Source:
     """Return a description with the texts of settings behind it, where messages find them."""
-    return replace(source, settings=tuple(s.source for s in settings.values()))
+    return replace(source, attached=tuple(s.source for s in settings.values()))
 
 
 def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
@@ -64,10 +65,10 @@ def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
     """
     if not settings:
         return tree
-    starts = (start for start, _ in list(source.parts())[1:])
+    starts = (start for start, _ in list(source.parts())[1:])  # what is used stands behind them
     values = {
-        name: _moved(setting.value, start)
-        for (name, setting), start in zip(settings.items(), starts, strict=True)
+        name: moved(setting.value, start)
+        for (name, setting), start in zip(settings.items(), starts, strict=False)
     }
     return replace(tree, statements=tuple(_set(s, values) for s in tree.statements))
 
@@ -117,19 +118,3 @@ def _dimension(value: ast.Expr | None) -> ast.Name | None:
             names = (name for name, known in DIMENSIONS.items() if known == measured)
             return next((ast.Name(name, value.span) for name in names), None)
     return None
-
-
-def _moved(value: ast.Expr, by: int) -> ast.Expr:
-    """Return the value with every span so many characters farther on."""
-    span = value.span.moved(by)
-    match value:
-        case ast.Number() | ast.Symbol():
-            return replace(value, span=span)
-        case ast.Sum(terms):
-            return ast.Sum(tuple((sign, _moved(t, by)) for sign, t in terms), span)
-        case ast.Product(factors):
-            return ast.Product(tuple((sign, _moved(f, by)) for sign, f in factors), span)
-        case ast.Power(base, exponent):
-            return ast.Power(_moved(base, by), _moved(exponent, by), span)
-        case ast.Call(function, arguments):
-            return ast.Call(function, tuple(_moved(a, by) for a in arguments), span)

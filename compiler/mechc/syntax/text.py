@@ -183,8 +183,12 @@ def row(pair: tuple[ast.Expr, ast.Expr]) -> str:
     return f"{expression(pair[0])}: {expression(pair[1])}"
 
 
+def settings(given: tuple[tuple[ast.Name, ast.Expr], ...]) -> str:
+    """Return ``alpha = 35 deg, beta = 7 deg``."""
+    return ", ".join(f"{name.text} = {expression(value)}" for name, value in given)
+
+
 def expectation(expected: ast.Expect) -> str:
     """Return ``k = 7.1 at alpha = 35 deg``."""
-    settings = ", ".join(f"{name.text} = {expression(value)}" for name, value in expected.at)
-    at = f" at {settings}" if settings else ""
+    at = f" at {settings(expected.at)}" if expected.at else ""
     return f"{expression(expected.subject)} = {measure(expected.value, expected.tolerance)}{at}"

@@ -10,6 +10,7 @@ from itertools import groupby
 from typing import Any
 
 from . import ast, text
+from .vocabulary import NAME
 
 BETWEEN = "between {first}[ on {first_link}] and {second}[ on {second_link}]"
 WHEELS = "{first} {first_radius}[ on {first_link}], {second} {second_radius}[ on {second_link}]"
@@ -60,6 +61,7 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Efficiency: "efficiency {value}",
     ast.Table: "table {name}[ {source}] = {rows}",
     ast.Sizes: "list {name}[ {source}] = {sizes}",
+    ast.Use: "use {used} as {prefix}[ ({given})]",
     ast.Let: "let {name}|= {value}[ in {unit}][ as {label}]",
 }
 
@@ -86,7 +88,7 @@ SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
         *(ast.Weight, ast.Distributed, ast.Gravity),
     ),
     (*FRICTIONS, ast.Motion, ast.Efficiency),
-    (ast.Let, ast.Find, ast.Require, ast.Expect),
+    (ast.Use, ast.Let, ast.Find, ast.Require, ast.Expect),
 )
 SUBJECT = {node: number for number, nodes in enumerate(SUBJECTS) for node in nodes}
 
@@ -184,6 +186,8 @@ def written(field: str, value: Any) -> str:
             return quoted(value) if field in QUOTED else value
         case tuple() if field == "rows":
             return ", ".join(map(text.row, value))
+        case tuple() if field == "given":
+            return text.settings(value)
         case tuple() if field == "sizes":
             return ", ".join(map(text.expression, value))
         case tuple():
@@ -191,7 +195,7 @@ def written(field: str, value: Any) -> str:
         case ast.Choice() | ast.Lookup() | ast.NextSize():
             return text.worth(value)
         case ast.Name(text=name):
-            return name
+            return quoted(name) if field == "used" and not NAME.fullmatch(name) else name
         case ast.Polar() | ast.Cartesian():
             return text.vector(value)
         case _:

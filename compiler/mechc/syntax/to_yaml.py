@@ -220,6 +220,10 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return f"[{', '.join(f'[{_listed(row)}]' for row in rows)}]"
         case Kind.SIZES, [sizes]:
             return f"[{_listed(sizes)}]"
+        case Kind.USED, [used]:
+            return text_scalar(used.text, flow)
+        case Kind.GIVEN, [given_values]:
+            return f"{{{', '.join(_setting(*setting) for setting in given_values)}}}"
         case Kind.EXPECTATION, [subject, value, at, tolerance]:
             expected = ast.Expect(subject.span, subject, value, at, tolerance)
             return scalar(text.expectation(expected), flow)
@@ -227,6 +231,10 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return value_of(value, flow)
         case _:
             raise AssertionError(f"{kind} has no text")
+
+
+def _setting(name: ast.Name, value: ast.Expr) -> str:
+    return f"{scalar(name.text, True)}: {scalar(text.expression(value), True)}"
 
 
 def _listed(values: Iterable[ast.Expr]) -> str:

@@ -61,6 +61,24 @@ def let(name: ast.Name, value: ast.Worth, unit: ast.Name | None, label: Token | 
     return ast.Let(NOWHERE, name, value, unit, unquoted(label))
 
 
+def use(
+    used: ast.Name, prefix: ast.Name, given: tuple[tuple[ast.Name, ast.Expr], ...] | None
+) -> ast.Use:
+    """Return ``use cylinder as cyl (P = 2*F)``."""
+    return ast.Use(NOWHERE, used, prefix, given or ())
+
+
+def used(token: Token) -> ast.Name:
+    """Return what is used: a name of the library, or a path in quotes."""
+    text = unquoted(token) if token.type == "STRING" else str(token)
+    return ast.Name(text, span_of(token))
+
+
+def given(*parts: Any) -> tuple[Any, ...]:
+    """Return what is given to parameters, without the brackets around it."""
+    return parts[1:-1]
+
+
 def heading(name: ast.Name, title: Token | None) -> ast.Heading:
     """Return ``mechanism NAME "Title"``."""
     return ast.Heading(NOWHERE, name, unquoted(title))
@@ -316,6 +334,7 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "sheet_heading": sheet_heading,
     "table": table,
     "sizes": sizes,
+    "use": use,
     "let": let,
     "param": param,
     "link": link,
@@ -353,6 +372,8 @@ PARTS: Mapping[str, Made] = {
     "row": tupled,
     "unit": expressions.unit,
     "setting": tupled,
+    "used": used,
+    "given": given,
     "range": tupled,
     "shared": tupled,
     "end": tupled,

@@ -251,6 +251,21 @@ def row(node: Node, source: Source) -> tuple[ast.Expr, ast.Expr]:
     raise Fault(syntax_yaml.wrong_shape(node.span, described(node), "an argument and its value"))
 
 
+def used(node: Node, source: Source) -> Fields:
+    """Read a name of the library, or a path."""
+    scalar = scalar_of(node, "a name of the library, or a path in this folder")
+    return (ast.Name(scalar.text, scalar.span),)
+
+
+def given(node: Node, source: Source) -> Fields:
+    """Read ``{F: 3 kN, d: d}``."""
+    if not isinstance(node, Table):
+        expected = "a mapping of parameters {F: …}"
+        raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected))
+    pairs = ((*name(key, source), *expression(value, source)) for key, value in node.entries)
+    return (tuple(pairs),)
+
+
 def text_of(node: Node, source: Source) -> Fields:
     """Read a text."""
     if isinstance(node, Scalar):
@@ -316,6 +331,8 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.ROWS: rows,
     Kind.SIZES: sizes,
     Kind.DIMENSION: dimension,
+    Kind.USED: used,
+    Kind.GIVEN: given,
     Kind.TEXT: text_of,
     Kind.FLAG: flag,
     Kind.VERSION: version,

@@ -1,0 +1,130 @@
+"""Messages about sheets that a sheet uses (E555 to E563)."""
+
+from collections.abc import Collection
+
+from ..source import Span
+from ..units import Dimension, described
+from .diagnostic import Message, Related, coded, near_miss
+
+
+@coded("E555")
+def used_in_a_circle(span: Span, name: str) -> Message:
+    """A sheet uses itself, or one that uses it::
+
+    use "b.mech" as b                          # in a.mech
+    use "a.mech" as a                          # in b.mech
+
+    Put what both need into a third sheet.
+    """
+    message = f"{name!r} uses itself, by way of this line"
+    return Message(span, message, "put what both need into a sheet of its own")
+
+
+@coded("E556")
+def use_in_a_mechanism(span: Span, other: Span) -> Message:
+    """A mechanism uses a sheet; only sheets do.
+
+    A calculation sheet, which has no links and no loads, puts others together. Of a mechanism
+    ask what it needs by ``let`` formulas of its own, or compile it by itself.
+    """
+    related = (Related(other, "this belongs to a mechanism"),)
+    hint = "put the line into a calculation sheet"
+    return Message(span, "a mechanism uses no sheets", hint, related)
+
+
+@coded("E557")
+def no_such_parameter(
+    span: Span, name: str, used: str, known: Collection[str], heading: Span
+) -> Message:
+    """What is given to a used sheet is not among its parameters::
+
+    use cylinder as cyl (F = 2 kN)             # wrong: F is a result
+    use cylinder as cyl (P = 2 kN)             # right
+
+    Its formulas are results: they come in under the prefix, and nothing is given to them.
+    """
+    there = f"it has {', '.join(known)}" if known else "it has none"
+    related = (Related(heading, "this is what is used"),)
+    message = f"{used} has no parameter {name!r}"
+    return Message(span, message, near_miss(name, known) or there, related)
+
+
+@coded("E558")
+def given_twice(span: Span, name: str, before: Span) -> Message:
+    """A parameter of a used sheet is given two values::
+
+    use cylinder as cyl (P = 2 kN, P = 3 kN)   # which one?
+    """
+    related = (Related(before, "it is given here"),)
+    return Message(span, f"{name!r} is given twice", "take one of them out", related)
+
+
+@coded("E559")
+def given_another_kind(
+    span: Span, name: str, found: Dimension, wanted: Dimension, declared: Span
+) -> Message:
+    """What is given to a parameter of a used sheet measures something else than it does::
+
+    use cylinder as cyl (P = 2 mm)             # wrong: P is a force
+    use cylinder as cyl (P = 2 kN)             # right
+    """
+    message = f"{name} is {described(wanted)}, and {described(found)} is given to it"
+    related = (Related(declared, "the parameter is declared here"),)
+    return Message(span, message, "look at the units", related)
+
+
+@coded("E560")
+def outside_used_range(
+    span: Span, left: str, operator: str, right: str, declared: Span | None
+) -> Message:
+    """What is given to a parameter of a used sheet lies outside the range that it may run over.
+
+    Beyond its range a sheet says nothing: its formulas may not hold there::
+
+        param P = 2 kN in 0 N .. 30 kN             # in the sheet that is used
+        use cylinder as cyl (P = 40 kN)            # wrong
+    """
+    side = "at least" if operator == ">=" else "at most"
+    related = (Related(declared, "its range is given here"),) if declared else ()
+    return Message(span, f"{left}, expected {side} {right}", "change what is given", related)
+
+
+@coded("E561")
+def prefix_clashes(span: Span, name: str, other: Span) -> Message:
+    """A name that a used sheet brings in is there already.
+
+    The names of a used sheet come in behind the prefix: of ``use pin_joint as pin`` its ``d`` is
+    ``pin_d`` here. Two uses have two prefixes, and no name of one's own may be one of these::
+
+        param pin_d = 5 mm
+        use pin_joint as pin                       # wrong: its d would be pin_d, too
+        use pin_joint as bolt                      # right
+    """
+    related = (Related(other, "it stands here"),)
+    message = f"what is used here would bring in {name!r}, which is there already"
+    return Message(span, message, "choose another prefix", related)
+
+
+@coded("E562")
+def too_much_used(span: Span, most: int) -> Message:
+    """A sheet uses more sheets than anybody reads, counted with those that they use themselves.
+
+    At most 64 are put in, a text of 1 MB in all, and 16 that use one another in a row.
+    """
+    message = f"too much is used, expected {most} sheets at most, 16 in a row"
+    return Message(span, message, "compile a part of them by itself")
+
+
+@coded("E563")
+def mechanism_used(span: Span, used: str, heading: Span) -> Message:
+    """What is used is a mechanism; only calculation sheets can be used.
+
+    A mechanism has links, loads or a result to find. Compile it by itself, and give the sheet
+    its result as a parameter::
+
+        use packet_clamp as clamp                  # wrong
+        param k = 0.0671                           # right: what `mechc check packet_clamp` says
+    """
+    related = (Related(heading, "this is what is used"),)
+    message = f"{used} is a mechanism, expected a calculation sheet"
+    return Message(span, message, "give its result as a parameter", related)

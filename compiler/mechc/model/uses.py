@@ -1,0 +1,225 @@
+"""Sheets that a sheet uses: their statements in place of the line that says so.
+
+What a used sheet declares gets the prefix, ``pin_d``. A parameter to which something is given
+becomes a ``let`` that keeps to its dimension and range; one that follows from others a ``let``,
+the others stay parameters. What the used sheet expects of itself stays behind.
+"""
+
+from collections.abc import Callable, Iterator, Mapping
+from pathlib import Path
+from typing import NamedTuple
+
+from .. import files
+from ..diagnostics import Diagnostic, MechcError, Report, Severity
+from ..diagnostics import uses as messages
+from ..diagnostics.diagnostic import Related
+from ..frozen import replace
+from ..source import Source, Span
+from ..syntax import ast
+from ..syntax.moved import moved
+from .mechanism import Mechanism, Parameter
+from .sheets import WRITTEN_IN_SHEETS, is_sheet
+from .statements import every
+
+MOST = 64
+"""Sheets that one is put together from, itself included."""
+
+DEEPEST = 16
+"""Sheets that use one another in a row."""
+
+
+class Used(NamedTuple):
+    """A sheet that is used: its tree, what that means, and its text with what it uses itself.
+
+    The text begins at ``start`` in that of the sheet that uses it.
+    """
+
+    file: ast.File
+    mechanism: Mechanism
+    source: Source
+    start: int = 0
+
+    @property
+    def span(self) -> Span:
+        """Where its heading stands."""
+        return self.mechanism.span.moved(self.start)
+
+    @property
+    def parameters(self) -> dict[str, Parameter]:
+        """Its parameters that a line declares, by their names there."""
+        declared = {param.name.text for param in every(self.file, ast.Param)}
+        return {p.name: p for p in self.mechanism.parameters if p.name in declared}
+
+
+Users = tuple[Path, ...]
+"""A file, behind those that use it, each by way of the next."""
+
+Resolve = Callable[[Source], Used]
+"""Reads a sheet; MechcError where it is wrong."""
+
+
+def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) -> ast.File:
+    """Return a file in which what it uses is put in, under its prefixes.
+
+    Names that clash, what is not there, and what is given amiss are reported.
+    """
+    if not every(file, ast.Use) or _refused(file, report):
+        return file
+    taken = {name.text: name.span for s in file.statements for name in _declared(s)}
+    statements: list[ast.Statement] = []
+    for statement in file.statements:
+        if not isinstance(statement, ast.Use):
+            statements.append(statement)
+            continue
+        used = _read(statement, report, users, resolve)
+        if used is None:
+            break  # what is wrong there would be found again by each that uses it
+        found = list(_brought_in(statement, used, report))
+        _check_names(statement, found, taken, report)
+        statements += found
+    return replace(file, statements=tuple(statements))
+
+
+def _refused(file: ast.File, report: Report) -> bool:
+    """Report the first use where the file is no sheet."""
+    strange = (s for s in file.statements if not isinstance(s, (*WRITTEN_IN_SHEETS, ast.Use)))
+    if other := next(strange, None):
+        report.add(messages.use_in_a_mechanism(every(file, ast.Use)[0].span, other.span))
+    return other is not None
+
+
+def _declared(statement: ast.Statement) -> Iterator[ast.Name]:
+    """Yield the name that a statement of a sheet declares."""
+    match statement:
+        case ast.Param(name=name) | ast.Let(name=name):
+            yield name
+        case ast.Table(name=name) | ast.Sizes(name=name):
+            yield name
+
+
+def _check_names(
+    use: ast.Use, found: list[ast.Statement], taken: dict[str, Span], report: Report
+) -> None:
+    """Report the first name that is there already, and note the others."""
+    names = {name.text for statement in found for name in _declared(statement)}
+    if clash := next((name for name in taken if name in names), None):
+        report.add(messages.prefix_clashes(use.prefix.span, clash, taken[clash]))
+    taken |= dict.fromkeys(names - taken.keys(), use.prefix.span)
+
+
+# ----------------------------------------------------------------------------- reading
+
+
+def _read(use: ast.Use, report: Report, users: Users, resolve: Resolve) -> Used | None:
+    """Return a sheet that is used; None where something is wrong, which is reported."""
+    try:
+        used = resolve(_text(use, report.source.folder, users))
+    except MechcError as error:
+        _pass_on(error, use, report)
+        return None
+    texts = [text for _, text in (*report.source.parts(), *used.source.parts())]
+    if len(texts) > MOST or sum(len(part.text) for part in texts) > files.LARGEST:
+        report.add(messages.too_much_used(use.used.span, MOST))
+        return None
+    used = used._replace(start=report.attach(used.source))
+    if not is_sheet(used.mechanism):
+        report.add(messages.mechanism_used(use.used.span, use.used.text, used.span))
+        return None
+    return used
+
+
+def _text(use: ast.Use, folder: Path | None, users: Users) -> Source:
+    """Return the text of what is used; what is wrong with it has its place in the use."""
+    span = use.used.span
+    path = files.used(use.used.text, folder, span)
+    if files.resolved(path) in users:
+        raise MechcError([messages.used_in_a_circle(span, use.used.text)])
+    if len(users) >= DEEPEST:
+        raise MechcError([messages.too_much_used(span, MOST)])
+    try:
+        return files.read(path)
+    except MechcError as error:
+        raise MechcError(replace(d, span=span) for d in error.diagnostics) from None
+
+
+def _pass_on(error: MechcError, use: ast.Use, report: Report) -> None:
+    """Report what is wrong in a used sheet, with the place where it is used."""
+    start = report.attach(error.source) if error.source else 0
+    for diagnostic in error.diagnostics:
+        if diagnostic.severity is Severity.ERROR:
+            inside = error.source is not None
+            report.add(_placed(diagnostic, start, use) if inside else diagnostic)
+
+
+def _placed(diagnostic: Diagnostic, start: int, use: ast.Use) -> Diagnostic:
+    here = Related(use.used.span, "it is used here")
+    related = (r._replace(span=r.span.moved(start)) for r in diagnostic.related)
+    span = diagnostic.span.moved(start) if diagnostic.span else use.used.span
+    return replace(diagnostic, span=span, related=(*related, here))
+
+
+# -------------------------------------------------------------------------- putting in
+
+
+def _brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Statement]:
+    """Yield the statements of a used sheet under its prefix."""
+    given = _given(use, used, report)
+    names = {name.text for statement in used.file.statements for name in _declared(statement)}
+    prefix = use.prefix.text
+
+    def renamed(name: str) -> str:
+        return f"{prefix}_{name}" if name in names else name
+
+    for statement in used.file.statements:
+        there = moved(_with_origin(statement, used.mechanism.name), used.start, renamed)
+        match statement, there:
+            case ast.Param(name=name), ast.Param():
+                parameter = used.parameters[name.text]
+                yield _parameter(there, parameter, given.get(name.text), use)
+            case ((ast.Let() | ast.Table() | ast.Sizes() | ast.Require()), _):
+                yield there
+
+
+def _given(use: ast.Use, used: Used, report: Report) -> Mapping[str, ast.Expr]:
+    """Return what is given to parameters by their names in the used sheet."""
+    found: dict[str, ast.Expr] = {}
+    places: dict[str, Span] = {}
+    for name, value in use.given:
+        if name.text in places:
+            report.add(messages.given_twice(name.span, name.text, places[name.text]))
+        elif name.text not in used.parameters:
+            what, known = use.used.text, list(used.parameters)
+            report.add(messages.no_such_parameter(name.span, name.text, what, known, used.span))
+        else:
+            found[name.text] = value
+        places.setdefault(name.text, name.span)
+    return found
+
+
+def _parameter(
+    statement: ast.Param, parameter: Parameter, given: ast.Expr | None, use: ast.Use
+) -> ast.Statement:
+    """Return what stands here for a parameter of a used sheet."""
+    if given is None and not parameter.dependent:
+        return statement
+    value = given or statement.value
+    assert value is not None
+    return ast.Given(
+        use.span if given else statement.span,
+        statement.name,
+        value,
+        ast.Name(parameter.unit, statement.span) if parameter.unit else None,
+        statement.label,
+        comments=statement.comments,
+        remark=statement.remark,
+        parameter=statement,
+        measures=parameter.dimension,
+    )
+
+
+def _with_origin(statement: ast.Statement, origin: str) -> ast.Statement:
+    """Return a statement whose text, in a report, ends with the sheet that it is from."""
+    if isinstance(statement, ast.Param | ast.Let) and statement.label:
+        return replace(statement, label=f"{statement.label} ({origin})")
+    said = f"{statement.remark} ({origin})" if statement.remark else f"({origin})"
+    return replace(statement, remark=said)
