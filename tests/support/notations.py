@@ -170,8 +170,8 @@ CONSTRUCTS = [
     ("list bores = 32 mm, 40 mm", "lists: {bores: [32 mm, 40 mm]}"),
     ('list dowels "ISO 2340" = 4 mm', "lists: {dowels: {sizes: [4 mm], source: ISO 2340}}"),
     (
-        'use cylinder as cyl (P = 2*F, p = 0.6 MPa)\nuse "parts/pin.mech" as pin',
-        "use: {cyl: {name: cylinder, with: {P: 2*F, p: 0.6 MPa}}, pin: parts/pin.mech}",
+        'use cylinder as cyl (P = 2*F, p = 0.6 MPa)\nuse "parts/pin.mech" as bolt',
+        "use: {cyl: {name: cylinder, with: {P: 2*F, p: 0.6 MPa}}, bolt: parts/pin.mech}",
     ),
     ("let m = q at 2*r/d", "let: {m: q at 2*r/d}"),
     ("let D = next D_min in bores in mm", "let: {D: {value: next D_min in bores, unit: mm}}"),
