@@ -101,10 +101,10 @@ def _check_names(
     use: ast.Use, found: list[ast.Statement], taken: dict[str, Span], report: Report
 ) -> None:
     """Report the first name that is there already, and note the others."""
-    names = {name.text for statement in found for name in _declared(statement)}
-    if clash := next((name for name in taken if name in names), None):
+    names = dict.fromkeys(name.text for s in found for name in _declared(s))
+    if clash := next((name for name in names if name in taken), None):
         report.add(messages.prefix_clashes(use.prefix.span, clash, taken[clash]))
-    taken |= dict.fromkeys(names - taken.keys(), use.prefix.span)
+    taken |= {name: use.prefix.span for name in names if name not in taken}
 
 
 # ----------------------------------------------------------------------------- reading
