@@ -196,8 +196,11 @@ def _mathematics(value: object) -> str | None:
 
 
 def _equation(value: object) -> str | None:
-    """Return the text of a record that is an equation or a condition; None for any other."""
-    own = {name: getattr(value, name) for name in _declared(value)}
+    """Return the text of a record that is an equation or a condition; None for any other.
+
+    What it has of a default beside is not written.
+    """
+    own = {n: getattr(value, n) for n, default in _declared(value).items() if default is REQUIRED}
     kept = {name: part for name, part in own.items() if part != "" and not isinstance(part, Span)}
     if tuple(kept) not in EQUATIONS:
         return None
