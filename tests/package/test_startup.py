@@ -83,7 +83,7 @@ def test_what_draws_nothing_makes_no_figure(target: str) -> None:
 
 
 LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
-OWN, ALL = 280, 455
+OWN, ALL = 315, 490
 """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
 
 
