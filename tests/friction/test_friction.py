@@ -237,8 +237,8 @@ force F2 = F at W along -y
 
 GUIDES = [
     "friction slider A 0.1",
-    "friction slider A 0.1 guide 40 mm overhang 60 mm",
-    "friction roller A 0.1 axle 10 mm wheel 30 mm",
+    pytest.param("friction slider A 0.1 guide 40 mm overhang 60 mm", marks=pytest.mark.slow),
+    pytest.param("friction roller A 0.1 axle 10 mm wheel 30 mm", marks=pytest.mark.slow),
 ]
 
 

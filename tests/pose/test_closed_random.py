@@ -134,6 +134,7 @@ def test_strokes(record_property):
     assert seen.worst < 1e-10
 
 
+@pytest.mark.slow
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 def test_strokes_in_c(tmp_path, record_property):
     seen, made = Seen(), []

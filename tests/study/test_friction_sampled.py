@@ -75,6 +75,7 @@ def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
     assert hold(closed(70081)) == 1
 
 
+@pytest.mark.slow
 def test_a_slip_that_is_zero_at_any_pose_has_no_sign():
     """Three rods make one rigid body: no pin in it slips, and nothing is told by rounding."""
     (text,) = closed(70038)
