@@ -1,6 +1,7 @@
 """The library's front: a description in, formulas, numbers and code out.
 
-All quantities that go in or come out as numbers are SI and radians.
+All quantities that go in or come out as numbers are SI and radians; what goes in may be text
+with a unit, ``"20 deg"``, as well.
 """
 
 from collections.abc import Iterable, Mapping, Sequence
@@ -17,12 +18,14 @@ from .formula.to_sympy import to_sympy
 from .formula.to_text import text
 from .formula.tree import Formula
 from .formula.walk import constants, symbols
+from .model.typed import in_si
 from .model.values import dependent
 from .report.derivation.steps import Derivation
 from .routine.freed import freed, given_loads
 from .source import Source
 from .study.poses import default_pose
 from .study.stroke.stroke import Stroke
+from .units import Dimension
 
 if TYPE_CHECKING:
     import sympy
@@ -124,16 +127,20 @@ class SolvedMechanism:
 
         What is not given is taken from the description, and what is given goes before it: a
         load that a ``let`` or a mass gives its size, too. A result that depends on a load
-        without a value is left out. SI and radians; NaN at poses that a ``require``
-        excludes. TypeError for a name that follows from others, or that no result depends on.
+        without a value is left out. SI and radians, or text with its unit; NaN at poses that a
+        ``require`` excludes. TypeError for a name that follows from others, or that no result
+        depends on, MechcError for text that is no such quantity.
 
         >>> import mechc
         >>> clamp = mechc.load("karpenko_fig9_packet_clamp")
         >>> [round(float(k), 4) for k in clamp.evaluate(alpha=[0.1, 0.2])["k"]]
         [0.0446, 0.0651]
+        >>> round(clamp.evaluate(alpha="10 deg", a="120 mm")["k"], 4)
+        0.0718
         """
         from .routine.evaluate import evaluate, scalar_or_array
 
+        values = self._in_si(values)
         overridden = self._fixed_loads.intersection(values)
         functions = self._routine(overridden).functions
         inputs = [i for f in functions for i in f.inputs]
@@ -143,6 +150,12 @@ class SolvedMechanism:
         found = {f.name: evaluate(f, given) for f in ready}
         found |= {name: scalar_or_array(values[name]) for name in overridden}
         return {name: found[name] for name in self.results if name in found}
+
+    def _in_si(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return values with those in SI that are texts, or sequences of texts."""
+        mechanism = self._compilation.mechanism
+        sizes = {q.name: q.dimension for q in (*mechanism.parameters, *mechanism.loads)}
+        return {n: _in_si(n, v, sizes[n]) if n in sizes else v for n, v in values.items()}
 
     @cached_property
     def _fixed_loads(self) -> frozenset[str]:
@@ -179,26 +192,28 @@ class SolvedMechanism:
         found = {name: result.formula for name, result in self.results.items()}
         return {**found, **ties, **dependent(mechanism)}
 
-    def figure(self, **values: float) -> "Figure":
+    def figure(self, **values: float | str) -> "Figure":
         """Return what a drawing shows at given values: points in metres, and parts.
 
-        What is not given is taken from the description; SI and radians. TypeError for a name
-        that is no parameter, ValueError where the mechanism cannot be assembled.
+        What is not given is taken from the description; SI and radians, or text with its unit.
+        TypeError for a name that is no parameter, ValueError where the mechanism cannot be
+        assembled.
 
         >>> import mechc
         >>> rocker = mechc.load("crank_rocker").figure(phi=0)
         >>> rocker.points["A"]
         Plane(x=..., y=0.0)
         """
+        given = self._in_si(values)
         parameters = [p.name for p in self._compilation.mechanism.parameters]
-        for unknown in (name for name in values if name not in parameters):
+        for unknown in (name for name in given if name not in parameters):
             raise TypeError(f"{unknown!r} is no parameter {near_miss(unknown, parameters)}")
-        drawn = self._compilation.drawn(values)
+        drawn = self._compilation.drawn(given)
         if drawn is None:
             raise ValueError("the mechanism cannot be assembled at these values")
         return drawn
 
-    def draw(self, **values: float) -> "Picture":
+    def draw(self, **values: float | str) -> "Picture":
         """Return the kinematic scheme at given values, as for :meth:`figure`.
 
         In a notebook it shows itself; ``save("clamp.svg")`` writes it, also .tex and .png.
@@ -208,7 +223,7 @@ class SolvedMechanism:
 
         return Picture(scheme(self.figure(**values)))
 
-    def free_bodies(self, **values: float) -> "tuple[Diagram, ...]":
+    def free_bodies(self, **values: float | str) -> "tuple[Diagram, ...]":
         """Return each body with the forces on it, at given values of parameters and loads.
 
         SI and radians, as for :meth:`figure`. A load to which nothing gives a size counts as 1.
@@ -218,9 +233,10 @@ class SolvedMechanism:
         >>> [(acting.by, round(acting.force.y, 6)) for acting in lever.forces]
         [('P', -25.0), ('ground', 125.0), ('F', -100.0)]
         """
+        given = self._in_si(values)
         loads = {load.name for load in self._compilation.mechanism.loads}
-        sizes = {name: size for name, size in values.items() if name in loads}
-        pose = {name: value for name, value in values.items() if name not in loads}
+        sizes = {name: size for name, size in given.items() if name in loads}
+        pose = {name: value for name, value in given.items() if name not in loads}
         self.figure(**pose)
         return self._compilation.cut_free(pose, sizes)
 
@@ -246,6 +262,7 @@ class SolvedMechanism:
         if routine.points is None:
             raise ValueError("there is no motion: expected a drive that moves points, found none")
         inputs = routine.points.program.inputs
+        values = self._in_si(values)
         self._refuse_strangers(values, (*inputs, *(i for f in routine.functions for i in f.inputs)))
         given = {**self.defaults, **values}
         if missing := [i.name for i in inputs if i.name not in given]:
@@ -289,6 +306,15 @@ class SolvedMechanism:
     def __repr__(self) -> str:
         """Return name and results in one line."""
         return f"<{self.name}: {', '.join(self.results)}>"
+
+
+def _in_si(name: str, value: Any, dimension: Dimension) -> Any:
+    """Return a value in SI where it is text, or has texts in it, else as it is."""
+    if isinstance(value, str):
+        return in_si(name, value, dimension)
+    if isinstance(value, list | tuple):
+        return [_in_si(name, each, dimension) for each in value]
+    return value
 
 
 def load(path: str | Path) -> SolvedMechanism:

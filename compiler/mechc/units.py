@@ -293,10 +293,19 @@ def behind(unit: str) -> str:
     return unit if not unit or unit.startswith(GLUED) else f" {unit}"
 
 
+def size_of(unit: str) -> float:
+    """Return a unit in the SI; one that no table has is of the SI, and so is none at all.
+
+    >>> size_of("mm"), size_of("")
+    (0.001, 1.0)
+    """
+    return UNITS[unit].size if unit in UNITS else 1.0
+
+
 def in_unit(value: float, unit: str, digits: int) -> str:
     """Return an SI value to so many digits in a unit; one that no table has is of the SI.
 
     >>> in_unit(0.1, "mm", 6), in_unit(math.pi / 15, "°", 6), in_unit(0.5, "", 6)
     ('100 mm', '12°', '0.5')
     """
-    return f"{value / (UNITS[unit].size if unit in UNITS else 1.0):.{digits}g}{behind(unit)}"
+    return f"{value / size_of(unit):.{digits}g}{behind(unit)}"

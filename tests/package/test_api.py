@@ -127,3 +127,20 @@ def test_values_go_before_the_loads_of_the_description() -> None:
 def test_what_follows_from_others_cannot_be_given(name: str, said: str) -> None:
     with pytest.raises(TypeError, match=said):
         mechc.loads(WITH_GIVEN_LOADS).evaluate(**{name: 1.0})
+
+
+def test_values_may_be_texts_with_units(clamp: mechc.SolvedMechanism) -> None:
+    assert clamp.evaluate(alpha="10 deg", a="0.5 in") == clamp.evaluate(
+        alpha=np.radians(10), a=0.0127
+    )
+    both = clamp.evaluate(alpha=["5 deg", "10 deg"])["k"]
+    np.testing.assert_array_equal(both, clamp.evaluate(alpha=np.radians([5, 10]))["k"])
+    assert clamp.figure(a="0.1 m").points == clamp.figure(a=0.1).points
+
+
+@pytest.mark.parametrize("text", ["10", "10 mm", "beta", "1/0 deg", "", "5 deg\nparam c = 2"])
+def test_texts_that_are_no_such_quantity_are_refused(
+    clamp: mechc.SolvedMechanism, text: str
+) -> None:
+    with pytest.raises(mechc.MechcError):
+        clamp.evaluate(alpha=text)

@@ -82,6 +82,20 @@ class Product:
     def __repr__(self) -> str:
         return f"Product({self.coefficient}, {dict(self.factors)!r})"
 
+    def root(self) -> "Product | None":
+        """Return what is squared here, None where nothing is: the root but for its sign.
+
+        >>> a = Product.symbol("a")
+        >>> (a * a).scaled(4).root() == a.scaled(2), a.root() is None
+        (True, True)
+        """
+        square = Fraction(self.coefficient)
+        if square < 0 or any(exponent % 2 for exponent in self.factors.values()):
+            return None
+        size = Fraction(math.isqrt(square.numerator), math.isqrt(square.denominator))
+        factors = {factor: exponent // 2 for factor, exponent in self.factors.items()}
+        return Product(size, factors) if size * size == square else None
+
     def scaled(self, factor: Rational) -> "Product":
         """Return the product times a rational number."""
         return Product(rational(self.coefficient * factor), self.factors)

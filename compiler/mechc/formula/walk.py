@@ -87,6 +87,22 @@ def symbols(formula: Formula) -> frozenset[str]:
     return frozenset(names)
 
 
+def reached(names: Iterable[str], formulas: Mapping[str, Formula]) -> set[str]:
+    """Return which formulas names lead to: their own, and those of the symbols in these.
+
+    >>> from .tree import Symbol
+    >>> sorted(reached(["a"], {"a": Symbol("b"), "b": Symbol("x"), "c": Symbol("a")}))
+    ['a', 'b']
+    """
+    found, waiting = set[str](), list(names)
+    while waiting:
+        name = waiting.pop()
+        if name in formulas and name not in found:
+            found.add(name)
+            waiting += symbols(formulas[name])
+    return found
+
+
 def constants(formulas: Iterable[Formula]) -> list[Constant]:
     """Return the numbers under names that are read in formulas, each once, systems included."""
     found: dict[Constant, None] = {}

@@ -8,6 +8,7 @@ from fractions import Fraction
 from ..formula.tree import Formula, number, product, total
 from ..frozen import frozen
 from ..source import Span
+from ..units import FORCE, TORQUE, Dimension
 from .parts import Direction
 
 
@@ -59,6 +60,11 @@ class Force:
     link: str = ""
     spread: Spread | None = None
 
+    @property
+    def dimension(self) -> Dimension:
+        """What its size measures."""
+        return FORCE
+
 
 @frozen
 class Torque:
@@ -69,6 +75,11 @@ class Torque:
     span: Span
     tie: Formula | None = None
     times: Fraction = Fraction(1)
+
+    @property
+    def dimension(self) -> Dimension:
+        """What its size measures."""
+        return TORQUE
 
 
 @frozen
@@ -90,6 +101,11 @@ class ForcePair:
     spring: bool = False
     first_link: str = ""
     second_link: str = ""
+
+    @property
+    def dimension(self) -> Dimension:
+        """What its size measures."""
+        return FORCE
 
 
 Load = Force | Torque | ForcePair

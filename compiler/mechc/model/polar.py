@@ -1,8 +1,6 @@
 """Vectors whose components are written by a length and an angle: ``(a*cos(t), a*sin(t))``."""
 
-import math
 from collections.abc import Mapping
-from fractions import Fraction
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
@@ -29,7 +27,7 @@ def polar(x: Product, y: Product, values: Mapping[str, float]) -> Polar | None:
     >>> found.length == a, str(found.angle)
     (True, 't - 90°')
     """
-    length = _root(add([x * x, y * y]))
+    length = add([x * x, y * y]).root()
     if length is None or not length:
         return None
     if length.evaluate(values) < 0:
@@ -43,14 +41,3 @@ def polar(x: Product, y: Product, values: Mapping[str, float]) -> Polar | None:
             if cosine(angle) == ahead and sine(angle) == across:
                 return Polar(length, angle)
     return None
-
-
-def _root(square: Product) -> Product | None:
-    """Return the square root of a product, None where it is no product."""
-    number = Fraction(square.coefficient)
-    above, below = math.isqrt(max(number.numerator, 0)), math.isqrt(number.denominator)
-    is_square = Fraction(above, below) ** 2 == number
-    if not is_square or any(exponent % 2 for exponent in square.factors.values()):
-        return None
-    factors = {factor: exponent // 2 for factor, exponent in square.factors.items()}
-    return Product(Fraction(above, below), factors)

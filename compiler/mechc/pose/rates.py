@@ -8,7 +8,7 @@ from collections.abc import Iterable, Iterator, Mapping
 
 from ..formula.derivative import derivative
 from ..formula.tree import ZERO, Formula, Implicit, Symbol, product, total
-from ..formula.walk import symbols, walk
+from ..formula.walk import reached, symbols, walk
 from ..model.values import Chain, dependent
 from .pose import Definition, Pose
 
@@ -71,7 +71,7 @@ def first_rates(pose: Pose, speed: Formula, titles: Titles, wanted: Iterable[For
     assert pose.mechanism.drive is not None
     followed = dict(pose.closing) | dict(pose.definitions) | dependent(pose.mechanism)
     slopes = {n: slope.formula() for n, slope in pose.rates.items()}
-    needed = _needed(wanted, {**followed, **slopes})
+    needed = reached(_symbols(wanted), {**followed, **slopes})
     rates = Rates({pose.mechanism.drive.parameter: speed})
     for name, formula in Chain(followed).definitions:
         if name in needed:
@@ -87,17 +87,6 @@ def second_rates(first: Rates, titles: Titles) -> Rates:
     for name, (title, formula) in first.named.items():
         rates.take(title, titles.of(name, 2), rates.of(formula))
     return rates
-
-
-def _needed(wanted: Iterable[Formula], formulas: Mapping[str, Formula]) -> set[str]:
-    """Return the names that formulas lead to."""
-    needed, waiting = set[str](), [*_symbols(wanted)]
-    while waiting:
-        name = waiting.pop()
-        if name not in needed and name in formulas:
-            needed.add(name)
-            waiting.extend(symbols(formulas[name]))
-    return needed
 
 
 def _symbols(formulas: Iterable[Formula]) -> Iterator[str]:

@@ -10,7 +10,7 @@ from ..formula.tree import Formula, Implicit, Symbol
 from ..formula.walk import evaluate, substitute, symbols, walk
 from ..model.mechanism import LoadRatio, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result
-from ..units import FORCE, TORQUE, Dimension
+from ..units import Dimension
 from .balance import Balance, Equations, Solved
 from .numbers import default_values
 
@@ -177,7 +177,7 @@ def _scaled(balance: Balance) -> dict[str, float]:
     mechanism, values = balance.plan.graph.pose.mechanism, _with_loads(balance)
     parameters: Iterable[Parameter] = (*mechanism.parameters, *mechanism.literals)
     dimensions = {p.name: p.dimension for p in parameters}
-    dimensions |= {k.name: TORQUE if isinstance(k, Torque) else FORCE for k in mechanism.loads}
+    dimensions |= {load.name: load.dimension for load in mechanism.loads}
     return {n: values[n] * _factor(d) for n, d in dimensions.items() if n in values}
 
 

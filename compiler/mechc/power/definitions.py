@@ -6,7 +6,7 @@ from ..algebra.product import Bound, Product, Sum
 from ..diagnostics import Report
 from ..diagnostics.power import found_from_itself, too_many_lets
 from ..formula.tree import Formula
-from ..formula.walk import symbols
+from ..formula.walk import reached, symbols
 from ..frozen import replace
 from ..kinematics.plan import Plan
 from ..model.mechanism import Let, LoadForm
@@ -109,18 +109,7 @@ def _refuse_circles(
 def _back_to(name: str, defined: Needed) -> list[str]:
     """Return what a definition mentions that rests on the definition itself."""
     first = sorted(symbols(defined[name]) & defined.keys())
-    return [other for other in first if name in _reached(other, defined)]
-
-
-def _reached(name: str, defined: Needed) -> set[str]:
-    """Return a definition and all that it rests on."""
-    found, waiting = set[str](), [name]
-    while waiting:
-        one = waiting.pop()
-        if one not in found:
-            found.add(one)
-            waiting += symbols(defined[one]) & defined.keys()
-    return found
+    return [other for other in first if name in reached([other], defined)]
 
 
 def _let(let: Let, pose: Pose, where: Needed, used: Sequence[Result]) -> Result:

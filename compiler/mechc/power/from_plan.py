@@ -26,12 +26,11 @@ from ..model.mechanism import (
     Reaction,
     Speed,
     SpeedRatio,
-    Torque,
     WithFriction,
 )
 from ..model.result import Definition, Result
 from ..source import Span
-from ..units import ANGLE, FORCE, FREQUENCY, TORQUE, VELOCITY, Dimension
+from ..units import ANGLE, FORCE, FREQUENCY, VELOCITY, Dimension
 from .balance import Balance, Equations, Solved
 from .definitions import intermediates, open_lengths, resting_on
 from .equations import equations_of
@@ -219,7 +218,7 @@ class _Asked:
         return {name for name in self._loads if self._given(name) is not None}
 
     def _dimension(self, load: str) -> Dimension:
-        return TORQUE if isinstance(self._loads[load], Torque) else FORCE
+        return self._loads[load].dimension
 
     # ------------------------------------------------------------------------- forces
 

@@ -6,8 +6,6 @@ put in where algebra proves it equal.
 """
 
 from collections.abc import Iterable, Iterator, Set
-from fractions import Fraction
-from math import isqrt
 
 from ..algebra.factors import Constant, Factor, Length
 from ..algebra.from_formula import is_transparent, to_product
@@ -116,17 +114,8 @@ def _root(square: Formula, side: Formula, positive: Set[str]) -> Product | None:
     """Return the root of ``square + side²`` where that is the square of something positive."""
     area, leg = to_product(square), to_product(side)
     whole = add([area, leg * leg])
-    size = _exact_root(Fraction(whole.coefficient))
-    if size is None or any(e % 2 or not _stays(f, positive) for f, e in whole.factors.items()):
-        return None
-    return Product(size, {f: e // 2 for f, e in whole.factors.items()})
-
-
-def _exact_root(value: Fraction) -> Fraction | None:
-    if value <= 0:
-        return None
-    root = Fraction(isqrt(value.numerator), isqrt(value.denominator))
-    return root if root * root == value else None
+    root = whole.root()
+    return root if root and all(_stays(f, positive) for f in root.factors) else None
 
 
 def _stays(factor: Factor, positive: Set[str]) -> bool:

@@ -12,7 +12,7 @@ from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent
 from ..study.analysis import Analysis
-from ..units import ANGLE, LENGTH, NUMBER, UNITS, si_unit
+from ..units import ANGLE, LENGTH, NUMBER, si_unit, size_of
 from .put_in import Quantity, put_in
 from .sections import Outline
 from .sentences.remarks import asked
@@ -115,8 +115,7 @@ def _bare(quantity: Quantity) -> Quantity:
     """Return a quantity without its unit, an angle as it is."""
     if quantity.unit == "deg":
         return quantity
-    size = UNITS[quantity.unit].size if quantity.unit in UNITS else 1.0
-    return Quantity(quantity.value / size, "")
+    return Quantity(quantity.value / size_of(quantity.unit), "")
 
 
 def _as_symbols(formula: Formula) -> Formula:

@@ -5,12 +5,12 @@ from itertools import starmap
 
 from ..formula.tree import Formula, Symbol
 from ..formula.walk import evaluate, symbols
-from ..model.mechanism import Load, Mechanism, Parameter, Torque
+from ..model.mechanism import Load, Mechanism, Parameter
 from ..model.result import Result
 from ..model.sheets import is_sheet
 from ..pose.motion import Motion
 from ..pose.pose import ClosedLoop
-from ..units import FORCE, TORQUE
+from ..units import TORQUE
 from .companions import Companions
 from .functions import Asked, asked, checks, function
 from .lengths import with_roots
@@ -153,9 +153,7 @@ def _parameter(parameter: Parameter) -> Input:
 
 
 def _load(load: Load) -> Input:
-    if isinstance(load, Torque):
-        return Input(load.name, TORQUE, "N*m")
-    return Input(load.name, FORCE, "N")
+    return Input(load.name, load.dimension, "N*m" if load.dimension == TORQUE else "N")
 
 
 def _constant(formula: Formula | None) -> float | None:

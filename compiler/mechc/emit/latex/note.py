@@ -9,14 +9,13 @@ from ...report.languages.locale import Locale
 from ...report.latex.directions import math
 from ...report.latex.display import LINE, Line, display
 from ...report.latex.given import ParameterRow, parameter_row
-from ...report.latex.notation import Notation, spellings
+from ...report.latex.notation import Notation, relation_sign, spellings
 from ...report.latex.printer import Box, box, latex, plain, row
-from ...report.latex.quantity import decimal
+from ...report.latex.quantity import decimal, in_unit
 from ...report.latex.text import escape
-from ...report.latex.unit_symbols import unit_symbol
 from ...report.note import Note, NoteCheck, NoteLine, note
 from ...report.put_in import Quantity
-from ...units import ANGLE, UNITS
+from ...units import ANGLE
 from ..target import Compiled
 
 BETWEEN = 2.0
@@ -161,15 +160,11 @@ def _side(line: NoteLine, formula: Formula, style: Notation) -> Box:
 
 
 def _quantity(quantity: Quantity, style: Notation) -> Box:
-    size = UNITS[quantity.unit].size if quantity.unit in UNITS else 1.0
-    return plain(decimal(quantity.value / size, style) + unit_symbol(quantity.unit, style))
-
-
-_SIGNS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq "}
+    return plain(in_unit(quantity.value, quantity.unit, style, style))
 
 
 def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> CheckRow:
-    sign = _SIGNS.get(check.operator, check.operator)
+    sign = relation_sign(check.operator)
     sides = (latex(side, style) for side in (check.left, check.right))
     values = [_quantity(side, style).tex for side in check.values or ()]
     reserve = math(decimal(float(f"{check.reserve:.3g}"), style)) if check.reserve else ""

@@ -1,9 +1,8 @@
 """Position: what follows from each loop, in the order in which it follows."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 
-from ...formula.tree import Formula
-from ...formula.walk import symbols
+from ...formula.walk import reached, symbols
 from ...model.result import Definition
 from ...pose.pose import Pose
 from ...study.analysis import Analysis
@@ -13,23 +12,12 @@ from .steps import Derivation, PositionStep
 def position_steps(pose: Pose, derivation: Derivation) -> Iterator[PositionStep]:
     """Yield the loops that a derivation rests on, with what each gives of it."""
     formulas = {d.name: d.formula for d in pose.definitions}
-    needed = _reached(_mentioned(derivation), formulas)
+    needed = reached(_mentioned(derivation), formulas)
     for loop in pose.solved:
         names = [n for n in loop.names if n in needed]
         if names:
             found = tuple(Definition(n, formulas[n]) for n in names)
             yield PositionStep(loop.kind, loop.points, loop.is_clockwise, found)
-
-
-def _reached(names: Iterable[str], formulas: dict[str, Formula]) -> set[str]:
-    """Return the definitions that names lead to."""
-    found, waiting = set[str](), list(names)
-    while waiting:
-        name = waiting.pop()
-        if name in formulas and name not in found:
-            found.add(name)
-            waiting += symbols(formulas[name])
-    return found
 
 
 def _mentioned(derivation: Derivation) -> Iterator[str]:

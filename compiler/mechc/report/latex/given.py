@@ -32,8 +32,9 @@ from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import Notation, name, points
 from .printer import latex
-from .quantity import length_of, quantity, unit_symbol, usual_unit
+from .quantity import length_of, quantity, usual_unit
 from .text import escape
+from .unit_symbols import unit_symbol
 
 
 class ParameterRow(NamedTuple):

@@ -32,6 +32,14 @@ _COMMON = {
 }
 
 
+_RELATIONS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq ", "~": r"\sim "}
+
+
+def relation_sign(sign: str) -> str:
+    """Return the sign between two sides; one that has no name in LaTeX as it is."""
+    return _RELATIONS.get(sign, sign)
+
+
 class MadeNames:
     """The names made up for long formulas of one document, each with one meaning.
 

@@ -24,7 +24,7 @@ from ...formula.layout import TRIGONOMETRIC, in_degrees
 from ...formula.tree import Call, Constant, Formula, Number, Pi, Power, Product, Symbol
 from ...formula.typesetting import Row, Typesetter
 from ...syntax.vocabulary import split_quantity
-from .notation import Notation
+from .notation import Notation, relation_sign
 from .notation import name as name_of
 from .unit_symbols import unit_symbol
 
@@ -195,7 +195,7 @@ class _Latex(Typesetter[Box]):
         return row((plain(self.style.functions[function]), self.parentheses(row(parts))))
 
     def joined_by(self, sign: str, pieces: Sequence[Box]) -> Box:
-        written = {",": r",\; ", "<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq "}.get(sign, sign)
+        written = r",\; " if sign == "," else relation_sign(sign)
         first, *others = pieces
         return row((first, *(part for piece in others for part in (plain(written), piece))))
 

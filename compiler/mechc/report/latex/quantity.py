@@ -15,11 +15,11 @@ from fractions import Fraction
 from ...formula.layout import in_degrees
 from ...formula.tree import ZERO, Formula, Number
 from ...formula.walk import evaluate
-from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units
+from ...units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, base_units, size_of
 from ..languages.locale import Locale
 from .notation import Notation
 from .printer import latex
-from .unit_symbols import unit_symbol as unit_symbol
+from .unit_symbols import Words, unit_symbol
 
 _DIGITS = 6
 
@@ -44,9 +44,9 @@ def measured(value: float, dimension: Dimension, locale: Locale, style: Notation
     return in_unit(value, usual_unit(dimension), locale, style)
 
 
-def in_unit(value: float, unit: str, locale: Locale, style: Notation) -> str:
+def in_unit(value: float, unit: str, words: Words, style: Notation) -> str:
     """Return a computed value, given in SI, in a unit."""
-    return decimal(value / _factor(unit), style) + unit_symbol(unit, locale)
+    return decimal(value / size_of(unit), style) + unit_symbol(unit, words)
 
 
 def usual_unit(dimension: Dimension) -> str:
@@ -57,10 +57,6 @@ def usual_unit(dimension: Dimension) -> str:
     return next(known, base_units(dimension))
 
 
-def _factor(unit: str) -> float:
-    return UNITS[unit].size if unit in UNITS else 1.0
-
-
 def _in_unit(value: Formula, unit: str) -> Fraction | float:
     known = UNITS.get(unit)
     turn = in_degrees(value)
@@ -68,7 +64,7 @@ def _in_unit(value: Formula, unit: str) -> Fraction | float:
         return turn / 180 / known.factor
     if isinstance(value, Number) and not (known and known.pi):
         return value.value / known.factor if known else value.value
-    return evaluate(value, {}) / _factor(unit)
+    return evaluate(value, {}) / size_of(unit)
 
 
 def decimal(value: Fraction | float, style: Notation) -> str:

@@ -19,10 +19,11 @@ from ..languages.locale import Locale
 from ..sections import Section
 from ..sentences.remarks import asked, heading, is_nameless, ratio, remarks, said
 from .display import LINE, Line, balance, display, vanishing
-from .notation import Notation, name, points
+from .notation import Notation, name, points, relation_sign
 from .numbers import short_derivatives, slope
 from .printer import Box, box, latex, plain
-from .quantity import decimal, unit_symbol
+from .quantity import decimal
+from .unit_symbols import unit_symbol
 
 _WIDE = 9.0
 """Em beyond which a left side is no mere name or ratio of speeds."""
@@ -199,9 +200,6 @@ def _derivatives(result: Analysis, locale: Locale, style: Notation) -> str:
     return display(lines, style, locale.where) if lines else ""
 
 
-_SIGNS = {"<=": r"\leq ", ">=": r"\geq ", "!=": r"\neq ", "~": r"\sim "}
-
-
 class Speller(NamedTuple):
     """Mathematics inside a sentence, between dollar signs."""
 
@@ -215,7 +213,7 @@ class Speller(NamedTuple):
     def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
         """Return sides joined by signs."""
         tex = [self._side(side, angle) for side in sides]
-        tail = (_SIGNS.get(sign, sign) + side for sign, side in zip(signs, tex[1:], strict=True))
+        tail = (relation_sign(sign) + side for sign, side in zip(signs, tex[1:], strict=True))
         return f"${tex[0]}{''.join(tail)}$"
 
     def _side(self, side: Formula, angle: bool) -> str:

@@ -7,7 +7,7 @@ from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
 from ...model.locking import Bound, EfficiencyRange, Locking, LockingIntervals, Range, Stretch
 from ...study.analysis import Analysis
-from ...units import UNITS, behind
+from ...units import behind, size_of
 from ..languages.locale import Locale
 from .speller import Speller
 from .wording import enumeration, positive_first
@@ -153,8 +153,7 @@ def _rounded(place: float, reach: LockingIntervals | EfficiencyRange, spell: Spe
     """Return a place with few digits, an angle in degrees."""
     if reach.parameter in spell.angles:
         return degrees(Fraction(f"{place * HALF_CIRCLE:.{DIGITS}g}"))
-    factor = UNITS[reach.unit].size if reach.unit else 1.0
-    return number(Fraction(f"{place / factor:.{DIGITS}g}"))
+    return number(Fraction(f"{place / size_of(reach.unit):.{DIGITS}g}"))
 
 
 def _share(value: float, locale: Locale, spell: Speller) -> str:
