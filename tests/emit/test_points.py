@@ -21,7 +21,8 @@ from mechc.emit.json.to_json import TARGET as JSON
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Options
 from mechc.model.values import defaults
-from mechc.report.text.stroke import to_csv, to_table
+from mechc.report.text.csv_of_stroke import to_csv
+from mechc.report.text.stroke import to_table
 from mechc.source import Source
 from paths import LIBRARY
 
@@ -110,7 +111,7 @@ def test_the_stroke_has_the_columns_asked_for(rocker: Compilation) -> None:
         )
     assert "x_A [mm]" in to_table(stroke)
     header = next(csv.reader(io.StringIO(to_csv(stroke))))
-    assert {"x_A", "y_A", "phi_AB"} <= set(header)
+    assert {"x_A [mm]", "y_A [mm]", "phi_AB [deg]"} <= set(header)
 
 
 def test_a_path_of_nothing_is_refused(capsys: pytest.CaptureFixture[str]) -> None:

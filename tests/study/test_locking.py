@@ -521,9 +521,10 @@ def test_each_row_of_a_stroke_tells_what_is_stuck(points, tmp_path, capsys):
     path.write_text(TOGGLE.format(r=100), encoding="utf-8")
     assert main(["stroke", "--csv", "-n", str(points), str(path)]) == 0
     head, *rows = (line.split(",") for line in capsys.readouterr().out.splitlines())
-    drive, stuck, hold = (head.index(name) for name in ("alpha", "stuck", "k_hold"))
+    drive, hold = (head.index(name) for name in ("alpha [deg]", "k_hold"))
+    stuck = head.index("stuck") if "stuck" in head else len(head)
     for row in rows:
-        alpha = float(row[drive])
+        alpha = math.radians(float(row[drive]))
         if abs(alpha) > 1e-6:
             assert ("k_hold locked" in ",".join(row[stuck:])) == (0 < alpha <= 0.01)
             assert ("k_f locked" in ",".join(row[stuck:])) == (-0.01 <= alpha < 0)

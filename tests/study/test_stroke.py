@@ -578,10 +578,19 @@ def test_the_command(tmp_path, capsys):
     assert main(["stroke", str(file), "-n", "3", "--csv"]) == 0
     head, *rows = capsys.readouterr().out.splitlines()
     assert head == (
-        "phi,k,gamma,dk/dphi,V_B/omega_OAC,V_C(R)/omega_OAC,V_C(T)/omega_OAC,mu_B,trouble"
+        "phi [rad],k,gamma [deg],dk/dphi,V_B/omega_OAC [mm],V_C(R)/omega_OAC [mm],"
+        "V_C(T)/omega_OAC [mm],mu_B [deg]"
     )
     assert len(rows) == 3
     assert float(rows[0].split(",")[1]) == pytest.approx(1.499384542672654, rel=1e-12)
+
+
+def test_spreadsheets_get_their_decimals(capsys):
+    """Where decimals follow a comma, semicolons part the fields; the values are the same."""
+    assert main(["stroke", "crank_rocker", "-n", "3", "--csv"]) == 0
+    point = capsys.readouterr().out
+    assert main(["stroke", "crank_rocker", "-n", "3", "--csv-dialect", "comma"]) == 0
+    assert capsys.readouterr().out == point.replace(",", ";").replace(".", ",")
 
 
 BOTH_WAYS = """

@@ -3,7 +3,8 @@
 import click
 
 from ..driver import checked, warnings
-from ..report.text.stroke import to_csv, to_table
+from ..report.text.csv_of_stroke import DIALECTS, to_csv
+from ..report.text.stroke import to_table
 from ..syntax.settings import Settings
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
@@ -17,7 +18,11 @@ from .terminal import give, say
     "-n", "--points", type=click.IntRange(2, 100_000), default=19, show_default=True,
     help="How many places along the stroke.",
 )  # fmt: skip
-@click.option("--csv", "as_csv", is_flag=True, help="Numbers only, in SI and radians.")
+@click.option("--csv", "as_csv", is_flag=True, help="Print comma-separated values.")
+@click.option(
+    "--csv-dialect", "dialect", type=click.Choice(list(DIALECTS)),
+    help="CSV with a decimal point, or a decimal comma and semicolons.",
+)  # fmt: skip
 @click.option("--velocities", is_flag=True, help="Show dk/dφ and velocity ratios in the table.")
 @click.option(
     "--path", "paths", multiple=True, metavar="NAME",
@@ -34,6 +39,7 @@ def command(
     file: str,
     points: int,
     as_csv: bool,
+    dialect: str | None,
     velocities: bool,
     paths: tuple[str, ...],
     drive: str,
@@ -56,7 +62,7 @@ def command(
     compilation = checked(begin(file, stdin_name, settings, drive))
     found = compilation.stroke(points, paths)
     session().accept(warnings(compilation), compilation.source)
-    if as_csv:
-        give(to_csv(found))
+    if as_csv or dialect:
+        give(to_csv(found, DIALECTS[dialect or "point"]))
     else:
         say(to_table(found, velocities), end="")

@@ -1,7 +1,5 @@
-"""The stroke as a table for people, and as comma-separated values for programs."""
+"""The stroke as a table for people."""
 
-import csv
-import io
 import math
 from collections.abc import Collection, Iterator, Sequence
 
@@ -18,37 +16,13 @@ from ...study.stroke.stroke import (
     Stretch,
     Stroke,
 )
-from ...units import ANGLE, UNITS, Dimension, behind, in_unit
+from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
 
 NEAR = 1e-13
 """What is nearer, against the stroke, is the same place: a dead centre, say."""
 
 
-def to_csv(stroke: Stroke) -> str:
-    """Return the rows as CSV in SI and radians, 17 digits, empty where there is no value.
-
-    What is infinite is ``inf``, whichever sign it has nearby. With friction a last column says
-    what does not move.
-    """
-    out = io.StringIO()
-    writer = csv.writer(out, lineterminator="\n")
-    more = ["stuck"] if stroke.courses else []
-    writer.writerow([stroke.drive, *(c.name for c in stroke.columns), "trouble", *more])
-    for row in stroke.rows:
-        values = ("" if math.isnan(v) else repr(v) for v in row.values)
-        held = [_held(row, stroke)] if more else []
-        writer.writerow([repr(row.drive), *values, _trouble(row), *held])
-    return out.getvalue()
-
-
-def _trouble(row: Row) -> str:
-    """Return what is wrong at a place, ``k undetermined`` too."""
-    return ", ".join(
-        [row.trouble] * bool(row.trouble) + [f"{n} undetermined" for n in row.undetermined]
-    )
-
-
-def _held(row: Row, stroke: Stroke) -> str:
+def held(row: Row, stroke: Stroke) -> str:
     """Return which results are stuck at a place: ``k_f jammed, k_hold locked``."""
     near = NEAR * (stroke.high - stroke.low)
     stuck = (s for s in stroke.stuck if _is_in(row.drive, s, near))
@@ -73,13 +47,13 @@ def to_table(stroke: Stroke, velocities: bool = False) -> str:
 def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
     shown = [i for i, c in enumerate(stroke.columns) if c.content not in hidden]
     columns = [stroke.columns[i] for i in shown]
-    head = [_headed(stroke.drive, _unit(stroke.dimension, stroke.unit))]
-    head += [_headed(c.name, _unit(c.dimension, c.unit)) for c in columns]
+    head = [headed(stroke.drive, unit_of(stroke.dimension, stroke.unit))]
+    head += [headed(c.name, unit_of(c.dimension, c.unit)) for c in columns]
     body = [
         [
             _place(row.drive, stroke),
             *_cells([row.values[i] for i in shown], columns, row.undetermined),
-            row.trouble or _held(row, stroke),
+            row.trouble or held(row, stroke),
         ]
         for row in stroke.rows
     ]
@@ -109,14 +83,14 @@ def _cells(
 def _cell(value: float, column: Column) -> str:
     if not math.isfinite(value):
         return "" if math.isnan(value) else "infinite"
-    return _in(value, _unit(column.dimension, column.unit), 9)
+    return _in(value, unit_of(column.dimension, column.unit), 9)
 
 
-def _unit(dimension: Dimension, wanted: str) -> str:
+def unit_of(dimension: Dimension, wanted: str) -> str:
     """Return the unit shown: the user's, degrees for angles, SI for the rest."""
     if wanted in UNITS:
         return wanted
-    return "deg" if dimension == ANGLE else ""
+    return "deg" if dimension == ANGLE else si_unit(dimension)
 
 
 def _in(value: float, unit: str, digits: int) -> str:
@@ -124,16 +98,16 @@ def _in(value: float, unit: str, digits: int) -> str:
     return in_unit(value, unit, digits).removesuffix(behind(unit))
 
 
-def _headed(name: str, unit: str) -> str:
+def headed(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
 def _place(place: float, stroke: Stroke, digits: int = 9) -> str:
-    return _in(place, _unit(stroke.dimension, stroke.unit), digits)
+    return _in(place, unit_of(stroke.dimension, stroke.unit), digits)
 
 
 def _at(place: float, stroke: Stroke) -> str:
-    unit = _unit(stroke.dimension, stroke.unit)
+    unit = unit_of(stroke.dimension, stroke.unit)
     return f"{stroke.drive} = {in_unit(place, unit, 13)}"
 
 
