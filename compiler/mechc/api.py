@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .diagnostics import Diagnostic, near_miss
-from .driver import Compilation, compile_source, emit, warnings
+from .driver import Compilation, checked, compile_source, emit, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
 from .files import find, read
@@ -20,11 +20,9 @@ from .formula.tree import Formula
 from .formula.walk import constants, symbols
 from .model.typed import in_si
 from .model.values import dependent
-from .report.derivation.steps import Derivation
 from .routine.freed import freed, given_loads
 from .source import Source
 from .study.poses import default_pose
-from .study.stroke.stroke import Stroke
 from .units import Dimension
 
 if TYPE_CHECKING:
@@ -33,8 +31,8 @@ if TYPE_CHECKING:
     from .emit.picture import Picture
     from .figure.figure import Figure
     from .routine.steps import Input, Routine
+    from .shown import ShownDerivation, ShownResult, ShownStroke
     from .statics.diagram import Diagram
-    from .study.analysis import Analysis
 
 
 class SolvedMechanism:
@@ -68,14 +66,17 @@ class SolvedMechanism:
         return self._compilation.mechanism.title
 
     @cached_property
-    def results(self) -> "Mapping[str, Analysis]":
+    def results(self) -> "Mapping[str, ShownResult]":
         """Every ``find`` and ``let`` by name, in order, with what follows from it.
 
         A result has its formula, where it vanishes and where it is infinite, how it
         moves with each parameter, its partial derivatives and its value at the default
         pose.
         """
-        return {r.name: r for r in self._compilation.results}
+        from .shown import ShownResult, shown
+
+        compilation = self._compilation
+        return {r.name: shown(ShownResult, r, of=compilation) for r in compilation.results}
 
     @property
     def k(self) -> "sympy.Expr":
@@ -101,16 +102,18 @@ class SolvedMechanism:
         numbers = {c.name: to_sympy(c.value) for c in constants(formulas)}
         return numbers | {d.name: to_sympy(d.formula) for d in where}
 
-    def _result(self, name: str) -> "Analysis":
+    def _result(self, name: str) -> "ShownResult":
         if name in self.results:
             return self.results[name]
         hint = near_miss(name, self.results) or f"there are {', '.join(self.results)}"
         raise KeyError(f"no result is called {name!r}; {hint}")
 
     @property
-    def derivation(self) -> Derivation:
+    def derivation(self) -> "ShownDerivation":
         """The derivation as data: velocity steps, the power equation, the results."""
-        return self._compilation.derivation
+        from .shown import ShownDerivation, shown
+
+        return shown(ShownDerivation, self._compilation.derivation, of=self._compilation)
 
     @property
     def defaults(self) -> Mapping[str, float]:
@@ -149,7 +152,7 @@ class SolvedMechanism:
         ready = (f for f in functions if all(i.name in given for i in f.inputs))
         found = {f.name: evaluate(f, given) for f in ready}
         found |= {name: scalar_or_array(values[name]) for name in overridden}
-        return {name: found[name] for name in self.results if name in found}
+        return {r.name: found[r.name] for r in self._compilation.found if r.name in found}
 
     def _in_si(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return values with those in SI that are texts, or sequences of texts."""
@@ -269,7 +272,7 @@ class SolvedMechanism:
             raise TypeError(f"no value is given for {', '.join(missing)}")
         return pose(routine.points.program, given)
 
-    def stroke(self, points: int = 19, paths: Sequence[str] = ()) -> Stroke:
+    def stroke(self, points: int = 19, paths: Sequence[str] = ()) -> "ShownStroke":
         """Return the results along the stroke of the drive; singular poses, branch points, extrema.
 
         ``paths`` are points and links whose coordinates, directions and rates are columns, too.
@@ -280,7 +283,9 @@ class SolvedMechanism:
         >>> [(e.kind, round(e.drive, 7), round(e.value, 7)) for e in claw.extrema][-1]
         ('minimum', 1.3805578, 1.3727737)
         """
-        return self._compilation.stroke(points, paths)
+        from .shown import ShownStroke, shown
+
+        return shown(ShownStroke, self._compilation.stroke(points, paths))
 
     def emit(self, target: str, **options: Any) -> str:
         """Return one self-contained file as text: ``python``, ``c``, ``latex`` or ``json``.
@@ -295,13 +300,10 @@ class SolvedMechanism:
         asked = Options(**{"stem": self.name, "named": "stem" in options, **options})
         return emit(self._compilation, registry.load(target), asked)
 
-    def _repr_latex_(self) -> str:
-        import sympy
+    def _repr_markdown_(self) -> str:
+        from .emit.latex import notebook
 
-        sides = ((sympy.Symbol(name), self[name]) for name in self.results)
-        lines = [f"{sympy.latex(name)} &= {sympy.latex(value)}" for name, value in sides]
-        rows = r" \\ ".join(lines)
-        return rf"$\displaystyle \begin{{aligned}} {rows} \end{{aligned}}$"
+        return notebook.results(checked(self._compilation), self._compilation.results)
 
     def __repr__(self) -> str:
         """Return name and results in one line."""

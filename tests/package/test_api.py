@@ -52,9 +52,11 @@ def test_emit_gives_what_the_command_line_gives(clamp: mechc.SolvedMechanism) ->
     assert "\\documentclass" not in clamp.emit("latex", fragment=True)
 
 
-def test_notebooks_get_latex(clamp: mechc.SolvedMechanism) -> None:
-    assert clamp._repr_latex_().startswith(r"$\displaystyle \begin{aligned} k &= \frac{a ")
+def test_repr_is_one_line(clamp: mechc.SolvedMechanism) -> None:
     assert repr(clamp) == "<packet_clamp: k>"
+    assert repr(clamp.results["k"]).startswith("<k = a*sin(alpha + beta)/(2*b*")
+    assert repr(clamp.derivation) == "<derivation of packet_clamp: 2 steps>"
+    assert repr(mechc.load("crank_rocker").stroke(3)) == "<stroke over phi: k, i; 3 rows>"
 
 
 def test_derivation_is_data(clamp: mechc.SolvedMechanism) -> None:

@@ -34,7 +34,7 @@ STAGES = [
     "drawing",
 ]
 OUTPUT = ["routine", "report", "emit"]
-TOP = ["stage", "driver", "api", "cli", "__main__"]
+TOP = ["stage", "driver", "shown", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
 VIEWS = ("driver.py", "api.py")
 """Where a module may be imported in a function: for what is made only when it is asked for."""

@@ -13,7 +13,7 @@ import pytest
 from jinja2 import meta
 
 import mechc
-from mechc.emit.latex.to_latex import _TEMPLATES, TARGET, Report
+from mechc.emit.latex.to_latex import TARGET, TEMPLATES, Report
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Sum, Symbol
 from mechc.pose.pose import LoopKind
@@ -66,14 +66,14 @@ def test_output_depends_on_the_input_only() -> None:
 
 
 def test_template_uses_every_field_of_the_report() -> None:
-    used = meta.find_undeclared_variables(_TEMPLATES.parse(template("body.jinja")))
+    used = meta.find_undeclared_variables(TEMPLATES.parse(template("body.jinja")))
     assert used == set(Report._fields)
 
 
 def template(name: str) -> str:
     """Return a template with those that it includes put in."""
-    assert _TEMPLATES.loader is not None
-    source, _, _ = _TEMPLATES.loader.get_source(_TEMPLATES, name)
+    assert TEMPLATES.loader is not None
+    source, _, _ = TEMPLATES.loader.get_source(TEMPLATES, name)
     return re.sub(r'<% include "(.*?)" %>', lambda match: template(match[1]), source)
 
 

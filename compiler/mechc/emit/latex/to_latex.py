@@ -105,7 +105,7 @@ class Latex:
 
 TARGET = Latex()
 
-_TEMPLATES = Environment(
+TEMPLATES = Environment(
     loader=FileSystemLoader(data("emit/latex")),
     undefined=StrictUndefined,
     block_start_string="<%",
@@ -125,15 +125,15 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
     """Return the report of a mechanism, or the calculation note of a sheet."""
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, options.fragment)
-        return _TEMPLATES.get_template("note.jinja").render(note._asdict())
-    report = _report(compiled, locale, style_of(compiled, style), options)
-    return _TEMPLATES.get_template("body.jinja").render(report._asdict())
+        return TEMPLATES.get_template("note.jinja").render(note._asdict())
+    whole = report(compiled, locale, style_of(compiled, style), options)
+    return TEMPLATES.get_template("body.jinja").render(whole._asdict())
 
 
 def _document(body: str, locale: Locale) -> str:
     """Return the body within a preamble that loads no more than it needs."""
     eastern = locale.cyrillic
-    return _TEMPLATES.get_template("report.jinja").render(
+    return TEMPLATES.get_template("report.jinja").render(
         body=body, babel=locale.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
     )
 
@@ -185,7 +185,7 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
     yield from (p for p in compiled.mechanism.literals if p.name not in shown)
 
 
-def _report(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Report:
+def report(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Report:
     mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
     whole = outline(derivation, mechanism)
     found = tuple(evaluated(whole, mechanism)) if options.numbers else ()

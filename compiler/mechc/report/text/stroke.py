@@ -45,6 +45,12 @@ def to_table(stroke: Stroke, velocities: bool = False) -> str:
 
 
 def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
+    yield from _aligned(table(stroke, hidden))
+    yield from said(stroke)
+
+
+def table(stroke: Stroke, hidden: Collection[Content]) -> list[list[str]]:
+    """Return heading and rows, cell by cell; the last one of a row is what is wrong there."""
     shown = [i for i, c in enumerate(stroke.columns) if c.content not in hidden]
     columns = [stroke.columns[i] for i in shown]
     head = [headed(stroke.drive, unit_of(stroke.dimension, stroke.unit))]
@@ -57,7 +63,11 @@ def _lines(stroke: Stroke, hidden: Collection[Content]) -> Iterator[str]:
         ]
         for row in stroke.rows
     ]
-    yield from _table([[*head, ""], *body])
+    return [[*head, ""], *body]
+
+
+def said(stroke: Stroke) -> Iterator[str]:
+    """Yield what is to be said of a stroke below its table."""
     for stretch in stroke.stretches:
         yield from _stretch(stretch, stroke)
     if not stroke.stretches:
@@ -111,7 +121,7 @@ def _at(place: float, stroke: Stroke) -> str:
     return f"{stroke.drive} = {in_unit(place, unit, 13)}"
 
 
-def _table(rows: Sequence[Sequence[str]]) -> Iterator[str]:
+def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     for row in rows:
         cells = [cell.rjust(w) for cell, w in zip(row[:-1], widths, strict=False)]

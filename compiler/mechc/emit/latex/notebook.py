@@ -1,0 +1,50 @@
+"""Results and derivations as notebooks show them: Markdown with the mathematics of the report."""
+
+import re
+from collections.abc import Iterable, Iterator
+
+from ...model.sheets import is_sheet
+from ...report.derivation.steps import calculated
+from ...report.languages import registry
+from ...report.latex.notation import notation
+from ...report.latex.results import section_block
+from ...report.sections import outline
+from ...study.analysis import Analysis
+from ..target import Compiled, Options
+from .note import note_report
+from .to_latex import TEMPLATES, report, style_of
+
+_LANGUAGE = "en"
+
+
+def results(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
+    """Return results with all that they rest on, each name told once; of a sheet its note."""
+    if is_sheet(compiled.mechanism):
+        return derivation(compiled)
+    return _markdown("\n\n".join(_displays(compiled, tuple(wanted))))
+
+
+def _displays(compiled: Compiled, wanted: tuple[Analysis, ...]) -> Iterator[str]:
+    locale, style = registry.locale(_LANGUAGE), style_of(compiled, notation(_LANGUAGE))
+    for section in outline(calculated(wanted), compiled.mechanism).results:
+        yield from section_block(section, locale, style).displays
+
+
+def derivation(compiled: Compiled) -> str:
+    """Return the derivation, from the position to what follows from results; a sheet's note."""
+    locale, style = registry.locale(_LANGUAGE), notation(_LANGUAGE)
+    if is_sheet(compiled.mechanism):
+        note = note_report(compiled, locale, style, fragment=True)
+        return _markdown(TEMPLATES.get_template("notebook_note.jinja").render(note._asdict()))
+    style = style_of(compiled, style)
+    whole = report(compiled, locale, style, Options(compiled.mechanism.name, numbers=False))
+    return _markdown(TEMPLATES.get_template("notebook.jinja").render(whole._asdict()))
+
+
+def _markdown(text: str) -> str:
+    r"""Return LaTeX with the signs around displays that Markdown leaves to MathJax.
+
+    >>> print(_markdown(r"\[ k=1 \] and a line that ends in \\[2pt]"))
+    $$ k=1 $$ and a line that ends in \\[2pt]
+    """
+    return re.sub(r"\n{3,}", "\n\n", re.sub(r"(?<!\\)\\[\[\]]", "$$", text))

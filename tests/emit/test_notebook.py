@@ -1,0 +1,70 @@
+"""What notebooks show: Markdown and HTML of mechanism, result, derivation and stroke."""
+
+import re
+from html.parser import HTMLParser
+
+import pytest
+
+import mechc
+
+SHOWN = ("crank_rocker", "fedoriv_fig1_with_friction", "karpenko_fig9_packet_clamp", "cylinder")
+
+
+def balanced(markdown: str) -> bool:
+    """Tell whether displays and environments are closed, and nothing in them is for a page."""
+    opened, closed = (re.findall(rf"\\{w}\{{(.*?)\}}", markdown) for w in ("begin", "end"))
+    inline = re.sub(r"\$\$", "", markdown).count("$")
+    signs = markdown.count("$$") % 2 == 0 and inline % 2 == 0
+    paper = r"\\(?:item|noindent|medskip|section|\[(?!\d)|mechc)"
+    return signs and sorted(opened) == sorted(closed) and not re.search(paper, markdown)
+
+
+@pytest.mark.parametrize("name", SHOWN)
+def test_mechanisms_results_and_derivations_show_themselves(name: str) -> None:
+    mechanism = mechc.load(name)
+    whole = mechanism._repr_markdown_()
+    derivation = mechanism.derivation._repr_markdown_()
+    assert balanced(whole)
+    assert balanced(derivation)
+    for result in mechanism.results.values():
+        shown = result._repr_markdown_()
+        assert balanced(shown)
+        assert "=" in shown
+
+
+def test_a_result_shows_all_that_it_rests_on() -> None:
+    shown = mechc.load("crank_rocker").results["k"]._repr_markdown_()
+    assert r"\boxed{k=\frac{M}{F}=" in shown
+    for name in (r"\psi&=", r"\theta&=", r"\mu_B&="):
+        assert shown.count(name) == 1
+
+
+def test_a_derivation_is_told_in_order() -> None:
+    shown = mechc.load("crank_rocker").derivation._repr_markdown_()
+    places = [shown.index(f"**{title}**") for title in ("Position", "Velocities", "Results")]
+    assert places == sorted(places)
+
+
+class Cells(HTMLParser):
+    """Counts the cells of each row."""
+
+    def __init__(self) -> None:
+        super().__init__()
+        self.rows: list[int] = []
+
+    def handle_starttag(self, tag: str, attrs: object) -> None:
+        """Count a row or a cell."""
+        if tag == "tr":
+            self.rows.append(0)
+        elif tag in ("td", "th"):
+            self.rows[-1] += 1
+
+
+def test_a_stroke_is_a_table() -> None:
+    stroke = mechc.load("crank_rocker").stroke(5)
+    cells = Cells()
+    cells.feed(stroke._repr_html_())
+    assert cells.rows == [5] * 6
+    table = stroke.table()
+    assert list(table)[:3] == ["phi", "k", "i"]
+    assert table["k"] == [row.values[0] for row in stroke.rows]
