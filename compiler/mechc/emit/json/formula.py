@@ -90,10 +90,14 @@ _SCHEMA: Json = {
 }
 TREE: Kind[Formula] = Kind({"$ref": "#/$defs/tree"}, tree, {"tree": _SCHEMA})
 
+LATEX: Kind[Formula] = Kind({"type": "string"}, lambda formula: formula)
+"""A formula that becomes text with the whole document, whose names are told apart on paper."""
+
 FORMULA: Kind[Formula] = record(
     "formula",
     "A formula in SI and radians.",
     member("text", "In mechc's notation: a*sin(alpha)^2/(2*b).", TEXT, text),
+    member("latex", "As reports in English print it.", LATEX, lambda f: f),
     member("tree", "The same, nested.", TREE, lambda f: f),
     member("operations", "Number of operations, as sympy's count_ops.", WHOLE, count_operations),
 )

@@ -1,7 +1,13 @@
 """JSON: the whole result for other programs, described by ``grammar/result.schema.json``."""
 
 import json
+from collections.abc import Callable
+from functools import partial
 
+from ...formula.tree import Formula
+from ...report.latex.document_style import style_of
+from ...report.latex.notation import notation
+from ...report.latex.printer import latex
 from ..target import Compiled, Emitted, Options
 from .document import DOCUMENT
 from .kinds import Json
@@ -15,7 +21,9 @@ class JsonTarget:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return the document; NaN and infinities are null."""
-        return (Emitted(f"{options.stem}.json", _text(DOCUMENT.write(compiled))),)
+        style = style_of(compiled.mechanism, compiled.derivation.results, notation("en"))
+        text = _text(DOCUMENT.write(compiled), partial(latex, style=style))
+        return (Emitted(f"{options.stem}.json", text),)
 
 
 TARGET = JsonTarget()
@@ -32,5 +40,7 @@ def schema_text() -> str:
     return _text(schema)
 
 
-def _text(document: Json) -> str:
-    return json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False) + "\n"
+def _text(document: Json, written: Callable[[Formula], str] | None = None) -> str:
+    """Return a document as text; ``written`` gives the LaTeX of formulas."""
+    shown = json.dumps(document, ensure_ascii=False, indent=2, allow_nan=False, default=written)
+    return shown + "\n"

@@ -6,13 +6,14 @@ from collections.abc import Iterable, Iterator
 from ...model.sheets import is_sheet
 from ...report.derivation.steps import calculated
 from ...report.languages import registry
-from ...report.latex.notation import notation
+from ...report.latex.document_style import style_of
+from ...report.latex.notation import Notation, notation
 from ...report.latex.results import section_block
 from ...report.sections import outline
 from ...study.analysis import Analysis
 from ..target import Compiled, Options
 from .note import note_report
-from .to_latex import TEMPLATES, report, style_of
+from .to_latex import TEMPLATES, report
 
 _LANGUAGE = "en"
 
@@ -25,7 +26,7 @@ def results(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
 
 
 def _displays(compiled: Compiled, wanted: tuple[Analysis, ...]) -> Iterator[str]:
-    locale, style = registry.locale(_LANGUAGE), style_of(compiled, notation(_LANGUAGE))
+    locale, style = registry.locale(_LANGUAGE), _style(compiled)
     for section in outline(calculated(wanted), compiled.mechanism).results:
         yield from section_block(section, locale, style).displays
 
@@ -36,9 +37,14 @@ def derivation(compiled: Compiled) -> str:
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, fragment=True)
         return _markdown(TEMPLATES.get_template("notebook_note.jinja").render(note._asdict()))
-    style = style_of(compiled, style)
-    whole = report(compiled, locale, style, Options(compiled.mechanism.name, numbers=False))
+    whole = report(
+        compiled, locale, _style(compiled), Options(compiled.mechanism.name, numbers=False)
+    )
     return _markdown(TEMPLATES.get_template("notebook.jinja").render(whole._asdict()))
+
+
+def _style(compiled: Compiled) -> Notation:
+    return style_of(compiled.mechanism, compiled.derivation.results, notation(_LANGUAGE))
 
 
 def _markdown(text: str) -> str:

@@ -10,17 +10,15 @@ from typing import NamedTuple
 from jinja2 import Environment, FileSystemLoader, StrictUndefined
 
 from ...data import data
-from ...formula.layout import is_angle
 from ...formula.tree import ZERO
-from ...formula.walk import symbols
-from ...frozen import replace
-from ...model.mechanism import Parameter, WithFriction
+from ...model.mechanism import Parameter
 from ...model.sheets import is_sheet
 from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import evaluated
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
+from ...report.latex.document_style import style_of
 from ...report.latex.given import (
     ParameterRow,
     VectorRow,
@@ -29,7 +27,7 @@ from ...report.latex.given import (
     scheme,
     vector_rows,
 )
-from ...report.latex.notation import Notation, notation, of_first_order, of_force, spellings
+from ...report.latex.notation import Notation, notation
 from ...report.latex.numbers import numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.results import (
@@ -41,9 +39,8 @@ from ...report.latex.results import (
 )
 from ...report.latex.text import escape, has_cyrillic
 from ...report.sections import PositionSection, outline
-from ...report.sentences.remarks import called, conditions, reaction
+from ...report.sentences.remarks import conditions
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
-from ...units import ANGLE
 from ..target import Compiled, Emitted, Options
 from .note import note_report
 
@@ -126,7 +123,9 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, options.fragment)
         return TEMPLATES.get_template("note.jinja").render(note._asdict())
-    whole = report(compiled, locale, style_of(compiled, style), options)
+    whole = report(
+        compiled, locale, style_of(compiled.mechanism, compiled.derivation.results, style), options
+    )
     return TEMPLATES.get_template("body.jinja").render(whole._asdict())
 
 
@@ -136,39 +135,6 @@ def _document(body: str, locale: Locale) -> str:
     return TEMPLATES.get_template("report.jinja").render(
         body=body, babel=locale.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
     )
-
-
-def style_of(compiled: Compiled, style: Notation) -> Notation:
-    """Return the notation with this mechanism's angles and its names told apart."""
-    angles = {p.name for p in compiled.mechanism.parameters if p.dimension == ANGLE}
-    for result in compiled.derivation.results:
-        for definition in result.where:
-            if is_angle(definition.formula, angles):
-                angles.add(definition.name)
-    known = replace(style, angles=frozenset(angles))
-    known.made.take(_names(compiled))
-    known = replace(known, spellings=spellings(_names(compiled), known))
-    forces = {
-        called(r): of_force(r.name, force, known)
-        for r in compiled.derivation.results
-        if (force := reaction(r))
-    }
-    firsts = {
-        r.name: of_first_order(r.name, known)
-        for r in compiled.derivation.results
-        if isinstance(r.target, WithFriction) and r.target.order == "first"
-    }
-    return replace(known, spellings={**known.spellings, **forces, **firsts})
-
-
-def _names(compiled: Compiled) -> Iterator[str]:
-    mechanism = compiled.mechanism
-    yield from (p.name for p in (*mechanism.parameters, *mechanism.literals))
-    yield from dict.fromkeys(load.name for load in mechanism.loads)
-    for result in compiled.derivation.results:
-        yield result.name
-        yield from (d.name for d in result.where)
-        yield from sorted(symbols(result.formula))
 
 
 def _given(compiled: Compiled) -> Iterator[Parameter]:

@@ -1,0 +1,40 @@
+"""How one document writes names: which are angles, and no two of them alike."""
+
+from collections.abc import Iterator, Sequence
+
+from ...formula.layout import is_angle
+from ...formula.walk import symbols
+from ...frozen import replace
+from ...model.mechanism import Mechanism, WithFriction
+from ...study.analysis import Analysis
+from ...units import ANGLE
+from ..sentences.remarks import called, reaction
+from .notation import Notation, of_first_order, of_force, spellings
+
+
+def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation) -> Notation:
+    """Return a notation with this mechanism's angles, and its names set apart from each other."""
+    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    for result in results:
+        for definition in result.where:
+            if is_angle(definition.formula, angles):
+                angles.add(definition.name)
+    known = replace(style, angles=frozenset(angles))
+    known.made.take(_names(mechanism, results))
+    known = replace(known, spellings=spellings(_names(mechanism, results), known))
+    forces = {called(r): of_force(r.name, force, known) for r in results if (force := reaction(r))}
+    firsts = {
+        r.name: of_first_order(r.name, known)
+        for r in results
+        if isinstance(r.target, WithFriction) and r.target.order == "first"
+    }
+    return replace(known, spellings={**known.spellings, **forces, **firsts})
+
+
+def _names(mechanism: Mechanism, results: Sequence[Analysis]) -> Iterator[str]:
+    yield from (p.name for p in (*mechanism.parameters, *mechanism.literals))
+    yield from dict.fromkeys(load.name for load in mechanism.loads)
+    for result in results:
+        yield result.name
+        yield from (d.name for d in result.where)
+        yield from sorted(symbols(result.formula))
