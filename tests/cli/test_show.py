@@ -1,7 +1,10 @@
 """What ``mechc show`` prints of the stages, for people."""
 
+import json
+
 import pytest
 
+from mechc.cli import main
 from mechc.cli.show import text_of
 from mechc.driver import VIEWS, Compilation
 from mechc.files import find, read
@@ -97,3 +100,18 @@ def test_no_record_of_python_is_shown(name: str) -> None:
     shown = "".join(text_of(stage, opened(name)) for stage in VIEWS)
     for sign in ("Angle(", "Product(", "Fraction(", "Span(", "None", "=<", "Number(", "object at"):
         assert sign not in shown
+
+
+@pytest.mark.parametrize("stage", VIEWS)
+def test_every_stage_can_be_had_as_json(stage: str, capsys: pytest.CaptureFixture[str]) -> None:
+    assert main(["show", stage, "toggle_press", "--format", "json"]) == 0
+    found = json.loads(capsys.readouterr().out)
+    if stage == "model":
+        assert [p["name"] for p in found["parameters"]] == ["e", "phi", "psi", "alpha", "beta"]
+        assert found["parameters"][1]["range"] == {
+            "kind": "Interval",
+            "low": "pi/3",
+            "high": "5*pi/6",
+        }
+    if stage == "figure":
+        assert found["points"]["O"] == {"kind": "Plane", "x": 0.0, "y": 0.0}

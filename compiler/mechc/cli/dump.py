@@ -6,6 +6,7 @@ ones and places in the source are left out. Quantities are in SI and radians, fo
 notation of the language; directions that algebra has taken in are in degrees.
 """
 
+import math
 import re
 from collections.abc import Iterable, Iterator, Mapping, Set
 from enum import Enum
@@ -155,6 +156,26 @@ def printed(value: object) -> Printed:
     shown = ", ".join(f"{name}{sign if name else ''}{part.line}" for name, part in parts)
     line = f"{{{shown}}}" if isinstance(value, Mapping) else f"{kind}({shown})"
     return Printed(line, kind, parts)
+
+
+def nested(value: object) -> Any:
+    """Return a value for JSON: records as objects with their kind, formulas as text.
+
+    >>> from mechc.model.mechanism import Interval
+    >>> from mechc.formula.tree import Symbol, number
+    >>> nested((Interval(number(0), Symbol("a")), 2, {"O": math.inf}))
+    [{'kind': 'Interval', 'low': '0', 'high': 'a'}, 2, {'O': 'inf'}]
+    """
+    if value is None or (isinstance(value, bool | int | str) and not isinstance(value, Enum)):
+        return value
+    if isinstance(value, float):
+        return value if math.isfinite(value) else str(value)
+    if (plain := leaf(value)) is not None and not isinstance(value, Plane):
+        return plain
+    if not isinstance(value, Mapping) and not _declared(value):
+        return [nested(part) for _, part in _parts(value)]
+    kind = {"kind": type(value).__name__} if _declared(value) else {}
+    return {**kind, **{name: nested(part) for name, part in _parts(value)}}
 
 
 def leaf(value: object) -> str | None:

@@ -1,5 +1,7 @@
 """``mechc show``: what a stage made of a description."""
 
+import json
+
 import click
 
 from ..driver import STAGES, VIEWS, Compilation
@@ -7,11 +9,11 @@ from ..report.text import free_bodies as bodies_to_text
 from ..report.text import verdict as statics
 from ..report.text.derivation import render
 from ..syntax.settings import Settings
-from .dump import dump
+from .dump import dump, nested
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
-from .session import Command, session_options
-from .terminal import say
+from .session import Command, session, session_options
+from .terminal import give, say
 from .words import Word
 
 
@@ -28,13 +30,19 @@ def command(stage: str, file: str, settings: Settings, stdin_name: str) -> None:
     derivation, routine. Later stages are not run. Formulas are printed in the notation of the
     language, quantities in SI; "as in model.links" is what `mechc show model` prints
     under links. "figure" is what a drawing of the default pose shows, "bodies" the
-    forces on each body there.
+    forces on each body there. With --format json all of it is JSON.
 
     \b
     mechc show kinematics clamp.mech
     """
     compilation = begin(file, stdin_name, settings)
-    say(text_of(stage, compilation).rstrip("\n"))
+    if session().form == "json":
+        give(
+            json.dumps(nested(getattr(compilation, VIEWS[stage])), ensure_ascii=False, indent=2)
+            + "\n"
+        )
+    else:
+        say(text_of(stage, compilation).rstrip("\n"))
 
 
 def text_of(stage: str, compilation: Compilation) -> str:
