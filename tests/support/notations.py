@@ -173,6 +173,10 @@ CONSTRUCTS = [
         'use cylinder as cyl (P = 2*F, p = 0.6 MPa)\nuse "parts/pin.mech" as bolt',
         "use: {cyl: {name: cylinder, with: {P: 2*F, p: 0.6 MPa}}, bolt: parts/pin.mech}",
     ),
+    (
+        'translate "arm" en "lever" uk "плече"\ntranslate "on" ru "да"',
+        'translate: [{text: arm, en: lever, uk: плече}, {text: "on", ru: да}]',
+    ),
     ("let m = q at 2*r/d", "let: {m: q at 2*r/d}"),
     ("let D = next D_min in bores in mm", "let: {D: {value: next D_min in bores, unit: mm}}"),
     (

@@ -35,6 +35,7 @@ from .scope import Scope
 from .sheets import as_written, refuse_links_in_a_sheet, written_as_sheet
 from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
+from .translations import read_translations
 from .transmissions import read_arcs, read_joints, read_slides, read_telescopes
 from .wheels import check_belts
 
@@ -85,6 +86,7 @@ def _headed(file: ast.File, report: Report) -> Mechanism:
         name=heading.name.text if heading else name_of(report.source.name),
         title=heading.title if heading else "",
         source=note.text if note else "",
+        translations=read_translations(file, report),
         span=heading.span if heading else Span(0, 0),
     )
 

@@ -286,6 +286,8 @@ class Mechanism:
     requires: tuple[Require, ...] = ()
     expects: tuple[Expect, ...] = ()
     tables: tuple[WrittenTable, ...] = ()
+    translations: Mapping[str, Mapping[str, str]] = MappingProxyType({})
+    """By language, what texts of the description are in it."""
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
 

@@ -15,7 +15,7 @@ from .statements import every, only
 
 WRITTEN_IN_SHEETS = (
     *(ast.Version, ast.Heading, ast.SourceNote),
-    *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Require, ast.Expect),
+    *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Require, ast.Expect, ast.Translate),
 )
 """The statements of a sheet: a description that has others describes a mechanism."""
 

@@ -20,6 +20,7 @@ from ..syntax.moved import moved
 from .mechanism import Mechanism, Parameter
 from .sheets import WRITTEN_IN_SHEETS, is_sheet
 from .statements import every
+from .translations import spoken
 
 MOST = 64
 """Sheets that one is put together from, itself included."""
@@ -176,6 +177,8 @@ def _brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Statem
             case ast.Param(name=name), ast.Param():
                 parameter = used.parameters[name.text]
                 yield _parameter(there, parameter, given.get(name.text), use)
+            case _, ast.Translate():
+                yield from _translated(there, used)
             case ((ast.Let() | ast.Table() | ast.Sizes() | ast.Require()), _):
                 yield there
 
@@ -215,6 +218,24 @@ def _parameter(
         parameter=statement,
         measures=parameter.dimension,
     )
+
+
+def _translated(line: ast.Translate, used: Used) -> Iterator[ast.Translate]:
+    """Yield the translations of those texts of a used sheet that are brought in."""
+    said, sources = set[str](), set[str]()
+    for statement in used.file.statements:
+        match statement:
+            case ast.Param(label=label) | ast.Let(label=label):
+                said.add(label or statement.remark)
+            case ast.Table(source=source) | ast.Sizes(source=source):
+                sources.add(source)
+            case ast.Require():
+                said.add(statement.remark)
+    if line.text in said:
+        own = {"text": line.text, **spoken(line)}
+        yield replace(line, **{k: f"{v} ({used.mechanism.name})" for k, v in own.items()})
+    if line.text in sources:
+        yield line
 
 
 def _with_origin(statement: ast.Statement, origin: str) -> ast.Statement:

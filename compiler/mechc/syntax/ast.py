@@ -614,6 +614,16 @@ class Given(Let):
 
 
 @frozen
+class Translate(Statement):
+    """``translate "arm" uk "плече" ru "плечо"``: what a text is in other languages, '' in none."""
+
+    text: str
+    en: str = ""
+    uk: str = ""
+    ru: str = ""
+
+
+@frozen
 class Table(Statement):
     """``table m49 "Table 4.9" = 1: 0.388, 0.9: 0.400``: pairs of an argument and its value."""
 

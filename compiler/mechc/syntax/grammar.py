@@ -55,6 +55,10 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "table": frozenset({("table", 0)}),
     "list": frozenset({("list", 0)}),
     "use": frozenset({("use", 0)}),
+    "translate": frozenset({("translate", 0)}),
+    "en": frozenset({("translate", ANYWHERE)}),
+    "uk": frozenset({("translate", ANYWHERE)}),
+    "ru": frozenset({("translate", ANYWHERE)}),
     "next": frozenset({("let", 3), ("worth", 0)}),
 }
 """Words that are names but in one kind of statement, by its first word, at one place in it.

@@ -19,6 +19,7 @@ from .sections import (
     plain,
     word,
 )
+from .vocabulary import LANGUAGES
 
 NAMED = key("name", Kind.NAME)
 AT_POINT = key("point", Kind.POINT)
@@ -349,6 +350,17 @@ SECTIONS: tuple[Section, ...] = (
         "expect",
         "what a book or a colleague says",
         Entry(ast.Expect, short=plain(Kind.EXPECTATION, "subject", "value", "at", "tolerance")),
+    ),
+    listed(
+        "translate",
+        "what titles, labels and remarks are in other languages",
+        Entry(
+            ast.Translate,
+            keys=(
+                key("text", Kind.TEXT),
+                *(optional(language, Kind.TEXT) for language in LANGUAGES),
+            ),
+        ),
     ),
 )
 

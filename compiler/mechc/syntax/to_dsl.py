@@ -62,13 +62,14 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Table: "table {name}[ {source}] = {rows}",
     ast.Sizes: "list {name}[ {source}] = {sizes}",
     ast.Use: "use {used} as {prefix}[ ({given})]",
+    ast.Translate: "translate {text}[ en {en}][ uk {uk}][ ru {ru}]",
     ast.Let: "let {name}|= {value}[ in {unit}][ as {label}]",
 }
 
 ALL_PINS = "friction pins {coefficient} diameter {diameter}[ {law}]"
 ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {link}]"
 
-QUOTED = frozenset({"title", "text", "label", "about", "source"})
+QUOTED = frozenset({"title", "text", "label", "about", "source", "en", "uk", "ru"})
 
 TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw)
 FRICTIONS = (
@@ -89,6 +90,7 @@ SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
     ),
     (*FRICTIONS, ast.Motion, ast.Efficiency),
     (ast.Use, ast.Let, ast.Find, ast.Require, ast.Expect),
+    (ast.Translate,),
 )
 SUBJECT = {node: number for number, nodes in enumerate(SUBJECTS) for node in nodes}
 

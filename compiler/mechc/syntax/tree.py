@@ -61,6 +61,11 @@ def let(name: ast.Name, value: ast.Worth, unit: ast.Name | None, label: Token | 
     return ast.Let(NOWHERE, name, value, unit, unquoted(label))
 
 
+def translate(text: Token, *others: Token | None) -> ast.Translate:
+    """Return ``translate "arm" uk "плече"``."""
+    return ast.Translate(NOWHERE, unquoted(text), *map(unquoted, others))
+
+
 def use(
     used: ast.Name, prefix: ast.Name, given: tuple[tuple[ast.Name, ast.Expr], ...] | None
 ) -> ast.Use:
@@ -335,6 +340,7 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "table": table,
     "sizes": sizes,
     "use": use,
+    "translate": translate,
     "let": let,
     "param": param,
     "link": link,

@@ -7,6 +7,10 @@ GROUND = "ground"
 """What a wheel is fixed to that is fast in the ground."""
 
 
+LANGUAGES = ("en", "uk", "ru")
+"""The languages that texts may be translated into: those of reports."""
+
+
 class Arity(NamedTuple):
     """How many arguments a function takes; ``most`` None means any number."""
 

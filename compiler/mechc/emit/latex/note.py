@@ -9,7 +9,7 @@ from ...report.languages.locale import Locale
 from ...report.latex.directions import math
 from ...report.latex.display import LINE, Line, display
 from ...report.latex.given import ParameterRow, parameter_row
-from ...report.latex.notation import Notation, relation_sign, spellings
+from ...report.latex.notation import Notation, relation_sign, spellings, translated
 from ...report.latex.printer import Box, box, latex, plain, row
 from ...report.latex.quantity import decimal, in_unit
 from ...report.latex.text import escape
@@ -74,8 +74,8 @@ def note_report(compiled: Compiled, locale: Locale, style: Notation, fragment: b
         words=words,
         made_by=locale.made_by.format(version=compiled.version),
         section="subsection" if fragment else "section",
-        title=escape(mechanism.title or mechanism.name),
-        source=escape(mechanism.source),
+        title=translated(mechanism.title or mechanism.name, style),
+        source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in mechanism.parameters),
         tables=tuple(_tables(found, style)),
         lines=tuple(_line(line, locale, style) for line in found.lines),
@@ -89,13 +89,14 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
     angles = {p.name for p in parameters if p.dimension == ANGLE}
     angles |= {line.name for line in found.lines if line.dimension == ANGLE}
     names = [p.name for p in parameters] + [line.name for line in found.lines]
-    style = replace(style, angles=frozenset(angles))
+    texts = compiled.mechanism.translations.get(style.language, style.texts)
+    style = replace(style, angles=frozenset(angles), texts=texts)
     return replace(style, spellings=spellings(names, style))
 
 
 def _tables(found: Note, style: Notation) -> Iterator[TableBlock]:
     for table in found.tables:
-        name, source = escape(table.name), escape(table.source)
+        name, source = escape(table.name), translated(table.source, style)
         for part in _parts([tuple(box(c, style) for c in cells) for cells in table.rows]):
             rows = tuple(
                 " & ".join(math(c.tex) for c in cells) for cells in zip(*part, strict=True)
@@ -120,10 +121,12 @@ def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]
 
 def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
     words = locale.calculation
-    said = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
+    remarks = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
     if line.decides:
-        said.append(words["decides"].format(formula=math(latex(line.decides, style))))
-    return LineBlock(escape(line.label), _display(line, locale.where, style), "; ".join(said))
+        remarks.append(words["decides"].format(formula=math(latex(line.decides, style))))
+    return LineBlock(
+        translated(line.label, style), _display(line, locale.where, style), "; ".join(remarks)
+    )
 
 
 def _display(line: NoteLine, where: str, style: Notation) -> str:
@@ -170,5 +173,5 @@ def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> Check
     reserve = math(decimal(float(f"{check.reserve:.3g}"), style)) if check.reserve else ""
     verdict = words["least" if check.decides else "holds"] if values else ""
     condition = math(sign.join(sides))
-    label = f"{escape(check.label)}: " if check.label else ""
+    label = f"{translated(check.label, style)}: " if check.label else ""
     return CheckRow(label + condition, math(sign.join(values)) if values else "", reserve, verdict)

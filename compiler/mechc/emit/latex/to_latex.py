@@ -27,7 +27,7 @@ from ...report.latex.given import (
     scheme,
     vector_rows,
 )
-from ...report.latex.notation import Notation, notation
+from ...report.latex.notation import Notation, notation, translated
 from ...report.latex.numbers import numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.results import (
@@ -161,8 +161,8 @@ def report(compiled: Compiled, locale: Locale, style: Notation, options: Options
         conventions=locale.conventions.format(x="$x$"),
         convention_of_speeds=_convention(derivation, locale),
         section="subsection" if options.fragment else "section",
-        title=escape(mechanism.title or mechanism.name),
-        source=escape(mechanism.source),
+        title=translated(mechanism.title or mechanism.name, style),
+        source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
         scheme=scheme(mechanism, locale, style),
         vectors=tuple(vector_rows(mechanism, locale, style)),

@@ -19,7 +19,8 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         for definition in result.where:
             if is_angle(definition.formula, angles):
                 angles.add(definition.name)
-    known = replace(style, angles=frozenset(angles))
+    texts = mechanism.translations.get(style.language, style.texts)
+    known = replace(style, angles=frozenset(angles), texts=texts)
     known.made.take(_names(mechanism, results))
     known = replace(known, spellings=spellings(_names(mechanism, results), known))
     forces = {called(r): of_force(r.name, force, known) for r in results if (force := reaction(r))}

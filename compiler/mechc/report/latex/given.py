@@ -30,10 +30,9 @@ from ..sentences.wording import enumeration
 from .directions import direction, math
 from .friction import friction_sentences
 from .joints import joint_sentences
-from .notation import Notation, name, points
+from .notation import Notation, name, points, translated
 from .printer import latex
 from .quantity import length_of, quantity, usual_unit
-from .text import escape
 from .unit_symbols import unit_symbol
 
 
@@ -56,10 +55,10 @@ class VectorRow(NamedTuple):
 
 def parameter_row(parameter: Parameter, locale: Locale, style: Notation) -> ParameterRow:
     """Return a parameter's symbol, label, value and range with the user's units."""
-    label = "; ".join(t for t in (parameter.label, parameter.about) if t)
+    label = "; ".join(translated(t, style) for t in (parameter.label, parameter.about) if t)
     return ParameterRow(
         math(name(parameter.name, style)),
-        escape(label),
+        label,
         _value(parameter, locale, style),
         _range(parameter, locale, style),
     )

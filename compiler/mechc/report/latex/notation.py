@@ -13,6 +13,7 @@ from ...formula.tree import Formula, Symbol
 from ...frozen import frozen
 from ...model.mechanism import Reaction
 from ..languages.registry import locale
+from .text import escape
 
 _COMMON = {
     "sin": r"\sin",
@@ -77,6 +78,7 @@ class MadeNames:
 class Notation:
     """How functions, decimals and names are written, and which names are angles.
 
+    ``texts`` has what texts of the description are in the ``language``, where they are translated;
     ``made`` are the names made up in the document that is written by this notation, ``units``
     the letters of units in the language, ``otherwise`` stands in a choice at the last case;
     ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`).
@@ -88,6 +90,8 @@ class Notation:
     made: MadeNames
     units: Mapping[str, str]
     otherwise: str
+    language: str = "en"
+    texts: Mapping[str, str] = MappingProxyType({})
     angles: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
 
@@ -97,7 +101,12 @@ def notation(language: str) -> Notation:
     known = locale(language)
     functions, made = {**_COMMON, **known.functions}, MadeNames()
     otherwise = known.calculation["otherwise"]
-    return Notation(functions, known.decimal, known.phi, made, known.units, otherwise)
+    return Notation(functions, known.decimal, known.phi, made, known.units, otherwise, language)
+
+
+def translated(text: str, style: Notation) -> str:
+    """Return a text of the description in the language of the document, as LaTeX."""
+    return escape(style.texts.get(text, text))
 
 
 def name(symbol: str, style: Notation) -> str:

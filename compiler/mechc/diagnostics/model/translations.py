@@ -1,0 +1,37 @@
+"""Messages for translations of a description's texts."""
+
+from ...source import Span
+from ..diagnostic import Message, Related, coded
+
+
+@coded("E328")
+def into_no_language(span: Span, text: str) -> Message:
+    """A text is translated into no language: name one.
+
+    translate "handle"                  # wrong
+    translate "handle" uk "рукоятка"    # right
+    """
+    hint = "name a language: en, uk or ru, and the text in it"
+    return Message(span, f"'{text}' is translated into no language", hint)
+
+
+@coded("E329")
+def translated_twice(span: Span, text: str, language: str, before: Span) -> Message:
+    """A text is translated twice into one language.
+
+    translate "handle" uk "рукоятка"
+    translate "handle" uk "ручка"       # wrong: which?
+    """
+    related = (Related(before, "it is translated here before"),)
+    return Message(span, f"'{text}' has two translations ({language})", related=related)
+
+
+@coded("W224")
+def of_no_text(span: Span, text: str, hint: str) -> Message:
+    """A translation is of a text that the description does not have, or no longer.
+
+    param a = 1 m as "arm"
+    translate "arms" uk "плече"         # warned of: the text is "arm"
+    """
+    hint = hint or "a title, source, label, about or remark of the description is translated"
+    return Message(span, f"no text of this description is '{text}'", hint)
