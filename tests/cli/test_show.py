@@ -66,7 +66,7 @@ def test_friction_shows_what_was_solved_before() -> None:
 
 def test_a_study_shows_what_follows_from_the_results() -> None:
     lines = show("study", "slider_crank_claw")
-    pole = "Vanishing(factor=sin(beta + phi), at=(beta, -phi), kind=drive locked)"
+    pole = "Vanishing(factor=sin(beta + phi), at=(phi, -beta), kind=drive locked, outside=true)"
     assert f"  poles: ({pole})" in lines
 
 

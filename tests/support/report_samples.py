@@ -144,6 +144,7 @@ CLAMP_K = Analysis(
     proportional={"a": 1, "b": -1},
     swaps=(("alpha", "beta"),),
     trends={"a": "rises", "b": "falls", "alpha": "rises", "beta": "rises"},
+    scopes={"a": "as given", "b": "as given", "alpha": "ranges", "beta": "ranges"},
     derivatives={
         "a": formula("sin(alpha+beta)/(2*b*cos(alpha)*cos(beta))"),
         "alpha": formula("a/(2*b*cos(alpha)**2)"),

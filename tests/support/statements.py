@@ -84,6 +84,8 @@ def refuted(mechanism: Mechanism, result: Analysis, seed: int = 0) -> Iterator[s
     for pose in poses(mechanism, result, 3, seed):
         yield from trends(mechanism, result, pose)
         yield from proportions(mechanism, result, pose)
+        yield from near_by(mechanism, result, pose)
+        yield from within(mechanism, result, pose)
     yield from limits(mechanism, result, seed)
 
 
@@ -100,6 +102,33 @@ def trends(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str
         found = [evaluate(result.formula, {**pose, name: x}) for x in places]
         if said := _trend_refuted(trend, found):
             yield f"{result.name} {trend} with {name}: {said}"
+
+
+def near_by(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
+    """Yield what rises or falls the other way where it is said to, ranges apart."""
+    given = with_rest(mechanism, result, {**pose, **defaults(mechanism)})
+    for name, scope in result.scopes.items():
+        trend = (result.trends or {})[name]
+        if trend not in ("rises", "falls") or scope in ("ranges", "ranges, rest as given"):
+            continue
+        at = given if scope == "as given" else pose
+        parts = (1.0, 1.0 + 1e-5) if scope == "as given" else (0.01, 0.1, 1.0, 10.0, 100.0)
+        found = [evaluate(result.formula, {**at, name: part * at[name]}) for part in parts]
+        if at[name] > 0 and (said := _trend_refuted(trend, found)):
+            yield f"{result.name} {trend} with {name}, {scope}: {said}"
+
+
+def within(mechanism: Mechanism, result: Analysis, pose: Values) -> Iterator[str]:
+    """Yield conditions that are met within the ranges, and are said not to be."""
+    for limit in (v for v in (*result.zeros, *result.poles) if v.outside):
+        for name in symbols(limit.factor) & _free(mechanism, pose).keys():
+            low, high = bounds(mechanism.parameter(name))
+
+            def factor(at: float, name: str = name, limit: Vanishing = limit) -> float:
+                return evaluate(limit.factor, {**pose, name: at})
+
+            if any(True for _ in roots(factor, low, high)):
+                yield f"{result.name}: {text(limit.factor)} is zero within the range of {name}"
 
 
 def _trend_refuted(trend: str, found: list[float]) -> str:

@@ -6,13 +6,14 @@ from ..algebra.intervals import Box, Interval, widened
 from ..formula.walk import evaluate
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter
-from .values import is_constant
+from .values import is_constant, range_of
 
 
 def range_box(mechanism: Mechanism) -> Box:
-    """Return the box over which trends are stated."""
+    """Return the box over which trends are stated: ranges, the drive's stroke, and values."""
     box = {p.name: _range(p) for p in mechanism.parameters if _is_known(p)}
-    return {name: interval for name, interval in box.items() if interval is not None}
+    known = {name: interval for name, interval in box.items() if interval is not None}
+    return {**known, **_stroke(mechanism)}
 
 
 def _is_known(parameter: Parameter) -> bool:
@@ -30,6 +31,20 @@ def allowed_box(mechanism: Mechanism) -> Box:
     """Return the box of all values that parameters may take, beyond the default pose."""
     box = {p.name: _allowed(p) for p in mechanism.parameters if _is_known(p)}
     return {name: interval for name, interval in box.items() if interval is not None}
+
+
+def stroke_box(mechanism: Mechanism) -> Box:
+    """Return the box of all values within the ranges given, that of the drive being its stroke."""
+    return {**allowed_box(mechanism), **_stroke(mechanism)}
+
+
+def _stroke(mechanism: Mechanism) -> Box:
+    """Return the stroke of a drive that has no other range."""
+    drive = mechanism.drive
+    if drive is None or mechanism.parameter(drive.parameter).range is not None:
+        return {}
+    stroke = range_of(drive.parameter, mechanism)
+    return {drive.parameter: widened(*stroke)} if stroke else {}
 
 
 def _allowed(parameter: Parameter) -> Interval | None:

@@ -16,12 +16,14 @@ class Vanishing(NamedTuple):
     """A condition ``factor = 0`` under which a result is zero, or infinite.
 
     ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None.
-    ``kind`` tells a dead centre from a load perpendicular to its point's velocity.
+    ``kind`` tells a dead centre from a load perpendicular to its point's velocity. It is
+    ``outside`` where it is proved that the factor does not vanish within the ranges given.
     """
 
     factor: Formula
     at: tuple[str, Formula] | None
     kind: Literal["output still", "drive locked", "perpendicular load", "other"]
+    outside: bool = False
 
 
 class Break(NamedTuple):
@@ -47,14 +49,23 @@ Trend = Literal[
 ]
 """``between poles``: on each side of the values at which a result is infinite, not across them."""
 
+Scope = Literal["always", "ranges", "ranges, rest as given", "rest as given", "as given"]
+"""For which values a trend is proved.
+
+``always``: for all positive values of what has neither value nor range; ``ranges``: over all
+ranges; ``rest as given``: what has a value and no range stands at its value; ``as given``: so does
+the parameter itself.
+"""
+
 
 @frozen
 class Analysis(Result):
     """A result as it is printed, with where it vanishes, how it moves, where friction locks.
 
     ``proportional`` maps a parameter to the power in which the result is proportional to
-    it; ``swaps`` are pairs that may be exchanged; ``trends`` say how it moves over each
-    parameter's range (by a proof of the sign of the derivative, never by sampling);
+    it; ``swaps`` are pairs that may be exchanged; ``trends`` say how it moves with each
+    parameter (by a proof of the sign of the derivative, never by sampling) and ``scopes`` for
+    which values that is proved;
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
     the conditions of a result that is printed for one case; ``inside`` are the names of its
     ``where`` that are coefficients of a system. ``locking`` tells of a ratio with friction where
@@ -68,6 +79,7 @@ class Analysis(Result):
     independent: tuple[str, ...] = ()
     swaps: tuple[tuple[str, str], ...] = ()
     trends: Mapping[str, Trend] | None = None
+    scopes: Mapping[str, Scope] = MappingProxyType({})
     derivatives: Mapping[str, Formula] | None = None
     slopes: Mapping[str, Slope] = MappingProxyType({})
     holds: tuple[Require, ...] = ()

@@ -1,6 +1,6 @@
 """What follows from a result: zeros and poles, proportions, symmetries, trends, derivatives."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Set
 from functools import cache, partial
 from itertools import combinations
 from math import isfinite
@@ -21,8 +21,9 @@ from ..model.result import Definition, Result
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
 from ..power.numbers import DefaultNumbers
-from .analysis import Analysis, Slope, Trend, as_printed
+from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
+from .ranges import with_range
 from .tolerances import SAME_RATIO
 from .trends import trend
 from .zeros import poles, zeros
@@ -77,9 +78,29 @@ def _concluded(
     slopes = {name: derivative(item.value, name) for name in names}
     box = range_box(mechanism)
     trends: dict[str, Trend] = {name: trend(item.value, slopes[name], name, box) for name in names}
-    result = replace(result, swaps=_swaps(result.formula, mechanism, names), trends=trends)
+    swaps, scopes = _swaps(result.formula, mechanism, names), _scopes(mechanism, result, names)
+    result = replace(result, swaps=swaps, trends=trends, scopes=scopes)
     partial_ones = {name: slope.formula() for name, slope in slopes.items()}
     return _sloping(result, partial_ones, mechanism, numbers)
+
+
+def _scopes(mechanism: Mechanism, result: Analysis, names: list[str]) -> dict[str, Scope]:
+    """Return for which values each trend holds: a factor's own value has no part in the others."""
+    ranged, given = with_range(mechanism), {p.name for p in mechanism.parameters if p.value}
+    fixed = given - ranged
+    return {name: _scope(name, ranged, fixed, result, names) for name in names}
+
+
+def _scope(
+    name: str, ranged: Set[str], fixed: Set[str], result: Analysis, names: list[str]
+) -> Scope:
+    if name in fixed:
+        return "as given"
+    rest = {n for n in names if n != name and n not in (result.proportional or {})}
+    in_ranges = not ranged.isdisjoint({name, *rest})
+    if fixed.isdisjoint(rest):
+        return "ranges" if in_ranges else "always"
+    return "ranges, rest as given" if in_ranges else "rest as given"
 
 
 def _sloping(

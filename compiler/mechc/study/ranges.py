@@ -7,6 +7,7 @@ from ..formula.walk import symbols
 from ..model.locking import Range
 from ..model.mechanism import Mechanism
 from ..model.result import Result
+from ..model.values import range_of
 from ..units import ANGLE, LENGTH, in_unit
 from .tolerances import EXACT, NEARLY
 
@@ -31,6 +32,19 @@ def moved(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
     for name in varying(mechanism, results):
         if name == drive or turns(name, mechanism):
             yield name
+
+
+def moving_first(mechanism: Mechanism) -> list[str]:
+    """Return the parameters: the drive, then those with a range, then the others."""
+    drive, ranged = mechanism.drive, with_range(mechanism)
+    names = [p.name for p in mechanism.parameters]
+    return sorted(names, key=lambda n: (not drive or n != drive.parameter, n not in ranged))
+
+
+def with_range(mechanism: Mechanism) -> frozenset[str]:
+    """Return the parameters that have a range, or a stroke."""
+    names = (p.name for p in mechanism.parameters)
+    return frozenset(name for name in names if range_of(name, mechanism) is not None)
 
 
 def _used(mechanism: Mechanism, results: Sequence[Result]) -> set[str]:

@@ -35,7 +35,7 @@ def trend(value: Product, slope: Product, name: str, box: Box) -> Trend:
     if ends not in ({1}, {-1}) or not _keeps_sign(slope, box):
         return "unknown"
     divisors = [d for d in _divisors(value) if name in symbols(d.formula())]
-    if all(_is_free_of_zeros(d, box) for d in divisors):
+    if all(is_free_of_zeros(d, box) for d in divisors):
         return "rises" if ends == {1} else "falls"
     if any(_changes_sign(d, name, box) for d in divisors):
         return "rises between poles" if ends == {1} else "falls between poles"
@@ -73,12 +73,10 @@ def _corner(box: Box, name: str, end: int) -> Box:
 
 def _keeps_sign(slope: Product, box: Box) -> bool:
     """Tell whether no factor that could change sign does so in the box."""
-    return all(
-        _is_free_of_zeros(Product(1, {f: 1}), box) for f, e in slope.factors.items() if e % 2
-    )
+    return all(is_free_of_zeros(Product(1, {f: 1}), box) for f, e in slope.factors.items() if e % 2)
 
 
-def _is_free_of_zeros(factor: Product, box: Box) -> bool:
+def is_free_of_zeros(factor: Product, box: Box) -> bool:
     """Prove that one factor has no zero in a box, halving the box where needed."""
     waiting = [box]
     for _ in range(PARTS):

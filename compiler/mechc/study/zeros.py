@@ -15,12 +15,15 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
+from ..model.boxes import stroke_box
 from ..model.mechanism import Force
 from ..model.values import Chain
 from ..power.balance import Balance, Solved, Term
 from .analysis import Vanishing
 from .breaks import divisors, may_vanish
+from .ranges import moving_first, with_range
 from .tolerances import VANISHED_SUM
+from .trends import is_free_of_zeros
 
 STEPS = (1e-4, 1e-7)
 """How far from a root the values are compared that refute it, in radians.
@@ -69,7 +72,9 @@ def _conditions(
                     kind = _kind(factor, (), item, balance, side)
                     left = _without_shared(factor, item.value, near)
                     yield from (
-                        Vanishing(f.formula(), None, kind) for f in left if may_vanish(f, near)
+                        Vanishing(f.formula(), None, kind, _is_outside(f, balance))
+                        for f in left
+                        if may_vanish(f, near)
                     )
 
 
@@ -90,10 +95,27 @@ def _at_roots(
     proved = [r for r in found if _has_order(item, r, near, side, chain)]
     kinds = [_kind(r.factor, (r,), item, balance, side) for r in proved]
     if len(proved) == len(found) and len({*kinds}) == 1:
-        yield Vanishing(trig.formula(), solution(trig, near), kinds[0])
+        yield _vanishing(trig, kinds[0], item, balance, near)
     else:
         for root, kind in zip(proved, kinds, strict=True):
-            yield Vanishing(root.factor.formula(), solution(root.factor, near), kind)
+            yield _vanishing(root.factor, kind, item, balance, near)
+
+
+def _vanishing(
+    trig: Trig, kind: Kind, item: Solved, balance: Balance, near: Mapping[str, float]
+) -> Vanishing:
+    """Return a condition solved for what moves; not for, nor by, what loops find."""
+    mechanism = balance.plan.graph.pose.mechanism
+    found = trig.angle.names & {d.name for d in item.result.where}
+    at = None if found else solution(trig, near, moving_first(mechanism))
+    return Vanishing(trig.formula(), at, kind, _is_outside(trig, balance))
+
+
+def _is_outside(factor: Factor, balance: Balance) -> bool:
+    """Prove that a factor does not vanish within the ranges given, whatever has none."""
+    mechanism = balance.plan.graph.pose.mechanism
+    ranged = symbols(factor.formula()) & with_range(mechanism)
+    return bool(ranged) and is_free_of_zeros(Product.of(factor), stroke_box(mechanism))
 
 
 def _has_order(
@@ -209,15 +231,18 @@ def _across(plan: Plan, term: Term) -> Product:
     return plan.component(term.load.point, term.line + QUARTER)[0]
 
 
-def solution(factor: Factor, near: Mapping[str, float]) -> tuple[str, Formula] | None:
+def solution(
+    factor: Factor, near: Mapping[str, float], order: Sequence[str] = ()
+) -> tuple[str, Formula] | None:
     """Return (symbol, value) at which a sine or cosine vanishes, the one nearest by.
 
-    ``near`` are default values; the symbol is the first of the angle's by name whose
-    coefficient is ±1, or its only one.
+    ``near`` are default values; the symbol is the first of the angle's in an ``order``, else by
+    name, whose coefficient is ±1, or its only one.
     """
     if not isinstance(factor, Trig):
         return None
     terms = [(n, c) for n, c in factor.angle.terms if n != RADIAN]
+    terms.sort(key=lambda term: order.index(term[0]) if term[0] in order else len(order))
     unit = next(((n, c) for n, c in terms if abs(c) == 1), terms[0] if len(terms) == 1 else None)
     if unit is None:
         return None

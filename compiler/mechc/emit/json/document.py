@@ -38,7 +38,7 @@ from ...report.derivation.steps import (
     Step,
 )
 from ...statics.verdict import Trial, Verdict
-from ...study.analysis import Analysis, Break, Trend, Vanishing
+from ...study.analysis import Analysis, Break, Scope, Trend, Vanishing
 from ...units import si_unit
 from ..describe import dimension_name
 from ..target import Compiled
@@ -52,7 +52,7 @@ from .points import MOVED, moved
 VERSION = 1
 """Raised whenever a member changes its meaning or goes."""
 
-TRENDS = get_args(Trend)
+TRENDS, SCOPES = get_args(Trend), get_args(Scope)
 VANISHINGS = ("output still", "drive locked", "perpendicular load", "other")
 KINDS: Mapping[type[Target] | type[None], str] = {
     LoadRatio: "load ratio",
@@ -114,6 +114,7 @@ VANISHING: Kind[Vanishing] = record(
     member("symbol", "Solved for this.", optional(TEXT), lambda v: v.at and v.at[0]),
     member("value", "Its value there.", optional(FORMULA), lambda v: v.at and v.at[1]),
     member("kind", "What happens there.", one_of(*VANISHINGS), lambda v: v.kind),
+    member("outside", "Proved: not within the ranges given.", TRUTH, lambda v: v.outside),
 )
 
 BREAK: Kind[Break] = record(
@@ -223,6 +224,12 @@ RESULT: Kind[Analysis] = record(
         "How it moves over each parameter's range, by proof.",
         map_of(one_of(*TRENDS)),
         lambda r: r.trends or {},
+    ),
+    member(
+        "scopes",
+        "For which values that is proved.",
+        map_of(one_of(*SCOPES)),
+        lambda r: r.scopes,
     ),
     member("derivatives", "Partial ones.", map_of(FORMULA), lambda r: r.derivatives or {}),
     member("locking", "Where friction holds it.", optional(LOCKING), lambda r: r.locking),

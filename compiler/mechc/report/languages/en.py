@@ -218,15 +218,22 @@ LOCALE = Locale(
     independent="{result} does not depend on {names}.",
     swaps="{result} does not change when {first} and {second} change places.",
     trends={
-        "rises": "Within the ranges given, {result} rises with {names}.",
-        "falls": "Within the ranges given, {result} falls with increasing {names}.",
-        "rises between poles": "Within the ranges given, {result} rises with {names} on either "
+        "rises": "{within}{result} rises with {names}.",
+        "falls": "{within}{result} falls with increasing {names}.",
+        "rises between poles": "{within}{result} rises with {names} on either "
         "side of each value at which it becomes infinite.",
-        "falls between poles": "Within the ranges given, {result} falls with increasing {names} "
+        "falls between poles": "{within}{result} falls with increasing {names} "
         "on either side of each value at which it becomes infinite.",
         "constant": "{result} does not change with {names}.",
-        "turns": "Within the ranges given, {result} does not vary monotonically with {names}.",
+        "turns": "{within}{result} does not vary monotonically with {names}.",
         "unknown": "",
+    },
+    within={
+        "always": "",
+        "ranges": "Within the ranges given, ",
+        "ranges, rest as given": "Within the ranges given and with the rest at the values given, ",
+        "rest as given": "With the rest at the values given, ",
+        "as given": "At the values given, ",
     },
     zero="{result} vanishes when {condition}",
     pole="{result} becomes infinite when {condition}",
@@ -250,12 +257,14 @@ LOCALE = Locale(
     in_range="in the range given for {condition}",
     all_of_range="in the whole range given",
     out_of_range="outside the range given",
+    out_of_ranges="outside the ranges given",
     course="For {condition}, {result} runs from {least} to {greatest}",
     steady="For {condition}, {result} is {least} throughout",
     stuck="{least} (nothing moves)",
     usual="it is between 0.9 and 0.95 for {conditions} only",
     always_usual="it is between 0.9 and 0.95 throughout",
     unusual="it is nowhere between 0.9 and 0.95",
+    why_usual="An efficiency of 0.9 to 0.95 is what textbooks assume of oiled joints.",
     sampled="These bounds are found by sampling and refined, not proved.",
     derivatives="Sensitivities (partial derivatives)",
     slope="Derivative with respect to the driving coordinate",

@@ -86,6 +86,7 @@ class Locale(NamedTuple):
     independent: str
     swaps: str
     trends: Mapping[str, str]
+    within: Mapping[str, str]
     zero: str
     pole: str
     infinite: str
@@ -99,12 +100,14 @@ class Locale(NamedTuple):
     in_range: str
     all_of_range: str
     out_of_range: str
+    out_of_ranges: str
     course: str
     steady: str
     stuck: str
     usual: str
     always_usual: str
     unusual: str
+    why_usual: str
     sampled: str
     derivatives: str
     slope: str

@@ -221,15 +221,22 @@ LOCALE = Locale(
     independent="{result} не залежить від {names}.",
     swaps="{result} не змінюється, якщо {first} та {second} поміняти місцями.",
     trends={
-        "rises": "У заданих межах {result} зростає зі збільшенням {names}.",
-        "falls": "У заданих межах {result} спадає зі збільшенням {names}.",
-        "rises between poles": "У заданих межах {result} зростає зі збільшенням {names} по "
+        "rises": "{within}{result} зростає зі збільшенням {names}.",
+        "falls": "{within}{result} спадає зі збільшенням {names}.",
+        "rises between poles": "{within}{result} зростає зі збільшенням {names} по "
         "обидва боки кожного значення, за якого прямує до нескінченності.",
-        "falls between poles": "У заданих межах {result} спадає зі збільшенням {names} по обидва "
+        "falls between poles": "{within}{result} спадає зі збільшенням {names} по обидва "
         "боки кожного значення, за якого прямує до нескінченності.",
         "constant": "{result} не змінюється зі зміною {names}.",
-        "turns": "У заданих межах залежність {result} від {names} немонотонна.",
+        "turns": "{within}залежність {result} від {names} немонотонна.",
         "unknown": "",
+    },
+    within={
+        "always": "",
+        "ranges": "У заданих межах ",
+        "ranges, rest as given": "У заданих межах і за наведених значень решти величин ",
+        "rest as given": "За наведених значень решти величин ",
+        "as given": "За наведених значень ",
     },
     zero="{result} дорівнює нулю, коли {condition}",
     pole="{result} прямує до нескінченності, коли {condition}",
@@ -253,12 +260,14 @@ LOCALE = Locale(
     in_range="у заданих межах за {condition}",
     all_of_range="у всіх заданих межах",
     out_of_range="поза заданими межами",
+    out_of_ranges="поза заданими межами",
     course="За {condition} значення {result} змінюється від {least} до {greatest}",
     steady="За {condition} значення {result} всюди дорівнює {least}",
     stuck="{least} (ніщо не рухається)",
     usual="у межах 0,9…0,95 воно перебуває лише за {conditions}",
     always_usual="воно всюди перебуває в межах 0,9…0,95",
     unusual="у межах 0,9…0,95 воно ніде не перебуває",
+    why_usual="ККД 0,9…0,95 — звичайне припущення підручників для змащених з’єднань.",
     sampled="Ці межі знайдено за вибірковими значеннями й уточнено, але не доведено.",
     derivatives="Чутливість (частинні похідні)",
     slope="Похідна за узагальненою координатою",

@@ -24,6 +24,8 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
         yield from _locking(result.locking, locale, spell)
     for course in result.courses:
         yield _course(result, course, locale, spell)
+    if any(course.least != course.greatest for course in result.courses):
+        yield locale.why_usual
     reaches = result.locking.reaches if result.locking else ()
     told = [s for reach in reaches for s in reach.stretches if _is_told(s, reach)]
     if result.courses or any(stretch.sampled for stretch in told):

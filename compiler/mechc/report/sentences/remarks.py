@@ -17,7 +17,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
-from ...study.analysis import Analysis, Break, Trend, Vanishing
+from ...study.analysis import Analysis, Break, Scope, Trend, Vanishing
 from ..derivation.steps import Paragraph
 from ..languages.locale import Locale
 from .locking import friction_remarks
@@ -130,11 +130,16 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     if result.independent:
         names = _symbols(result.independent, locale, spell)
         said.append(locale.independent.format(result=symbol, names=names))
-    for first, second in result.swaps:
+    for first, second in filter(lambda pair: _is_news(pair, result), result.swaps):
         one, other = (_spelled(Symbol(n), spell) for n in (first, second))
         said.append(locale.swaps.format(result=symbol, first=one, second=other))
     said += _trends(result, symbol, locale, spell)
     return (*said, *friction_remarks(result, locale, spell))
+
+
+def _is_news(names: Iterable[str], result: Analysis) -> bool:
+    """Tell what is said of names from what the proportionality has said of all of them."""
+    return any(name not in (result.proportional or {}) for name in names)
 
 
 def _holds(result: Analysis, locale: Locale, spell: Speller) -> list[str]:
@@ -153,6 +158,8 @@ def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: 
         name, value = limit.at[0], _ordered(limit.at[1])
         place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
         said += ", " + locale.when.format(condition=place)
+    if limit.outside:
+        said += ", " + locale.out_of_ranges
     kind = locale.centres[limit.kind]
     return f"{said} ({kind})." if kind else f"{said}."
 
@@ -181,13 +188,15 @@ def _symbols(names: Iterable[str], locale: Locale, spell: Speller) -> str:
 
 
 def _trends(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> list[str]:
-    groups: dict[Trend, list[str]] = {}
+    groups: dict[tuple[Trend, Scope], list[str]] = {}
     for parameter, trend in (result.trends or {}).items():
-        groups.setdefault(trend, []).append(parameter)
+        if locale.trends[trend] and _is_news([parameter], result):
+            groups.setdefault((trend, result.scopes[parameter]), []).append(parameter)
     return [
-        locale.trends[trend].format(result=symbol, names=_symbols(names, locale, spell))
-        for trend, names in groups.items()
-        if locale.trends[trend]
+        locale.trends[trend].format(
+            within=locale.within[scope], result=symbol, names=_symbols(names, locale, spell)
+        )
+        for (trend, scope), names in groups.items()
     ]
 
 
