@@ -6,6 +6,7 @@ from typing import NamedTuple, assert_never
 from ..formula.operations import count_operations
 from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
+from ..frozen import replace
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -24,6 +25,7 @@ from ..study.analysis import as_printed
 from .loops import closing_guard, unseen_loops
 from .scope import Scope, rename
 from .sharing import Shared, named, share
+from .sign_powers import in_choices
 from .steps import Checks, Function, Guard, Input, Solve, Statement, Step, formulas_of
 from .unit_vectors import in_unit_vectors
 
@@ -95,10 +97,22 @@ def function(asked: Asked, scope: Scope, names: Iterable[str]) -> Function:
     result = asked.result
     definitions = scope.definitions(result.name, asked.needed)
     formula, guards = rename(result.formula, definitions.names), asked.guards(definitions.names)
-    steps, (output,) = steps_to(definitions.formulas, [formula], guards, names)
+    others = [guard for guard in guards if not guard.balance]
+    ends = [formula, *(side for g in guards if g.balance for side in (g.left, g.right))]
+    steps, (output, *sides) = steps_to(definitions.formulas, ends, others, names)
+    guards = _with_sides(guards, sides)
     shown = scope.definitions(result.name, asked.read).formulas
     read = _readable(result, formula, shown)
     return written(asked, steps, output, guards, read, operations(steps))
+
+
+def _with_sides(guards: Iterable[Guard], sides: Iterable[Formula]) -> tuple[Guard, ...]:
+    """Return guards, those that nobody reads with other sides, two for each."""
+    left = iter(sides)
+    return tuple(
+        replace(guard, left=next(left), right=next(left)) if guard.balance else guard
+        for guard in guards
+    )
 
 
 def checks(scope: Scope, inputs: Mapping[str, Input], names: Iterable[str]) -> Checks | None:
@@ -125,6 +139,8 @@ def steps_to(
     asked = {name for side in sides for name in symbols(side)}.union(c.name for c in known)
     definitions = [*map(named, known), *definitions]
     taken = {*names, *(name for name, _ in definitions)}
+    definitions = [(name, in_choices(formula)) for name, formula in definitions]
+    formulas = [in_choices(formula) for formula in formulas]
     return share(*in_unit_vectors(definitions, formulas, asked, taken), names)
 
 

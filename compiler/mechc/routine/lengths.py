@@ -7,6 +7,7 @@ the same in a fraction of the time, and where the square is asked for it is ther
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 from math import isqrt
+from typing import TypeGuard
 
 from ..algebra.factors import Length
 from ..algebra.from_formula import is_transparent, to_product
@@ -51,10 +52,10 @@ def with_roots(
     squares: dict[Formula, Formula] = {}
     written: Named = []
     for name, formula in paired:
-        if not (isinstance(formula, Call) and formula.function == "hypot"):
+        if not _is_length(formula):
             written.append((name, _put(formula, squares)))
             continue
-        square = total(power(unsigned(_put(part, squares)), TWO) for part in formula.arguments)
+        square = _sum_of_squares(_put(part, squares) for part in formula.arguments)
         if name in asked:
             title = fresh(f"{name}_squared", taken)
             written.append((title, square))
@@ -72,11 +73,21 @@ def _squared(formulas: Iterable[Formula]) -> Iterator[str]:
 
 
 def _put(formula: Formula, squares: Mapping[Formula, Formula]) -> Formula:
-    """Return a formula with squares by their names."""
+    """Return a formula with squares by their names, and roots for lengths."""
     if formula in squares:
         return squares[formula]
-    parts = children(formula)
-    return rebuild(formula, tuple(_put(p, squares) for p in parts)) if parts else formula
+    parts = tuple(_put(p, squares) for p in children(formula))
+    if _is_length(formula):
+        return Call("sqrt", (_sum_of_squares(parts),))
+    return rebuild(formula, parts) if parts else formula
+
+
+def _is_length(formula: Formula) -> TypeGuard[Call]:
+    return isinstance(formula, Call) and formula.function == "hypot"
+
+
+def _sum_of_squares(parts: Iterable[Formula]) -> Formula:
+    return total(power(unsigned(part), TWO) for part in parts)
 
 
 def in_squares(formula: Formula, lengths: Collection[str]) -> Formula:

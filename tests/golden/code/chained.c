@@ -14,10 +14,22 @@
 #endif
 #endif
 
+/* A root that leaves no trace of its failure but NaN: loops over it become vector code. */
+#ifdef __GNUC__
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wredundant-decls"
+#ifndef __cplusplus
+double sqrt(double) __attribute__((const));
+#elif defined(__GLIBC__)
+extern "C" double sqrt(double) __THROW __attribute__((const));
+#endif
+#pragma GCC diagnostic pop
+#endif
+
 /*
  * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:
  * Cody and Waite's reduction in four parts and the polynomials of fdlibm (Sun
- * Microsystems, 1993), about 1 ulp. NaN beyond 2^20 rad, where the caller asks libm.
+ * Microsystems, 1993), within 2.5 ulp. NaN beyond 2^20 rad, where the caller asks libm.
  */
 static inline double mechc_circular(double x, uint64_t quarter)
 {
@@ -31,20 +43,18 @@ static inline double mechc_circular(double x, uint64_t quarter)
     const double s = r + z*r*(-1.66666666666666324348e-01 + z*8.33333333332248946124e-03
         + zz*(-1.98412698298579493134e-04 + z*2.75573137070700676789e-06
         + zz*(-2.50507602534068634195e-08 + z*1.58969099521155010221e-10)));
-    const double h = 0.5*z;
-    const double w = 1.0 - h;
-    const double c = w + (1.0 - w - h + zz*(4.16666666666666019037e-02
+    const double c = 1.0 - 0.5*z + zz*(4.16666666666666019037e-02
         - z*1.38888888888741095749e-03 + zz*(2.48015872894767294178e-05
         - z*2.75573143513906633035e-07 + zz*(2.08757232129817482790e-09
-        - z*1.13596475577881948265e-11))));
+        - z*1.13596475577881948265e-11)));
     uint64_t count, sine, cosine, chosen;
     double result;
     memcpy(&count, &shifted, sizeof count);
     memcpy(&sine, &s, sizeof sine);
     memcpy(&cosine, &c, sizeof cosine);
-    count += quarter;
-    chosen = (cosine & (0u - (count & 1u))) | (sine & ((count & 1u) - 1u));
-    chosen ^= (count & 2u) << 62;
+    chosen = quarter ? cosine : sine; /* the other one in odd quarters */
+    chosen ^= (sine ^ cosine) & (0u - (count & 1u));
+    chosen ^= ((count + quarter) & 2u) << 62;
     memcpy(&result, &chosen, sizeof result);
     return result;
 }
@@ -57,6 +67,14 @@ static inline double mechc_sin(double x)
 static inline double mechc_cos(double x)
 {
     return mechc_circular(x, 1u);
+}
+
+/* A number whose first bit is 1 where the value is NaN: without a comparison, for vector code. */
+static inline uint64_t mechc_nan(double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    return 0x7ff0000000000000u - (bits & 0x7fffffffffffffffu);
 }
 
 /* The value where left < right, else NaN (all bits ones): by the sign, without a branch. */
@@ -118,10 +136,13 @@ void chained_k_n(
     size_t start, stop, i;
     for (start = 0; start < n; start = stop) {
         stop = n - start > 512 ? start + 512 : n;
+        uint64_t missing = 0;
         for (i = start; i < stop; ++i) {
-            k[i] = chained_k_quick(a[i], b[i], phi[i]);
+            const double value = chained_k_quick(a[i], b[i], phi[i]);
+            missing |= mechc_nan(value);
+            k[i] = value;
         }
-        for (i = start; i < stop; ++i) {
+        for (i = missing >> 63 ? start : stop; i < stop; ++i) {
             if (k[i] != k[i]) {
                 k[i] = chained_k(a[i], b[i], phi[i]);
             }
@@ -168,10 +189,13 @@ void chained_P_n(
     size_t start, stop, i;
     for (start = 0; start < n; start = stop) {
         stop = n - start > 512 ? start + 512 : n;
+        uint64_t missing = 0;
         for (i = start; i < stop; ++i) {
-            P[i] = chained_P_quick(a[i], b[i], phi[i], m[i], M[i]);
+            const double value = chained_P_quick(a[i], b[i], phi[i], m[i], M[i]);
+            missing |= mechc_nan(value);
+            P[i] = value;
         }
-        for (i = start; i < stop; ++i) {
+        for (i = missing >> 63 ? start : stop; i < stop; ++i) {
             if (P[i] != P[i]) {
                 P[i] = chained_P(a[i], b[i], phi[i], m[i], M[i]);
             }
@@ -234,10 +258,13 @@ void chained_twice_n(
     size_t start, stop, i;
     for (start = 0; start < n; start = stop) {
         stop = n - start > 512 ? start + 512 : n;
+        uint64_t missing = 0;
         for (i = start; i < stop; ++i) {
-            twice[i] = chained_twice_quick(a[i], b[i], phi[i], m[i], M[i]);
+            const double value = chained_twice_quick(a[i], b[i], phi[i], m[i], M[i]);
+            missing |= mechc_nan(value);
+            twice[i] = value;
         }
-        for (i = start; i < stop; ++i) {
+        for (i = missing >> 63 ? start : stop; i < stop; ++i) {
             if (twice[i] != twice[i]) {
                 twice[i] = chained_twice(a[i], b[i], phi[i], m[i], M[i]);
             }

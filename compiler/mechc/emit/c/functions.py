@@ -53,6 +53,8 @@ class FunctionContext(NamedTuple):
     loop: str
     start: str
     stop: str
+    value: str
+    missing: str
     result: str
     otherwise: str
     status: StatusContext | None
@@ -119,6 +121,8 @@ def function_context(
         loop=loop,
         start=outer.claim("start"),
         stop=outer.claim("stop"),
+        value=outer.claim("value"),
+        missing=outer.claim("missing"),
         result=inner.claim(function.name),
         otherwise=describe.call(other, singles, own) if other else "",
         status=_status(function, scope, listed),

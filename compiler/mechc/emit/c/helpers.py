@@ -4,7 +4,7 @@ import re
 
 _CALL = re.compile(r"\bmechc_(\w+)\(")
 _NEEDS = {"sin": "circular", "cos": "circular", "tan": "circular"}
-BITS = frozenset({"circular", "if_less", "if_no_more"})
+BITS = frozenset({"circular", "nan", "if_less", "if_no_more"})
 """Those that look at the bits of numbers, for which they need ``stdint.h`` and ``string.h``."""
 
 

@@ -69,6 +69,7 @@ class SourceContext(NamedTuple):
     choices: list[Line]
     conditions: list[Line]
     bits: bool
+    roots: bool
     pi: bool
     code: str
 
@@ -133,10 +134,16 @@ def _source(parts: Parts, preface: list[str], header: str) -> str:
         choices=[Line(name, sign) for name, sign in _CHOICES.items() if name in called],
         conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
         bits=not called.isdisjoint(BITS),
+        roots=any("sqrt(" in line for f in parts.functions for line in _quick_lines(f)),
         pi=CPrinter.pi in code,
         code=code,
     )
     return render("c/source.jinja", context)
+
+
+def _quick_lines(function: FunctionContext) -> list[str]:
+    """Return the lines of the body that loops call; none where they call the plain one."""
+    return [*function.quick.body, function.quick.output] if function.quick else []
 
 
 def _preface(compiled: Compiled) -> list[str]:
