@@ -165,18 +165,25 @@ class _Turning:
             case Call("atan2", (y, x)):
                 return Unit(x, y, self._size(name, x, y))
             case Call("asin", (sine,)) if name not in self.careful:
-                return self._leaning(name, sine)
+                return Unit(self._other_leg(name, sine), sine)
+            case Call("acos", (cosine,)) if name not in self.careful:
+                return Unit(cosine, self._other_leg(name, cosine))
+            case Call("atan", (slope,)):
+                return Unit(ONE, slope, Call("sqrt", (total([ONE, power(slope, number(2))]),)))
             case Symbol(other) if other in self.units:
                 self.used.add(other)
                 return self.units[other]
         return None
 
-    def _leaning(self, name: str, sine: Formula) -> Unit:
-        """Return the direction that leans by a sine: no cancellation where it is near 1."""
-        less, more = total([ONE, negative(sine)]), total([ONE, sine])
-        cosine = Call("sqrt", (product([(less, 1), (more, 1)]),))
-        self.roots[name] = self.rewritten(cosine)
-        return Unit(cosine, sine)
+    def _other_leg(self, name: str, leg: Formula) -> Formula:
+        """Return the sine that goes with a cosine, or the reverse; it is not negative.
+
+        There is no cancellation where the leg is near 1.
+        """
+        less, more = total([ONE, negative(leg)]), total([ONE, leg])
+        other = Call("sqrt", (product([(less, 1), (more, 1)]),))
+        self.roots[name] = self.rewritten(other)
+        return other
 
     def _size(self, name: str, x: Formula, y: Formula) -> Formula:
         length = self.lengths.get(frozenset(map(unsigned, (x, y))))
