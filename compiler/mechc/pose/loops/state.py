@@ -5,6 +5,7 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ...algebra.angle import Angle
+from ...algebra.sums import add
 from ...formula.tree import Call, Formula, degrees, negative, total
 from ...formula.walk import evaluate, symbols
 from ...model.mechanism import Mechanism
@@ -19,6 +20,9 @@ from .dyads import Closure
 from .guide_lines import GuideLine
 from .rates import loop_rates
 from .vector_graph import Edge, Names, VectorGraph, mentioned
+
+MANY = 3
+"""The angles that a direction is the sum of, from which on it keeps its name."""
 
 
 class State:
@@ -123,10 +127,34 @@ class State:
             for name in settled:
                 values.pop(name, None)
         turn = self._is_clockwise(points) if kind == "triangle" else None
-        names = tuple(d.name for d in closure.definitions)
-        self.solved.append(SolvedLoop(kind, points, names, turn))
         self.found.update(unknown)
         self.graph.sought.difference_update(unknown)
+        names = (*(d.name for d in closure.definitions), *self._name_directions())
+        self.solved.append(SolvedLoop(kind, points, names, turn))
+
+    def _name_directions(self) -> Iterator[str]:
+        """Name the directions that are sums of many angles, all of them known by now."""
+        open_ = self.angles - self.found
+        for name, angle in list(self.directions.items()):
+            is_long = len(angle.terms) >= MANY and self.directions[name] == angle
+            if is_long and open_.isdisjoint(angle.names):
+                self._define_direction(name, angle)
+                yield name
+
+    def _define_direction(self, name: str, angle: Angle) -> None:
+        self.definitions.append(Definition(name, angle.formula()))
+        if moving := [self.rates[n].scaled(c) for n, c in angle.terms if n in self.rates]:
+            self.rates[name] = add(moving)
+        for values in self.values:
+            values[name] = angle.evaluate(values)
+
+        def by_name(other: Angle) -> Angle:
+            apart = other - angle
+            return other if apart.terms else Angle.of(name) + apart
+
+        self.directions = {n: by_name(a) for n, a in self.directions.items()}
+        self.guide_lines = [r._replace(angle=by_name(r.angle)) for r in self.guide_lines]
+        self.graph.rewrite(by_name)
 
     def _is_clockwise(self, points: Sequence[str]) -> bool:
         """Tell how three points lie at the default pose."""

@@ -6,7 +6,7 @@ unknowns between them, and no more.
 """
 
 from collections import deque
-from collections.abc import Collection, Iterable, Iterator, Mapping
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping
 from itertools import combinations
 from typing import NamedTuple
 
@@ -14,7 +14,7 @@ from ...algebra.angle import Angle
 from ...algebra.product import Product, Sum
 from ...formula.walk import symbols
 from ...source import Span
-from ..pose import Vector, evaluate_vector, reverse, turned_by
+from ..pose import Arm, Vector, evaluate_vector, reverse
 
 Names = frozenset[str]
 
@@ -91,7 +91,15 @@ class VectorGraph:
 
     def put(self, values: Mapping[str, Angle]) -> None:
         """Replace symbols in all directions by what they were found to be."""
-        self.edges = [e._replace(arms=turned_by(e.arms, values)) for e in self.edges]
+        self.rewrite(lambda angle: angle.put(values))
+
+    def rewrite(self, written: Callable[[Angle], Angle]) -> None:
+        """Write every direction in another way."""
+
+        def rewritten(edge: Edge) -> Edge:
+            return edge._replace(arms=tuple(Arm(a.length, written(a.angle)) for a in edge.arms))
+
+        self.edges = list(map(rewritten, self.edges))
         self._mentions = [mentioned(e.arms) for e in self.edges]
 
     def pairs(self, within: Collection[str] | None = None) -> Iterator[tuple[Names, Cycle]]:
