@@ -32,8 +32,8 @@ NAMES = [
     "two_coupled_triads",
     "watt_six_bar",
 ]
-TOO_LONG = ["ternary_chain"]
-"""What is read as the speeds stand, in their order: multiplied out it has 101 operations."""
+TOO_LONG = ["class_four_block", "ternary_chain"]
+"""What is read as the speeds stand, in their order: multiplied out it has over 64 operations."""
 
 POINT = r"[A-Z]\d?"
 AXES = {"x": "0 deg", "y": "90 deg", "-x": "180 deg", "-y": "270 deg"}

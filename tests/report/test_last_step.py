@@ -34,9 +34,14 @@ def test_with_the_speeds_put_in_it_is_k(name):
     (k,) = (r for r in derivation.results if r.name == "k")
     (last,) = derivation.last_steps
     ratio = last.ratio.right
-    while names := symbols(ratio) & speeds.keys():
-        ratio = substitute(ratio, {name: speeds[name] for name in names})
-    assert equal(ratio, k.formula)
+    named = {found.name: found.formula for found in derivation.ratios}
+    assert equal(put_in(ratio, speeds), put_in(k.formula, named))
+
+
+def put_in(formula, known):
+    while names := symbols(formula) & known.keys():
+        formula = substitute(formula, {name: known[name] for name in names})
+    return formula
 
 
 def test_a_ratio_with_a_sign_of_its_own_is_not_contradicted():

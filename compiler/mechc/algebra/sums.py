@@ -15,6 +15,7 @@ from functools import reduce
 from operator import or_
 
 from ..formula.operations import count_operations
+from ..formula.walk import symbols
 from ..work import spend
 from .angle import Rational, rational
 from .cancelling import LIMIT, canonical
@@ -83,19 +84,20 @@ def is_long(whole: Product) -> bool:
     return any(isinstance(f, Sum) and len(f.terms) > 2 for f in whole.factors)
 
 
-SHORTER = 0.75
-"""What another form than the canonical one must come to in operations, to be worth it."""
-
-
 def _shortest(whole: Product, others: Iterable[Product]) -> Product:
     """Return what is multiplied out, or another form of it that is shorter.
 
     Another form is divided by nothing that cancels when it is multiplied out: it has a value
-    wherever that has one.
+    wherever that has one. Nor does it mention what cancels.
     """
-    safe = [form for form in others if _divisors(form) <= _divisors(whole)]
+    safe = [form for form in others if _is_safe(form, whole)]
     short = min(safe, key=_length, default=whole)
-    return short if _length(short) <= SHORTER * _length(whole) else whole
+    return short if _length(short) < _length(whole) else whole
+
+
+def _is_safe(form: Product, whole: Product) -> bool:
+    names = symbols(form.formula()) <= symbols(whole.formula())
+    return names and _divisors(form) <= _divisors(whole)
 
 
 def _length(product: Product) -> int:
@@ -106,10 +108,17 @@ def _divisors(product: Product) -> Counter[Factor]:
     """Return the sines and sums that a product is divided by, also inside its sums."""
     found = Counter[Factor]()
     for factor, exponent in product.factors.items():
-        if exponent < 0 and not isinstance(factor, Length):
-            found[factor] = -exponent
+        if exponent < 0:
+            found += _factors(factor, -exponent)
     inner = [_divisors(t) for f in product.factors if isinstance(f, Sum) for t in f.terms]
     return found + reduce(or_, inner, Counter[Factor]())
+
+
+def _factors(factor: Factor, exponent: int) -> Counter[Factor]:
+    """Return what a factor comes to when it is multiplied out, without lengths."""
+    whole = add(factor.terms) if isinstance(factor, Sum) else Product.of(factor)
+    parts = ((f, e * exponent) for f, e in whole.factors.items() if not isinstance(f, Length))
+    return Counter({f: e for f, e in parts if e > 0})
 
 
 def put(product: Product, values: Mapping[str, Product]) -> Product:

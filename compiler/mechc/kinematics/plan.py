@@ -1,6 +1,7 @@
 """The plan: in which order the speeds follow from the drives, and what they are."""
 
 from collections.abc import Mapping
+from types import MappingProxyType
 from typing import NamedTuple
 
 from ..algebra.angle import Angle
@@ -36,7 +37,8 @@ class Plan:
     ``drives`` are the unknowns taken as given, as many as the mobility; ``speeds[u]``
     is unknown u per unit of each drive. ``relations`` are the independent ones, which
     ``blocks`` count. ``bindings`` are in order of use.
-    ``redundant`` are relations that follow from the others.
+    ``redundant`` are relations that follow from the others. ``ratios`` are the names among the
+    bindings that unknowns have per unit of the only drive, where the plan is one to read.
     """
 
     graph: Graph
@@ -46,6 +48,7 @@ class Plan:
     speeds: Mapping[int, Speeds]
     bindings: tuple[Binding, ...]
     redundant: tuple[Relation, ...]
+    ratios: Mapping[int, Binding] = MappingProxyType({})
 
     @property
     def mobility(self) -> int:

@@ -1,16 +1,25 @@
 """The plan with its speeds as they follow from one another, where that is shorter.
 
 To decide anything speeds are multiplied out and factored: then nothing is hidden in them. To be
-read, a sum of two velocities is often better left as it stands.
+read, a sum of two velocities is often better left as it stands, and in a long chain each link's
+speed under a name of its own.
 """
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping, Sequence
 
-from ..algebra.product import Product
-from ..algebra.sums import shortest
+from ..algebra.determinant import shortest_determinant
+from ..algebra.factors import Length
+from ..algebra.product import ZERO, Bound, Product
+from ..algebra.sums import is_long, shortest
 from ..frozen import fields, frozen
-from .graph import Form
-from .plan import Plan, Speeds
+from .graph import Form, Kind, Relation
+from .plan import Binding, Block, Plan, Speeds
+
+MOST = 3
+"""Unknowns of a block whose determinants are looked at in every order."""
+
+Shortened = Callable[[int, Speeds], Speeds]
+"""What is taken for the speed of an unknown by what follows from it."""
 
 
 @frozen
@@ -26,22 +35,116 @@ class StandingPlan(Plan):
 
 
 def standing(plan: Plan) -> StandingPlan:
-    """Return the plan with speeds that single relations give as sums of those before."""
-    speeds: dict[int, Speeds] = {drive: plan.speeds[drive] for drive in plan.drives}
-    for relations, unknowns in plan.blocks:
-        speeds |= {unknown: plan.speeds[unknown] for unknown in unknowns}
-        if len(unknowns) == 1:
-            form = plan.relations[relations[0]].form
-            speeds[unknowns[0]] = _followed(form, unknowns[0], speeds)
+    """Return the plan with speeds as they follow from those before."""
+    return _like(plan, _followed(plan, lambda unknown, found: found), {})
+
+
+def in_ratios(
+    plan: Plan, values: Mapping[str, float], taken: frozenset[str] = frozenset()
+) -> StandingPlan:
+    """Return a plan of one drive in which every speed follows from named ratios.
+
+    ``i_DEF`` is how fast link DEF turns, or point D moves along its guide, for a unit of the
+    drive's speed; its sense is such that it is positive at ``values``. Of names that are
+    ``taken`` it has none.
+    """
+    ratios = _Ratios(plan, values, taken)
+    speeds = _followed(plan, ratios.named)
+    return _like(plan, speeds, ratios.found)
+
+
+def _like(plan: Plan, speeds: Mapping[int, Speeds], ratios: Mapping[int, Binding]) -> StandingPlan:
     kept = {field.name: getattr(plan, field.name) for field in fields(plan)}
+    if ratios:
+        kept |= {"bindings": tuple(ratios.values()), "ratios": ratios}
     return StandingPlan(**kept | {"speeds": speeds})
 
 
-def _followed(form: Form, unknown: int, speeds: Mapping[int, Speeds]) -> Speeds:
+def _followed(plan: Plan, shortened: Shortened) -> Mapping[int, Speeds]:
+    """Return the speeds of a plan, block by block, each in those before it."""
+    speeds: dict[int, Speeds] = {drive: plan.speeds[drive] for drive in plan.drives}
+    for block in plan.blocks:
+        relations = [plan.relations[r] for r in block.relations]
+        found = _of_block(plan, block, relations, speeds)
+        speeds |= {u: shortened(u, s) for u, s in zip(block.unknowns, found, strict=True)}
+    return speeds
+
+
+def _of_block(
+    plan: Plan, block: Block, relations: Sequence[Relation], speeds: Mapping[int, Speeds]
+) -> list[Speeds]:
+    if len(relations) == 1:
+        (unknown,) = block.unknowns
+        return [_single(relations[0].form, unknown, speeds, plan.speeds[unknown])]
+    whole = [plan.speeds[unknown] for unknown in block.unknowns]
+    if len(relations) > MOST or not all(len(s) == 1 and is_long(s[0]) for s in whole):
+        return whole
+    return _together([r.form for r in relations], block.unknowns, speeds)
+
+
+def _single(form: Form, unknown: int, speeds: Mapping[int, Speeds], whole: Speeds) -> Speeds:
     """Return the unknown of a relation by the speeds before it, or the form that it has."""
 
     def part(drive: int) -> Product:
         others = [-(p * speeds[u][drive] / form[unknown]) for u, p in form.items() if u != unknown]
-        return shortest(others, speeds[unknown][drive])
+        return shortest(others, None if any(map(_has_names, others)) else whole[drive])
 
-    return tuple(part(drive) for drive in range(len(speeds[unknown])))
+    return tuple(part(drive) for drive in range(len(whole)))
+
+
+def _has_names(value: Product) -> bool:
+    return any(isinstance(factor, Bound) for factor in value.factors)
+
+
+def _together(
+    forms: Sequence[Form], unknowns: Sequence[int], speeds: Mapping[int, Speeds]
+) -> list[Speeds]:
+    """Return the unknowns of several relations by Cramer's rule, nothing being multiplied out."""
+    matrix = [[form.get(u, ZERO) for u in unknowns] for form in forms]
+    side = [
+        shortest([-(p * speeds[u][0]) for u, p in form.items() if u not in unknowns])
+        for form in forms
+    ]
+    whole = shortest_determinant(matrix)
+    columns = range(len(unknowns))
+    replaced = (
+        [[*row[:c], s, *row[c + 1 :]] for row, s in zip(matrix, side, strict=True)] for c in columns
+    )
+    return [(shortest_determinant(rows) / whole,) for rows in replaced]
+
+
+class _Ratios:
+    """Names the speeds of links, and of points on their guides, for a unit of the drive's."""
+
+    def __init__(self, plan: Plan, values: Mapping[str, float], taken: frozenset[str]) -> None:
+        self._unknowns, self._values, self._taken = plan.graph.unknowns, dict(values), taken
+        self.found: dict[int, Binding] = {}
+
+    def named(self, unknown: int, speeds: Speeds) -> Speeds:
+        """Return a speed under its name, a projection and what is no ratio of its own as it is."""
+        what, (speed,) = self._unknowns[unknown], speeds
+        if what.kind is Kind.COMPONENT or all(map(_is_plain, speed.factors)):
+            return speeds
+        name = self._free(f"i_{what.of}")
+        sense = self._noted(name, speed)
+        ratio = Bound(name, speed.scaled(sense))
+        self.found[unknown] = Binding(name, ratio.definition)
+        return (Product(sense, {ratio: 1}),)
+
+    def _free(self, name: str) -> str:
+        while name in self._taken or any(b.name == name for b in self.found.values()):
+            name += "_"
+        return name
+
+    def _noted(self, name: str, speed: Product) -> int:
+        """Return the sign of a speed at the values, +1 where it has none, and note its size."""
+        try:
+            value = speed.evaluate(self._values)
+        except (KeyError, ZeroDivisionError):
+            return 1
+        self._values[name] = abs(value)
+        return -1 if value < 0 else 1
+
+
+def _is_plain(factor: object) -> bool:
+    return isinstance(factor, Length | Bound)

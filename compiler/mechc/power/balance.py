@@ -123,7 +123,8 @@ class Solved:
 class Balance:
     """The plan with its loads, and what was asked for without friction, solved.
 
-    ``driving`` are the loads that follow from the others where forces at joints are asked for.
+    ``driving`` are the loads that follow from the others where forces at joints are asked for;
+    ``reading`` is the plan with the speeds as they are read, and the names that results mention.
     """
 
     plan: Plan
@@ -131,6 +132,7 @@ class Balance:
     equations: Equations
     driving: tuple[str, ...]
     solved: tuple[Solved, ...]
+    reading: Plan
 
     @property
     def results(self) -> tuple[Result, ...]:

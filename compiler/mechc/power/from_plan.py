@@ -5,16 +5,14 @@ from functools import cached_property
 from typing import TYPE_CHECKING, assert_never
 
 from ..algebra.product import Product
-from ..algebra.sums import canonical, is_long, readable
+from ..algebra.sums import canonical
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import power as messages
-from ..formula.operations import count_operations
 from ..formula.tree import Formula, Symbol, product, total
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..kinematics.graph import Kind
 from ..kinematics.plan import Plan
-from ..kinematics.standing import standing
 from ..model.mechanism import (
     Axial,
     Efficiency,
@@ -31,20 +29,17 @@ from ..model.mechanism import (
 from ..model.result import Definition, Result
 from ..source import Span
 from ..units import ANGLE, FORCE, FREQUENCY, VELOCITY, Dimension
-from .balance import Balance, Equations, Solved
+from .balance import Balance, Solved
 from .definitions import intermediates, open_lengths, resting_on
 from .equations import equations_of
 from .loads import given_size, terms
 from .loose import looseness
 from .numbers import checked
+from .reading import Reading
 from .speeds import magnitude, speed
 
 if TYPE_CHECKING:
     from .reactions import Reactions
-
-
-LONG = 64
-"""Operations of a ratio that nobody reads: the canonical form is not kept for its own sake."""
 
 
 def balance(plan: Plan, report: Report) -> Balance:
@@ -64,6 +59,7 @@ class _Asked:
         self._mechanism = plan.graph.pose.mechanism
         self._terms = terms(plan)
         self._equations = equations_of(self._terms)
+        self._reading = Reading(plan)
         self._loads = {load.name: load for load in self._mechanism.loads}
         self._solved_so_far: list[Solved] = []
         self._without_lengths: set[Span] = set()
@@ -78,7 +74,8 @@ class _Asked:
                 solved.append(found)
         self._warn_of_idle_loads()
         self._report.stop_on_errors()
-        balanced = Balance(self._plan, self._terms, self._equations, self._driving(), tuple(solved))
+        read, driving = self._reading.plan, self._driving()
+        balanced = Balance(self._plan, self._terms, self._equations, driving, tuple(solved), read)
         return replace(balanced, solved=checked(balanced, self._report))
 
     def _warn_of_idle_loads(self) -> None:
@@ -151,10 +148,8 @@ class _Asked:
         if lower not in columns:
             return self._solved(find, Product(0), above, below)
         value = canonical(factor * self._equations.solve(upper, unknown, lower))
-        if not self._is_read_otherwise(value):
-            return self._solved(find, value, above, below)
-        stands = factor * self._standing.solve(upper, unknown, lower)
-        return self._solved(find, value, above, below, readable(value, [stands]))
+        shown = self._reading.of(value, lambda e: factor * e.solve(upper, unknown, lower))
+        return self._solved(find, value, above, below, shown)
 
     def _solved(
         self, find: Find, value: Product, above: str, below: str, read: Product | None = None
@@ -163,24 +158,6 @@ class _Asked:
         shown = value if read is None else read
         result = self._result(find, shown.formula(), dimension, [shown])
         return Solved(result, value, above, below)
-
-    def _is_read_otherwise(self, value: Product) -> bool:
-        """Tell whether a ratio may be shorter as the speeds stand than multiplied out.
-
-        In the free angles of an open pose k has one form, however the mechanism is written down,
-        unless that is too long to be read.
-        """
-        closed = bool(self._plan.graph.pose.definitions)
-        return (
-            is_long(value)
-            and not self._plan.bindings
-            and (closed or count_operations(value.formula()) > LONG)
-        )
-
-    @cached_property
-    def _standing(self) -> Equations:
-        """Return the power equations with speeds as they follow from one another."""
-        return equations_of(terms(standing(self._plan)))
 
     def _form(self, find: Find, load: str) -> Solved | None:
         asked = [f.target.load for f in self._mechanism.finds if isinstance(f.target, LoadForm)]
@@ -322,7 +299,7 @@ class _Asked:
     def _result(
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
-        where = resting_on(self._plan, formula, values)
+        where = resting_on(self._reading.plan, formula, values)
         self._check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)
 

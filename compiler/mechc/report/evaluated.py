@@ -12,7 +12,7 @@ from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent
 from ..study.analysis import Analysis
-from ..units import ANGLE, LENGTH, NUMBER, si_unit, size_of
+from ..units import ANGLE, LENGTH, NUMBER, Dimension, si_unit, size_of
 from .put_in import Quantity, put_in
 from .sections import Outline
 from .sentences.remarks import asked
@@ -48,6 +48,7 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
 def _definitions(whole: Outline) -> Iterator[Definition]:
     for section in whole.position:
         yield from section.where
+    yield from (Definition(ratio.name, ratio.formula) for ratio in whole.ratios)
     for result in whole.results:
         yield from result.where
 
@@ -56,7 +57,7 @@ def _of_result(result: Analysis, given: Mapping[str, Quantity], usual: str) -> I
     if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
         return
     angle = result.dimension == ANGLE
-    unit = usual if result.dimension == LENGTH else si_unit(result.dimension)
+    unit = _unit_of(result.dimension, usual)
     value = Quantity(result.default, "deg" if angle else unit)
     bare = result.dimension in (ANGLE, NUMBER)
     yield Evaluated(asked(result), _numbers(result.formula, given, bare), value, angle)
@@ -71,6 +72,7 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals)}
     units = {name: _unit(p) for name, p in named.items()}
     usual = usual_length(mechanism)
+    units |= {r.name: _unit_of(r.dimension, usual) for r in whole.ratios}
     angles = {name for name, unit in units.items() if unit == "deg"}
     for definition in where:
         if definition.name not in units and (unit := _found_unit(definition, usual, angles)):
@@ -79,6 +81,11 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
     known = {name: value for name, value in values.items() if math.isfinite(value)}
     return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
+
+
+def _unit_of(dimension: Dimension, usual: str) -> str:
+    """Return the unit of a value that none is given for; '' for a number."""
+    return usual if dimension == LENGTH else si_unit(dimension)
 
 
 def usual_length(mechanism: Mechanism) -> str:

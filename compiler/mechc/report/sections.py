@@ -13,7 +13,7 @@ from ..model.mechanism import Mechanism, Parameter, Reaction, Target, WithFricti
 from ..model.result import Definition
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, letters
-from .derivation.steps import Derivation, Explanation, Paragraph, PositionStep
+from .derivation.steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 from .sentences.remarks import reaction
 
 LONG = 24
@@ -45,9 +45,10 @@ class PositionSection:
 
 
 class Outline(NamedTuple):
-    """A report in order: the position, then the results under their headings."""
+    """A report in order: the position, ratios of speeds, the results under their headings."""
 
     position: tuple[PositionSection, ...]
+    ratios: tuple[NamedRatio, ...]
     results: tuple[Section, ...]
 
 
@@ -55,7 +56,9 @@ def outline(derivation: Derivation, mechanism: Mechanism) -> Outline:
     """Return what a report says, each name told once and where it is first needed."""
     shown, known = Shown(), letters(mechanism, derivation.results)
     position = tuple(_position(derivation, mechanism, shown, known))
-    return Outline(position, tuple(_results(derivation, mechanism, shown, known)))
+    shown.definitions(Definition(r.name, r.formula) for r in derivation.ratios)
+    results = tuple(_results(derivation, mechanism, shown, known))
+    return Outline(position, derivation.ratios, results)
 
 
 def _position(

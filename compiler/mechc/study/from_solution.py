@@ -20,6 +20,7 @@ from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFr
 from ..model.result import Definition, Result
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
+from ..power.definitions import resting_on
 from ..power.numbers import DefaultNumbers
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
@@ -61,11 +62,12 @@ def _concluded(
         return _with_friction(item.result, balance, study)
     pose = balance.plan.graph.pose
     mechanism = pose.mechanism
+    where = resting_on(balance.plan, item.value.formula(), [item.value])
     result = replace(
         as_printed(item.result),
         zeros=zeros(item, balance, values),
         poles=poles(item, balance, values),
-        breaks=breaks((*item.result.where, *(Definition(*d) for d in pose.put_in)), values),
+        breaks=breaks((*where, *(Definition(*d) for d in pose.put_in)), values),
         proportional=_proportional(item.value, item.result),
         independent=_independent(item.result, mechanism),
     )

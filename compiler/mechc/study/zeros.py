@@ -19,6 +19,7 @@ from ..model.boxes import stroke_box
 from ..model.mechanism import Force
 from ..model.values import Chain
 from ..power.balance import Balance, Solved, Term
+from ..power.definitions import resting_on
 from .analysis import Vanishing
 from .breaks import divisors, may_vanish
 from .ranges import moving_first, with_range
@@ -60,7 +61,8 @@ def _conditions(
     None is known where something that loops find is infinite.
     """
     assert item.value is not None
-    found = (*item.result.where, *balance.plan.graph.pose.put_in)
+    where = resting_on(balance.plan, item.value.formula(), [item.value])
+    found = (*where, *balance.plan.graph.pose.put_in)
     far = {factor for _, formula in found for factor in divisors(formula)}
     chain = _chain(item)
     for factor, exponent in item.value.factors.items():

@@ -1,10 +1,8 @@
 """The derivation read off the plan: speeds step by step, then the power equation."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Sequence
 from typing import assert_never
 
-from ...algebra.product import Product
-from ...algebra.sums import add, canonical
 from ...formula.layout import has_minus
 from ...formula.tree import ZERO, Formula, Sum, Symbol, negative, number, product, total
 from ...friction.solution import Solution
@@ -13,7 +11,6 @@ from ...kinematics.forms import parting, projection, spin
 from ...kinematics.graph import Form, Kind, Relation
 from ...kinematics.graph import Rule as Law
 from ...kinematics.plan import Block
-from ...kinematics.standing import standing
 from ...model.mechanism import Force, ForcePair, Joint, Speed, SpeedRatio, Torque, WheelPair
 from ...power.balance import Balance, Term
 from ...study.analysis import Analysis
@@ -21,12 +18,11 @@ from ..sentences.wording import positive_first
 from .forces import of_forces
 from .friction import of_friction
 from .last_step import last_steps
-from .notation import Named, Notation
+from .notation import Named, Names, Notation, linear, times
 from .outputs import acting_on
 from .position import position_steps
-from .steps import Derivation, Equation, PowerTerm, Rule, Step
-
-Names = Mapping[int, Named]
+from .ratios import Ratios
+from .steps import Derivation, Equation, NamedRatio, PowerTerm, Rule, Step
 
 
 def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
@@ -36,7 +32,8 @@ def derive(solution: Solution, results: Sequence[Analysis]) -> Derivation:
     steps = tuple(writer.steps())
     terms = tuple(writer.term(t) for t in balance.terms if any(t.power))
     explanations = (*of_forces(solution), *of_friction(solution))
-    derivation = Derivation(steps, terms, tuple(writer.balances()), tuple(results), explanations)
+    balances, ratios = tuple(writer.balances()), tuple(writer.ratios)
+    derivation = Derivation(steps, terms, balances, tuple(results), explanations, ratios=ratios)
     position = position_steps(balance.plan.graph.pose, derivation)
     return replace(derivation, position=tuple(position), last_steps=tuple(last_steps(derivation)))
 
@@ -46,17 +43,18 @@ class _Writer:
 
     def __init__(self, balance: Balance) -> None:
         self._balance, self._plan, self._graph = balance, balance.plan, balance.plan.graph
-        self._read = standing(balance.plan) if self._is_closed else balance.plan
+        self._read = balance.reading
         self._notation = Notation(balance)
+        self._ratios = Ratios(balance.reading, self._notation)
         self._names: dict[int, Named] = {}
         self._levered: set[str] = set()
         self._along: dict[str, Symbol] = {}
         self._pivots = self._graph.pose.mechanism.fixed
 
     @property
-    def _is_closed(self) -> bool:
-        """Tell whether speeds are read as they stand, as a ratio in a closed pose is."""
-        return bool(self._graph.pose.definitions) and not self._plan.bindings
+    def ratios(self) -> Sequence[NamedRatio]:
+        """Return the ratios of speeds that the steps have given a name."""
+        return self._ratios.found
 
     # -------------------------------------------------------------------------- steps
 
@@ -107,25 +105,30 @@ class _Writer:
         said, solved = self._written(relation.form, unknown, names)
         results = [solved]
         others = {names[u] for u in relation.form if u != unknown}
-        if len(others) > 1 and others != {self._names[d] for d in self._plan.drives}:
-            results.append(Equation(solved.left, self._by_drives(unknown)))
+        if ratio := self._ratios.of(unknown):
+            results += ratio
+        elif len(others) > 1 and others != {self._names[d] for d in self._plan.drives}:
+            results.append(self._solved(unknown))
         rule, subject = self._rule(relation)
         yield Step(rule, subject, (said,), tuple(results))
 
     def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
         for unknown in unknowns:
             self._names[unknown] = self._notation.of_itself(unknown)
-        equations = tuple(Equation(_sum(r.form, self._names), ZERO) for r in relations)
-        results = tuple(Equation(self._names[u].symbol, self._by_drives(u)) for u in unknowns)
+        equations = tuple(Equation(linear(r.form, self._names), ZERO) for r in relations)
+        results = tuple(e for u in unknowns for e in self._ratios.of(u) or (self._solved(u),))
         links = tuple(dict.fromkeys(name for r in relations for name in self._involved(r)))
         return Step(Rule.TOGETHER, links, equations, results)
+
+    def _solved(self, unknown: int) -> Equation:
+        return Equation(self._names[unknown].symbol, self._by_drives(unknown))
 
     def _by_drives(self, unknown: int) -> Formula:
         """Return an unknown's symbol in terms of the drives' symbols."""
         speeds = zip(self._read.speeds[unknown], self._plan.drives, strict=True)
         own = self._names[unknown].factor
         return total(
-            _times(speed * self._names[drive].factor / own, self._names[drive])
+            times(speed * self._names[drive].factor / own, self._names[drive])
             for speed, drive in speeds
             if speed
         )
@@ -137,10 +140,10 @@ class _Writer:
         if self._notation.sign(lead) < 0:
             lead, rest = -lead, {u: -p for u, p in rest.items()}
         solved = {u: p / lead for u, p in rest.items()}
-        left = _times(lead, names[unknown])
+        left = times(lead, names[unknown])
         return (
-            Equation(left, _sum(rest, names)),
-            Equation(names[unknown].symbol, _sum(solved, names)),
+            Equation(left, linear(rest, names)),
+            Equation(names[unknown].symbol, linear(solved, names)),
         )
 
     def _rule(self, relation: Relation) -> tuple[Rule, tuple[str, ...]]:
@@ -195,7 +198,7 @@ class _Writer:
             return
         self._levered.add(named.symbol.name)
         ratio = known.factor / named.factor
-        result = Equation(named.symbol, _times(ratio, known))
+        result = Equation(named.symbol, times(ratio, known))
         pivot = next(p for p in self._points(what.of) if p in self._pivots)
         arms = [(self._arm(pivot, named.point), 1)]
         if known.point:
@@ -264,7 +267,7 @@ class _Writer:
             case _:
                 assert_never(load)
         moving = {u: p for u, p in form.items() if any(self._plan.speeds[u])}
-        speed = self._along.get(load.name) or _sum(moving, self._names_at(moving, at))
+        speed = self._along.get(load.name) or linear(moving, self._names_at(moving, at))
         return PowerTerm(load.name, at, term.count.formula(), speed)
 
     def _names_at(self, form: Form, at: str) -> Names:
@@ -287,8 +290,8 @@ class _Writer:
         form = projection(velocity, term.line)
         self._along[name] = symbol = Symbol(f"V_{point}_{name}")
         drive = self._names[self._plan.drives[0]]
-        said = Equation(symbol, _sum(form, self._names_at(form, point)))
-        result = Equation(symbol, _times(self._read.value(form)[0] * drive.factor, drive))
+        said = Equation(symbol, linear(form, self._names_at(form, point)))
+        result = Equation(symbol, times(self._read.value(form)[0] * drive.factor, drive))
         yield Step(Rule.COMPONENT, (point, name), (said,), (result,))
 
     def _parting(self, load: ForcePair, term: Term) -> Iterator[Step]:
@@ -301,8 +304,8 @@ class _Writer:
         self._along[load.name] = symbol
         drive = self._names[self._plan.drives[0]]
         named = {u: p for u, p in form.items() if any(self._plan.speeds[u])}
-        said = Equation(symbol, _sum(named, self._names))
-        result = Equation(symbol, _times(self._read.value(form)[0] * drive.factor, drive))
+        said = Equation(symbol, linear(named, self._names))
+        result = Equation(symbol, times(self._read.value(form)[0] * drive.factor, drive))
         yield Step(Rule.PARTING, acting_on(load, self._graph), (said,), (result,))
 
     def balances(self) -> Iterator[Equation]:
@@ -321,7 +324,7 @@ class _Writer:
         """Return the power in one motion, the other drives being held."""
         named = self._names[drive]
         parts = [
-            product([(_load(t), 1), (_times(t.power[motion] * named.factor, named), 1)])
+            product([(_load(t), 1), (times(t.power[motion] * named.factor, named), 1)])
             for t in self._balance.terms
             if t.power[motion]
         ]
@@ -337,17 +340,3 @@ def _power(term: PowerTerm) -> Formula:
     if isinstance(speed, Sum) and all(map(has_minus, speed.terms)):
         sign, speed = -1, negative(speed)
     return product([(number(sign), 1), (term.times, 1), (Symbol(term.load), 1), (speed, 1)])
-
-
-def _times(factor: Product, named: Named) -> Formula:
-    """Return ``factor · symbol``."""
-    return product([(canonical(factor).formula(), 1), (named.symbol, 1)])
-
-
-def _sum(form: Form, names: Names) -> Formula:
-    """Return a linear form written with the names of its unknowns."""
-    parts: dict[Named, list[Product]] = {}
-    for u, p in form.items():
-        parts.setdefault(names[u], []).append(p * names[u].factor)
-    sums = [(add(ps), named) for named, ps in parts.items()]
-    return total(positive_first(_times(p, named) for p, named in sums if p))

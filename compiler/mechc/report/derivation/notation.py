@@ -9,11 +9,13 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ...algebra.product import ONE, Product
-from ...formula.tree import Symbol
-from ...kinematics.graph import Kind, Rule, Unknown
+from ...algebra.sums import add, canonical
+from ...formula.tree import Formula, Symbol, product, total
+from ...kinematics.graph import Form, Kind, Rule, Unknown
 from ...kinematics.plan import Plan
 from ...power.balance import Balance
 from ...power.numbers import default_values
+from ..sentences.wording import positive_first
 
 
 class Named(NamedTuple):
@@ -22,6 +24,9 @@ class Named(NamedTuple):
     symbol: Symbol
     factor: Product
     point: str = ""
+
+
+Names = Mapping[int, Named]
 
 
 class Notation:
@@ -107,3 +112,17 @@ def _rod(unknown: Unknown, plan: Plan) -> str:
         if on_rod and unknown.of in relation.points:
             return relation.link
     return "n"
+
+
+def times(factor: Product, named: Named) -> Formula:
+    """Return ``factor · symbol``."""
+    return product([(canonical(factor).formula(), 1), (named.symbol, 1)])
+
+
+def linear(form: Form, names: Names) -> Formula:
+    """Return a linear form written with the names of its unknowns."""
+    parts: dict[Named, list[Product]] = {}
+    for u, p in form.items():
+        parts.setdefault(names[u], []).append(p * names[u].factor)
+    sums = [(add(ps), named) for named, ps in parts.items()]
+    return total(positive_first(times(p, named) for p, named in sums if p))

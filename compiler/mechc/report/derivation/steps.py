@@ -15,6 +15,7 @@ from ...frozen import frozen
 from ...model.result import Definition
 from ...pose.pose import LoopKind
 from ...study.analysis import Analysis
+from ...units import Dimension
 
 
 class Rule(StrEnum):
@@ -223,6 +224,14 @@ class SpeedChain(NamedTuple):
     product: Formula
 
 
+class NamedRatio(NamedTuple):
+    """The ratio of a speed to the drive's, under the name that results have it by."""
+
+    name: str
+    formula: Formula
+    dimension: Dimension
+
+
 @frozen
 class LastStep:
     """What the power equation gives: a ratio of loads in the speeds that were named.
@@ -239,7 +248,8 @@ class Derivation:
     """The velocity steps, the power equation (or several, at mobility m), the results.
 
     ``explanations`` tell of results that need more than the power equation, ``position`` how
-    what all of these mention follows from the loops, ``last_steps`` what the power equation gives.
+    what all of these mention follows from the loops, ``last_steps`` what the power equation
+    gives. ``ratios`` are those of speeds that the steps have given a name.
     """
 
     steps: tuple[Step, ...]
@@ -249,6 +259,7 @@ class Derivation:
     explanations: tuple[Explanation, ...] = ()
     position: tuple[PositionStep, ...] = ()
     last_steps: tuple[LastStep, ...] = ()
+    ratios: tuple[NamedRatio, ...] = ()
 
 
 def calculated(results: tuple[Analysis, ...]) -> Derivation:

@@ -1,6 +1,7 @@
 """A derivation put into words, whatever the language and whoever prints."""
 
-from collections.abc import Callable, Iterable, Set
+from collections.abc import Callable, Iterable, Iterator, Set
+from itertools import groupby
 
 from ...algebra.from_formula import to_product
 from ...formula.layout import has_minus
@@ -100,7 +101,16 @@ def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
         if to_product(_by_name(said[0].right)) == to_product(_by_name(hence[0].right)):
             return (tuple(said[0]),), ()
         return ((*said[0], hence[0].right),), ()
-    return tuple(map(tuple, said)), tuple(map(tuple, hence))
+    return tuple(map(tuple, said)), tuple(_chained(hence))
+
+
+def _chained(equations: Iterable[Equation]) -> Iterator[Sides]:
+    """Yield equations, those of a named ratio of speeds as a chain: ``i_B = V_B/V_A = …``."""
+    for left, chain in groupby(equations, key=lambda e: e.left):
+        if isinstance(left, Symbol) and not is_speed(left.name):
+            yield (left, *(e.right for e in chain))
+        else:
+            yield from map(tuple, chain)
 
 
 def _by_name(formula: Formula) -> Formula:

@@ -1,0 +1,81 @@
+"""How a ratio of loads is read: multiplied out, as the speeds stand, or by ratios of speeds."""
+
+from collections.abc import Callable, Iterator
+from functools import cached_property
+
+from ..algebra.product import Product
+from ..algebra.sums import is_long, readable
+from ..formula.operations import count_operations
+from ..formula.tree import Formula
+from ..kinematics.plan import Plan
+from ..kinematics.standing import StandingPlan, in_ratios, standing
+from ..model.mechanism import Mechanism
+from .balance import Equations
+from .definitions import bound_sums, open_lengths
+from .equations import equations_of
+from .loads import terms
+from .numbers import default_values
+
+LONG = 64
+"""Operations of a ratio that nobody reads: the canonical form is not kept for its own sake."""
+
+LINE = 24
+"""Operations that are taken in at a glance: a longer ratio may rest on named ratios of speeds."""
+
+
+class Reading:
+    """Writes ratios as they are read; ``plan`` is the one that has the names they mention."""
+
+    def __init__(self, plan: Plan) -> None:
+        self._plan, self._is_closed = plan, bool(plan.graph.pose.definitions)
+        self._rests_on_ratios = False
+
+    @property
+    def plan(self) -> Plan:
+        """Return the plan off which speeds are read."""
+        if self._rests_on_ratios:
+            return self._ratios
+        return self._standing if self._is_closed and not self._plan.bindings else self._plan
+
+    def of(self, value: Product, solved: Callable[[Equations], Product]) -> Product:
+        """Return a ratio as it is read; ``solved`` gives it by power equations.
+
+        In the free angles of an open pose k has one form, however the mechanism is written
+        down, unless that is too long to be read.
+        """
+        if self._plan.bindings or not is_long(value):
+            return value
+        if not self._is_closed and count_operations(value.formula()) <= LONG:
+            return value
+        short = readable(value, [solved(equations_of(terms(self._standing)))])
+        if self._plan.mobility > 1 or count_operations(short.formula()) <= LINE:
+            return short
+        nested = solved(equations_of(terms(self._ratios)))
+        where = self._rests_on(nested)
+        if sum(map(count_operations, where)) > count_operations(short.formula()):
+            return short
+        if open_lengths(self._plan, where):
+            return short
+        self._rests_on_ratios = True
+        return nested
+
+    @cached_property
+    def _standing(self) -> StandingPlan:
+        return standing(self._plan)
+
+    @cached_property
+    def _ratios(self) -> StandingPlan:
+        pose = self._plan.graph.pose
+        taken = frozenset((*_names(pose.mechanism), *(d.name for d in pose.definitions)))
+        return in_ratios(self._plan, default_values(self._plan), taken)
+
+    def _rests_on(self, nested: Product) -> list[Formula]:
+        """Return a ratio of loads with the ratios of speeds that it rests on."""
+        return [nested.formula(), *(d.formula for d in bound_sums(self._ratios, [nested]))]
+
+
+def _names(mechanism: Mechanism) -> Iterator[str]:
+    """Yield the names that a description gives to quantities."""
+    named = (mechanism.parameters, mechanism.literals, mechanism.loads)
+    yield from (item.name for items in named for item in items)
+    yield from (item.name for items in (mechanism.finds, mechanism.lets) for item in items)
