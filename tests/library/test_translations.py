@@ -1,0 +1,41 @@
+"""Everything that the library says in its own words is there in Ukrainian and Russian."""
+
+import re
+
+import pytest
+
+from mechc.diagnostics import Report
+from mechc.files import read as text_of
+from mechc.syntax import ast
+from mechc.syntax.notation import read
+from paths import LIBRARY
+
+FILES = sorted([*LIBRARY.glob("*.mech"), *LIBRARY.glob("*.yaml"), *LIBRARY.glob("sheets/*.mech")])
+STANDARD = re.compile(r"ISO \d+|(Norton|Jansen|Walsh)[^;]*")
+"""What is the same in every language: a standard, a book by its author."""
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_titles_labels_and_sources_are_translated(file) -> None:
+    source = text_of(file)
+    statements = read(source, Report(source)).statements
+    translated = {s.text for s in statements if isinstance(s, ast.Translate) and s.uk and s.ru}
+    sheet = any(isinstance(s, ast.SheetHeading) for s in statements)
+    said = {text for s in statements for text in printed(s, sheet) if text}
+    assert not {text for text in said - translated if not STANDARD.fullmatch(text)}
+
+
+def printed(statement: ast.Statement, sheet: bool) -> list[str]:
+    """Return what reports print of a statement's own words."""
+    match statement:
+        case ast.Heading(title=title):
+            return [title]
+        case ast.SourceNote(text=text):
+            return [text]
+        case ast.Table(source=source) | ast.Sizes(source=source):
+            return [source]
+        case ast.Param() | ast.Let():
+            about = getattr(statement, "about", "")
+            return [statement.label or (statement.remark if sheet else ""), about]
+        case _:
+            return []
