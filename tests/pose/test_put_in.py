@@ -50,3 +50,11 @@ def test_a_slot_closes_without_a_drive() -> None:
     """The pin lies where the slot crosses a rod whose length is open."""
     result = mechc.loads(SWINGING_ROD).results["k"]
     assert text(result.formula) == "b*sin(phi)^2"
+
+
+def test_the_place_in_a_slot_is_the_side_of_the_triangle() -> None:
+    """The pin of a slotted lever stands at AQ, not at a sum of the crank and the ground."""
+    result = mechc.load("whitworth").results["k"]
+    assert text(result.formula) == (
+        "e*r*sin(beta_DE + phi_BQ)*cos(phi - phi_BQ)/(len_BQ*cos(beta_DE))"
+    )

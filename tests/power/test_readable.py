@@ -9,7 +9,7 @@ from mechc.formula.operations import count_operations
 from mechc.formula.to_text import text
 
 LONGEST = {
-    "crank_shaper": 16,
+    "crank_shaper": 11,
     "crimping_tool": 15,
     "double_butterfly": 48,
     "hoeken": 11,
@@ -21,7 +21,7 @@ LONGEST = {
     "triad_closed": 22,
     "vice_grip": 15,
     "watt_closed": 16,
-    "whitworth": 17,
+    "whitworth": 11,
 }
 """Operations of k together with those of the ratios of speeds that it rests on."""
 

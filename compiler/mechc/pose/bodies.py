@@ -87,7 +87,7 @@ def _line(
 
 def _reach(tail: str, point: str, line: Angle, vectors: Vectors) -> Vector:
     """Return the vector to a pin: given, or along the line, of a length left open."""
-    given = vectors.path(tail, point)
+    given = vectors.reach(tail, point)
     if given:
         return given
     name = f"len_{tail}{point}"

@@ -43,6 +43,7 @@ class Vectors:
             frozenset((g.tail, g.head)) for g in mechanism.geometry if isinstance(g, Offset)
         }
         self.placeholders: list[str] = []
+        self._along_lines: dict[tuple[str, str], Vector] = {}
         self.loops: list[Loop] = []
         self.edges: list[Edge] = []
         for item in mechanism.geometry:
@@ -152,13 +153,21 @@ class Vectors:
         for ways in self._edges.values():
             for head, vector in ways.items():
                 ways[head] = found(vector)
+        self._along_lines = {ends: found(vector) for ends, vector in self._along_lines.items()}
         self.loops = [loop._replace(arms=found(loop.arms)) for loop in self.loops]
 
     def lay(self, edges: Iterable[Edge]) -> None:
-        """Enter vectors to points that no given one leads to."""
+        """Enter vectors along lines: as the way to a point, where no given one leads there."""
         for edge in edges:
             if self.chain(edge.tail, edge.head) is None:
                 self._join(edge.tail, edge.head, edge.arms)
+            else:
+                self._along_lines[edge.tail, edge.head] = edge.arms
+
+    def reach(self, tail: str, head: str) -> Vector | None:
+        """Return the vector to a point on a line: along the line, where given ones are a sum."""
+        given = self.path(tail, head)
+        return self._along_lines.get((tail, head), given) if given and len(given) > 1 else given
 
     def _join(self, tail: str, head: str, vector: Vector) -> None:
         self._edges.setdefault(tail, {})[head] = vector

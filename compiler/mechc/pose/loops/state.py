@@ -5,6 +5,8 @@ from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ...algebra.angle import Angle
+from ...algebra.factors import Length
+from ...algebra.from_formula import to_product
 from ...algebra.sums import add
 from ...formula.tree import Call, Formula, degrees, negative, total
 from ...formula.walk import evaluate, symbols
@@ -117,6 +119,7 @@ class State:
         moving = [turned_by(loop, closure.directions) for loop in loops]
         fresh = {d.name for d in closure.definitions} & frozenset().union(*map(mentioned, moving))
         self.rates |= loop_rates(moving, sorted(fresh), self.rates)
+        self._rate_twins(closure)
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
         settled = dict(closure.directions)
@@ -131,6 +134,15 @@ class State:
         self.graph.sought.difference_update(unknown)
         names = (*(d.name for d in closure.definitions), *self._name_directions())
         self.solved.append(SolvedLoop(kind, points, names, turn))
+
+    def _rate_twins(self, closure: Closure) -> None:
+        """Enter the rates of sides of which what a loop gives is but a multiple."""
+        sides = {d.name for d in closure.definitions} - self.rates.keys()
+        for name, formula in closure.definitions:
+            value = to_product(formula)
+            match list(value.factors.items()):
+                case [(Length(twin), 1)] if name in self.rates and twin in sides:
+                    self.rates[twin] = self.rates[name].scaled(1 / Fraction(value.coefficient))
 
     def _name_directions(self) -> Iterator[str]:
         """Name the directions that are sums of many angles, all of them known by now."""
