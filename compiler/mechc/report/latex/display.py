@@ -118,6 +118,17 @@ def _fitted(line: Line, style: Notation, names: _Display) -> list[Box]:
     return _pack([signed(t, style, i == 0, angle) for i, t in enumerate(terms)], room)
 
 
+def broken(line: Line, style: Notation) -> list[Box]:
+    """Return the right side as the lines that it takes; none where a part of it fits on none."""
+    room = LINE - line.left.width - _INDENT
+    if isinstance(line.right, Sum):
+        terms = enumerate(line.right.terms)
+        lines = _pack([signed(t, style, i == 0, line.angle) for i, t in terms], room)
+    else:
+        lines = [box(line.right, style, line.angle)]
+    return lines if all(part.width <= room for part in lines) else []
+
+
 def _pack(pieces: list[Box], room: float) -> list[Box]:
     """Fill lines with pieces, first come first served."""
     lines: list[list[Box]] = [[]]

@@ -9,7 +9,7 @@ from ...study.analysis import Analysis
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
 from ..sentences.remarks import asked
-from .display import LINE
+from .display import LINE, Line, broken
 from .notation import Notation, name
 from .printer import Box, box, latex, plain
 from .quantity import in_unit, measured
@@ -26,14 +26,15 @@ def values(found: Iterable[Evaluated], locale: Locale, style: Notation) -> str:
 
 
 def _line(item: Evaluated, locale: Locale, style: Notation) -> str:
-    """Return a formula in numbers and its value, in two lines where one is too short."""
+    """Return a formula in numbers and its value, on several lines where one is too short."""
     left, value = box(item.left, style), in_unit(item.value.value, item.value.unit, locale, style)
-    if item.numbers is None:
+    parts = broken(Line(left, item.numbers, item.angle), style) if item.numbers else []
+    if not parts:
         return f"{left.tex}&={value}"
-    numbers = box(item.numbers, style, item.angle)
-    is_long = left.width + numbers.width + plain(value).width + 2.4 > LINE
+    is_long = left.width + parts[-1].width + plain(value).width + 2.4 > LINE
     between = r" \\ &=" if is_long else "="
-    return f"{left.tex}&={numbers.tex}{between}{value}"
+    numbers = r" \\ &\quad{}".join(part.tex for part in parts)
+    return f"{left.tex}&={numbers}{between}{value}"
 
 
 def numbers(
