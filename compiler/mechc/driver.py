@@ -11,12 +11,13 @@ from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
 from .calculation.calculation import Calculation
 from .calculation.from_pose import calculate
-from .diagnostics import Diagnostic, Report
+from .diagnostics import Diagnostic, MechcError, Report
 from .diagnostics.sheets import sheet_has_no_links
 from .emit.target import Emitted, Options, Target
 from .files import resolved
 from .friction.from_balance import solve
 from .friction.solution import Solution
+from .frozen import replace
 from .kinematics.from_pose import plan_velocities
 from .kinematics.plan import Plan
 from .model.from_syntax import resolve
@@ -232,6 +233,24 @@ class Compilation:
         from .report.derivation.from_solution import derive
 
         return self._sound(derive(self.solution, self.results))
+
+    @Stage
+    def told(self) -> "Derivation":
+        """The derivation as a report tells it: with what ratios come to along the stroke.
+
+        It is told without where following the stroke takes more work than is allowed.
+        """
+        if self.calculation:
+            return self.derivation
+        from .study.extents import with_extents
+
+        derivation, report = self.derivation, Report(self.source)
+        try:
+            with within(Allowance(), report):
+                results = with_extents(self.solution, self.results, report)
+        except MechcError:
+            return derivation
+        return replace(derivation, results=results)
 
     @Stage
     def routine(self) -> Routine:

@@ -20,3 +20,7 @@ class Known(NamedTuple):
     figure: Figure | None = None
     free_bodies: tuple[Diagram, ...] = ()
     motion: Motion | None = None
+
+    @property
+    def told(self) -> Derivation:
+        return self.derivation

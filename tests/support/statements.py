@@ -4,7 +4,7 @@ Each function yields what sampling refutes, in words; nothing where all holds.
 """
 
 import math
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from itertools import pairwise
 from random import Random
 from types import CodeType
@@ -15,7 +15,7 @@ from mechc.formula.walk import FUNCTIONS, constants, substitute, symbols, walk
 from mechc.formula.walk import evaluate as slowly
 from mechc.model.mechanism import Mechanism
 from mechc.model.values import bounds, defaults, dependent, independent
-from mechc.study.analysis import Analysis, Break, Vanishing
+from mechc.study.analysis import Analysis, Break, Extent, Vanishing
 
 Values = Mapping[str, float]
 Curve = Callable[[float], float]
@@ -149,6 +149,31 @@ def _trend_refuted(trend: str, found: list[float]) -> str:
         case "falls between poles":
             return f"rises {up} times, changes sign {poles} times" if up > poles else ""
     return ""
+
+
+# ---------------------------------------------------------------- along a stroke or range
+
+
+def extent_refuted(
+    extent: Extent, curve: Callable[[list[float]], Iterable[float]], number: int = 4 * DENSE
+) -> Iterator[str]:
+    """Yield what a curve comes to that is not said to; where it has no value nothing is."""
+    low, high = extent.range
+    cell = (high - low) / number
+    places = [low + cell * (i + 0.5) for i in range(number)]
+    values = list(curve(places))
+    sizes = sorted(abs(v) for v in values if math.isfinite(v))
+    slack = 1e-9 * sizes[len(sizes) // 2] if sizes else 0.0
+    least = extent.least.value - slack if extent.least else -math.inf
+    greatest = extent.greatest.value + slack if extent.greatest else math.inf
+    for x, value in zip(places, values, strict=True):
+        if value < least or value > greatest:
+            yield f"{value} at {x}, not {extent.least} to {extent.greatest}"
+    told = (*extent.zeros, *extent.poles)
+    for (x, a), (_, b) in pairwise(zip(places, values, strict=True)):
+        is_told = any(x - cell <= place <= x + 2 * cell for place in told)
+        if extent.looked and a * b < 0 and min(abs(a), abs(b)) > slack and not is_told:
+            yield f"changes its sign between {x} and {x + cell}"
 
 
 # ------------------------------------------------------- proportions, swaps, independence

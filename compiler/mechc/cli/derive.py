@@ -29,6 +29,6 @@ def command(file: str, numbers: bool, settings: Settings, stdin_name: str) -> No
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     text = render(
-        compilation.derivation, compilation.mechanism, unicode=speaks_unicode(), numbers=numbers
+        compilation.told, compilation.mechanism, unicode=speaks_unicode(), numbers=numbers
     )
     say(text, end="")

@@ -34,6 +34,11 @@ class Compiled(Protocol):
         ...
 
     @property
+    def told(self) -> Derivation:
+        """Return the derivation with what ratios come to along the stroke, for people."""
+        ...
+
+    @property
     def routine(self) -> Routine:
         """Return the straight-line program."""
         ...

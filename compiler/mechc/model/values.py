@@ -9,7 +9,7 @@ from collections.abc import Callable, Iterable, Mapping
 
 from ..formula.tree import Formula, Number, Symbol
 from ..formula.walk import Evaluation, evaluate, straight_line, symbols
-from ..units import ANGLE
+from ..units import ANGLE, LENGTH
 from .mechanism import Mechanism, Parameter, Require
 from .order import ordered
 from .result import Result
@@ -153,6 +153,12 @@ def range_of(name: str, mechanism: Mechanism) -> tuple[float, float] | None:
     else:
         return None
     return min(low, high), max(low, high)
+
+
+def usual_length(mechanism: Mechanism) -> str:
+    """Return the unit in which a description gives its lengths first, metres where in none."""
+    given = (*mechanism.parameters, *mechanism.literals)
+    return next((p.unit for p in given if p.dimension == LENGTH and p.unit), "m")
 
 
 def allowed(mechanism: Mechanism, values: Values) -> bool:

@@ -10,7 +10,7 @@ from ..formula.tree import Formula, Implicit, Symbol
 from ..formula.walk import constants, evaluate, substitute, symbols, walk
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
-from ..model.values import Chain, defaults, dependent
+from ..model.values import Chain, defaults, dependent, usual_length
 from ..study.analysis import Analysis
 from ..units import ANGLE, LENGTH, NUMBER, Dimension, si_unit, size_of
 from .put_in import Quantity, put_in
@@ -86,12 +86,6 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
 def _unit_of(dimension: Dimension, usual: str) -> str:
     """Return the unit of a value that none is given for; '' for a number."""
     return usual if dimension == LENGTH else si_unit(dimension)
-
-
-def usual_length(mechanism: Mechanism) -> str:
-    """Return the unit in which a description gives its lengths first, metres where in none."""
-    given = (*mechanism.parameters, *mechanism.literals)
-    return next((p.unit for p in given if p.dimension == LENGTH and p.unit), "m")
 
 
 def _unit(parameter: Parameter) -> str:

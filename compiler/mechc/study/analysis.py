@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 from ..formula.tree import Formula
 from ..frozen import fields, frozen, replace
-from ..model.locking import EfficiencyRange, Locking
+from ..model.locking import EfficiencyRange, Locking, Range
 from ..model.mechanism import Require
 from ..model.result import FrictionResult, Result
 from ..units import Dimension
@@ -35,6 +35,33 @@ class Break(NamedTuple):
 
     name: str
     factor: Formula
+
+
+class Extreme(NamedTuple):
+    """A place of a parameter, and what a result is there, in SI."""
+
+    place: float
+    value: float
+
+
+@frozen
+class Extent:
+    """What a result comes to as one parameter runs over a range, the others at their values.
+
+    It is found by sampling and refined. ``least`` and ``greatest`` are None where it is infinite
+    or undetermined somewhere; they are shown in the unit ``scale``. Zeros and poles are
+    ``looked`` for, or are not.
+    """
+
+    parameter: str
+    unit: str
+    range: Range
+    zeros: tuple[float, ...]
+    poles: tuple[float, ...]
+    least: Extreme | None
+    greatest: Extreme | None
+    scale: str
+    looked: bool
 
 
 class Slope(NamedTuple):
@@ -69,7 +96,8 @@ class Analysis(Result):
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
     the conditions of a result that is printed for one case; ``inside`` are the names of its
     ``where`` that are coefficients of a system. ``locking`` tells of a ratio with friction where
-    nothing moves, ``courses`` of an efficiency what it runs through.
+    nothing moves, ``courses`` of an efficiency what it runs through, ``extents`` of a ratio what
+    it comes to along the stroke, in a report only.
     """
 
     zeros: tuple[Vanishing, ...] = ()
@@ -86,6 +114,7 @@ class Analysis(Result):
     inside: frozenset[str] = frozenset()
     locking: Locking | None = None
     courses: tuple[EfficiencyRange, ...] = ()
+    extents: tuple[Extent, ...] = ()
 
 
 def as_printed(result: Result) -> Analysis:

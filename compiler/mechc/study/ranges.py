@@ -7,8 +7,8 @@ from ..formula.walk import symbols
 from ..model.locking import Range
 from ..model.mechanism import Mechanism
 from ..model.result import Result
-from ..model.values import range_of
-from ..units import ANGLE, LENGTH, in_unit
+from ..model.values import range_of, usual_length
+from ..units import ANGLE, LENGTH, in_unit, si_unit
 from .tolerances import EXACT, NEARLY
 
 
@@ -68,6 +68,12 @@ def unit_of(name: str, mechanism: Mechanism) -> str:
     if parameter.dimension == ANGLE:
         return ""
     return parameter.unit or ("m" if parameter.dimension == LENGTH else "")
+
+
+def scale_of(result: Result, mechanism: Mechanism) -> str:
+    """Return the unit in which a result is shown: lengths as they are given, others in the SI."""
+    is_length = result.dimension == LENGTH
+    return usual_length(mechanism) if is_length else si_unit(result.dimension)
 
 
 def last(holds: Callable[[float], bool], good: float, bad: float, width: float = EXACT) -> float:

@@ -152,7 +152,7 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
 
 
 def report(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Report:
-    mechanism, derivation, verdict = compiled.mechanism, compiled.derivation, compiled.verdict
+    mechanism, derivation, verdict = compiled.mechanism, compiled.told, compiled.verdict
     whole = outline(derivation, mechanism)
     found = tuple(evaluated(whole, mechanism)) if options.numbers else ()
     return Report(

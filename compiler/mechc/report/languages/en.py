@@ -266,6 +266,15 @@ LOCALE = Locale(
     unusual="it is nowhere between 0.9 and 0.95",
     why_usual="An efficiency of 0.9 to 0.95 is what textbooks assume of oiled joints.",
     sampled="These bounds are found by sampling and refined, not proved.",
+    extents={
+        "whole": "For {span}, the rest at the values given, {parts} (found by sampling "
+        "and refined).",
+        "0": "{result} is 0 at {places}",
+        "infinite": "{result} is infinite at {places}",
+        "neither": "{result} is neither 0 nor infinite",
+        "least": "{result} is least at {place}, {value}",
+        "greatest": "{result} is greatest at {place}, {value}",
+    },
     derivatives="Sensitivities (partial derivatives)",
     slope="Derivative with respect to the driving coordinate",
     calculation={

@@ -109,6 +109,7 @@ class Locale(NamedTuple):
     unusual: str
     why_usual: str
     sampled: str
+    extents: Mapping[str, str]
     derivatives: str
     slope: str
 

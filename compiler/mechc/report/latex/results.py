@@ -222,6 +222,10 @@ class Speller(NamedTuple):
             return figures.replace(".", self.style.decimal)
         return latex(side, self.style, angle)
 
+    def number(self, value: float) -> str:
+        """Return a number that was computed."""
+        return f"${decimal(value, self.style)}$"
+
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         is_drawn = not names or split_points(names.partition("_")[0])

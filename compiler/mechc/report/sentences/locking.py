@@ -6,11 +6,14 @@ from fractions import Fraction
 from ...formula.layout import in_degrees
 from ...formula.tree import Formula, Number, Symbol, degrees, number, total
 from ...model.locking import Bound, EfficiencyRange, Locking, LockingIntervals, Range, Stretch
-from ...study.analysis import Analysis
+from ...study.analysis import Analysis, Extent
 from ...units import behind, size_of
 from ..languages.locale import Locale
 from .speller import Speller
 from .wording import enumeration, positive_first
+
+Along = LockingIntervals | EfficiencyRange | Extent
+"""What is told along a parameter."""
 
 DIGITS = 4
 """Significant digits of a place; two are enough for an efficiency."""
@@ -97,9 +100,9 @@ def _told(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None, Boun
     )
 
 
-def _side(bound: Bound, reach: LockingIntervals | EfficiencyRange, spell: Speller) -> Formula:
+def _side(bound: Bound, reach: Along, spell: Speller) -> Formula:
     if bound.exact is None:
-        return _rounded(bound.place, reach, spell)
+        return place(bound.place, reach, spell)
     terms = getattr(bound.exact, "terms", (bound.exact,))
     return total(positive_first(terms))
 
@@ -112,14 +115,14 @@ def _within(stretch: Stretch, reach: LockingIntervals, locale: Locale, spell: Sp
         return f", {locale.out_of_range}"
     if stretch.within == reach.range:
         return f", {locale.all_of_range}"
-    return f", {locale.in_range.format(condition=_span(stretch.within, reach, locale, spell))}"
+    return f", {locale.in_range.format(condition=span(stretch.within, reach, locale, spell))}"
 
 
 def _course(result: Analysis, course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
     least, greatest = (_share(v, locale, spell) for v in (course.least, course.greatest))
     said = (locale.steady if least == greatest else locale.course).format(
         result=spell.relation((Symbol(result.name),), (), False),
-        condition=_span(course.range, course, locale, spell),
+        condition=span(course.range, course, locale, spell),
         least=least,
         greatest=greatest,
     )
@@ -130,32 +133,30 @@ def _usual(course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
     """Return where an efficiency is what textbooks assume."""
     if course.usual == (course.range,):
         return locale.always_usual
-    spans = [_span(part, course, locale, spell) for part in course.usual]
+    spans = [span(part, course, locale, spell) for part in course.usual]
     return locale.usual.format(conditions=enumeration(spans, locale)) if spans else locale.unusual
 
 
 # --------------------------------------------------------------------------- figures
 
 
-def _span(
-    part: Range, reach: LockingIntervals | EfficiencyRange, locale: Locale, spell: Speller
-) -> str:
+def span(part: Range, reach: Along, locale: Locale, spell: Speller) -> str:
     """Return ``1° ≤ α ≤ 45°``."""
-    low, high = (_rounded(end, reach, spell) for end in part)
+    low, high = (place(end, reach, spell) for end in part)
     sides, angle = (low, Symbol(reach.parameter), high), reach.parameter in spell.angles
     return spell.relation(sides, ("<=", "<="), angle) + _unit(reach, locale)
 
 
-def _figure(place: float, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
-    shown = spell.relation((_rounded(place, reach, spell),), (), reach.parameter in spell.angles)
+def _figure(at: float, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
+    shown = spell.relation((place(at, reach, spell),), (), reach.parameter in spell.angles)
     return shown + _unit(reach, locale)
 
 
-def _rounded(place: float, reach: LockingIntervals | EfficiencyRange, spell: Speller) -> Formula:
+def place(at: float, reach: Along, spell: Speller) -> Formula:
     """Return a place with few digits, an angle in degrees."""
     if reach.parameter in spell.angles:
-        return degrees(Fraction(f"{place * HALF_CIRCLE:.{DIGITS}g}"))
-    return number(Fraction(f"{place / size_of(reach.unit):.{DIGITS}g}"))
+        return degrees(Fraction(f"{at * HALF_CIRCLE:.{DIGITS}g}"))
+    return number(Fraction(f"{at / size_of(reach.unit):.{DIGITS}g}"))
 
 
 def _share(value: float, locale: Locale, spell: Speller) -> str:
@@ -163,7 +164,7 @@ def _share(value: float, locale: Locale, spell: Speller) -> str:
     return shown if value else locale.stuck.format(least=shown)
 
 
-def _unit(reach: LockingIntervals | EfficiencyRange, locale: Locale) -> str:
+def _unit(reach: Along, locale: Locale) -> str:
     return behind(locale.units.get(reach.unit, reach.unit))
 
 

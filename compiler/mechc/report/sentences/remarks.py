@@ -20,6 +20,7 @@ from ...model.mechanism import (
 from ...study.analysis import Analysis, Break, Scope, Trend, Vanishing
 from ..derivation.steps import Paragraph
 from ..languages.locale import Locale
+from .extents import extent_remarks
 from .locking import friction_remarks
 from .speller import Speller
 from .wording import enumeration, positive_first
@@ -134,6 +135,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
         one, other = (_spelled(Symbol(n), spell) for n in (first, second))
         said.append(locale.swaps.format(result=symbol, first=one, second=other))
     said += _trends(result, symbol, locale, spell)
+    said += extent_remarks(result, symbol, locale, spell)
     return (*said, *friction_remarks(result, locale, spell))
 
 

@@ -20,6 +20,10 @@ class Speller(Protocol):
         """
         ...
 
+    def number(self, value: float) -> str:
+        """Return a number that was computed."""
+        ...
+
     def point(self, names: str) -> str:
         """Return a point, a link or a vector."""
         ...

@@ -53,6 +53,10 @@ class Speller(NamedTuple):
             line += f" {shown} {print_side(side, self.signs, angle)}"
         return line
 
+    def number(self, value: float) -> str:
+        """Return a number that was computed."""
+        return f"{value:.{SHOWN}g}".replace("-", self.signs.minus)
+
     def quantity(self, quantity: Quantity) -> str:
         """Return a value in its unit, an angle in degrees."""
         if quantity.unit != "deg":

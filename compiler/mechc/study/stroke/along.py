@@ -22,7 +22,7 @@ class Along:
 
     def __init__(self, plan: Plan, lets: Mapping[str, Formula], ends: Sequence[float] = ()) -> None:
         pose = plan.graph.pose
-        self._mechanism = pose.mechanism
+        self.mechanism = pose.mechanism
         assert pose.mechanism.drive is not None
         self._drive = pose.mechanism.drive.parameter
         self.defaults = defaults(pose.mechanism)
@@ -99,4 +99,4 @@ class Along:
             return NOT_FOUND
         if broken is not None:
             return NOT_ASSEMBLED
-        return "" if allowed(self._mechanism, values) else EXCLUDED
+        return "" if allowed(self.mechanism, values) else EXCLUDED

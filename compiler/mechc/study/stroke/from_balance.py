@@ -91,7 +91,7 @@ class _Runner:
         self._solution, self._pose = solution, solution.plan.graph.pose
         self._parameter, self._low, self._high = parameter, low, high
         self._asked = asked
-        self._along = Along(solution.plan, _plain_lets(self._pose.mechanism), (low, high))
+        self._along = Along(solution.plan, plain_lets(self._pose.mechanism), (low, high))
         shown = [r for r in results if r.default is not None or r.target is not None]
         shown = [in_code(r, solution) for r in shown]
         self._results = [r for r in shown if not self._without(r)]
@@ -338,6 +338,6 @@ def _beyond(place: float, stretches: Sequence[Stretch]) -> str:
     return BEYOND if BEYOND in (*before[-1:], *after[:1]) else ""
 
 
-def _plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:
+def plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:
     """Return the user's formulas; those that rest on loads stay without a value."""
     return {let.name: let.value for let in mechanism.lets}

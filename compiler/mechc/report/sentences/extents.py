@@ -1,0 +1,64 @@
+"""What a ratio comes to along the stroke or over a range, in sentences."""
+
+from collections.abc import Iterator
+
+from ...formula.tree import Symbol
+from ...study.analysis import Analysis, Extent, Extreme
+from ...units import behind, size_of
+from ..languages.locale import Locale
+from .locking import place, span
+from .speller import Speller
+from .wording import enumeration
+
+MANY = 8
+"""More zeros, or poles, than this are not listed."""
+
+DIGITS = 5
+"""Significant digits of an extreme value."""
+
+
+def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield a sentence for each range or stroke of which there is something to say."""
+    for extent in result.extents:
+        words = locale.extents
+        parts = [*_singular(extent, symbol, locale, spell)]
+        parts += _extreme(extent, symbol, locale, spell)
+        if parts:
+            where = span(extent.range, extent, locale, spell)
+            yield words["whole"].format(span=where, parts="; ".join(parts))
+
+
+def _singular(extent: Extent, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield where it is zero, where infinite, or that it is neither."""
+    if extent.looked and not extent.zeros and not extent.poles:
+        yield locale.extents["neither"].format(result=symbol)
+    for kind, found in (("0", extent.zeros), ("infinite", extent.poles)):
+        if 0 < len(found) <= MANY:
+            places = enumeration([_at(x, extent, locale, spell) for x in found], locale)
+            yield locale.extents[kind].format(result=symbol, places=places)
+
+
+def _extreme(extent: Extent, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield where it is least and greatest, unless it is the same throughout."""
+    least, greatest = extent.least, extent.greatest
+    if least is None or greatest is None:
+        return
+    values = [_value(e, extent, locale, spell) for e in (least, greatest)]
+    if values[0] != values[1]:
+        for kind, extreme, value in zip(
+            ("least", "greatest"), (least, greatest), values, strict=True
+        ):
+            at = _at(extreme.place, extent, locale, spell)
+            yield locale.extents[kind].format(result=symbol, place=at, value=value)
+
+
+def _at(x: float, extent: Extent, locale: Locale, spell: Speller) -> str:
+    """Return ``α = 45°``."""
+    sides = (Symbol(extent.parameter), place(x, extent, spell))
+    shown = spell.relation(sides, ("=",), extent.parameter in spell.angles)
+    return shown + behind(locale.units.get(extent.unit, extent.unit))
+
+
+def _value(extreme: Extreme, extent: Extent, locale: Locale, spell: Speller) -> str:
+    rounded = float(f"{extreme.value / size_of(extent.scale):.{DIGITS}g}")
+    return spell.number(rounded) + behind(locale.units.get(extent.scale, extent.scale))

@@ -1,0 +1,83 @@
+"""What a ratio comes to along the stroke, in short: where it is 0, infinite, least and greatest."""
+
+from collections.abc import Iterator, Sequence
+
+from ...diagnostics import Report
+from ...friction.solution import Solution
+from ...model.mechanism import LoadRatio
+from ...model.values import range_of
+from ...units import ANGLE
+from ..analysis import Analysis, Extent, Extreme
+from ..ranges import scale_of
+from .along import Along
+from .from_balance import plain_lets, run
+from .rounded import is_nil
+from .stroke import Stretch, Stroke
+
+
+def along_the_stroke(
+    solution: Solution, results: Sequence[Analysis], report: Report
+) -> dict[str, Extent]:
+    """Return what ratios come to on the part of the stroke that the default pose is on, by name.
+
+    Nothing where there is no stroke.
+    """
+    mechanism = solution.plan.graph.pose.mechanism
+    ratios = [r for r in results if isinstance(r.target, LoadRatio)]
+    drive = mechanism.drive
+    if not ratios or drive is None or range_of(drive.parameter, mechanism) is None:
+        return {}
+    return dict(_extents(run(solution, ratios, 2, report), ratios, solution))
+
+
+def _extents(
+    stroke: Stroke, ratios: Sequence[Analysis], solution: Solution
+) -> Iterator[tuple[str, Extent]]:
+    stretch = _home(stroke)
+    along = Along(solution.plan, plain_lets(solution.plan.graph.pose.mechanism))
+    known = {column.name for column in stroke.columns}
+    for result in ratios:
+        if stretch and result.name in known and not is_nil(result, along, stretch):
+            yield result.name, _extent(result, stroke, stretch, along)
+
+
+def _home(stroke: Stroke) -> Stretch | None:
+    """Return the part of the stroke that the default pose is on."""
+    default = stroke.defaults.get(stroke.drive)
+    on = (s for s in stroke.stretches if default is not None and s.low <= default <= s.high)
+    return next(on, None)
+
+
+def _extent(result: Analysis, stroke: Stroke, stretch: Stretch, along: Along) -> Extent:
+    own = [s for s in stroke.singular if s.result == result.name and _is_on(s.drive, stretch)]
+    zeros, poles = (tuple(s.drive for s in own if s.value == value) for value in ("0", "infinite"))
+    is_open = any(s.value == "undetermined" for s in own) or any(
+        _is_on(b.drive, stretch) for b in stroke.branches
+    )
+    extremes = [] if poles or is_open else _extremes(result, stroke, stretch, along)
+    return Extent(
+        stroke.drive,
+        "" if stroke.dimension == ANGLE else stroke.unit,
+        (stretch.low, stretch.high),
+        zeros,
+        poles,
+        min(extremes, key=lambda e: e.value, default=None),
+        max(extremes, key=lambda e: e.value, default=None),
+        scale_of(result, along.mechanism),
+        not is_open,
+    )
+
+
+def _is_on(place: float, stretch: Stretch) -> bool:
+    return stretch.low <= place <= stretch.high
+
+
+def _extremes(result: Analysis, stroke: Stroke, stretch: Stretch, along: Along) -> list[Extreme]:
+    """Return the extrema on a stretch, and the values at its ends."""
+    inner = [
+        Extreme(e.drive, e.value)
+        for e in stroke.extrema
+        if e.result == result.name and _is_on(e.drive, stretch)
+    ]
+    ends = (stretch.low, stretch.high)
+    return [*inner, *(Extreme(x, along.of(result.formula, result, x)) for x in ends)]

@@ -1,0 +1,102 @@
+"""What a report says of ratios along the stroke, and over ranges, against dense sampling."""
+
+import numpy as np
+import pytest
+
+from grown import Grown
+from mechc.diagnostics import MechcError
+from mechc.driver import Compilation
+from mechc.frozen import replace
+from mechc.report.text.derivation import render
+from mechc.routine.evaluate import evaluate
+from mechc.source import Source
+from paths import LIBRARY
+from statements import extent_refuted
+
+WIDE = {"phi": (2.6, "rad"), "s": (0.05, "m")}
+
+
+def wide(grown):
+    """Return a description with a stroke that goes beyond what the loops allow."""
+    (size, unit), start = WIDE[grown.drive], grown.start
+    stroke = f"drive {grown.drive} from {start - size!r} {unit} to {start + size!r} {unit}"
+    lines = [line for line in grown.text().split("\n") if not line.startswith("drive ")]
+    return "\n".join([*lines, stroke])
+
+
+def of_library(name):
+    return Compilation(Source(name, (LIBRARY / name).read_text(encoding="utf-8")))
+
+
+def curve(compilation, name, parameter):
+    function = next(f for f in compilation.routine.functions if f.name == name)
+    given = {i.name: i.default for i in function.inputs}
+
+    def at(places):
+        found = evaluate(function, {**given, parameter: np.array(places)})
+        return np.broadcast_to(found, len(places)).tolist()
+
+    return at
+
+
+def refuted(compilation):
+    for result in compilation.told.results:
+        for extent in result.extents:
+            at = curve(compilation, result.name, extent.parameter)
+            yield from extent_refuted(extent, at)
+
+
+def hold(seeds):
+    told = 0
+    for seed in seeds:
+        grown = Grown(seed)
+        if "triad" in grown.kinds:
+            continue
+        compilation = Compilation(Source("grown.mech", wide(grown)))
+        try:
+            told += sum(len(r.extents) for r in compilation.told.results)
+        except MechcError:
+            continue
+        assert list(refuted(compilation)) == [], seed
+    return told
+
+
+def test_the_least_force_of_the_claw_is_where_the_paper_has_it():
+    k = of_library("claw_closed.mech").told.results[0]
+    (extent,) = k.extents
+    assert extent.least == pytest.approx((1.380557799745, 1.372773669854), rel=1e-9)
+    assert extent.zeros == extent.poles == ()
+
+
+def test_a_ratio_that_turns_in_a_range_is_least_and_greatest_where_it_is_said_to_be():
+    compilation = of_library("toggle_press.yaml")
+    (k,) = compilation.told.results
+    assert [e.parameter for e in k.extents] == ["phi"]
+    assert list(refuted(compilation)) == []
+    said = " ".join(render(compilation.told, compilation.mechanism, unicode=False).split())
+    assert "k is least at phi = 150 deg, 4.1915 mm" in said
+
+
+def test_what_is_said_along_random_strokes():
+    assert hold(range(6)) > 1
+
+
+@pytest.mark.slow
+def test_what_is_said_along_many_random_strokes():
+    assert hold(range(4, 150)) > 60
+
+
+def test_the_sampler_refutes_what_is_false():
+    compilation = of_library("crank_rocker.mech")
+    k = compilation.told.results[0]
+    (extent,) = k.extents
+    at = curve(compilation, "k", "phi")
+    assert list(extent_refuted(extent, at)) == []
+    assert list(extent_refuted(replace(extent, zeros=()), at))
+    assert list(extent_refuted(replace(extent, least=extent.greatest), at))
+
+
+def test_what_cannot_be_followed_is_not_told():
+    grown = Grown(70119)
+    compilation = Compilation(Source("grown.mech", wide(grown)))
+    assert compilation.told.results
