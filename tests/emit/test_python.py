@@ -4,6 +4,7 @@ import ast
 import shutil
 import subprocess
 import sys
+import tracemalloc
 import warnings
 from collections.abc import Callable
 from pathlib import Path
@@ -61,10 +62,26 @@ def test_the_docstring_says_formula_units_ranges_and_conditions() -> None:
     )
 
 
+def test_many_poses_take_no_more_memory_than_their_results() -> None:
+    space: dict[str, Any] = {}
+    exec(text("clamp"), space)
+    function, one, poses = space["k"], (0.1, 0.25, 0.2, 0.1), 200_000
+    many = [np.full(poses, one[0]), *one[1:3], np.full((2, 1), one[3])]
+    tracemalloc.start()
+    found = function(*many)
+    _, most = tracemalloc.get_traced_memory()
+    tracemalloc.stop()
+    assert found.shape == (2, poses)
+    assert np.ptp(found) == 0.0
+    assert found[0, 0] == pytest.approx(function(*one), rel=1e-15)
+    assert most < 1.5 * found.nbytes
+
+
 def test_bad_names_keep_apart() -> None:
     tree = ast.parse(text("badly_named"))
     functions = {n.name: n for n in tree.body if isinstance(n, ast.FunctionDef)}
-    assert list(functions) == ["k", "k_n", "int_2", "int_", "seven", "pose"]
+    public = [name for name in functions if not name.startswith("_")]
+    assert public == ["k", "k_n", "int_2", "int_", "seven", "pose"]
     arguments = " ".join(a.arg for a in functions["k"].args.args)
     assert arguments == "lambda_ int_ I n i np_ beta_3 beta beta_2 double l_A_prime k"
     assert "lambda_: m; lambda in the formula" in (ast.get_docstring(functions["k"]) or "")

@@ -30,24 +30,15 @@ def k(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k):
 
     Operations: 28
     """
-    lambda_ = np.asarray(lambda_, dtype=float)
-    int_ = np.asarray(int_, dtype=float)
-    I = np.asarray(I, dtype=float)
-    n = np.asarray(n, dtype=float)
-    i = np.asarray(i, dtype=float)
-    np_ = np.asarray(np_, dtype=float)
-    beta_3 = np.asarray(beta_3, dtype=float)
-    beta = np.asarray(beta, dtype=float)
-    beta_2 = np.asarray(beta_2, dtype=float)
-    double = np.asarray(double, dtype=float)
-    l_A_prime = np.asarray(l_A_prime, dtype=float)
-    k = np.asarray(k, dtype=float)
-    with np.errstate(all="ignore"):
-        sin_lambda = int_
-        NAN = lambda_ + 2.0*int_ + 3.0*I + 4.0*n + 5.0*i + 6.0*np_ + 7.0*beta_3 + 8.0*beta + 9.0*beta_2 + 10.0*double + 11.0*l_A_prime + 12.0*k
-        t1 = np.sin(lambda_)
-        result = NAN*t1*t1*beta_3*sin_lambda/beta
-    return result if np.ndim(result) else float(result)
+    return _in_blocks(_block_of_k, lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k)
+
+
+def _block_of_k(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k):
+    sin_lambda = int_
+    NAN = lambda_ + 2.0*int_ + 3.0*I + 4.0*n + 5.0*i + 6.0*np_ + 7.0*beta_3 + 8.0*beta + 9.0*beta_2 + 10.0*double + 11.0*l_A_prime + 12.0*k
+    t1 = np.sin(lambda_)
+    result = NAN*t1*t1*beta_3*sin_lambda/beta
+    return result
 
 
 def k_n(I, np_):
@@ -61,10 +52,12 @@ def k_n(I, np_):
 
     Operations: 1
     """
-    I = np.asarray(I, dtype=float)
-    np_ = np.asarray(np_, dtype=float)
+    return _in_blocks(_block_of_k_n, I, np_)
+
+
+def _block_of_k_n(I, np_):
     k_n = I + np_
-    return k_n if np.ndim(k_n) else float(k_n)
+    return k_n
 
 
 def int_2(beta_3, beta):
@@ -78,10 +71,12 @@ def int_2(beta_3, beta):
 
     Operations: 2
     """
-    beta_3 = np.asarray(beta_3, dtype=float)
-    beta = np.asarray(beta, dtype=float)
+    return _in_blocks(_block_of_int_2, beta_3, beta)
+
+
+def _block_of_int_2(beta_3, beta):
     int_ = beta_3 + 2.0*beta
-    return int_ if np.ndim(int_) else float(int_)
+    return int_
 
 
 def int_(int_, double):
@@ -95,10 +90,12 @@ def int_(int_, double):
 
     Operations: 1
     """
-    int_ = np.asarray(int_, dtype=float)
-    double = np.asarray(double, dtype=float)
+    return _in_blocks(_block_of_int_, int_, double)
+
+
+def _block_of_int_(int_, double):
     int_2 = int_*double
-    return int_2 if np.ndim(int_2) else float(int_2)
+    return int_2
 
 
 def seven():
@@ -108,8 +105,12 @@ def seven():
 
     Operations: 0
     """
+    return _in_blocks(_block_of_seven)
+
+
+def _block_of_seven():
     seven = 7.0
-    return seven if np.ndim(seven) else float(seven)
+    return seven
 
 
 def pose(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k):
@@ -156,6 +157,29 @@ def pose(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k
         status = np.maximum(status, each)
     found = {name: value if np.ndim(value) else float(value) for name, value in found.items()}
     return found, status if np.ndim(status) else int(status)
+
+
+def _in_blocks(function, *arguments):
+    """Return a function's values: of many poses a block at a time, so that it fits the cache."""
+    arguments = [np.asarray(each, dtype=float) for each in arguments]
+    wide = [i for i, each in enumerate(arguments) if each.ndim]
+    many = wide and np.prod(np.broadcast_shapes(*(arguments[i].shape for i in wide))) > 8192
+    with np.errstate(all="ignore"):
+        if not many or len(wide) > 30:
+            result = function(*arguments)
+            return result if np.ndim(result) else float(result)
+        blocks = np.nditer(
+            [*(arguments[i] for i in wide), None],
+            ["external_loop", "buffered"],
+            [["readonly"]]*len(wide) + [["writeonly", "allocate"]],
+            buffersize=8192,
+        )
+        with blocks:
+            for *given, result in blocks:
+                for i, each in zip(wide, given):
+                    arguments[i] = each
+                result[...] = function(*arguments)
+            return blocks.operands[-1]
 
 
 if __name__ == "__main__":

@@ -23,19 +23,19 @@ def k(a, b, phi):
 
     Operations: 29
     """
-    a = np.asarray(a, dtype=float)
-    b = np.asarray(b, dtype=float)
-    phi = np.asarray(phi, dtype=float)
-    with np.errstate(all="ignore"):
-        sin_phi = np.sin(phi)
-        p1 = a*sin_phi/b
-        theta = np.arcsin(p1)
-        cos_phi = np.cos(phi)
-        reach = a*cos_phi + cos_phi/sin_phi
-        t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
-        k = (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi
-        k = np.where(theta >= 0.0, k, np.nan)
-    return k if np.ndim(k) else float(k)
+    return _in_blocks(_block_of_k, a, b, phi)
+
+
+def _block_of_k(a, b, phi):
+    sin_phi = np.sin(phi)
+    p1 = a*sin_phi/b
+    theta = np.arcsin(p1)
+    cos_phi = np.cos(phi)
+    reach = a*cos_phi + cos_phi/sin_phi
+    t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
+    k = (a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi
+    k = np.where(theta >= 0.0, k, np.nan)
+    return k
 
 
 def P(a, b, phi, m, M):
@@ -59,23 +59,21 @@ def P(a, b, phi, m, M):
 
     Operations: 34
     """
-    a = np.asarray(a, dtype=float)
-    b = np.asarray(b, dtype=float)
-    phi = np.asarray(phi, dtype=float)
-    m = np.asarray(m, dtype=float)
-    M = np.asarray(M, dtype=float)
-    with np.errstate(all="ignore"):
-        sin_phi = np.sin(phi)
-        p1 = a*sin_phi/b
-        theta = np.arcsin(p1)
-        cos_phi = np.cos(phi)
-        reach = a*cos_phi + cos_phi/sin_phi
-        F = 10.0*m
-        t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
-        P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
-        P = np.where(theta >= 0.0, P, np.nan)
-        P = np.where(m > a, P, np.nan)
-    return P if np.ndim(P) else float(P)
+    return _in_blocks(_block_of_P, a, b, phi, m, M)
+
+
+def _block_of_P(a, b, phi, m, M):
+    sin_phi = np.sin(phi)
+    p1 = a*sin_phi/b
+    theta = np.arcsin(p1)
+    cos_phi = np.cos(phi)
+    reach = a*cos_phi + cos_phi/sin_phi
+    F = 10.0*m
+    t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
+    P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
+    P = np.where(theta >= 0.0, P, np.nan)
+    P = np.where(m > a, P, np.nan)
+    return P
 
 
 def F(m):
@@ -88,9 +86,12 @@ def F(m):
 
     Operations: 1
     """
-    m = np.asarray(m, dtype=float)
+    return _in_blocks(_block_of_F, m)
+
+
+def _block_of_F(m):
     F = 10.0*m
-    return F if np.ndim(F) else float(F)
+    return F
 
 
 def twice(a, b, phi, m, M):
@@ -116,25 +117,23 @@ def twice(a, b, phi, m, M):
 
     Operations: 37
     """
-    a = np.asarray(a, dtype=float)
-    b = np.asarray(b, dtype=float)
-    phi = np.asarray(phi, dtype=float)
-    m = np.asarray(m, dtype=float)
-    M = np.asarray(M, dtype=float)
-    with np.errstate(all="ignore"):
-        sin_phi = np.sin(phi)
-        p1 = a*sin_phi/b
-        theta = np.arcsin(p1)
-        cos_phi = np.cos(phi)
-        reach = a*cos_phi + cos_phi/sin_phi
-        F = 10.0*m
-        t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
-        P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
-        w = a + b
-        twice = 2.0*P*w
-        twice = np.where(theta >= 0.0, twice, np.nan)
-        twice = np.where(m > a, twice, np.nan)
-    return twice if np.ndim(twice) else float(twice)
+    return _in_blocks(_block_of_twice, a, b, phi, m, M)
+
+
+def _block_of_twice(a, b, phi, m, M):
+    sin_phi = np.sin(phi)
+    p1 = a*sin_phi/b
+    theta = np.arcsin(p1)
+    cos_phi = np.cos(phi)
+    reach = a*cos_phi + cos_phi/sin_phi
+    F = 10.0*m
+    t1 = np.sqrt((1.0 - p1)*(1.0 + p1))
+    P = ((a*sin_phi*cos_phi/b + t1*sin_phi)*reach*reach/t1 - 3.0*sin_phi*(t1*cos_phi - a*sin_phi*sin_phi/b)/cos_phi)*F + M/(cos_phi*b)
+    w = a + b
+    twice = 2.0*P*w
+    twice = np.where(theta >= 0.0, twice, np.nan)
+    twice = np.where(m > a, twice, np.nan)
+    return twice
 
 
 def pose(a, b, phi):
@@ -165,6 +164,29 @@ def pose(a, b, phi):
         status = np.maximum(status, each)
     found = {name: value if np.ndim(value) else float(value) for name, value in found.items()}
     return found, status if np.ndim(status) else int(status)
+
+
+def _in_blocks(function, *arguments):
+    """Return a function's values: of many poses a block at a time, so that it fits the cache."""
+    arguments = [np.asarray(each, dtype=float) for each in arguments]
+    wide = [i for i, each in enumerate(arguments) if each.ndim]
+    many = wide and np.prod(np.broadcast_shapes(*(arguments[i].shape for i in wide))) > 8192
+    with np.errstate(all="ignore"):
+        if not many or len(wide) > 30:
+            result = function(*arguments)
+            return result if np.ndim(result) else float(result)
+        blocks = np.nditer(
+            [*(arguments[i] for i in wide), None],
+            ["external_loop", "buffered"],
+            [["readonly"]]*len(wide) + [["writeonly", "allocate"]],
+            buffersize=8192,
+        )
+        with blocks:
+            for *given, result in blocks:
+                for i, each in zip(wide, given):
+                    arguments[i] = each
+                result[...] = function(*arguments)
+            return blocks.operands[-1]
 
 
 if __name__ == "__main__":

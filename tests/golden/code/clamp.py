@@ -23,14 +23,36 @@ def k(a, b, alpha, beta):
 
     Operations: 9
     """
-    a = np.asarray(a, dtype=float)
-    b = np.asarray(b, dtype=float)
-    alpha = np.asarray(alpha, dtype=float)
-    beta = np.asarray(beta, dtype=float)
+    return _in_blocks(_block_of_k, a, b, alpha, beta)
+
+
+def _block_of_k(a, b, alpha, beta):
+    k = a*np.sin(alpha + beta)/(2.0*b*np.cos(alpha)*np.cos(beta))
+    k = np.where(alpha + beta < np.pi/2.0, k, np.nan)
+    return k
+
+
+def _in_blocks(function, *arguments):
+    """Return a function's values: of many poses a block at a time, so that it fits the cache."""
+    arguments = [np.asarray(each, dtype=float) for each in arguments]
+    wide = [i for i, each in enumerate(arguments) if each.ndim]
+    many = wide and np.prod(np.broadcast_shapes(*(arguments[i].shape for i in wide))) > 8192
     with np.errstate(all="ignore"):
-        k = a*np.sin(alpha + beta)/(2.0*b*np.cos(alpha)*np.cos(beta))
-        k = np.where(alpha + beta < np.pi/2.0, k, np.nan)
-    return k if np.ndim(k) else float(k)
+        if not many or len(wide) > 30:
+            result = function(*arguments)
+            return result if np.ndim(result) else float(result)
+        blocks = np.nditer(
+            [*(arguments[i] for i in wide), None],
+            ["external_loop", "buffered"],
+            [["readonly"]]*len(wide) + [["writeonly", "allocate"]],
+            buffersize=8192,
+        )
+        with blocks:
+            for *given, result in blocks:
+                for i, each in zip(wide, given):
+                    arguments[i] = each
+                result[...] = function(*arguments)
+            return blocks.operands[-1]
 
 
 if __name__ == "__main__":

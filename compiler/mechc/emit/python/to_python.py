@@ -8,14 +8,13 @@ from ...diagnostics.diagnostic import MechcError
 from ...diagnostics.emission import file_hides_another
 from ...formula import newton
 from ...formula.choices import SIGNS
-from ...formula.tree import Call, Formula, Number, Power
-from ...formula.walk import symbols, walk
+from ...formula.tree import Call, Formula
+from ...formula.walk import walk
 from ...routine.steps import (
     Checks,
     Common,
     Function,
     Pose,
-    Solve,
     Solver,
     every,
     formulas_of,
@@ -42,7 +41,6 @@ from .solvers import SolverContext, line, solver_context, solver_names
 from .status import StatusContext, status_context
 
 _SIGNS = {**SIGNS, "same": "=="}
-_MAY_FAIL = ("asin", "acos", "sqrt", "log", "exp", "tan", "cot", "sec", "csc")
 
 
 class FunctionContext(NamedTuple):
@@ -57,7 +55,7 @@ class FunctionContext(NamedTuple):
     inputs: list[Line]
     body: list[Line]
     result: str
-    quiet: bool
+    block: str
     operations: int
     remarks: list[str]
     otherwise: str
@@ -185,7 +183,7 @@ def _function(
         ],
         body=[*lines, *_returned(function, result, printer)],
         result=result,
-        quiet=function.common is not None or _may_fail(function),
+        block=f"_block_of_{names[function.name]}",
         operations=function.operations,
         remarks=[_quoted(words) for words in describe.remarks(function, names)],
         otherwise=f"{names[other.name]}({', '.join(own[i.name] for i in other.inputs)})"
@@ -223,26 +221,6 @@ def _returned(function: Function, result: str, printer: Printer) -> list[Line]:
     for guard in function.guards:
         lines.append(Line(result, f"np.where({printer.condition(guard)}, {result}, np.nan)"))
     return lines
-
-
-def _may_fail(function: Function) -> bool:
-    """Return whether some input makes a step infinite or undefined, which NumPy remarks upon."""
-    if any(isinstance(step, Solve) for step in function.steps):
-        return True
-    formulas = [*(f for step in function.steps for f in formulas_of(step)), *_ends(function)]
-    return any(_is_partial(part) for f in formulas for part in walk(f))
-
-
-def _is_partial(part: Formula) -> bool:
-    match part:
-        case Power(_, Number(value)) if value >= 0 and value.denominator == 1:
-            return False
-        case Power():
-            return bool(symbols(part))
-        case Call(function, _):
-            return function in _MAY_FAIL
-        case _:
-            return False
 
 
 def _shown(function: Function, name: str, arguments: Mapping[str, str]) -> str:
