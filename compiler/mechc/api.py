@@ -4,7 +4,7 @@ All quantities that go in or come out as numbers are SI and radians; what goes i
 with a unit, ``"20 deg"``, as well.
 """
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Mapping, Sequence, Set
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -29,10 +29,14 @@ if TYPE_CHECKING:
     import sympy
 
     from .emit.picture import Picture
+    from .emit.python.evaluator import Evaluator
     from .figure.figure import Figure
-    from .routine.steps import Input, Routine
     from .shown import ShownDerivation, ShownResult, ShownStroke
     from .statics.diagram import Diagram
+
+
+KEPT = 8
+"""How many choices of loads given by hand a mechanism keeps its functions for."""
 
 
 class SolvedMechanism:
@@ -53,7 +57,7 @@ class SolvedMechanism:
 
     def __init__(self, compilation: Compilation) -> None:
         self._compilation = compilation
-        self._overridden: dict[frozenset[str], Routine] = {}
+        self._evaluators: dict[frozenset[str], Evaluator] = {}
 
     @property
     def name(self) -> str:
@@ -141,44 +145,57 @@ class SolvedMechanism:
         >>> round(clamp.evaluate(alpha="10 deg", a="120 mm")["k"], 4)
         0.0718
         """
-        from .routine.evaluate import evaluate, scalar_or_array
-
         values = self._in_si(values)
         overridden = self._fixed_loads.intersection(values)
-        functions = self._routine(overridden).functions
-        inputs = [i for f in functions for i in f.inputs]
-        self._refuse_strangers(values.keys() - overridden, inputs)
-        given = {**self.defaults, **values}
-        ready = (f for f in functions if all(i.name in given for i in f.inputs))
-        found = {f.name: evaluate(f, given) for f in ready}
-        found |= {name: scalar_or_array(values[name]) for name in overridden}
+        evaluator = self._evaluator(overridden)
+        self._refuse_strangers(values.keys() - overridden, evaluator.inputs)
+        found = evaluator.values({**self._defaults, **values}, overridden)
         return {r.name: found[r.name] for r in self._compilation.found if r.name in found}
 
     def _in_si(self, values: Mapping[str, Any]) -> dict[str, Any]:
         """Return values with those in SI that are texts, or sequences of texts."""
-        mechanism = self._compilation.mechanism
-        sizes = {q.name: q.dimension for q in (*mechanism.parameters, *mechanism.loads)}
+        sizes = self._dimensions
         return {n: _in_si(n, v, sizes[n]) if n in sizes else v for n, v in values.items()}
+
+    @cached_property
+    def _dimensions(self) -> dict[str, Dimension]:
+        """The dimension of each parameter and load."""
+        mechanism = self._compilation.mechanism
+        return {q.name: q.dimension for q in (*mechanism.parameters, *mechanism.loads)}
+
+    @cached_property
+    def _defaults(self) -> Mapping[str, float]:
+        return self.defaults
 
     @cached_property
     def _fixed_loads(self) -> frozenset[str]:
         """The loads whose size the description gives."""
         return given_loads(self._compilation.mechanism, self._compilation.found)
 
-    def _routine(self, overridden: frozenset[str]) -> "Routine":
-        """Return the routine with loads as inputs that the description gives a size, made once."""
-        if not overridden:
-            return self._compilation.routine
-        if overridden not in self._overridden:
-            pose, found = self._compilation.pose, self._compilation.found
-            changed = freed(pose.mechanism, found, overridden)
-            self._overridden[overridden] = self._compilation.routine_of(*changed)
-        return self._overridden[overridden]
+    def _evaluator(self, overridden: frozenset[str]) -> "Evaluator":
+        """Return what evaluates results, with loads as inputs that the description gives a size.
 
-    def _refuse_strangers(self, names: Iterable[str], inputs: Iterable["Input"]) -> None:
+        A few of them are kept, each for the loads that were last given by hand.
+        """
+        found = self._evaluators.pop(overridden, None) or self._new_evaluator(overridden)
+        self._evaluators[overridden] = found
+        if len(self._evaluators) > KEPT:
+            del self._evaluators[next(iter(self._evaluators))]
+        return found
+
+    def _new_evaluator(self, overridden: frozenset[str]) -> "Evaluator":
+        from .emit.python.evaluator import Evaluator
+
+        if not overridden:
+            return Evaluator(self._compilation.routine)
+        pose, found = self._compilation.pose, self._compilation.found
+        changed = freed(pose.mechanism, found, overridden)
+        return Evaluator(self._compilation.routine_of(*changed))
+
+    def _refuse_strangers(self, names: Set[str], inputs: Set[str]) -> None:
         """Raise TypeError for a name that is no input, with what it follows from."""
-        known = {i.name for i in inputs} | self._fixed_loads
-        for name in sorted(set(names) - known):
+        known = inputs | self._fixed_loads
+        for name in sorted(names - known):
             formula = self._followed.get(name)
             if formula is None:
                 raise TypeError(f"no result depends on {name!r} {near_miss(name, known)}")
@@ -264,11 +281,12 @@ class SolvedMechanism:
         routine = self._compilation.routine
         if routine.points is None:
             raise ValueError("there is no motion: expected a drive that moves points, found none")
-        inputs = routine.points.program.inputs
+        inputs = [i.name for i in routine.points.program.inputs]
         values = self._in_si(values)
-        self._refuse_strangers(values, (*inputs, *(i for f in routine.functions for i in f.inputs)))
-        given = {**self.defaults, **values}
-        if missing := [i.name for i in inputs if i.name not in given]:
+        used = {i.name for f in routine.functions for i in f.inputs}
+        self._refuse_strangers(values.keys(), used.union(inputs))
+        given = {**self._defaults, **values}
+        if missing := [name for name in inputs if name not in given]:
             raise TypeError(f"no value is given for {', '.join(missing)}")
         return pose(routine.points.program, given)
 
