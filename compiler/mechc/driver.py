@@ -51,6 +51,8 @@ from .work import Allowance
 if TYPE_CHECKING:
     from .drawing.drawing import Drawing
     from .figure.figure import Figure
+    from .plot.plot import Plot
+    from .plot.query import Query
     from .report.derivation.steps import Derivation
     from .statics.diagram import Diagram
     from .study.analysis import Analysis
@@ -326,6 +328,27 @@ class Compilation:
         motion = self.motion
         with within(Allowance(), self.report):
             return run(self.solution, self.results, points, self.report, motion, paths)
+
+    def along(self, formulas: Settings) -> "Compilation":
+        """Return the same description with parameters that follow formulas.
+
+        What it expects is written for values, and is not judged there.
+        """
+        if not formulas:
+            return self
+        plain = replace(self.source, attached=())
+        constrained = Compilation(plain, {**self.settings, **formulas}, self.drive)
+        if not is_sheet(constrained.mechanism):
+            constrained.verdict  # noqa: B018
+        return constrained
+
+    def plot(self, query: "Query") -> "Plot":
+        """Return results against a parameter."""
+        from .plot.from_routine import plot
+
+        mechanism, routine = self.pose.mechanism, self.routine
+        with within(Allowance(), self.report):
+            return plot(mechanism, routine, query)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -31,9 +31,8 @@ STAGES = [
     "statics",
     "study",
     "figure",
-    "drawing",
 ]
-OUTPUT = ["routine", "report", "emit"]
+OUTPUT = ["routine", "plot", "drawing", "report", "emit"]
 TOP = ["stage", "driver", "shown", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
 VIEWS = ("driver.py", "api.py")

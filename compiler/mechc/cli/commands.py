@@ -23,6 +23,7 @@ COMMANDS = {
     "derive": Entry("derive", "Print the derivation of k step by step."),
     "stroke": Entry("stroke", "Print k along the stroke, dead centres and extrema."),
     "draw": Entry("draw", "Draw the kinematic scheme: SVG, LaTeX or PNG."),
+    "plot": Entry("plot", "Plot results against a parameter: a picture or a table."),
     "show": Entry("show", "Print what a stage of the compiler made of a description."),
     "list": Entry("list", "List the mechanisms of the library."),
     "new": Entry("new", "Start a description from a commented example."),

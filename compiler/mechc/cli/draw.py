@@ -40,7 +40,7 @@ def _known(
     multiple=True,
     callback=_known,
     metavar="PATH",
-    help="A file whose suffix tells the format: .svg, .tex (TikZ) or .png. May be repeated.",
+    help="A file whose suffix tells the format: .svg, .tex (TikZ), .png or .pdf. May be repeated.",
 )
 @click.option("--bodies", is_flag=True, help="Draw every body cut free, with the forces on it.")
 @settings_option
@@ -53,7 +53,7 @@ def command(
 
     The mechanism at its default pose, or at values set with -D: links, joints in the symbols
     of ISO 3952, loads, lengths and angles by their names. Without -o, or with -o -, the
-    picture goes to standard output as SVG. PNG needs `pip install 'mechc[png]'`.
+    picture goes to standard output as SVG. PNG needs `pip install 'mechc[png]'`, PDF `mechc[pdf]`.
 
     With --bodies each link is drawn by itself, without friction and then with it, with the
     forces on it to one scale: in newtons, or in units of a load whose size nothing gives. Of

@@ -17,16 +17,22 @@ def begin(name: str, stdin_name: str, settings: Settings, drive: str = "") -> Co
     source = source_of(name, stdin_name)
     if drive:
         _check_drive(drive, source)
-    if settings:
-        statements = Compilation(source).composed.statements
-        declared = [p.name.text for p in params(statements)]
-        declared += driven(statements)
-        for unknown in (name for name in settings if name not in declared):
-            hint = near_miss(unknown, declared) or f"it has {', '.join(declared) or 'none'}"
-            raise click.BadParameter(
-                f"{source.name} has no parameter {unknown!r}; {hint}", param_hint="-D"
-            )
+    check_names(settings, source, "-D")
     return Compilation(source, settings, drive)
+
+
+def check_names(settings: Settings, source: Source, option: str) -> None:
+    """Refuse settings of parameters that a description lacks."""
+    if not settings:
+        return
+    statements = Compilation(source).composed.statements
+    declared = [p.name.text for p in params(statements)]
+    declared += driven(statements)
+    for unknown in (name for name in settings if name not in declared):
+        hint = near_miss(unknown, declared) or f"it has {', '.join(declared) or 'none'}"
+        raise click.BadParameter(
+            f"{source.name} has no parameter {unknown!r}; {hint}", param_hint=option
+        )
 
 
 def _check_drive(drive: str, source: Source) -> None:

@@ -2,7 +2,7 @@
 
 from .diagnostic import Message, coded
 
-LACKING = frozenset({"E721"})
+LACKING = frozenset({"E590", "E721"})
 """Codes that say that the machine lacks something: the description is not wrong."""
 
 

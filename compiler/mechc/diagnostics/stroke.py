@@ -10,21 +10,23 @@ from .syntax import listed
 
 
 @coded("E591")
-def no_drive(span: Span, able: Sequence[str], unit: str) -> Message:
+def no_drive(span: Span, able: Sequence[str], unit: str, ranged: Sequence[str] = ()) -> Message:
     """A stroke was asked for, and the description names no driving coordinate.
 
     ::
 
         param phi = 30 deg
         drive phi from 10 deg to 80 deg
+
+    Over the range of a parameter, ``mechc plot FILE --x phi`` shows results without a drive.
     """
     message = (
         f"no driving coordinate is named, expected {listed(able)}" if able else "nothing drives"
     )
     example = able[0] if able else "phi"
-    return Message(
-        span, message, f"add a line such as `drive {example} from 10 {unit} to 80 {unit}`"
-    )
+    line = f"add a line such as `drive {example} from 10 {unit} to 80 {unit}`"
+    plot = f"`mechc plot FILE --x {ranged[0]}` runs over its range; or " if ranged else ""
+    return Message(span, message, f"{plot}{line}")
 
 
 @coded("E592")

@@ -32,6 +32,7 @@ class Sheet:
     def __init__(self) -> None:
         self._shapes: list[tuple[Layer, Shape]] = []
         self._names: list[Name] = []
+        self._labels: list[Label] = []
         self.occupied = Occupied()
 
     def draw(self, layer: Layer, shapes: Iterable[Shape]) -> None:
@@ -40,9 +41,18 @@ class Sheet:
             self._shapes.append((layer, shape))
             self.occupied.add(shape)
 
+    def shade(self, layer: Layer, shapes: Iterable[Shape]) -> None:
+        """Draw shapes in a layer that labels may cover."""
+        self._shapes += [(layer, shape) for shape in shapes]
+
     def name(self, name: Name) -> None:
         """Take what is to be written when all is drawn, so that no line crosses it."""
         self._names.append(name)
+
+    def write(self, label: Label) -> None:
+        """Write a label where it is."""
+        self._labels.append(label)
+        self.occupied.write(Box(label.at, label.width, label.height))
 
     def extent(self, labels: Iterable[Label] = ()) -> tuple[Plane, Plane]:
         """Return the lower left and the upper right corner of all that is drawn, and of labels."""
@@ -55,7 +65,7 @@ class Sheet:
         written = [write(name, self.occupied) for name in self._names]
         leaders = [line for _, lines in written for line in lines]
         self._shapes += [(Layer.MEASURES, line) for line in leaders]
-        labels = tuple(label for label, _ in written)
+        labels = (*self._labels, *(label for label, _ in written))
         low, high = self.extent(labels)
         margin = Plane(MARGIN, MARGIN)
         ordered = sorted(self._shapes, key=lambda pair: pair[0])

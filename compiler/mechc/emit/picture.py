@@ -6,6 +6,7 @@ from pathlib import Path
 from ..drawing.drawing import Drawing
 from ..files import write_all
 from ..frozen import frozen
+from .pdf.picture import to_pdf
 from .png.picture import to_png
 from .svg.picture import to_svg
 from .tikz.picture import to_tikz
@@ -14,6 +15,7 @@ FORMATS: Mapping[str, Callable[[Drawing], str | bytes]] = {
     ".svg": to_svg,
     ".tex": to_tikz,
     ".png": to_png,
+    ".pdf": to_pdf,
 }
 """How a drawing is written, by the suffix of the file."""
 
@@ -30,7 +32,7 @@ class Picture:
     drawing: Drawing
 
     def save(self, path: str | Path) -> None:
-        """Write a file, whole or not at all: ``.svg``, ``.tex`` (TikZ) or ``.png``."""
+        """Write a file, whole or not at all: ``.svg``, ``.tex`` (TikZ), ``.png`` or ``.pdf``."""
         target = Path(path)
         if target.suffix.lower() not in FORMATS:
             raise ValueError(f"{str(path)!r} has none of the suffixes {', '.join(FORMATS)}")

@@ -6,7 +6,7 @@ its own, so that what may stand there is exactly what may stand in a file.
 
 import re
 from collections.abc import Iterable, Mapping
-from typing import NamedTuple
+from typing import NamedTuple, assert_never
 
 from ..diagnostics import Report
 from ..frozen import replace
@@ -107,7 +107,26 @@ def _set(statement: ast.Statement, values: Mapping[str, ast.Expr]) -> ast.Statem
     if not isinstance(statement, ast.Param) or statement.name.text not in values:
         return statement
     dimension = statement.dimension or _dimension(statement.value)
-    return replace(statement, value=values[statement.name.text], dimension=dimension)
+    found = replace(statement, value=values[statement.name.text], dimension=dimension)
+    follows = _names_something(values[statement.name.text])
+    return replace(found, low=None, high=None, tolerance=None) if follows else found
+
+
+def _names_something(value: ast.Expr) -> bool:
+    """Return whether a value follows from others: what then varies has no range of its own."""
+    match value:
+        case ast.Symbol(name):
+            return name != "pi"
+        case ast.Number():
+            return False
+        case ast.Sum(terms=parts) | ast.Product(factors=parts):
+            return any(_names_something(part) for _, part in parts)
+        case ast.Power(base, exponent):
+            return _names_something(base) or _names_something(exponent)
+        case ast.Call(arguments=arguments):
+            return any(map(_names_something, arguments))
+        case _:
+            assert_never(value)
 
 
 def _dimension(value: ast.Expr | None) -> ast.Name | None:

@@ -35,8 +35,8 @@ def to_tikz(drawing: Drawing) -> str:
     """Return a picture as a document for every TeX engine."""
     size = SIZE * POINTS
     lines = (
-        f"% {_comment(drawing.title)}",
-        f"% {_comment(drawing.description)}",
+        f"% {comment(drawing.title)}",
+        f"% {comment(drawing.description)}",
         r"\documentclass[tikz]{standalone}",
         *map(_definition, PENS),
         rf"\definecolor{{mechctint}}{{HTML}}{{{TINT}}}",
@@ -52,7 +52,7 @@ def to_tikz(drawing: Drawing) -> str:
     return "\n".join(lines) + "\n"
 
 
-def _comment(text: str) -> str:
+def comment(text: str) -> str:
     """Return text of the user's without what would end a comment."""
     return "".join(c if c.isprintable() else " " for c in text)
 
@@ -108,7 +108,12 @@ def _number(value: float) -> str:
 
 def _label(label: Label) -> str:
     colour = f"[text=mechc{label.pen.name}]"
-    return rf"\node{colour} at {_pair(label.at)} {{${''.join(_runs(label.runs))}$}};"
+    return rf"\node{colour} at {_pair(label.at)} {{${mathematics(label.runs)}$}};"
+
+
+def mathematics(runs: Iterable[Run]) -> str:
+    """Return text in runs as mathematics."""
+    return "".join(_runs(runs))
 
 
 def _runs(runs: Iterable[Run]) -> Iterator[str]:

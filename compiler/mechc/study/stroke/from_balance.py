@@ -58,7 +58,8 @@ def run(
     pose = solution.plan.graph.pose
     drive = pose.mechanism.drive
     if drive is None:
-        raise report.fail(messages.no_drive(pose.mechanism.span, *_drivable(pose)))
+        ranged = [p.name for p in pose.mechanism.parameters if p.range and not p.dependent]
+        raise report.fail(messages.no_drive(pose.mechanism.span, *_drivable(pose), ranged))
     parameter = pose.mechanism.parameter(drive.parameter)
     ends = range_of(drive.parameter, pose.mechanism)
     if ends is None:

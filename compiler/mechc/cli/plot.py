@@ -1,0 +1,156 @@
+"""``mechc plot``: results against a parameter, as a picture or a table."""
+
+from pathlib import Path
+
+import click
+
+from ..diagnostics import MechcError
+from ..drawing.from_plot import picture
+from ..driver import checked, warnings
+from ..emit.plot_files import FORMATS, PlotPicture
+from ..emit.svg.picture import to_svg
+from ..files import write_all
+from ..plot.query import POINTS, Query
+from ..syntax.settings import Settings, parse
+from .collisions import refuse_collisions
+from .inputs import claim_of, description_argument, settings_option, stdin_option
+from .open import begin, check_names
+from .session import Command, session, session_options
+from .terminal import give
+
+STANDARD_OUTPUT = Path("-")
+
+
+def _known(
+    ctx: click.Context, parameter: click.Parameter, paths: tuple[Path, ...]
+) -> tuple[Path, ...]:
+    for path in paths:
+        if path != STANDARD_OUTPUT and path.suffix.lower() not in FORMATS:
+            known = ", ".join(FORMATS)
+            raise click.BadParameter(f"{str(path)!r} has none of the suffixes {known}")
+    return paths
+
+
+def _names(
+    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
+) -> tuple[str, ...]:
+    """Return the names of several options, each of which may list some."""
+    return tuple(name.strip() for text in given for name in text.split(",") if name.strip())
+
+
+def _family(
+    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
+) -> tuple[tuple[str, tuple[str, ...]], ...]:
+    """Return names with the values they are set to: the last one's unit is that of all."""
+    return tuple(map(_member, given))
+
+
+def _member(text: str) -> tuple[str, tuple[str, ...]]:
+    name, sign, values = text.partition("=")
+    listed = [value.strip() for value in values.split(",")]
+    if not sign or not name.strip() or not all(listed):
+        raise click.BadParameter(f"{text!r} is not NAME=VALUE,VALUE…, as in beta=10,20,30deg")
+    unit = listed[-1].lstrip("+-0123456789. ")
+    bare = (value.lstrip("+-0123456789. ") == "" for value in listed)
+    return name.strip(), tuple(v + unit * b for v, b in zip(listed, bare, strict=True))
+
+
+def _ends(
+    ctx: click.Context, parameter: click.Parameter, text: str | None
+) -> tuple[str, str] | None:
+    if text is None:
+        return None
+    low, dots, high = text.partition("..")
+    if not dots or not low.strip() or not high.strip():
+        raise click.BadParameter(f"{text!r} is not LOW .. HIGH, as in '2 deg .. 40 deg'")
+    return low.strip(), high.strip()
+
+
+def _constraints(
+    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
+) -> Settings:
+    """Return formulas for parameters, which vary along with what the plot runs over."""
+    for text in given:
+        if "=" not in text:
+            example = '--along "theta = 80 deg - alpha"'
+            raise click.BadParameter(f"{text!r} is not NAME = FORMULA, as in {example}")
+    try:
+        return dict(map(parse, given))
+    except MechcError as error:
+        raise click.BadParameter(str(error)) from None
+
+
+@click.command("plot", cls=Command)
+@description_argument
+@click.option("--x", "x", default="", metavar="NAME", help="What varies; else the drive.")
+@click.option(
+    "--y", "ys", multiple=True, callback=_names, metavar="NAME,…",
+    help="What is shown: results, angles that loops find, x_C, V_C_x; else the first result.",
+)  # fmt: skip
+@click.option(
+    "--path", "paths", multiple=True, callback=_names, metavar="POINT,…",
+    help="Show the path of a point instead, while the drive moves.",
+)  # fmt: skip
+@click.option(
+    "--family", "family", multiple=True, callback=_family, metavar="NAME=VALUE,…",
+    help="A curve for each value: beta=10,20,30deg.",
+)  # fmt: skip
+@click.option(
+    "--along", "along", multiple=True, callback=_constraints, metavar="NAME=FORMULA",
+    help='What else varies: "theta = 80 deg - alpha".',
+)  # fmt: skip
+@click.option(
+    "--range", "ends", callback=_ends, metavar="LOW..HIGH",
+    help='From where to where, other than the description says: "0 deg .. 80 deg".',
+)  # fmt: skip
+@click.option(
+    "-n", "--points", type=click.IntRange(2, 100_000), default=POINTS, show_default=True,
+    help="How many rows a table has.",
+)  # fmt: skip
+@click.option(
+    "-o", "--output", "outputs", type=click.Path(path_type=Path), multiple=True, callback=_known,
+    metavar="PATH", help=f"A file by its suffix: {', '.join(FORMATS)}. May be repeated.",
+)  # fmt: skip
+@settings_option
+@stdin_option
+@session_options
+def command(
+    file: str,
+    x: str,
+    ys: tuple[str, ...],
+    paths: tuple[str, ...],
+    family: tuple[tuple[str, tuple[str, ...]], ...],
+    along: Settings,
+    ends: tuple[str, str] | None,
+    points: int,
+    outputs: tuple[Path, ...],
+    settings: Settings,
+    stdin_name: str,
+) -> None:
+    """Plot results against a parameter over its range, or over the stroke.
+
+    No drive is needed: what has a range can vary. Where a result is infinite its curve is
+    broken, and a broken line stands there; rings mark where it is least or greatest nearby and
+    where it is 0, a dot the pose of the description. Beyond the range of the description, that
+    range is shaded. Without -o, or with -o -, the picture goes to standard output as SVG; .tex is
+    pgfplots; .csv and .xlsx hold the values in the units of the axes.
+
+    \b
+    mechc plot clamp.mech --x alpha --family beta=10,20,30deg -o k.svg
+    mechc plot karpenko_fig3_inclined_levers --x alpha --y z --along "theta = 80 deg - alpha" \\
+        --range "0 deg .. 80 deg" -o z.pdf -o z.xlsx
+    mechc plot crank_rocker --path B -o path.svg
+    """
+    compilation = begin(file, stdin_name, settings)
+    check_names(along, compilation.source, "--along")
+    query = Query(x, ys, family, ends, paths, points)
+    found = checked(compilation).along(along).plot(query)
+    plotted = PlotPicture(found, picture(found))
+    session().accept(warnings(compilation), compilation.source)
+    files = [path for path in outputs if path != STANDARD_OUTPUT]
+    contents = {path: plotted.content(path) for path in files}
+    printed = len(files) < len(outputs) or not outputs
+    refuse_collisions(files, [claim_of(file)], printed)
+    write_all(contents)
+    if printed:
+        give(to_svg(plotted.drawing))

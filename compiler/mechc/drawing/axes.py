@@ -1,0 +1,120 @@
+"""The axes of a panel: where a value is on paper, frame, grid, ticks and what they say."""
+
+from collections.abc import Iterator
+
+from ..frozen import frozen
+from ..plot.plot import Axis
+from ..pose.places import Plane
+from .drawing import SYMBOL, Fill, Label, Pen, Polyline, Run, Shape
+from .lettering import SIZE, box, name
+from .ticks import Scale
+
+GRID = Pen("grid", 0.12, "#c9c9c9")
+ZERO = Pen("zero", 0.25, "#777777")
+PAPER = Pen("paper", 0.0)
+
+_SMALL = 3.3
+"""The size of the numbers at ticks."""
+
+
+@frozen
+class Frame:
+    """A panel on paper: its lower left and upper right corner, and the values there."""
+
+    low: Plane
+    high: Plane
+    least: Plane
+    most: Plane
+
+    def at(self, value: Plane) -> Plane:
+        """Return where values, in the units of the axes, are on paper."""
+        return Plane(
+            _between(value.x, self.least.x, self.most.x, self.low.x, self.high.x),
+            _between(value.y, self.least.y, self.most.y, self.low.y, self.high.y),
+        )
+
+    def holds(self, place: Plane) -> bool:
+        """Return whether a place on paper is inside."""
+        across = self.low.x < place.x < self.high.x
+        return across and self.low.y < place.y < self.high.y
+
+
+def _between(value: float, least: float, most: float, low: float, high: float) -> float:
+    return low + (value - least) / (most - least) * (high - low)
+
+
+def outline(frame: Frame) -> Polyline:
+    """Return the frame of a panel."""
+    return rectangle(frame.low, frame.high, "", SYMBOL)
+
+
+def rectangle(low: Plane, high: Plane, fill: Fill, pen: Pen = PAPER) -> Polyline:
+    """Return a rectangle between two corners, without a border unless a pen is given."""
+    corners = (low, Plane(high.x, low.y), high, Plane(low.x, high.y))
+    return Polyline(corners, pen, closed=True, fill=fill)
+
+
+def grid(frame: Frame, across: Scale, up: Scale) -> Iterator[Shape]:
+    """Yield the lines at ticks, and that at 0 if it lies inside."""
+    for value in across.ticks:
+        x = frame.at(Plane(value, frame.least.y)).x
+        if frame.low.x < x < frame.high.x:
+            yield Polyline((Plane(x, frame.low.y), Plane(x, frame.high.y)), GRID)
+    for value in up.ticks:
+        y = frame.at(Plane(frame.least.x, value)).y
+        if frame.low.y < y < frame.high.y:
+            pen = ZERO if value == 0 else GRID
+            yield Polyline((Plane(frame.low.x, y), Plane(frame.high.x, y)), pen)
+
+
+def numbers_below(frame: Frame, across: Scale) -> Iterator[Label]:
+    """Yield the numbers at the ticks of the lower side."""
+    for value in across.ticks:
+        at = frame.at(Plane(value, frame.least.y))
+        runs = (Run(across.text(value)),)
+        width, height = box(runs, _SMALL)
+        yield Label(Plane(at.x, at.y - 2.0 - height / 2), runs, SYMBOL, _SMALL, width, height)
+
+
+def numbers_beside(frame: Frame, up: Scale) -> Iterator[Label]:
+    """Yield the numbers at the ticks of the left side."""
+    for value in up.ticks:
+        at = frame.at(Plane(frame.least.x, value))
+        runs = (Run(up.text(value)),)
+        width, height = box(runs, _SMALL)
+        yield Label(Plane(at.x - 1.2 - width / 2, at.y), runs, SYMBOL, _SMALL, width, height)
+
+
+def label(at: Plane, runs: tuple[Run, ...], pen: Pen = SYMBOL) -> Label:
+    """Return a label whose box begins at a place, in the middle of its height."""
+    width, height = box(runs, SIZE)
+    return Label(Plane(at.x + width / 2, at.y), runs, pen, SIZE, width, height)
+
+
+def heading(axes: tuple[Axis, ...], scale: Scale) -> tuple[Run, ...]:
+    """Return what stands at an axis: names, and the unit with a power of ten."""
+    runs: tuple[Run, ...] = ()
+    for i, axis in enumerate(axes):
+        runs += ((Run(", "),) if i else ()) + name(axis.name)
+    factor = (Run("10"), Run(str(scale.exponent).replace("-", "−"), level=1)) * bool(scale.exponent)
+    unit = in_words(axes[0].unit)
+    if not factor and not unit:
+        return runs
+    space = (Run("\u2009"),) if factor and unit else ()
+    return (*runs, Run(", "), *factor, *space, *unit)
+
+
+def in_words(unit: str) -> tuple[Run, ...]:
+    """Return a unit as it is set: upright, a power raised.
+
+    >>> [(run.text, run.level) for run in in_words("N*m^2")], in_words("deg")[0].text
+    ([('N·m', 0), ('2', 1)], '°')
+    """
+    if unit in ("deg", ""):
+        return (Run("°"),) if unit else ()
+    pieces = unit.replace("*", "·").split("^")
+    runs = [Run(pieces[0])]
+    for piece in pieces[1:]:
+        runs.append(Run(piece[0], level=1))
+        runs += [Run(piece[1:])] if piece[1:] else []
+    return tuple(runs)

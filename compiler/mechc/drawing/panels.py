@@ -1,0 +1,200 @@
+"""How a panel of a plot is laid out: its frame and ticks, its curves as lines, what it says."""
+
+import math
+from collections.abc import Iterator, Sequence
+from itertools import pairwise
+
+from ..frozen import frozen
+from ..plot.plot import Axis, Curve, Mark, Panel, Plot, Value
+from ..pose.places import Plane
+from .axes import Frame
+from .describe_plot import shown
+from .drawing import Pen, Run
+from .lettering import name
+from .ticks import Scale, scale, widened
+
+WIDE, HIGH, LOWER = 110.0, 72.0, 48.0
+"""How wide and high a panel is; lower where there are several."""
+
+ACROSS, UP, UP_LOWER = 9, 7, 5
+"""How many spaces between ticks there are at most."""
+
+CURVES = tuple(
+    Pen(f"curve{i}", 0.55, colour, dashes)
+    for i, (colour, dashes) in enumerate(
+        (colour, dashes)
+        for dashes in ((), (2.4, 1.0))
+        for colour in ("#1f4e9e", "#c2410c", "#15803d", "#7e22ce", "#111111", "#0e7490")
+    )
+)
+"""How curves are drawn: in colours of different lightness, then dashed."""
+
+
+@frozen
+class Layout:
+    """A panel with its frame, whose corners are worth values in the units shown, and its ticks."""
+
+    plot: Plot
+    panel: Panel
+    frame: Frame
+    across: Scale
+    up: Scale
+
+    def value(self, place: Plane) -> Plane:
+        """Return a place in SI in the units shown."""
+        return Plane(place.x / self.plot.x.size, place.y / self.panel.y.size)
+
+    def at(self, place: Plane) -> Plane:
+        """Return where a place in SI is on paper."""
+        return self.frame.at(self.value(place))
+
+    @property
+    def pens(self) -> dict[Curve, Pen]:
+        """Return the pen of each curve."""
+        return dict(zip(self.panel.curves, CURVES, strict=False))
+
+    @property
+    def headed(self) -> tuple[Axis, ...]:
+        """Return what stands at the upright axis: the results, or the coordinate."""
+        if self.plot.equal:
+            return (self.panel.y,)
+        names = dict.fromkeys(curve.name for curve in self.panel.curves)
+        return tuple(self.panel.y._replace(name=n) for n in names)
+
+    @property
+    def has_legend(self) -> bool:
+        """Return whether it must be said which line is which."""
+        return len(self.panel.curves) > 1 or self.plot.equal
+
+
+def laid_out(plot: Plot, panel: Panel) -> Layout:
+    """Return the layout of a panel; the axes of a path have one scale."""
+    most = UP if len(plot.panels) == 1 else UP_LOWER
+    frame = _equal(plot, panel) if plot.equal else _frame(plot, panel, most)
+    across = scale(frame.least.x, frame.most.x, ACROSS, plot.x.unit == "deg")
+    up = scale(frame.least.y, frame.most.y, most, panel.y.unit == "deg")
+    if plot.equal:
+        step = max(across.step, up.step)
+        across, up = _every(across, step), _every(up, step)
+    return Layout(plot, panel, frame, across, up)
+
+
+def _frame(plot: Plot, panel: Panel, most: int) -> Frame:
+    y, x = panel.y, plot.x
+    low, high = widened(panel.low / y.size, panel.high / y.size, most, y.unit == "deg")
+    height = HIGH if len(plot.panels) == 1 else LOWER
+    corners = Plane(0.0, 0.0), Plane(WIDE, height)
+    return Frame(*corners, Plane(plot.low / x.size, low), Plane(plot.high / x.size, high))
+
+
+def _equal(plot: Plot, panel: Panel) -> Frame:
+    places = [p for curve in panel.curves for piece in curve.pieces for p in piece]
+    xs, ys = [p.x / plot.x.size for p in places], [p.y / panel.y.size for p in places]
+    extent = max(max(xs) - min(xs), max(ys) - min(ys)) or 1.0
+    step = scale(0.0, extent, UP).step
+    (left, right), (low, high) = (
+        (math.floor(min(c) / step - 0.1) * step, math.ceil(max(c) / step + 0.1) * step)
+        for c in (xs, ys)
+    )
+    one = min(WIDE / (right - left), WIDE / (high - low))
+    corners = Plane(0.0, 0.0), Plane(one * (right - left), one * (high - low))
+    return Frame(*corners, Plane(left, low), Plane(right, high))
+
+
+def _every(found: Scale, step: float) -> Scale:
+    """Return a scale with ticks at multiples of a step alone."""
+    ticks = (t for t in found.ticks if abs(t / step - round(t / step)) < 1e-9)
+    return found._replace(ticks=tuple(ticks))
+
+
+# -------------------------------------------------------------------------------- curves
+
+
+def ways(curve: Curve, layout: Layout) -> Iterator[tuple[Plane, ...]]:
+    """Yield a curve as far as it lies inside the panel, in the units shown, by few places."""
+    frame = layout.frame
+    for piece in curve.pieces:
+        for inside in cut([layout.value(p) for p in piece], frame.least.y, frame.most.y):
+            on_paper = [frame.at(p) for p in inside]
+            yield tuple(inside[i] for i in kept(on_paper))
+
+
+def cut(places: Sequence[Plane], low: float, high: float) -> Iterator[list[Plane]]:
+    """Yield the parts of a curve between two heights.
+
+    >>> list(cut([Plane(0, 0), Plane(1, 2)], 0, 1))
+    [[Plane(x=0, y=0), Plane(x=0.5, y=1)]]
+    """
+    part: list[Plane] = []
+    for start, end in pairwise(places):
+        if max(start.y, end.y) < low or min(start.y, end.y) > high:
+            continue
+        first, last = _brought(start, end, low, high), _brought(end, start, low, high)
+        if part and part[-1] != first:
+            yield part
+            part = []
+        part += [last] if part else [first, last]
+    if part:
+        yield part
+
+
+def _brought(place: Plane, towards: Plane, low: float, high: float) -> Plane:
+    """Return a place brought between two heights along the line to another."""
+    edge = min(max(place.y, low), high)
+    if edge == place.y:
+        return place
+    part = (edge - place.y) / (towards.y - place.y)
+    return Plane(place.x + part * (towards.x - place.x), edge)
+
+
+def kept(places: Sequence[Plane], off: float = 0.01) -> Iterator[int]:
+    """Yield the numbers of the places by which a line is drawn: none other is off by more.
+
+    >>> list(kept([Plane(0, 0), Plane(1, 0.001), Plane(2, 0)]))
+    [0, 2]
+    """
+    yield 0
+    start = 0
+    for between in range(1, len(places) - 1):
+        if _leaves_out(places, start, between + 1, off):
+            yield between
+            start = between
+    yield len(places) - 1
+
+
+def _leaves_out(places: Sequence[Plane], start: int, end: int, off: float) -> bool:
+    """Return whether a straight line is off from something that it stands for."""
+    way = places[end].minus(places[start])
+    length = math.hypot(*way)
+    if length == 0:
+        return True
+    across = way.turned().times(1 / length)
+    return any(abs(across.dot(p.minus(places[start]))) > off for p in places[start + 1 : end])
+
+
+# ------------------------------------------------------------------------- what it says
+
+
+def values_at(mark: Mark, layout: Layout) -> tuple[str, ...]:
+    """Return what is written beside a mark: its values or, with less room, the second alone."""
+    plot = layout.plot
+    if mark.kind == "station":
+        return (shown(mark.station, plot.varied),)
+    x = shown(mark.at.x, plot.x)
+    if mark.kind == "zero":
+        return (x,)
+    y = shown(mark.at.y, layout.panel.y)
+    return f"({x}; {y})", y
+
+
+def entry(curve: Curve, layout: Layout) -> tuple[Run, ...]:
+    """Return what the legend says of a curve: its name if there are several, its setting."""
+    several = len({c.name for c in layout.panel.curves}) > 1 or layout.plot.equal
+    parts = [*([name(curve.name)] if several else []), *map(_set_to, curve.setting)]
+    between = [(Run(", "),)] * len(parts)
+    runs = [run for pair in zip(between, parts, strict=True) for part in pair for run in part]
+    return tuple(runs[1:])
+
+
+def _set_to(value: Value) -> tuple[Run, ...]:
+    return (*name(value.axis.name), Run(f" = {shown(value.value, value.axis)}"))

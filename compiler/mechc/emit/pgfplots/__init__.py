@@ -1,0 +1,1 @@
+"""pgfplots: plots for LaTeX."""

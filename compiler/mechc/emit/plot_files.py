@@ -1,0 +1,59 @@
+"""A plot as files: pictures and tables, by the suffix of a file."""
+
+from collections.abc import Callable, Mapping
+from pathlib import Path
+
+from ..drawing.drawing import Drawing
+from ..files import write_all
+from ..frozen import frozen
+from ..plot.plot import Plot
+from .pgfplots.to_pgfplots import to_pgfplots
+from .picture import in_format_of
+from .svg.picture import to_svg
+from .table.csv_table import to_csv
+from .table.xlsx_table import to_xlsx
+
+OF_DRAWINGS = (".svg", ".pdf", ".png")
+"""The suffixes of pictures that are those of any drawing."""
+
+OF_PLOTS: Mapping[str, Callable[[Plot], str | bytes]] = {
+    ".tex": to_pgfplots,
+    ".csv": to_csv,
+    ".xlsx": to_xlsx,
+}
+"""How a plot is written from its values, by the suffix of the file."""
+
+FORMATS = (*OF_DRAWINGS, *OF_PLOTS)
+
+
+@frozen
+class PlotPicture:
+    """A plot with its drawing, which saves itself and shows itself in notebooks."""
+
+    plot: Plot
+    drawing: Drawing
+
+    @property
+    def alt(self) -> str:
+        """Return what the plot shows, in words."""
+        return self.drawing.description
+
+    def content(self, path: Path) -> str | bytes:
+        """Return the content of a file by its suffix; KeyError where no format has it."""
+        suffix = path.suffix.lower()
+        if suffix in OF_DRAWINGS:
+            return in_format_of(path, self.drawing)
+        return OF_PLOTS[suffix](self.plot)
+
+    def save(self, path: str | Path) -> None:
+        """Write a file, whole or not at all: a picture, or the table of the same values.
+
+        ``.svg``, ``.tex`` (pgfplots), ``.pdf``, ``.png``, ``.csv`` or ``.xlsx``.
+        """
+        target = Path(path)
+        if target.suffix.lower() not in FORMATS:
+            raise ValueError(f"{str(path)!r} has none of the suffixes {', '.join(FORMATS)}")
+        write_all({target: self.content(target)})
+
+    def _repr_svg_(self) -> str:
+        return to_svg(self.drawing)

@@ -1,0 +1,99 @@
+"""A plot as data: curves in panels above one another, what is marked on them, the table."""
+
+from typing import Literal, NamedTuple
+
+from ..frozen import frozen
+from ..pose.places import Plane
+from ..units import UNITS, Dimension
+
+MarkKind = Literal["minimum", "maximum", "zero", "default", "station"]
+"""``default`` is the pose of the description, ``station`` a place along the path of a point."""
+
+
+class Axis(NamedTuple):
+    """A quantity along an axis or in a column: what it measures, and the unit it is shown in."""
+
+    name: str
+    dimension: Dimension
+    unit: str = ""
+
+    @property
+    def size(self) -> float:
+        """Return one of its unit in SI."""
+        return UNITS[self.unit].size if self.unit in UNITS else 1.0
+
+
+class Value(NamedTuple):
+    """What a parameter of a family is set to."""
+
+    axis: Axis
+    value: float
+
+
+class Mark(NamedTuple):
+    """A place on a curve that is worth a look; a station has the value of what varies there."""
+
+    kind: MarkKind
+    at: Plane
+    station: float = 0.0
+
+
+@frozen
+class Curve:
+    """One result with one setting of the family, in pieces that hang together.
+
+    It is infinite, or jumps, at the places of ``breaks``: there it is ``infinite`` or not.
+    """
+
+    name: str
+    setting: tuple[Value, ...]
+    pieces: tuple[tuple[Plane, ...], ...]
+    marks: tuple[Mark, ...] = ()
+    poles: tuple[float, ...] = ()
+    jumps: tuple[float, ...] = ()
+
+
+@frozen
+class Panel:
+    """Curves of one dimension over the same axis, and the part of the other axis that is shown.
+
+    Near a pole no axis is long enough: what is beyond ``low`` and ``high`` is cut off.
+    """
+
+    y: Axis
+    curves: tuple[Curve, ...]
+    low: float
+    high: float
+
+
+@frozen
+class Column:
+    """A column of the table: its values in SI, NaN where there is none."""
+
+    axis: Axis
+    setting: tuple[Value, ...]
+    values: tuple[float, ...]
+
+
+@frozen
+class Plot:
+    """Panels over one axis from ``low`` to ``high``.
+
+    ``varied`` is what runs: the axis itself, but for the path of a point, whose axes are
+    ``equal``. ``given`` is the range that the description gives, where the plot goes beyond it.
+    """
+
+    title: str
+    x: Axis
+    varied: Axis
+    low: float
+    high: float
+    panels: tuple[Panel, ...]
+    columns: tuple[Column, ...]
+    given: tuple[float, float] | None = None
+    equal: bool = False
+
+    @property
+    def curves(self) -> tuple[Curve, ...]:
+        """Return the curves of all panels, in order."""
+        return tuple(curve for panel in self.panels for curve in panel.curves)

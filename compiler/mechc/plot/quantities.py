@@ -1,0 +1,74 @@
+"""What can be plotted: results, what loops find, coordinates of points and their rates."""
+
+from collections.abc import Callable, Iterator, Mapping
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..model.mechanism import Mechanism
+from ..routine.evaluate import evaluate, pose
+from ..routine.steps import Input, Pose, Routine
+from ..units import ANGLE, LENGTH, USUAL_UNITS, Dimension, si_unit
+
+Array = NDArray[np.float64]
+Values = Mapping[str, float | Array]
+
+
+class Quantity(NamedTuple):
+    """A number that the program gives: what it measures, what it rests on, its values."""
+
+    name: str
+    dimension: Dimension
+    inputs: tuple[Input, ...]
+    at: Callable[[Values], object]
+    unit: str = ""
+    is_result: bool = False
+
+
+def quantities(routine: Routine, mechanism: Mechanism) -> dict[str, Quantity]:
+    """Return all that can be plotted by name: results first, in the order of the text."""
+    found = [*_results(routine, mechanism), *_closed(routine, mechanism), *_motion(routine)]
+    named: dict[str, Quantity] = {}
+    for quantity in found:
+        named.setdefault(quantity.name, quantity)
+    return named
+
+
+def _results(routine: Routine, mechanism: Mechanism) -> Iterator[Quantity]:
+    units = {let.name: let.unit for let in mechanism.lets}
+    for f in routine.functions:
+        unit = units.get(f.name, "")
+        yield Quantity(f.name, f.dimension, f.inputs, partial(evaluate, f), unit, True)
+
+
+def _closed(routine: Routine, mechanism: Mechanism) -> Iterator[Quantity]:
+    """Yield the angles and lengths that loops find."""
+    if routine.pose is None:
+        return
+    measured = {p.name: p.dimension for p in mechanism.parameters}
+    for name in routine.pose.outputs:
+        dimension = measured.get(name, LENGTH if name.startswith("len_") else ANGLE)
+        yield Quantity(name, dimension, routine.pose.inputs, partial(_of, routine.pose, name))
+
+
+def _motion(routine: Routine) -> Iterator[Quantity]:
+    if routine.points is None:
+        return
+    program = routine.points.program
+    for q in routine.points.quantities:
+        yield Quantity(q.name, q.dimension, program.inputs, partial(_of, program, q.name))
+
+
+def _of(program: Pose, name: str, values: Values) -> object:
+    found, _ = pose(program, values)
+    return found[name]
+
+
+def unit_of(dimension: Dimension, mechanism: Mechanism, own: str = "") -> str:
+    """Return the unit in which a quantity is shown: its own, the first that is written, a usual."""
+    written = (*mechanism.parameters, *mechanism.literals)
+    first = next((p.unit for p in written if p.dimension == dimension and p.unit), "")
+    unit = own or first or USUAL_UNITS.get(dimension, "") or si_unit(dimension)
+    return "deg" if unit == "°" else unit

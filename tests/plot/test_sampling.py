@@ -1,0 +1,80 @@
+"""Curves by hand: where they are broken, zero, or turn, and that nothing leads across a break."""
+
+import math
+
+import numpy as np
+import pytest
+
+from mechc.plot.sampling import limits, pieces, smooth, traced
+
+
+def whole(function, low, high):
+    with np.errstate(all="ignore"):
+        trace = traced(function, low, high)
+        return smooth(function, trace, *limits([trace]))
+
+
+def test_zeros_and_poles_of_the_tangent():
+    trace = whole(np.tan, -1.0, 7.0)
+    assert trace.zeros == pytest.approx([0.0, math.pi, 2 * math.pi], abs=1e-15)
+    assert trace.poles == pytest.approx([math.pi / 2, 1.5 * math.pi], rel=1e-15)
+    assert (trace.jumps, trace.turns) == ((), ())
+
+
+@pytest.mark.parametrize("pole", [1.0, 1.25, 1.0 + 1 / 7])
+@pytest.mark.parametrize("power", [1, 2, 3])
+def test_a_pole_of_any_order_on_a_place_or_beside_one(pole, power):
+    trace = whole(lambda x: (x - pole) ** -power, 0.0, 2.0)
+    assert trace.poles == pytest.approx([pole], abs=1e-7)
+    assert (trace.zeros, trace.jumps, trace.turns) == ((), (), ())
+    before, after = ((xs.min(), xs.max()) for xs, _ in pieces(trace))
+    assert before[0] == 0.0
+    assert after[1] == 2.0
+    assert before[1] < pole < after[0]
+    assert after[0] - before[1] < 1e-3
+
+
+@pytest.mark.parametrize("shift", [0.0, 5.0])
+def test_a_jump_is_neither_zero_nor_pole(shift):
+    """With a change of sign, and without."""
+    trace = whole(lambda x: np.where(x < 1 / 3, -1.0, 1.0) + shift, 0.0, 1.0)
+    assert trace.jumps == pytest.approx([1 / 3], abs=1e-12)
+    assert (trace.zeros, trace.poles) == ((), ())
+    assert [set(ys) for _, ys in pieces(trace)] == [{shift - 1}, {shift + 1}]
+
+
+def test_a_curve_runs_to_the_last_place_at_which_it_has_a_value():
+    trace = whole(lambda x: np.sqrt(x - 0.3) + np.sqrt(0.7 - x), 0.0, 1.0)
+    ((xs, _),) = pieces(trace)
+    assert (xs[0], xs[-1]) == pytest.approx((0.3, 0.7), abs=1e-15)
+
+
+def test_extrema_to_many_digits_smooth_or_with_a_corner():
+    found = whole(lambda x: np.sin(x) + 3.0, 0.0, 6.0).turns
+    assert [t.sense for t in found] == [-1, 1]
+    assert [t.x for t in found] == pytest.approx([math.pi / 2, 1.5 * math.pi], abs=1e-9)
+    assert [t.y for t in found] == pytest.approx([4.0, 2.0], abs=1e-15)
+    (corner,) = whole(lambda x: np.abs(x - 0.2345) + x / 2, 0.0, 1.0).turns
+    assert (corner.x, corner.y) == pytest.approx((0.2345, 0.11725), abs=1e-14)
+
+
+def test_what_is_constant_but_for_rounding_does_not_turn():
+    trace = whole(lambda x: np.sin(x) ** 2 + np.cos(x) ** 2, 0.0, 6.0)
+    assert trace.turns == ()
+
+
+def test_no_line_of_a_smooth_curve_is_off_by_much():
+    trace = whole(lambda x: 1 / (1e-3 + x**2), -1.0, 1.0)
+    middle = (trace.xs[1:] + trace.xs[:-1]) / 2
+    straight = (trace.ys[1:] + trace.ys[:-1]) / 2
+    up = np.abs(straight - 1 / (1e-3 + middle**2)) / 1000
+    slope = np.diff(trace.ys) / 1000 / (np.diff(trace.xs) / 2)
+    assert (up / np.hypot(1, slope)).max() < 5e-4
+    assert len(trace.xs) < 1500
+
+
+def test_near_a_pole_the_rest_is_shown():
+    trace = whole(np.tan, 0.0, 3.0)
+    low, high = limits([trace])
+    assert -10 < low < -1
+    assert 1 < high < 10
