@@ -1,7 +1,7 @@
 """A function of one variable followed over a range: where it is broken, zero, or turns.
 
-It is looked at in many places at once. Between two of them that differ in sign it is halved
-down to the last bit, which tells a zero from a pole and from a jump; where the curve is bent
+It is looked at in many places at once. Two of them between which its sign changes are brought
+together to the last bit, which tells a zero from a pole and from a jump; where the curve is bent
 it gets more points. What happens twice between two neighbouring places may be missed.
 """
 
@@ -17,8 +17,8 @@ Function = Callable[[Array], Array]
 CELLS = 360
 """Places between which zeros, poles and extrema are looked for."""
 
-BITS = 64
-"""Halvings after which two places are neighbours."""
+PARTS, NARROWINGS = 32, 13
+"""Into how many parts a cell is divided, and how often, until places are neighbours."""
 
 BENT = 3e-4
 """How far a curve may be off the straight line between two points, against the panel."""
@@ -35,12 +35,13 @@ LARGE, NIL = 1e3, 1e-6
 NEAR = 1e-9
 """Poles that are nearer to each other than this part of the range are one."""
 
+NOISE = 1e-12
+"""What is smaller than this part of the usual size of values is rounding."""
+
 PROMINENT = 1e-9
 """What an extremum stands out by at least, against the usual size of values."""
 
 EPS = float(np.finfo(np.float64).eps)
-
-GOLDEN = (5**0.5 - 1) / 2
 
 
 class Turn(NamedTuple):
@@ -69,15 +70,14 @@ def traced(function: Function, low: float, high: float) -> Trace:
     zeros, poles, jumps = _crossings(function, xs, ys)
     found = sorted({*poles, *map(float, xs[np.isinf(ys)]), *_touched(function, xs, ys)})
     poles = [x for i, x in enumerate(found) if not i or x - found[i - 1] > NEAR * (high - low)]
-    edges = _edges(function, xs, ys)
-    turns = tuple(_turns(function, xs, ys, [*poles, *jumps]))
+    turns = tuple(_turns(function, xs, ys, np.array([*poles, *jumps])))
     size = _usual(ys)
-    ends = [float(x) for x, y in ((xs[0], ys[0]), (xs[-1], ys[-1])) if abs(y) < 1e-12 * size]
-    known = [*xs, *edges, *(t.x for t in turns), *_beside(poles, (high - low) / CELLS, low, high)]
+    ends = [float(x) for x, y in ((xs[0], ys[0]), (xs[-1], ys[-1])) if abs(y) < NOISE * size]
+    beside = _beside(poles, (high - low) / CELLS, low, high)
+    known = [*xs, *_edges(function, xs, ys), *(t.x for t in turns), *beside]
     places = np.unique(np.array(known))
-    values = function(places)
     near = sorted({*zeros, *ends})
-    return Trace(places, values, tuple(near), tuple(poles), tuple(jumps), turns)
+    return Trace(places, function(places), tuple(near), tuple(poles), tuple(jumps), turns)
 
 
 def _usual(ys: Array) -> float:
@@ -86,22 +86,45 @@ def _usual(ys: Array) -> float:
     return float(np.quantile(sizes, 0.9)) if sizes.size else 0.0
 
 
+# ------------------------------------------------------------------- between two places
+
+
+def _within(low: Array, high: Array) -> Array:
+    """Return places from each of several ends to the other: a row for each."""
+    places: Array = low[:, None] + np.linspace(0.0, 1.0, PARTS + 1) * (high - low)[:, None]
+    places[:, -1] = high
+    return places
+
+
+def _on(function: Function, places: Array) -> Array:
+    return function(places.ravel()).reshape(places.shape)
+
+
+def _narrowed(
+    holds: Callable[[Array], NDArray[np.bool_]], good: Array, bad: Array
+) -> tuple[Array, Array]:
+    """Return neighbouring places: at the first of two something holds, and no longer at the other.
+
+    It ``holds`` at the ``good`` ends, and does not at the ``bad`` ones.
+    """
+    for _ in range(NARROWINGS if good.size else 0):
+        places = _within(good, bad)
+        sound = holds(places)
+        sound[:, 0], sound[:, -1] = True, False
+        first, rows = np.argmin(sound, axis=1), np.arange(len(places))
+        good, bad = places[rows, first - 1], places[rows, first]
+    return good, bad
+
+
 def _crossings(
     function: Function, xs: Array, ys: Array
 ) -> tuple[list[float], list[float], list[float]]:
     """Return where a function changes its sign: zeros, poles, jumps."""
-    with np.errstate(invalid="ignore"):
-        cells = np.flatnonzero(np.sign(ys[:-1]) * np.sign(ys[1:]) < 0)
     finite = np.isfinite(ys)
-    cells = cells[finite[cells] & finite[cells + 1]]
-    if not cells.size:
-        return [], [], []
-    a, b = xs[cells].copy(), xs[cells + 1].copy()
-    sign = np.sign(ys[cells])
-    for _ in range(BITS):
-        middle = (a + b) / 2
-        same = np.sign(function(middle)) == sign
-        a, b = np.where(same, middle, a), np.where(same, b, middle)
+    opposite = np.sign(ys[:-1]) * np.sign(ys[1:]) < 0
+    cells = np.flatnonzero(opposite & finite[:-1] & finite[1:])
+    signs = np.sign(ys[cells])[:, None]
+    a, b = _narrowed(lambda x: np.sign(_on(function, x)) == signs, xs[cells], xs[cells + 1])
     before, after = np.abs(function(a)), np.abs(function(b))
     ends = np.abs(ys[cells]), np.abs(ys[cells + 1])
     zero = np.minimum(before, after) <= NIL * np.maximum(*ends)
@@ -116,91 +139,72 @@ def _crossings(
 
 def _edges(function: Function, xs: Array, ys: Array) -> Array:
     """Return the last places, to the last bit, at which a function has a value."""
-    finite = ~np.isnan(ys)
-    cells = np.flatnonzero(finite[:-1] != finite[1:])
-    good = np.where(finite[cells], xs[cells], xs[cells + 1])
-    bad = np.where(finite[cells], xs[cells + 1], xs[cells])
-    for _ in range(BITS if cells.size else 0):
-        middle = (good + bad) / 2
-        sound = ~np.isnan(function(middle))
-        good, bad = np.where(sound, middle, good), np.where(sound, bad, middle)
-    return good
+    there = ~np.isnan(ys)
+    cells = np.flatnonzero(there[:-1] != there[1:])
+    good = np.where(there[cells], xs[cells], xs[cells + 1])
+    bad = np.where(there[cells], xs[cells + 1], xs[cells])
+    return _narrowed(lambda x: ~np.isnan(_on(function, x)), good, bad)[0]
 
 
 def _touched(function: Function, xs: Array, ys: Array) -> Iterator[float]:
     """Yield the poles on both sides of which a function has one sign."""
     sizes = np.abs(ys)
-    with np.errstate(invalid="ignore"):
-        peaks = (sizes[1:-1] > sizes[:-2]) & (sizes[1:-1] >= sizes[2:])
-    for i in np.flatnonzero(peaks & np.isfinite(sizes[1:-1])) + 1:
-        best = _golden(lambda x: -np.abs(function(x)), xs[i - 1], xs[i + 1])
-        if not abs(_at(function, best)) < LARGE**2 * max(sizes[i - 1], sizes[i + 1]):
-            yield best
+    peaks = (sizes[1:-1] > sizes[:-2]) & (sizes[1:-1] >= sizes[2:])
+    cells = np.flatnonzero(peaks & np.isfinite(sizes[1:-1])) + 1
+    best = _lowest(lambda x: -np.abs(function(x)), xs[cells - 1], xs[cells + 1])
+    beside = np.maximum(sizes[cells - 1], sizes[cells + 1])
+    yield from map(float, best[~(np.abs(function(best)) < LARGE**2 * beside)])
 
 
-def _at(function: Function, x: float) -> float:
-    return float(function(np.array([x]))[0])
+def _lowest(function: Function, low: Array, high: Array) -> Array:
+    """Return where a function is least between each two places, to half the digits or more."""
+    for _ in range(NARROWINGS if low.size else 0):
+        places = _within(low, high)
+        values = _on(function, places)
+        least = np.argmin(np.where(np.isnan(values), np.inf, values), axis=1)
+        rows = np.arange(len(places))
+        low = places[rows, np.maximum(least - 1, 0)]
+        high = places[rows, np.minimum(least + 1, PARTS)]
+    return (low + high) / 2
 
 
-def _golden(function: Function, low: float, high: float) -> float:
-    """Return where a function is least between two places, by sections."""
-    a, b = low, high
-    c, d = b - GOLDEN * (b - a), a + GOLDEN * (b - a)
-    at_c, at_d = _at(function, c), _at(function, d)
-    for _ in range(BITS):
-        if at_c < at_d:
-            b, d, at_d = d, c, at_c
-            c = b - GOLDEN * (b - a)
-            at_c = _at(function, c)
-        else:
-            a, c, at_c = c, d, at_d
-            d = a + GOLDEN * (b - a)
-            at_d = _at(function, d)
-    return float((a + b) / 2)
+def _turns(function: Function, xs: Array, ys: Array, breaks: Array) -> Iterator[Turn]:
+    """Yield the extrema between places, but for those beside a break.
+
+    They are refined by narrowing, and then to where the slope is nil.
+    """
+    before, here, after = ys[:-2], ys[1:-1], ys[2:]
+    least = ((before > here) & (here <= after)).astype(int)
+    sense = least - ((before < here) & (here >= after))
+    prominent = np.maximum(np.abs(before - here), np.abs(after - here)) > PROMINENT * _usual(ys)
+    clear = ~((xs[:-2, None] <= breaks) & (breaks <= xs[2:, None])).any(axis=1)
+    cells = np.flatnonzero((sense != 0) & prominent & clear) + 1
+    signs = sense[cells - 1].astype(np.float64)
+    low, high = xs[cells - 1], xs[cells + 1]
+    rough = _lowest(lambda x: np.repeat(signs, x.size // signs.size) * function(x), low, high)
+    fine = _stationary(function, rough, 0.02 * (high - low))
+    y_rough, y_fine = function(rough), function(fine)
+    better = signs * y_fine <= signs * y_rough + 8 * EPS * np.abs(y_rough)
+    places, values = np.where(better, fine, rough), np.where(better, y_fine, y_rough)
+    for sign, x, y, bound in zip(signs, places, values, signs * ys[cells], strict=True):
+        if sign * y <= bound:
+            yield Turn(int(sign), float(x), float(y))
 
 
-def _turns(function: Function, xs: Array, ys: Array, breaks: list[float]) -> Iterator[Turn]:
-    """Yield the extrema between places, but for those beside a break."""
-    least = PROMINENT * _usual(ys)
-    for i in range(1, len(xs) - 1):
-        before, here, after = ys[i - 1 : i + 2]
-        turns = before > here <= after or before < here >= after
-        clear = all(not xs[i - 1] <= x <= xs[i + 1] for x in breaks)
-        if turns and clear and max(abs(before - here), abs(after - here)) > least:
-            sense = 1 if here <= after else -1
-            yield from _refined(function, sense, xs[i - 1], xs[i + 1], sense * float(here))
+def _stationary(function: Function, near: Array, width: Array) -> Array:
+    """Return where the slope changes its sign near places, by differences of fourth order."""
+    steps = np.array([-2.0, -1.0, 1.0, 2.0]) / 2
 
-
-def _refined(
-    function: Function, sense: int, low: float, high: float, bound: float
-) -> Iterator[Turn]:
-    """Yield the extremum between two places: by sections, then where the slope is nil."""
-    rough = _golden(lambda x: sense * function(x), low, high)
-    width = 0.02 * (high - low)
-    fine = _stationary(function, rough, width)
-    y_rough, y_fine = _at(function, rough), _at(function, fine)
-    flat = 8 * EPS * abs(y_rough)
-    x, y = (fine, y_fine) if sense * y_fine <= sense * y_rough + flat else (rough, y_rough)
-    if sense * y <= bound:
-        yield Turn(sense, float(x), y)
-
-
-def _stationary(function: Function, near: float, width: float) -> float:
-    """Return where the slope changes its sign near a place, by differences of fourth order."""
-    step = width / 2
-
-    def slope(x: float) -> float:
-        values = function(x + step * np.array([-2.0, -1.0, 1.0, 2.0]))
-        return float(values @ np.array([1.0, -8.0, 8.0, -1.0]))
+    def slopes(places: Array) -> Array:
+        around = places[..., None] + width[:, None, None] * steps
+        slopes: Array = _on(function, around) @ np.array([1.0, -8.0, 8.0, -1.0])
+        return slopes
 
     a, b = near - width, near + width
-    sign = np.sign(slope(a))
-    if sign * slope(b) >= 0:
-        return near
-    for _ in range(BITS):
-        middle = (a + b) / 2
-        a, b = (middle, b) if np.sign(slope(middle)) == sign else (a, middle)
-    return (a + b) / 2
+    signs = np.sign(slopes(a[:, None]))
+    opposite = (signs * slopes(b[:, None]) < 0)[:, 0]
+    a, _ = _narrowed(lambda x: np.sign(slopes(x)) == signs, a, b)
+    return np.where(opposite, a, near)
 
 
 def _beside(poles: list[float], cell: float, low: float, high: float) -> Iterator[float]:
@@ -212,13 +216,16 @@ def _beside(poles: list[float], cell: float, low: float, high: float) -> Iterato
                     yield x
 
 
+# ------------------------------------------------------------------------- fit to be shown
+
+
 def smooth(function: Function, trace: Trace, low: float, high: float) -> Trace:
     """Return a trace with more points where it is bent, between two values that are shown.
 
     A step that stays however near its ends are is a jump.
     """
     xs, ys = trace.xs, trace.ys
-    scale = (xs[-1] - xs[0], (high - low) or 1.0)
+    scale = (xs[-1] - xs[0], (high - low) or abs(high) or 1.0)
     for _ in range(ROUNDS):
         cells = _open(xs, ys, scale, low, high)
         if not cells.size or len(xs) + cells.size > MOST:
@@ -248,25 +255,27 @@ def _open(
 
 def _steps(
     function: Function, xs: Array, ys: Array, span: float, poles: tuple[float, ...]
-) -> Iterator[float]:
-    """Yield where a function jumps without a change of its sign."""
-    with np.errstate(invalid="ignore"):
-        steep = np.flatnonzero(np.abs(np.diff(ys)) > STEEP * span)
-    for i in steep:
-        a, b = float(xs[i]), float(xs[i + 1])
-        if any(a <= p <= b for p in poles) or np.sign(ys[i]) != np.sign(ys[i + 1]):
-            continue
-        for _ in range(BITS):
-            middle = (a + b) / 2
-            at_a, here, at_b = function(np.array([a, middle, b]))
-            a, b = (middle, b) if abs(here - at_a) < abs(here - at_b) else (a, middle)
-        at_a, at_b = function(np.array([a, b]))
-        if abs(at_b - at_a) > STEEP * span / 2:
-            yield (a + b) / 2
+) -> list[float]:
+    """Return where a function jumps without a change of its sign."""
+    steep = np.abs(np.diff(ys)) > STEEP * span
+    alike = np.sign(ys[:-1]) == np.sign(ys[1:])
+    inside = np.searchsorted(poles, xs[:-1]) == np.searchsorted(poles, xs[1:])
+    cells = np.flatnonzero(steep & alike & inside)
+    low, high = xs[cells], xs[cells + 1]
+    for _ in range(NARROWINGS if cells.size else 0):
+        places = _within(low, high)
+        first = np.argmax(np.abs(np.diff(_on(function, places), axis=1)), axis=1)
+        rows = np.arange(len(places))
+        low, high = places[rows, first], places[rows, first + 1]
+    jumps = np.abs(function(high) - function(low)) > STEEP * span / 2
+    return list(map(float, ((low + high) / 2)[jumps]))
 
 
 def limits(traces: list[Trace]) -> tuple[float, float]:
-    """Return between which values curves are shown: all, or where there are poles, most."""
+    """Return between which values curves are shown: all, or where there are poles, most.
+
+    Of what is level but for rounding it is one value.
+    """
     every = np.concatenate([t.ys[np.isfinite(t.ys)] for t in traces])
     low, high = float(every.min()), float(every.max())
     if any(t.poles for t in traces):
@@ -274,7 +283,9 @@ def limits(traces: list[Trace]) -> tuple[float, float]:
         lower, upper = (float(q) for q in np.quantile(inner, (0.12, 0.88)))
         margin = 0.6 * (upper - lower)
         low, high = max(low, lower - margin), min(high, upper + margin)
-    return low, high
+    middle = (low + high) / 2
+    is_level = high - low <= PROMINENT * max(abs(low), abs(high))
+    return (middle, middle) if is_level else (low, high)
 
 
 def _evenly(trace: Trace) -> Array:
