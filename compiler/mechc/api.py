@@ -7,7 +7,6 @@ with a unit, ``"20 deg"``, as well.
 from collections.abc import Mapping, Sequence, Set
 from functools import cached_property
 from pathlib import Path
-from types import MappingProxyType
 from typing import TYPE_CHECKING, Any
 
 from .diagnostics import Diagnostic, near_miss
@@ -21,18 +20,16 @@ from .formula.tree import Formula
 from .formula.walk import constants, symbols
 from .model.typed import in_si
 from .model.values import dependent
-from .plot.query import POINTS, Query
+from .plotting import Plotting
 from .routine.freed import freed, given_loads
 from .source import Source
 from .study.poses import default_pose
-from .syntax.settings import parse
 from .units import Dimension
 
 if TYPE_CHECKING:
     import sympy
 
     from .emit.picture import Picture
-    from .emit.plot_files import PlotPicture
     from .emit.python.evaluator import Evaluator
     from .figure.figure import Figure
     from .shown import ShownDerivation, ShownResult, ShownStroke
@@ -43,7 +40,7 @@ KEPT = 8
 """How many choices of loads given by hand a mechanism keeps its functions for."""
 
 
-class SolvedMechanism:
+class SolvedMechanism(Plotting):
     """A mechanism whose power equation has been solved.
 
     ``k = P/F`` is the ratio for which the loads *as directed in the description*, all
@@ -247,46 +244,6 @@ class SolvedMechanism:
 
         return Picture(scheme(self.figure(**values)))
 
-    def plot(
-        self,
-        x: str = "",
-        y: str | Sequence[str] = (),
-        *,
-        family: Mapping[str, Sequence[str | float]] = MappingProxyType({}),
-        along: Mapping[str, str] = MappingProxyType({}),
-        range: tuple[str | float, str | float] | None = None,
-        path: str | Sequence[str] = (),
-        points: int = POINTS,
-    ) -> "PlotPicture":
-        """Return results ``y`` against ``x``, or the ``path`` of points while the drive moves.
-
-        Without ``x`` the drive varies, without ``y`` the first result is shown. A ``family`` is
-        a curve for each value of a parameter, ``along`` gives parameters formulas, and ``range``
-        is another one than that of the description: numbers in SI and radians, or text with
-        units. In a notebook it shows itself; ``save("k.svg")`` writes it, also .tex, .pdf, .png,
-        and the table of its values as .csv or .xlsx. Raises :class:`mechc.MechcError` where there
-        is no such thing to plot.
-
-        >>> import mechc
-        >>> clamp = mechc.load("karpenko_fig9_packet_clamp")
-        >>> clamp.plot("alpha", family={"beta": ["10 deg", "20 deg"]}).alt
-        'k against alpha from 2° to 40°. k, beta = 10°: 0.04225 at the start, ...'
-        """
-        from .drawing.from_plot import picture
-        from .emit.plot_files import PlotPicture
-
-        settings = dict(parse(f"{name}={formula}") for name, formula in along.items())
-        query = Query(
-            x,
-            _listed(y),
-            tuple((name, tuple(values)) for name, values in family.items()),
-            range,
-            _listed(path),
-            points,
-        )
-        found = self._compilation.along(settings).plot(query)
-        return PlotPicture(found, picture(found))
-
     def free_bodies(self, **values: float | str) -> "tuple[Diagram, ...]":
         """Return each body with the forces on it, at given values of parameters and loads.
 
@@ -370,11 +327,6 @@ class SolvedMechanism:
     def __repr__(self) -> str:
         """Return name and results in one line."""
         return f"<{self.name}: {', '.join(self.results)}>"
-
-
-def _listed(names: str | Sequence[str]) -> tuple[str, ...]:
-    """Return one name, or several, as several."""
-    return (names,) if isinstance(names, str) else tuple(names)
 
 
 def _in_si(name: str, value: Any, dimension: Dimension) -> Any:

@@ -1,0 +1,63 @@
+"""Plots of a mechanism from Python."""
+
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
+from typing import TYPE_CHECKING
+
+from .driver import Compilation
+from .plot.query import POINTS, Given, Query
+from .syntax.settings import parse
+
+if TYPE_CHECKING:
+    from .emit.plot_files import PlotPicture
+
+
+class Plotting:
+    """What has a compilation can be plotted."""
+
+    _compilation: Compilation
+
+    def plot(
+        self,
+        x: str = "",
+        y: str | Sequence[str] = (),
+        *,
+        family: Mapping[str, Sequence[Given]] = MappingProxyType({}),
+        along: Mapping[str, str] = MappingProxyType({}),
+        range: tuple[Given, Given] | None = None,
+        path: str | Sequence[str] = (),
+        points: int = POINTS,
+    ) -> "PlotPicture":
+        """Return results ``y`` against ``x``, or the ``path`` of points while the drive moves.
+
+        Without ``x`` the drive varies, without ``y`` the first result is shown. A ``family`` is
+        a curve for each value of a parameter, ``along`` gives parameters formulas, and ``range``
+        is another one than that of the description: numbers in SI and radians, or text with
+        units. In a notebook it shows itself; ``save("k.svg")`` writes it, also .tex, .pdf, .png,
+        and the table of its values as .csv or .xlsx. Raises :class:`mechc.MechcError` where there
+        is no such thing to plot.
+
+        >>> import mechc
+        >>> clamp = mechc.load("karpenko_fig9_packet_clamp")
+        >>> clamp.plot("alpha", family={"beta": ["10 deg", "20 deg"]}).alt
+        'k against alpha from 2° to 40°. k, beta = 10°: 0.04225 at the start, ...'
+        """
+        from .drawing.from_plot import picture
+        from .emit.plot_files import PlotPicture
+
+        settings = dict(parse(f"{name}={formula}") for name, formula in along.items())
+        query = Query(
+            x,
+            _listed(y),
+            tuple((name, tuple(values)) for name, values in family.items()),
+            range,
+            _listed(path),
+            points,
+        )
+        found = self._compilation.along(settings).plot(query)
+        return PlotPicture(found, picture(found))
+
+
+def _listed(names: str | Sequence[str]) -> tuple[str, ...]:
+    """Return one name, or several, as several."""
+    return (names,) if isinstance(names, str) else tuple(names)
