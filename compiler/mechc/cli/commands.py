@@ -24,6 +24,7 @@ COMMANDS = {
     "stroke": Entry("stroke", "Print k along the stroke, dead centres and extrema."),
     "draw": Entry("draw", "Draw the kinematic scheme: SVG, LaTeX or PNG."),
     "plot": Entry("plot", "Plot results against a parameter: a picture or a table."),
+    "report": Entry("report", "Set several mechanisms in one table, as LaTeX."),
     "show": Entry("show", "Print what a stage of the compiler made of a description."),
     "list": Entry("list", "List the mechanisms of the library."),
     "new": Entry("new", "Start a description from a commented example."),

@@ -96,7 +96,7 @@ class Latex:
         """Return one ``.tex`` file."""
         locale = registry.locale(options.language)
         body = _body(compiled, locale, notation(options.language), options)
-        text = body if options.fragment else _document(body, locale)
+        text = body if options.fragment else document(body, locale)
         return (Emitted(f"{options.stem}.tex", text),)
 
 
@@ -129,11 +129,18 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
     return TEMPLATES.get_template("body.jinja").render(whole._asdict())
 
 
-def _document(body: str, locale: Locale) -> str:
-    """Return the body within a preamble that loads no more than it needs."""
+def document(body: str, locale: Locale, pictures: Iterable[str] = ()) -> str:
+    """Return the body within a preamble that loads no more than it needs.
+
+    ``pictures`` are the lines by which it knows how pictures are drawn.
+    """
     eastern = locale.cyrillic
     return TEMPLATES.get_template("report.jinja").render(
-        body=body, babel=locale.babel, eastern=eastern, cyrillic=eastern or has_cyrillic(body)
+        body=body,
+        babel=locale.babel,
+        eastern=eastern,
+        cyrillic=eastern or has_cyrillic(body),
+        pictures=tuple(pictures),
     )
 
 

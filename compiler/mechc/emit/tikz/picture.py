@@ -33,23 +33,33 @@ _PLAIN = frozenset("-/().,'?;")
 
 def to_tikz(drawing: Drawing) -> str:
     """Return a picture as a document for every TeX engine."""
-    size = SIZE * POINTS
     lines = (
         f"% {comment(drawing.title)}",
         f"% {comment(drawing.description)}",
         r"\documentclass[tikz]{standalone}",
-        *map(_definition, PENS),
-        rf"\definecolor{{mechctint}}{{HTML}}{{{TINT}}}",
+        *definitions(),
         r"\begin{document}",
-        r"\begin{tikzpicture}[x=1mm, y=1mm, line cap=round, line join=round,",
-        rf"  every node/.style={{inner sep=0pt, font=\fontsize{{{size:.4g}}}{{13}}\selectfont}}]",
-        rf"\path {_pair(drawing.low)} rectangle {_pair(drawing.high)};",
-        *map(_shape, drawing.shapes),
-        *map(_label, drawing.labels),
-        r"\end{tikzpicture}",
+        *tikzpicture(drawing),
         r"\end{document}",
     )
     return "\n".join(lines) + "\n"
+
+
+def definitions() -> Iterator[str]:
+    """Yield the lines of a preamble that say how pens draw."""
+    yield from map(_definition, PENS)
+    yield rf"\definecolor{{mechctint}}{{HTML}}{{{TINT}}}"
+
+
+def tikzpicture(drawing: Drawing) -> Iterator[str]:
+    """Yield the lines of the picture alone."""
+    size = SIZE * POINTS
+    yield r"\begin{tikzpicture}[x=1mm, y=1mm, line cap=round, line join=round,"
+    yield rf"  every node/.style={{inner sep=0pt, font=\fontsize{{{size:.4g}}}{{13}}\selectfont}}]"
+    yield rf"\path {_pair(drawing.low)} rectangle {_pair(drawing.high)};"
+    yield from map(_shape, drawing.shapes)
+    yield from map(_label, drawing.labels)
+    yield r"\end{tikzpicture}"
 
 
 def comment(text: str) -> str:

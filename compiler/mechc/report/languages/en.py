@@ -292,6 +292,7 @@ LOCALE = Locale(
         "holds": "holds",
         "least": "holds, the least reserve",
     },
+    comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
     requirements="The result holds for",
     numbers="Numerical values",

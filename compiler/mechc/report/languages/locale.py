@@ -116,6 +116,9 @@ class Locale(NamedTuple):
     calculation: Mapping[str, str]
     """The words of a calculation sheet."""
 
+    comparison: Mapping[str, str]
+    """The heads of a table of several mechanisms."""
+
     holds: str
     requirements: str
     numbers: str

@@ -297,6 +297,7 @@ LOCALE = Locale(
         "holds": "выполняется",
         "least": "выполняется, наименьший запас",
     },
+    comparison={"number": "№", "scheme": "Схема", "results": "Передача силы"},
     holds="Это справедливо, пока {conditions}.",
     requirements="Результат справедлив при условиях",
     numbers="Числовые значения",

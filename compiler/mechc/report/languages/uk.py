@@ -295,6 +295,7 @@ LOCALE = Locale(
         "holds": "виконується",
         "least": "виконується, найменший запас",
     },
+    comparison={"number": "№", "scheme": "Схема", "results": "Передавання сили"},
     holds="Це справедливо, доки {conditions}.",
     requirements="Результат справедливий за умов",
     numbers="Числові значення",

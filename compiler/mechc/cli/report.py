@@ -1,0 +1,55 @@
+"""``mechc report``: several mechanisms in one table."""
+
+from pathlib import Path
+
+import click
+
+from ..driver import Compilation, checked, warnings
+from ..emit.latex.comparison import Compared, to_table
+from ..files import write_all
+from ..report.languages.registry import LANGUAGES
+from .collisions import refuse_collisions
+from .inputs import NAMELESS, claim_of, expanded
+from .open import begin
+from .session import Command, session, session_options
+from .terminal import give
+from .words import Word, descriptions, paths
+
+
+@click.command("report", cls=Command)
+@click.argument("files", metavar="FILE|NAME…", nargs=-1, required=True, shell_complete=descriptions)
+@click.option(
+    "-o", "--output", "path", type=click.Path(path_type=Path), metavar="PATH", shell_complete=paths,
+    help="A LaTeX file; without it the table goes to standard output.",
+)  # fmt: skip
+@click.option("--schemes/--no-schemes", default=True, help="Draw each mechanism in its row.")
+@click.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
+@click.option(
+    "--lang", "language", type=Word(list(LANGUAGES)), default="en",
+    help="The language of the table.",
+)  # fmt: skip
+@session_options
+def command(
+    files: tuple[str, ...], path: Path | None, schemes: bool, fragment: bool, language: str
+) -> None:
+    """Set several mechanisms in one table: scheme beside formulas.
+
+    A folder stands for all descriptions below it. A fragment needs amsmath, array, booktabs,
+    longtable, graphicx, tikz and the colours and styles of the whole document's preamble.
+
+    \b
+    mechc report karpenko_fig1_parallel_levers karpenko_fig2_scissor_tongs -o table.tex
+    """
+    names = list(expanded(files))
+    table = [_compared(checked(begin(name, NAMELESS, {})), schemes) for name in names]
+    text = to_table(table, language, fragment)
+    refuse_collisions([path] if path else [], list(map(claim_of, names)), path is None)
+    if path is None:
+        give(text)
+    else:
+        write_all({path: text})
+
+
+def _compared(compilation: Compilation, schemes: bool) -> Compared:
+    session().accept(warnings(compilation), compilation.source)
+    return Compared(compilation, compilation.scheme if schemes else None)
