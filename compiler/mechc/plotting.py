@@ -5,7 +5,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from .driver import Compilation
-from .plot.query import POINTS, Given, Query
+from .plot.query import POINTS, Given, Query, condition
 from .syntax.settings import parse
 
 if TYPE_CHECKING:
@@ -26,6 +26,7 @@ class Plotting:
         along: Mapping[str, str] = MappingProxyType({}),
         range: tuple[Given, Given] | None = None,
         path: str | Sequence[str] = (),
+        where: str | Sequence[str] = (),
         points: int = POINTS,
     ) -> "PlotPicture":
         """Return results ``y`` against ``x``, or the ``path`` of points while the drive moves.
@@ -33,9 +34,9 @@ class Plotting:
         Without ``x`` the drive varies, without ``y`` the first result is shown. A ``family`` is
         a curve for each value of a parameter, ``along`` gives parameters formulas, and ``range``
         is another one than that of the description: numbers in SI and radians, or text with
-        units. In a notebook it shows itself; ``save("k.svg")`` writes it, also .tex, .pdf, .png,
-        and the table of its values as .csv or .xlsx. Raises :class:`mechc.MechcError` where there
-        is no such thing to plot.
+        units. ``where="gamma >= 1.5 rad"`` shades where that holds. In a notebook the plot shows
+        itself; ``save("k.svg")`` writes it, also .tex, .pdf, .png, and the table of its values
+        as .csv or .xlsx. Raises :class:`mechc.MechcError` where there is no such thing to plot.
 
         >>> import mechc
         >>> clamp = mechc.load("karpenko_fig9_packet_clamp")
@@ -52,6 +53,7 @@ class Plotting:
             tuple((name, tuple(values)) for name, values in family.items()),
             range,
             _listed(path),
+            tuple(map(condition, _listed(where))),
             points,
         )
         found = self._compilation.along(settings).plot(query)

@@ -121,6 +121,20 @@ def test_the_path_of_a_point_keeps_its_shape(rocker):
     assert step.x / span.x == pytest.approx(step.y / span.y)
 
 
+def test_the_zone_in_which_a_condition_holds():
+    """Manzhosov and Samsonov: rational where gamma is at least 1.5 rad."""
+    claw = mechc.load("claw_closed")
+    picture = claw.plot(y="k", where="gamma >= 1.5 rad")
+    assert picture.plot.zone.stretches == (pytest.approx((1.305764, 1.441927), abs=1e-6),)
+    for place in picture.plot.zone.stretches[0]:
+        assert claw.evaluate(phi=place)["gamma"] == pytest.approx(1.5, abs=1e-14)
+    assert "gamma >= 1.5 rad from 1.306 rad to 1.442 rad." in picture.alt
+    apart = claw.plot(y="k", where=["gamma <= 1.5 rad"]).plot.zone.stretches
+    assert [end for stretch in apart for end in stretch] == pytest.approx(
+        [1.0, *picture.plot.zone.stretches[0], 2.0]
+    )
+
+
 def test_what_nothing_depends_on_is_a_level_line(clamp):
     found = clamp.plot("d", "k", range=("10 mm", "20 mm")).plot
     assert len(set(columns(found)[1])) == 1
@@ -237,6 +251,10 @@ MISTAKES = {
     "E587": ([CLAMP], "name it, as in --x alpha"),
     "E588": (["crank_rocker", "--x", "b", "--range", "1 mm..2 mm"], "k has no value for any b"),
     "E589": ([CLAMP, "--x", "alpha", "--family", f"beta={'1,' * 12}2deg"], "at most 12"),
+    "E598": (
+        ["claw_closed", "--family", "l=400,500mm", "--where", "gamma >= 1.5 rad"],
+        "leave out the family",
+    ),
     "E599": (["crank_rocker", "--path", "C"], "C has no path, expected O1, O2, A or B"),
 }
 
@@ -258,6 +276,7 @@ def test_mistakes_are_told(code, capsys):
         (["--x", "alpha", "--family", "beta"], "is not NAME=VALUE,VALUE"),
         (["--x", "alpha", "--family", "beta=1,,2deg"], "is not NAME=VALUE,VALUE"),
         (["--x", "alpha", "--range", "3 deg"], "is not LOW .. HIGH"),
+        (["--x", "alpha", "--where", "k = 3"], "is not NAME >= VALUE"),
         (["--x", "alpha", "--along", "beta"], "is not NAME = FORMULA"),
         (["--x", "alpha", "--along", "bata = alpha"], "did you mean 'beta'?"),
     ],

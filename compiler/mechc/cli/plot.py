@@ -10,7 +10,7 @@ from ..driver import checked, warnings
 from ..emit.plot_files import FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
-from ..plot.query import POINTS, Query
+from ..plot.query import POINTS, Condition, Query, condition
 from ..syntax.settings import Settings, parse
 from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, settings_option, stdin_option
@@ -66,6 +66,15 @@ def _ends(
     return low.strip(), high.strip()
 
 
+def _zone(
+    ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
+) -> tuple[Condition, ...]:
+    try:
+        return tuple(map(condition, given))
+    except ValueError as error:
+        raise click.BadParameter(str(error)) from None
+
+
 def _constraints(
     ctx: click.Context, parameter: click.Parameter, given: tuple[str, ...]
 ) -> Settings:
@@ -104,6 +113,10 @@ def _constraints(
     help='From where to where, other than the description says: "0 deg .. 80 deg".',
 )  # fmt: skip
 @click.option(
+    "--where", "zone", multiple=True, callback=_zone, metavar="NAME>=VALUE",
+    help='Shade where this holds: "gamma >= 1.5 rad".',
+)  # fmt: skip
+@click.option(
     "-n", "--points", type=click.IntRange(2, 100_000), default=POINTS, show_default=True,
     help="How many rows a table has.",
 )  # fmt: skip
@@ -122,6 +135,7 @@ def command(
     family: tuple[tuple[str, tuple[str, ...]], ...],
     along: Settings,
     ends: tuple[str, str] | None,
+    zone: tuple[Condition, ...],
     points: int,
     outputs: tuple[Path, ...],
     settings: Settings,
@@ -143,7 +157,7 @@ def command(
     """
     compilation = begin(file, stdin_name, settings)
     check_names(along, compilation.source, "--along")
-    query = Query(x, ys, family, ends, paths, points)
+    query = Query(x, ys, family, ends, paths, zone, points)
     found = checked(compilation).along(along).plot(query)
     plotted = PlotPicture(found, picture(found))
     session().accept(warnings(compilation), compilation.source)

@@ -124,6 +124,18 @@ def no_library(what: str, extra: str, reason: str) -> Message:
     )
 
 
+@coded("E598")
+def zone_of_a_family() -> Message:
+    """A zone is asked for of a family: each of its curves has a zone of its own.
+
+    Wrong: ``mechc plot claw --family l=4,5m --where "gamma >= 1.5 rad"``
+    Right: ``mechc plot claw --where "gamma >= 1.5 rad"``
+    """
+    return Message(
+        None, "a zone of several settings, expected one", "leave out the family, or the zone"
+    )
+
+
 @coded("E599")
 def no_point(name: str, known: Sequence[str], near: str) -> Message:
     """The path was asked for of what is no point, or of one that has no place along the drive.

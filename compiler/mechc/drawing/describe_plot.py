@@ -29,6 +29,9 @@ def _sentences(plot: Plot) -> Iterator[str]:
         yield f"Path of {names} for {plot.varied.name} {ends}."
     else:
         yield f"{names} against {plot.x.name} {ends}."
+    if plot.zone is not None:
+        for low, high in plot.zone.stretches:
+            yield f"{plot.zone.words} from {shown(low, plot.x)} to {shown(high, plot.x)}."
     for panel in plot.panels:
         for curve in panel.curves:
             yield from _of_curve(curve, plot, panel.y)

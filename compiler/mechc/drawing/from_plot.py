@@ -39,7 +39,7 @@ def picture(plot: Plot) -> Drawing:
 
 def _drawn(layout: Layout) -> Drawing:
     sheet, frame = Sheet(), layout.frame
-    sheet.shade(Layer.COPIES, [*_given(layout), *grid(frame, layout.across, layout.up)])
+    sheet.shade(Layer.COPIES, [*_shaded(layout), *grid(frame, layout.across, layout.up)])
     sheet.draw(Layer.AXES, _poles(layout))
     for curve, pen in layout.pens.items():
         places = (tuple(map(frame.at, way)) for way in ways(curve, layout))
@@ -64,14 +64,11 @@ def _write_axes(sheet: Sheet, layout: Layout) -> None:
     sheet.write(label(Plane(frame.low.x - 6.0, frame.high.y + 4.2), beside))
 
 
-def _given(layout: Layout) -> Iterator[Shape]:
-    """Yield the range that the description gives, where the plot goes beyond it."""
-    if layout.plot.given is None:
-        return
+def _shaded(layout: Layout) -> Iterator[Shape]:
+    """Yield the zone that is marked, or the range of the description."""
     frame = layout.frame
-    left, right = (layout.at(Plane(end, 0.0)).x for end in layout.plot.given)
-    left, right = max(left, frame.low.x), min(right, frame.high.x)
-    if left < right:
+    for ends in layout.shaded:
+        left, right = (frame.at(Plane(end, 0.0)).x for end in ends)
         yield rectangle(Plane(left, frame.low.y), Plane(right, frame.high.y), "light")
 
 

@@ -49,6 +49,16 @@ class Layout:
         return self.frame.at(self.value(place))
 
     @property
+    def shaded(self) -> Iterator[tuple[float, float]]:
+        """Yield the stretches to be shaded, in the unit shown, as far as they are in the frame."""
+        given = (self.plot.given,) if self.plot.given else ()
+        stretches = self.plot.zone.stretches if self.plot.zone else given
+        for ends in stretches:
+            low, high = (self.value(Plane(end, 0.0)).x for end in ends)
+            if max(low, self.frame.least.x) < min(high, self.frame.most.x):
+                yield max(low, self.frame.least.x), min(high, self.frame.most.x)
+
+    @property
     def pens(self) -> dict[Curve, Pen]:
         """Return the pen of each curve."""
         return dict(zip(self.panel.curves, CURVES, strict=False))

@@ -9,17 +9,18 @@ import numpy as np
 
 from ..diagnostics import MechcError, near_miss
 from ..diagnostics import plot as messages
-from ..frozen import frozen
+from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism
 from ..model.typed import in_si
 from ..model.values import defaults, range_of
 from ..pose.places import Plane
 from ..routine.steps import Input, Routine
 from ..units import LENGTH, USUAL_UNITS, Dimension
-from .plot import Axis, Column, Curve, Mark, MarkKind, Panel, Plot, Value
+from .plot import Axis, Column, Curve, Mark, MarkKind, Panel, Plot, Value, Zone
 from .quantities import Array, Quantity, quantities, unit_of
-from .query import Given, Query
-from .sampling import Trace, limits, pieces, smooth, traced
+from .query import Condition, Given, Query
+from .sampling import Function, Trace, limits, pieces, smooth, traced
+from .zones import stretches
 
 MOST = 12
 """How many curves a person can tell apart."""
@@ -55,7 +56,7 @@ class _Sweep:
     settings: tuple[tuple[Value, ...], ...]
     values: Mapping[str, float]
 
-    def function(self, quantity: Quantity, setting: Sequence[Value]) -> Callable[[Array], Array]:
+    def function(self, quantity: Quantity, setting: Sequence[Value]) -> Function:
         """Return the values of a quantity at places, with one setting of the family."""
         given = {**self.values, **{value.axis.name: value.value for value in setting}}
         lacking = [i.name for i in quantity.inputs if i.name not in (*given, self.x.name)]
@@ -147,13 +148,8 @@ def _si(name: str, given: Given, dimension: Dimension) -> float:
 
 def _asked(sweep: _Sweep, query: Query) -> list[Quantity]:
     """Return the quantities that are asked for; else the first that varies, and has a value."""
-    strange = [y for y in query.ys if y not in sweep.known]
-    if strange:
-        names = list(sweep.known)
-        found = [messages.nothing_of_this_name(y, names, near_miss(y, names)) for y in strange]
-        raise MechcError(found)
     if query.ys:
-        return [sweep.known[y] for y in query.ys]
+        return _known(sweep, query.ys)
     results = [q for q in sweep.known.values() if q.is_result]
     varying = [q for q in results if sweep.x.name in {i.name for i in q.inputs}] or results
     if not varying:
@@ -161,6 +157,16 @@ def _asked(sweep: _Sweep, query: Query) -> list[Quantity]:
     given = {*sweep.values, sweep.x.name, *(v.axis.name for s in sweep.settings for v in s)}
     complete = (q for q in varying if {i.name for i in q.inputs} <= given)
     return [next(complete, varying[0])]
+
+
+def _known(sweep: _Sweep, names: Sequence[str]) -> list[Quantity]:
+    """Return quantities by name; E583 where there is none."""
+    strange = [name for name in names if name not in sweep.known]
+    if strange:
+        able = list(sweep.known)
+        found = [messages.nothing_of_this_name(n, able, near_miss(n, able)) for n in strange]
+        raise MechcError(found)
+    return [sweep.known[name] for name in names]
 
 
 # -------------------------------------------------------------------------------- curves
@@ -176,7 +182,28 @@ def _curves(sweep: _Sweep, query: Query) -> Plot:
     if not panels or not any(curve.pieces for panel in panels for curve in panel.curves):
         raise MechcError([messages.no_curve([q.name for q in asked], sweep.x.name)])
     columns = _columns(sweep, asked, query.points)
-    return _plot(sweep, sweep.x, panels, columns)
+    return replace(_plot(sweep, sweep.x, panels, columns), zone=_zone(sweep, query.zone))
+
+
+def _zone(sweep: _Sweep, conditions: Sequence[Condition]) -> Zone | None:
+    """Return where conditions hold; E598 where there are several settings."""
+    if not conditions:
+        return None
+    if len(sweep.settings) > 1:
+        raise MechcError([messages.zone_of_a_family()])
+    (setting,) = sweep.settings
+    sides = zip(_known(sweep, [c.name for c in conditions]), conditions, strict=True)
+    functions = [_side(sweep.function(q, setting), q, condition) for q, condition in sides]
+    words = " and ".join(f"{c.name} {c.sign} {c.bound}" for c in conditions)
+    return Zone(words, stretches(functions, sweep.low, sweep.high))
+
+
+def _side(function: Function, quantity: Quantity, condition: Condition) -> Function:
+    """Return how far a quantity is on the side of its bound."""
+    bound = _si(condition.name, condition.bound, quantity.dimension)
+    if condition.sign == ">=":
+        return lambda x: function(x) - bound
+    return lambda x: bound - function(x)
 
 
 def _rank(quantity: Quantity, asked: Sequence[Quantity]) -> int:
@@ -228,7 +255,7 @@ def _curve(
     quantity: Quantity,
     setting: tuple[Value, ...],
     trace: Trace,
-    function: Callable[[Array], Array],
+    function: Function,
 ) -> Curve:
     parts = tuple(
         tuple(Plane(float(x), float(y)) for x, y in zip(xs, ys, strict=True))

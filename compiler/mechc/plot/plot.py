@@ -38,6 +38,13 @@ class Mark(NamedTuple):
     station: float = 0.0
 
 
+class Zone(NamedTuple):
+    """Stretches of the axis on which something holds, and what that is, in words."""
+
+    words: str
+    stretches: tuple[tuple[float, float], ...]
+
+
 @frozen
 class Curve:
     """One result with one setting of the family, in pieces that hang together.
@@ -80,7 +87,8 @@ class Plot:
     """Panels over one axis from ``low`` to ``high``.
 
     ``varied`` is what runs: the axis itself, but for the path of a point, whose axes are
-    ``equal``. ``given`` is the range that the description gives, where the plot goes beyond it.
+    ``equal``. ``given`` is the range that the description gives, where the plot goes beyond it;
+    ``zone`` is what else is marked.
     """
 
     title: str
@@ -92,6 +100,7 @@ class Plot:
     columns: tuple[Column, ...]
     given: tuple[float, float] | None = None
     equal: bool = False
+    zone: Zone | None = None
 
     @property
     def curves(self) -> tuple[Curve, ...]:

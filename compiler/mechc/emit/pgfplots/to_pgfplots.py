@@ -64,7 +64,7 @@ def _axis(layout: Layout, bottom: float) -> Iterator[str]:
     yield f"  ylabel={{${mathematics(heading(layout.headed, layout.up))}$}},"
     yield "  grid=major, grid style={gray!40, very thin}, legend pos=outer north east,"
     yield "  legend cell align=left, clip mode=individual]"
-    yield from _given(layout)
+    yield from _shaded(layout)
     yield from _poles(layout)
     for curve, pen in layout.pens.items():
         yield from _curve(curve, pen, layout)
@@ -79,15 +79,12 @@ def _ticks(axis: str, scale: Scale) -> str:
     return f"{axis}tick={{{places}}}, {axis}ticklabels={{{texts}}}, scaled {axis} ticks=false"
 
 
-def _given(layout: Layout) -> Iterator[str]:
-    """Yield the range that the description gives, where the plot goes beyond it."""
-    if layout.plot.given is None:
-        return
+def _shaded(layout: Layout) -> Iterator[str]:
+    """Yield the zone that is marked, or the range of the description."""
     frame = layout.frame
-    low, high = (layout.value(Plane(end, 0.0)).x for end in layout.plot.given)
-    left, right = max(low, frame.least.x), min(high, frame.most.x)
-    corners = f"{left!r},{frame.least.y!r}) rectangle (axis cs:{right!r},{frame.most.y!r}"
-    yield rf"\fill[black!8] (axis cs:{corners});"
+    for left, right in layout.shaded:
+        corners = f"{left!r},{frame.least.y!r}) rectangle (axis cs:{right!r},{frame.most.y!r}"
+        yield rf"\fill[black!8] (axis cs:{corners});"
 
 
 def _poles(layout: Layout) -> Iterator[str]:
