@@ -9,13 +9,13 @@ from ...drawing.drawing import Drawing
 from ...frozen import frozen
 from ...report.languages import registry
 from ...report.languages.locale import Locale
-from ...report.latex.notation import notation
+from ...report.latex.document_style import style_of
+from ...report.latex.notation import Notation, notation, translated
 from ...report.latex.results import section_block
-from ...report.latex.text import escape
 from ...report.sections import outline
 from ..target import Compiled
 from ..tikz.picture import definitions, tikzpicture
-from .to_latex import document, style_of
+from .to_latex import document
 
 _COLUMNS = (
     r"@{}r>{\centering\arraybackslash}m{0.44\linewidth}"
@@ -56,7 +56,7 @@ def _table(mechanisms: Iterable[Compared], locale: Locale, language: str) -> Ite
         if number > 1:
             yield r"\midrule"
         yield f"{number} &"
-        yield from _scheme(compared)
+        yield from _scheme(compared, language)
         yield "&"
         yield from _formulas(compared.compiled, locale, language)
         yield r"\\"
@@ -64,17 +64,22 @@ def _table(mechanisms: Iterable[Compared], locale: Locale, language: str) -> Ite
     yield r"\end{longtable}"
 
 
-def _scheme(compared: Compared) -> Iterator[str]:
+def _style(compiled: Compiled, language: str) -> Notation:
+    return style_of(compiled.mechanism, compiled.derivation.results, notation(language))
+
+
+def _scheme(compared: Compared, language: str) -> Iterator[str]:
     mechanism = compared.compiled.mechanism
     if compared.scheme is not None:
         yield r"\resizebox{\linewidth}{!}{%"
         yield from tikzpicture(compared.scheme)
         yield r"}\par\smallskip"
-    yield rf"{{\small {escape(mechanism.title or mechanism.name)}\par}}"
+    title = translated(mechanism.title or mechanism.name, _style(compared.compiled, language))
+    yield rf"{{\small {title}\par}}"
 
 
 def _formulas(compiled: Compiled, locale: Locale, language: str) -> Iterator[str]:
     """Yield what was asked for as displays, each with what its names stand for."""
-    style = style_of(compiled, notation(language))
+    style = _style(compiled, language)
     for section in outline(compiled.derivation, compiled.mechanism).results:
         yield from section_block(section, locale, style).displays
