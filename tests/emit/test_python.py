@@ -49,7 +49,8 @@ def test_a_broken_condition_and_a_pole_are_quiet() -> None:
 
 
 def test_the_docstring_says_formula_units_ranges_and_conditions() -> None:
-    assert ast.get_docstring(ast.parse(text("clamp")).body[2]) == (
+    function = next(n for n in ast.parse(text("clamp")).body if isinstance(n, ast.FunctionDef))
+    assert ast.get_docstring(function) == (
         "Return the force ratio P/F.\n\n"
         "    k = a*sin(alpha + beta)/(2*b*cos(alpha)*cos(beta))\n\n"
         "NaN unless\n    alpha + beta < pi/2\n\n"
@@ -60,6 +61,14 @@ def test_the_docstring_says_formula_units_ranges_and_conditions() -> None:
         "    beta: rad; 7 deg, in 3.5 deg .. 7 deg\n\n"
         "Operations: 9"
     )
+
+
+def test_a_module_knows_the_values_and_ranges_of_the_description() -> None:
+    space: dict[str, Any] = {}
+    exec(text("clamp"), space)
+    assert space["DEFAULTS"].keys() == {"a", "b", "alpha", "beta"}
+    assert space["k"](**space["DEFAULTS"]) == pytest.approx(0.0670682245, rel=1e-9)
+    assert space["RANGES"]["a"] == (0.05, 0.1)
 
 
 def test_many_poses_take_no_more_memory_than_their_results() -> None:

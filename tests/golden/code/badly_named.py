@@ -6,6 +6,38 @@ Written by mechc 0.0.0. SI units and radians; floats and arrays alike.
 
 import numpy as np
 
+DEFAULTS = {
+    "lambda_": 0.02,
+    "int_": 0.03,
+    "I": 0.04,
+    "n": 0.05,
+    "i": 0.06,
+    "np_": 0.07,
+    "beta_3": 0.08,
+    "beta": 0.09,
+    "beta_2": 0.1,
+    "double": 0.11,
+    "l_A_prime": 0.12,
+    "k": 0.13,
+}
+"""The values of the description, by argument, in SI and radians."""
+
+RANGES = {
+    "lambda_": (0.01, 0.02),
+    "int_": (0.015, 0.03),
+    "I": (0.02, 0.04),
+    "n": (0.025, 0.05),
+    "i": (0.03, 0.06),
+    "np_": (0.035, 0.07),
+    "beta_3": (0.04, 0.08),
+    "beta": (0.045, 0.09),
+    "beta_2": (0.05, 0.1),
+    "double": (0.055, 0.11),
+    "l_A_prime": (0.06, 0.12),
+    "k": (0.065, 0.13),
+}
+"""The ranges of the description, from and to, in SI and radians."""
+
 
 def k(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k):
     """Return the formula of the description.

@@ -5,6 +5,22 @@ Written by mechc 0.0.0. SI units and radians; floats and arrays alike.
 
 import numpy as np
 
+DEFAULTS = {
+    "a": 0.1,
+    "b": 0.25,
+    "phi": 0.6981317007977318,
+    "m": 3.0,
+}
+"""The values of the description, by argument, in SI and radians."""
+
+RANGES = {
+    "a": (0.05, 0.1),
+    "b": (0.125, 0.25),
+    "phi": (0.3490658503988659, 0.6981317007977318),
+    "m": (1.5, 3.0),
+}
+"""The ranges of the description, from and to, in SI and radians."""
+
 
 def k(a, b, phi):
     """Return the force ratio P/F.

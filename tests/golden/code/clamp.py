@@ -6,6 +6,22 @@ Written by mechc 0.0.0. SI units and radians; floats and arrays alike.
 
 import numpy as np
 
+DEFAULTS = {
+    "a": 0.1,
+    "b": 0.25,
+    "alpha": 0.20943951023931953,
+    "beta": 0.12217304763960307,
+}
+"""The values of the description, by argument, in SI and radians."""
+
+RANGES = {
+    "a": (0.05, 0.1),
+    "b": (0.125, 0.25),
+    "alpha": (0.10471975511965977, 0.20943951023931953),
+    "beta": (0.061086523819801536, 0.12217304763960307),
+}
+"""The ranges of the description, from and to, in SI and radians."""
+
 
 def k(a, b, alpha, beta):
     """Return the force ratio P/F.

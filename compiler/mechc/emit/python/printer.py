@@ -17,7 +17,7 @@ _BUILT_IN = """
     range repr reversed round set setattr slice sorted staticmethod str sum super tuple vars zip
 """
 KEYWORDS = frozenset(_KEYWORDS.split())
-RESERVED = Reserved([*KEYWORDS, *_BUILT_IN.split(), "np", "main"])
+RESERVED = Reserved([*KEYWORDS, *_BUILT_IN.split(), "np", "main", "DEFAULTS", "RANGES"])
 """Keywords, built-in functions, and what the template itself uses."""
 
 _MODULES = """

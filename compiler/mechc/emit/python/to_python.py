@@ -67,6 +67,8 @@ class ModuleContext(NamedTuple):
 
     heading: str
     preface: list[str]
+    defaults: list[Line]
+    ranges: list[Line]
     solvers: list[SolverContext]
     newton: ModuleType
     conditions: list[Line]
@@ -114,10 +116,17 @@ def _module(compiled: Compiled) -> ModuleContext:
     arguments = mangle((i.name for part in parts for i in part.inputs), free)
     solvers = solver_names(step for part in parts for step in part.steps)
     functions = [_function(f, names, arguments, solvers, listed) for f in listed]
+    inputs = {i.name: i for part in parts for i in part.inputs}.values()
     called_functions = {name for part in parts for name in _called(part)}
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
+        defaults=[
+            Line(arguments[i.name], repr(i.default)) for i in inputs if i.default is not None
+        ],
+        ranges=[
+            Line(arguments[i.name], f"({i.low!r}, {i.high!r})") for i in inputs if i.low is not None
+        ],
         solvers=[solver_context(solver, name) for solver, name in solvers.items()],
         newton=newton,
         conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called_functions],
