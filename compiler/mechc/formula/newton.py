@@ -150,28 +150,33 @@ def eliminate(matrix: Matrix, right: list[float]) -> int:
     size, sign = len(right), 1
     spend(size**3 // CUBES)
     for k in range(size):
-        best = k
+        best, largest = k, abs(matrix[k][k])
         for i in range(k + 1, size):
-            if abs(matrix[i][k]) > abs(matrix[best][k]):
-                best = i
-        pivot = matrix[best][k]
-        if not 0 < abs(pivot) < math.inf:
+            if abs(matrix[i][k]) > largest:
+                best, largest = i, abs(matrix[i][k])
+        if not 0 < largest < math.inf:
             return 0
         if best != k:
             matrix[k], matrix[best] = matrix[best], matrix[k]
             right[k], right[best] = right[best], right[k]
             sign = -sign
-        sign = -sign if pivot < 0 else sign
-        for i in range(k + 1, size):
-            _subtract(matrix, right, i, k, matrix[i][k] / pivot)
+        sign = -sign if matrix[k][k] < 0 else sign
+        _clear(matrix, right, k)
     for k in reversed(range(size)):
+        row, known = matrix[k], right[k]
         for j in range(k + 1, size):
-            right[k] -= matrix[k][j] * right[j]
-        right[k] /= matrix[k][k]
+            known -= row[j] * right[j]
+        right[k] = known / row[k]
     return sign
 
 
-def _subtract(matrix: Matrix, right: list[float], row: int, pivot: int, times: float) -> None:
-    for j in range(pivot + 1, len(right)):
-        matrix[row][j] -= times * matrix[pivot][j]
-    right[row] -= times * right[pivot]
+def _clear(matrix: Matrix, right: list[float], pivot: int) -> None:
+    """Take a row off those below it, so that nothing is left there in the pivot's column."""
+    top, above = matrix[pivot], right[pivot]
+    columns = range(pivot + 1, len(right))
+    for i in columns:
+        row = matrix[i]
+        if times := row[pivot] / top[pivot]:
+            for j in columns:
+                row[j] -= times * top[j]
+            right[i] -= times * above
