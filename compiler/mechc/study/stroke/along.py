@@ -6,15 +6,20 @@ from collections.abc import Iterable, Mapping, Sequence
 from ...algebra.product import Product
 from ...formula.rounding import EPS, Rounded, Rounding
 from ...formula.tree import Formula, Implicit
-from ...formula.walk import evaluate, status, symbols
+from ...formula.walk import status
 from ...kinematics.plan import Plan
 from ...model.result import Result
-from ...model.values import Chain, Values, allowed, completed, defaults, dependent, standing
+from ...model.values import Chain, Values, allowed, defaults, dependent
+from .forms import Form, form
 
 NOT_ASSEMBLED = "cannot be assembled"
 NOT_FOUND = "iteration finds no pose"
 NO_POSE = (NOT_ASSEMBLED, NOT_FOUND)
 EXCLUDED = "excluded by a condition of use"
+
+
+_Known = tuple[Formula, Result | None, Form, dict[float, float]]
+"""What was asked for, which keeps its identity, its code, and its values at places."""
 
 
 class Along:
@@ -35,6 +40,7 @@ class Along:
         self._known: dict[float, Values] = {}
         self._known_inside: dict[float, Values] = {}
         self._troubles: dict[float, str] = {}
+        self._forms: dict[tuple[int, int], _Known] = {}
 
     @property
     def closing(self) -> Iterable[str]:
@@ -69,13 +75,13 @@ class Along:
         form for elsewhere, its value is that of the form that stands.
         """
         values = self.values(place)
-        if where:
-            found = standing(where, values)
-            if found is None:
-                return math.nan
-            formula = found.formula if formula is where.formula else formula
-            values = completed(values, (d for d in found.where if d.name not in values))
-        return evaluate(formula, values) if symbols(formula) <= values.keys() else math.nan
+        key = id(formula), id(where)
+        if key not in self._forms:
+            self._forms[key] = formula, where, form(formula, where, values.keys()), {}
+        _, _, value, known = self._forms[key]
+        if place not in known:
+            known[place] = value(values)
+        return known[place]
 
     def inside(self, value: Product, place: float) -> float:
         """Return the value of something that the compiler found on its way, NaN at a pole."""

@@ -1,0 +1,80 @@
+"""A result, or a formula beside it, as code in what has a value along the drive."""
+
+import math
+from collections.abc import Callable, Sequence, Set
+
+from ...formula.tree import Formula
+from ...formula.walk import straight_line, symbols
+from ...model.result import Result
+from ...model.values import Values, compare
+
+Form = Callable[[Values], float]
+"""Returns a value where names have values; NaN where there is none."""
+
+
+def form(formula: Formula, where: Result | None, names: Set[str]) -> Form:
+    """Return a formula in names that have values, with the definitions of a result, as code.
+
+    It has no value where a condition of the result is broken; where the result has a form for
+    elsewhere, that form's value is taken where this one has none.
+    """
+    definitions, known = _definitions(where, names)
+    if where is None:
+        return _value(formula, definitions, known, names)
+    asked = _value(formula, definitions, known, names)
+    guards = [g for g in where.guards if symbols(g.left) | symbols(g.right) <= known]
+    sides = _code([s for g in guards for s in (g.left, g.right)], definitions, names)
+    relations = [guard.operator for guard in guards]
+
+    def is_sound(values: Values) -> bool:
+        found = sides(values) if relations else []
+        return all(map(compare, found[::2], relations, found[1::2]))
+
+    if where.elsewhere is None:
+        return lambda values: asked(values) if is_sound(values) else math.nan
+    own = asked if formula is where.formula else _value(where.formula, definitions, known, names)
+    judged = symbols(where.formula) <= known
+    beside = where.elsewhere.formula if formula is where.formula else formula
+    elsewhere = form(beside, where.elsewhere, names)
+
+    def value(values: Values) -> float:
+        stands = is_sound(values) and not (judged and math.isnan(own(values)))
+        return (asked if stands else elsewhere)(values)
+
+    return value
+
+
+Definitions = Sequence[tuple[str, Formula]]
+
+
+def _definitions(where: Result | None, names: Set[str]) -> tuple[Definitions, Set[str]]:
+    """Return the definitions that say something new, and all names that then have values."""
+    known, definitions = set(names), []
+    for name, formula in where.where if where else ():
+        if name not in names and symbols(formula) <= known:
+            known.add(name)
+            definitions.append((name, formula))
+    return definitions, known
+
+
+def _value(formula: Formula, definitions: Definitions, known: Set[str], names: Set[str]) -> Form:
+    """Return what computes one formula."""
+    if not symbols(formula) <= known:
+        return lambda values: math.nan
+    code = _code([formula], definitions, names)
+    return lambda values: code(values)[0]
+
+
+def _code(
+    formulas: Sequence[Formula], definitions: Definitions, names: Set[str]
+) -> Callable[[Values], list[float]]:
+    """Return what computes formulas, and of definitions those that they need."""
+    needed = frozenset[str]().union(*map(symbols, formulas))
+    followed = list[tuple[str, Formula]]()
+    for name, formula in reversed(definitions):
+        if name in needed:
+            followed.insert(0, (name, formula))
+            needed |= symbols(formula)
+    given = sorted(needed & names)
+    code = straight_line(formulas, given, followed)
+    return lambda values: code.at([values[name] for name in given])
