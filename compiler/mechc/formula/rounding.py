@@ -10,6 +10,7 @@ from collections.abc import Iterable, Mapping
 from typing import NamedTuple
 
 from .choices import chosen
+from .functions import FUNCTIONS
 from .tree import (
     Call,
     Constant,
@@ -22,7 +23,7 @@ from .tree import (
     Sum,
     Symbol,
 )
-from .walk import evaluate, solution, symbols
+from .walk import solution, symbols
 
 EPS = 2.0**-52
 SOLVED = 64 * EPS
@@ -238,21 +239,27 @@ def _call(function: str, arguments: list[Rounded]) -> Rounded:
 
 
 def _moved(function: str, arguments: list[Rounded]) -> Rounded:
-    names = [f"x{i}" for i in range(len(arguments))]
-    formula = Call(function, tuple(map(Symbol, names)))
-    here = {n: a.value for n, a in zip(names, arguments, strict=True)}
-    value = evaluate(formula, here)
+    here = [argument.value for argument in arguments]
+    value = _called(function, here)
     if not math.isfinite(value):
         raise ValueError
     error = EPS * abs(value)
-    for name, argument in zip(names, arguments, strict=True):
+    for i, argument in enumerate(arguments):
         moved = [
-            evaluate(formula, here | {name: argument.value + step})
+            _called(function, [*here[:i], argument.value + step, *here[i + 1 :]])
             for step in (argument.error, -argument.error)
         ]
         away = (_apart(function, m, value) for m in moved if math.isfinite(m))
         error += max(away, default=math.inf)
     return Rounded(value, error)
+
+
+def _called(function: str, arguments: list[float]) -> float:
+    """Return the value of a function, NaN where it has none."""
+    try:
+        return FUNCTIONS[function](*arguments)
+    except (ZeroDivisionError, ValueError, OverflowError):
+        return math.nan
 
 
 def _apart(function: str, one: float, other: float) -> float:
