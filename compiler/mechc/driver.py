@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
 from .calculation.calculation import Calculation
 from .calculation.from_pose import calculate
+from .calculation.from_solution import solved
 from .diagnostics import Diagnostic, MechcError, Report
 from .diagnostics.sheets import sheet_has_no_links
 from .emit.target import Emitted, Options, Target
@@ -24,7 +25,7 @@ from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .model.sheets import is_sheet
-from .model.uses import Used, with_used
+from .model.uses import Composed, Used, with_used
 from .pose.from_model import solve_pose
 from .pose.motion import Motion, motion
 from .pose.pose import Pose
@@ -136,19 +137,30 @@ class Compilation:
 
     @Stage
     def composed(self) -> ast.File:
-        """What was written, with the sheets that it uses and the settings put in."""
-        tree = with_used(self.tree, self.report, self.users, self._used)
-        return self._sound(put_in(tree, self.settings, self.source))
+        """What was written, with what it uses and the settings put in."""
+        return self._sound(put_in(self._with_used.file, self.settings, self.source))
+
+    @Stage
+    def _with_used(self) -> Composed:
+        """What was written with what it uses, and what was found of mechanisms among that."""
+        return with_used(self.tree, self.report, self.users, self._used)
 
     def _used(self, source: Source) -> Used:
-        """Return a sheet that this one uses."""
+        """Return what this sheet uses: a sheet, or a mechanism with all that is found of it."""
         used = Compilation(source, users=self.users)
-        return Used(used.composed, used.mechanism, used.source)
+        file, mechanism = used.composed, used.mechanism
+        if is_sheet(mechanism):
+            return Used(file, mechanism, used.source, used._with_used.solved)
+        used.verdict  # noqa: B018 - what the free bodies refute is not handed on
+        pose = used.pose
+        return Used(file, pose.mechanism, used.source, solved(pose, used.solution.results))
 
     @Stage
     def mechanism(self) -> Mechanism:
         """Names resolved, quantities in SI, dimensions checked."""
-        return self._sound(resolve(self.composed, self.report))
+        found = self._sound(resolve(self.composed, self.report))
+        literals = self._with_used.solved.literals
+        return replace(found, literals=(*found.literals, *literals)) if literals else found
 
     @Stage
     def pose(self) -> Pose:
@@ -176,8 +188,9 @@ class Compilation:
     @Stage
     def calculation(self) -> Calculation | None:
         """The formulas of a calculation sheet with their values; None for a mechanism."""
-        sheet = is_sheet(self.mechanism)
-        return self._sound(calculate(self.pose, self.report)) if sheet else None
+        if not is_sheet(self.mechanism):
+            return None
+        return self._sound(calculate(self.pose, self._with_used.solved, self.report))
 
     @property
     def found(self) -> tuple[Result, ...]:
@@ -257,12 +270,13 @@ class Compilation:
     @Stage
     def routine(self) -> Routine:
         """The straight-line program that all targets emit."""
-        return self._sound(self.routine_of(self.pose.mechanism, self.found))
+        pose = self.calculation.pose if self.calculation else self.pose
+        return self._sound(self.routine_of(pose.mechanism, self.found))
 
     def routine_of(self, mechanism: Mechanism, results: tuple[Result, ...]) -> Routine:
         """Return the program of results, which may have been changed, at this pose."""
-        definitions = dict(self.pose.definitions)
-        return program(mechanism, results, definitions, self.pose.loops, self.motion)
+        pose = self.calculation.pose if self.calculation else self.pose
+        return program(mechanism, results, dict(pose.definitions), pose.loops, self.motion)
 
     @Stage
     def motion(self) -> Motion | None:

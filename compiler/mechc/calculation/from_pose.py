@@ -5,43 +5,72 @@ from collections.abc import Iterator
 
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import sheets as messages
-from ..diagnostics.uses import outside_used_range
+from ..diagnostics.uses import outside_used_range, result_without_value
 from ..formula.rounding import Rounding
 from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism, Require, Subject
-from ..model.result import Result
+from ..model.result import Result, Solved
 from ..model.values import Chain, Values, compare, defaults, dependent
-from ..pose.pose import Pose
+from ..pose.pose import Definition, Pose
 from ..power.definitions import let_results
 from ..units import in_unit, si_unit
 from .calculation import Calculation, Check
+from .taken import taken, with_values
 
 
-def calculate(pose: Pose, report: Report) -> Calculation:
-    """Return the results of a sheet with their values.
+def calculate(pose: Pose, solved: Solved, report: Report) -> Calculation:
+    """Return the results of a sheet with their values, those of the mechanisms that it uses first.
 
     E550 where a condition fails at the values of the sheet, E551 where a formula has no value
-    there.
+    there, E564 where a result of a mechanism has none.
     """
+    pose = _with(pose, solved)
     mechanism = pose.mechanism
+    given = Chain(dependent(mechanism)).complete(defaults(mechanism))
+    brought = tuple(with_values(taken(mechanism, solved), given))
+    given |= {r.name: r.default for r in brought if r.default is not None}
     lets = {let.name: let.value for let in mechanism.lets}
-    values = Chain({**dependent(mechanism), **lets}).complete(defaults(mechanism))
+    values = Chain({**dict(solved.definitions), **lets}).complete(given)
     checks = tuple(_checked(condition, values) for condition in mechanism.requires)
     failed = _refuse_broken(checks, report)
+    failed |= _refuse_without(mechanism, given, report)
     _refuse_undefined(mechanism, values, failed, report)
-    nothing = _rounded_zeros(mechanism)
+    nothing = _rounded_zeros(mechanism, given)
     known = {name: 0.0 if name in nothing else value for name, value in values.items()}
-    found = let_results(pose, (), report)
-    return Calculation(pose, tuple(_with_value(result, known) for result in found), checks)
+    found = (_with_value(result, known) for result in let_results(pose, brought, report))
+    return Calculation(pose, (*brought, *found), checks)
 
 
-def _rounded_zeros(mechanism: Mechanism) -> frozenset[str]:
+def _with(pose: Pose, solved: Solved) -> Pose:
+    """Return the pose of a sheet with what the results of used mechanisms rest on."""
+    requires = (*pose.mechanism.requires, *solved.requires)
+    definitions = (Definition(*d) for d in solved.definitions)
+    return replace(
+        pose,
+        mechanism=replace(pose.mechanism, requires=requires),
+        definitions=(*pose.definitions, *definitions),
+        loops=solved.loops,
+    )
+
+
+def _refuse_without(mechanism: Mechanism, values: Values, report: Report) -> set[str]:
+    """Report the first result of each mechanism that has no value; return the names of all.
+
+    Where a parameter has no value nothing is known of them.
+    """
+    missing = [r for r in mechanism.taken if not math.isfinite(values.get(r.name, 0.0))]
+    for span, result in {r.span: r for r in reversed(missing)}.items():
+        report.add(result_without_value(span, result.name))
+    return {result.name for result in missing}
+
+
+def _rounded_zeros(mechanism: Mechanism, values: Values) -> frozenset[str]:
     """Return the formulas of which nothing is left but rounding."""
     lets = {let.name: let.value for let in mechanism.lets}
-    rounding = Rounding(defaults(mechanism))
+    rounding = Rounding(values)
     rounding.define(Chain({**dependent(mechanism), **lets}).definitions)
     return frozenset(name for name, value in rounding.values.items() if value.is_zero)
 
@@ -83,7 +112,7 @@ def _failure(check: Check) -> Diagnostic:
     span, subject = check.condition.span, check.condition.subject
     left, right = _sides(check)
     match subject:
-        case None:
+        case None | Subject("pose"):
             return messages.requirement_fails(span, left, check.condition.operator, right)
         case Subject("table", name, _):
             return messages.beyond_the_table(span, name, left, check.condition.operator, right)

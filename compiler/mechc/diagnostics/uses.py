@@ -1,4 +1,4 @@
-"""Messages about sheets that a sheet uses (E555 to E563)."""
+"""Messages about sheets and mechanisms that a sheet uses (E555 to E565)."""
 
 from collections.abc import Collection
 
@@ -115,16 +115,28 @@ def too_much_used(span: Span, most: int) -> Message:
     return Message(span, message, "compile a part of them by itself")
 
 
-@coded("E563")
-def mechanism_used(span: Span, used: str, heading: Span) -> Message:
-    """What is used is a mechanism; only calculation sheets can be used.
+@coded("E564")
+def result_without_value(span: Span, name: str) -> Message:
+    """A result of a used mechanism has no value at what is given to that.
 
-    A mechanism has links, loads or a result to find. Compile it by itself, and give the sheet
-    its result as a parameter::
+    A loop does not close there, the mechanism stands at a dead centre, friction locks it, or a
+    condition of it fails. ``mechc check FILE -D NAME=VALUE`` says which::
 
-        use packet_clamp as clamp                  # wrong
-        param k = 0.0671                           # right: what `mechc check packet_clamp` says
+        use crank_rocker as R (phi = 200 deg)           # does it close there?
     """
-    related = (Related(heading, "this is what is used"),)
-    message = f"{used} is a mechanism, expected a calculation sheet"
-    return Message(span, message, "give its result as a parameter", related)
+    message = f"{name} has no value at what is given to the mechanism"
+    return Message(span, message, "change what is given, or check the mechanism by itself")
+
+
+@coded("E565")
+def given_both_loads(span: Span, above: str, below: str, before: Span) -> Message:
+    """Both loads of a ratio are given to a used mechanism, of which one follows from the other.
+
+    Of a mechanism with ``find k = P/F`` one of both loads is given, the other one is a result::
+
+        use packet_clamp as C (F = 2 kN, P = 100 N)     # wrong
+        use packet_clamp as C (F = 2 kN)                # right: C_P is k*F
+    """
+    related = (Related(before, "it is given here"),)
+    message = f"{below} and {above} are given, of which one follows from the other"
+    return Message(span, message, "give one of them", related)

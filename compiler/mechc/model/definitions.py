@@ -26,7 +26,7 @@ from .statements import every
 LONGEST = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""
 
-Definition = ast.Param | ast.Let
+Definition = ast.Param | ast.Let | ast.Taken
 
 _ENDS: tuple[Literal[">=", "<="], ...] = (">=", "<=")
 """How a quantity stands to the ends of its range."""
@@ -49,6 +49,9 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
             case ast.Param() as statement:
                 if parameter := read_parameter(statement, scope, found.parameters):
                     found.parameters[name] = parameter
+            case ast.Taken(measures=dimension, rests_on=used):
+                scope.define(name, dimension)
+                scope.used.update(symbol.name for symbol in used)
             case ast.Let() as statement:
                 if chosen := read_worth(statement, tables, scope):
                     found.requires.extend(chosen.requires)
@@ -62,6 +65,7 @@ def _by_name(file: ast.File, scope: Scope) -> dict[str, Definition]:
     """Return the statements that own their names, and the lets that give loads a value."""
     owned: dict[str, Definition] = {}
     definitions: list[Definition] = [*every(file, ast.Param), *every(file, ast.Let)]
+    definitions += every(file, ast.Taken)
     for statement in definitions:
         entry = scope.entries.get(statement.name.text)
         gives = entry is not None and entry.kind == "load" and isinstance(statement, ast.Let)
@@ -81,6 +85,8 @@ def _ordered(statements: Mapping[str, Definition], scope: Scope) -> list[str]:
 
 
 def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:
+    if isinstance(statement, ast.Taken):
+        return {symbol.name for symbol in statement.rests_on if symbol.name in known}
     if statement.value is None:
         return set()
     return {s.name for s in names_in_worth(statement.value) if s.name in known}

@@ -159,6 +159,8 @@ def _declare_names(file: ast.File, scope: Scope) -> None:
         match statement:
             case ast.Param(name=name):
                 scope.declare(name, "parameter")
+            case ast.Taken(name=name):
+                scope.declare(name, "let")
             case ast.Table(name=name):
                 scope.declare(name, "table")
             case ast.Sizes(name=name):
@@ -193,7 +195,7 @@ def _declare_lets(file: ast.File, finds: Sequence[Find], scope: Scope) -> None:
 
 
 def _check_asked(file: ast.File, report: Report) -> None:
-    if not every(file, ast.Find) and not every(file, ast.Let):
+    if not any(isinstance(s, ast.Find | ast.Let | ast.Taken) for s in file.statements):
         end = file.statements[-1].span.end if file.statements else 0
         report.add(messages.nothing_asked(Span(end, end), not file.statements))
 

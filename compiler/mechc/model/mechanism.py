@@ -202,14 +202,30 @@ class Let:
     written: Written | None = None
 
 
+@frozen
+class Taken:
+    """A result of a mechanism that a sheet uses, the unit to give it in, and its text.
+
+    So many of the sheet's formulas stand ``before`` it, among them what is given to the mechanism.
+    """
+
+    name: str
+    dimension: Dimension
+    span: Span
+    before: int = 0
+    unit: str = ""
+    label: str = ""
+
+
 class Subject(NamedTuple):
     """Of what a condition is that nobody wrote: a table, a list of sizes, a choice.
 
     The formula that has no value where it fails is that of the ``let``. A ``range`` is that of a
-    parameter of a used sheet, and stands at a ``place`` of its own.
+    parameter of a used sheet, and stands at a ``place`` of its own. A condition of a used
+    mechanism on what its loops give, ``pose``, concerns all that its values decide.
     """
 
-    kind: Literal["table", "list", "choice", "range"]
+    kind: Literal["table", "list", "choice", "range", "pose"]
     name: str
     let: str
     place: Span | None = None
@@ -234,7 +250,8 @@ class Require:
 
     def concerns(self, names: Container[str]) -> bool:
         """Return whether it is a condition of use, or one of a formula among these."""
-        return self.subject is None or self.subject.let in names
+        subject = self.subject
+        return subject is None or subject.kind == "pose" or subject.let in names
 
 
 @frozen
@@ -259,7 +276,8 @@ class Mechanism:
 
     ``literals`` are the lengths that it gives by numbers, each once, under names that it does
     not use: formulas have a :class:`~..formula.tree.Constant` for each. ``held`` are the drives
-    that stay at their values while ``drive`` moves.
+    that stay at their values while ``drive`` moves. A calculation sheet may have results
+    ``taken`` from mechanisms that it uses.
     """
 
     name: str
@@ -288,6 +306,7 @@ class Mechanism:
     tables: tuple[WrittenTable, ...] = ()
     translations: Mapping[str, Mapping[str, str]] = MappingProxyType({})
     """By language, what texts of the description are in it."""
+    taken: tuple[Taken, ...] = ()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..units import Dimension
-from .mechanism import Require, Target
+from .mechanism import Parameter, Require, Target
 
 
 class Definition(NamedTuple):
@@ -72,3 +72,42 @@ class FrictionResult(Result):
 
     case: Case | None = None
     inside: frozenset[str] = frozenset()
+
+
+class ClosedLoop(NamedTuple):
+    """A loop that closes at some values of its symbols only.
+
+    ``names`` are the definitions that have no value where it does not; ``margin`` is not
+    negative where it closes, and negative or NaN elsewhere. ``of`` is the prefix of the used
+    mechanism that has the loop, '' of a mechanism's own.
+    """
+
+    loop: str
+    names: frozenset[str]
+    margin: Formula
+    of: str = ""
+
+
+@frozen
+class Solved:
+    """What was found of a mechanism that a sheet uses, by its names there.
+
+    ``definitions`` are those that results and loops may rest on, ``requires`` the conditions
+    on what the loops give, ``literals`` the numbers that have names.
+    """
+
+    results: tuple[Result, ...] = ()
+    definitions: tuple[Definition, ...] = ()
+    loops: tuple[ClosedLoop, ...] = ()
+    requires: tuple[Require, ...] = ()
+    literals: tuple[Parameter, ...] = ()
+
+    def __add__(self, other: "Solved") -> "Solved":
+        """Return what was found of both."""
+        return Solved(
+            (*self.results, *other.results),
+            (*self.definitions, *other.definitions),
+            (*self.loops, *other.loops),
+            (*self.requires, *other.requires),
+            (*self.literals, *other.literals),
+        )

@@ -10,12 +10,13 @@ from ..syntax import ast
 from ..units import ANGLE, UNITS, Dimension
 from . import written
 from .constants import expressions_in, leaves
-from .mechanism import Let, Mechanism, Parameter, Require
+from .mechanism import Let, Mechanism, Parameter, Require, Taken
 from .statements import every, only
 
 WRITTEN_IN_SHEETS = (
     *(ast.Version, ast.Heading, ast.SourceNote),
-    *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Require, ast.Expect, ast.Translate),
+    *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Taken, ast.Require, ast.Expect),
+    ast.Translate,
 )
 """The statements of a sheet: a description that has others describes a mechanism."""
 
@@ -60,9 +61,22 @@ def as_written(mechanism: Mechanism, file: ast.File) -> Mechanism:
         mechanism,
         parameters=parameters,
         lets=tuple(lets),
+        taken=tuple(_taken(file, lets, units)),
         requires=tuple(_with_sides(mechanism.requires, units, file)),
         tables=written.tables(file.statements),
     )
+
+
+def _taken(file: ast.File, lets: Iterable[Let], units: Mapping[str, str]) -> Iterator[Taken]:
+    """Yield the results of used mechanisms, in the units of their kind that are written first."""
+    known, before = {let.name for let in lets}, 0
+    for statement in file.statements:
+        match statement:
+            case ast.Let(name=name):
+                before += name.text in known
+            case ast.Taken(name=name, measures=dimension, remark=remark):
+                unit = _first(units.values(), dimension)
+                yield Taken(name.text, dimension, name.span, before, unit, remark)
 
 
 def _with_sides(

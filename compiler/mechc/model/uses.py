@@ -1,8 +1,11 @@
-"""Sheets that a sheet uses: their statements in place of the line that says so.
+"""What a sheet uses: statements of it in place of the line that says so.
 
 What a used sheet declares gets the prefix, ``pin_d``. A parameter to which something is given
 becomes a ``let`` that keeps to its dimension and range; one that follows from others a ``let``,
 the others stay parameters. What the used sheet expects of itself stays behind.
+
+Of a used mechanism parameters, loads and results come in. The results are those that the
+compiler finds of it; they go beside the statements, which name them only.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -17,7 +20,12 @@ from ..frozen import replace
 from ..source import Source, Span
 from ..syntax import ast
 from ..syntax.moved import moved
+from . import put_in
+from .constants import leaves as leaves_of
+from .load_kinds import Load
 from .mechanism import Mechanism, Parameter
+from .renamed import renamed
+from .result import Result, Solved
 from .sheets import WRITTEN_IN_SHEETS, is_sheet
 from .statements import every
 from .translations import spoken
@@ -30,14 +38,16 @@ DEEPEST = 16
 
 
 class Used(NamedTuple):
-    """A sheet that is used: its tree, what that means, and its text with what it uses itself.
+    """What is used: its tree, what that means, and its text with what it uses itself.
 
-    The text begins at ``start`` in that of the sheet that uses it.
+    The text begins at ``start`` in that of the sheet that uses it. ``solved`` is what was found
+    of a mechanism, or of those that a sheet uses itself.
     """
 
     file: ast.File
     mechanism: Mechanism
     source: Source
+    solved: Solved
     start: int = 0
 
     @property
@@ -47,27 +57,44 @@ class Used(NamedTuple):
 
     @property
     def parameters(self) -> dict[str, Parameter]:
-        """Its parameters that a line declares, by their names there."""
+        """Its parameters that a line declares, by their names there.
+
+        What a loop gives is none that anything could be given to.
+        """
         declared = {param.name.text for param in every(self.file, ast.Param)}
+        declared -= {d.name for d in self.solved.definitions if d.name in declared}
         return {p.name: p for p in self.mechanism.parameters if p.name in declared}
+
+    @property
+    def loads(self) -> dict[str, Load]:
+        """Its loads that may be given a value, by their names there."""
+        return put_in.open_loads(self.mechanism, self.solved)
 
 
 Users = tuple[Path, ...]
 """A file, behind those that use it, each by way of the next."""
 
 Resolve = Callable[[Source], Used]
-"""Reads a sheet; MechcError where it is wrong."""
+"""Reads a sheet or a mechanism; MechcError where it is wrong."""
 
 
-def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) -> ast.File:
+class Composed(NamedTuple):
+    """A file with what it uses put in, and what was found of the mechanisms among that."""
+
+    file: ast.File
+    solved: Solved = Solved()
+
+
+def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) -> Composed:
     """Return a file in which what it uses is put in, under its prefixes.
 
     Names that clash, what is not there, and what is given amiss are reported.
     """
     if not every(file, ast.Use) or _refused(file, report):
-        return file
+        return Composed(file)
     taken = {name.text: name.span for s in file.statements for name in _declared(s)}
     statements: list[ast.Statement] = []
+    solved = Solved()
     for statement in file.statements:
         if not isinstance(statement, ast.Use):
             statements.append(statement)
@@ -78,7 +105,8 @@ def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) ->
         found = list(_brought_in(statement, used, report))
         _check_names(statement, found, taken, report)
         statements += found
-    return replace(file, statements=tuple(statements))
+        solved += renamed(_without_given(used, statement), statement.prefix.text, used.start)
+    return Composed(replace(file, statements=tuple(statements)), solved)
 
 
 def _refused(file: ast.File, report: Report) -> bool:
@@ -92,7 +120,7 @@ def _refused(file: ast.File, report: Report) -> bool:
 def _declared(statement: ast.Statement) -> Iterator[ast.Name]:
     """Yield the name that a statement of a sheet declares."""
     match statement:
-        case ast.Param(name=name) | ast.Let(name=name):
+        case ast.Param(name=name) | ast.Let(name=name) | ast.Taken(name=name):
             yield name
         case ast.Table(name=name) | ast.Sizes(name=name):
             yield name
@@ -122,11 +150,7 @@ def _read(use: ast.Use, report: Report, users: Users, resolve: Resolve) -> Used 
     if len(texts) > MOST or sum(len(part.text) for part in texts) > files.LARGEST:
         report.add(messages.too_much_used(use.used.span, MOST))
         return None
-    used = used._replace(start=report.attach(used.source))
-    if not is_sheet(used.mechanism):
-        report.add(messages.mechanism_used(use.used.span, use.used.text, used.span))
-        return None
-    return used
+    return used._replace(start=report.attach(used.source))
 
 
 def _text(use: ast.Use, folder: Path | None, users: Users) -> Source:
@@ -163,24 +187,85 @@ def _placed(diagnostic: Diagnostic, start: int, use: ast.Use) -> Diagnostic:
 
 
 def _brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Statement]:
-    """Yield the statements of a used sheet under its prefix."""
+    """Yield the statements of a used sheet or mechanism under its prefix."""
     given = _given(use, used, report)
-    names = {name.text for statement in used.file.statements for name in _declared(statement)}
+    sheet = is_sheet(used.mechanism)
+    own = used.file.statements if sheet else tuple(_of_a_mechanism(use, used, given))
+    names = {name.text for statement in own for name in _declared(statement)}
     prefix = use.prefix.text
 
     def renamed(name: str) -> str:
         return f"{prefix}_{name}" if name in names else name
 
-    for statement in used.file.statements:
+    for statement in own:
         there = moved(_with_origin(statement, used.mechanism.name), used.start, renamed)
         match statement, there:
             case ast.Param(name=name), ast.Param():
-                parameter = used.parameters[name.text]
-                yield _parameter(there, parameter, given.get(name.text), use)
+                yield _parameter(there, _measured(used, name.text), given.get(name.text), use)
             case _, ast.Translate():
                 yield from _translated(there, used)
-            case ((ast.Let() | ast.Table() | ast.Sizes() | ast.Require()), _):
+            case ((ast.Let() | ast.Table() | ast.Sizes() | ast.Require() | ast.Taken()), _):
                 yield there
+
+
+def _measured(used: Used, name: str) -> Parameter:
+    """Return the parameter of a name, or what a load is as one."""
+    if name in used.parameters:
+        return used.parameters[name]
+    load = used.loads[name]
+    return Parameter(name, load.dimension, load.span)
+
+
+def _of_a_mechanism(
+    use: ast.Use, used: Used, given: Mapping[str, ast.Expr]
+) -> Iterator[ast.Statement]:
+    """Yield statements for what a mechanism has, by the names and places that it has there."""
+    here = _there(use, used)
+    solved = _without_given(used, use)
+    values = {p.name for p in used.mechanism.parameters}
+    yield from (s for s in used.file.statements if _feeds(s, used, values))
+    results = {r.name for r in solved.results}
+    rows = tuple(put_in.following(solved, given.keys() | (results & used.loads.keys())))
+    known = values | results | {row.name for row in rows}
+    wanted = (put_in.needed(solved) | given.keys()) - known
+    yield from (put_in.load(load, here) for name, load in used.loads.items() if name in wanted)
+    yield from (put_in.taken(result, here) for result in solved.results)
+    yield from (put_in.formula(row, here.span) for row in rows)
+
+
+def _there(use: ast.Use, used: Used) -> ast.Use:
+    """Return a use as if its line stood in the used file, all of whose places are moved."""
+    return moved(use, -used.start)
+
+
+def _feeds(statement: ast.Statement, used: Used, values: set[str]) -> bool:
+    """Tell whether a mechanism rests on a statement that is one of a sheet, too."""
+    match statement:
+        case ast.Param(name=name):
+            return name.text in used.parameters
+        case ast.Let(name=name):
+            return name.text in values
+        case ast.Require(operands=operands):
+            leaves = (leaf for operand in operands for leaf in leaves_of(operand))
+            return all(leaf.name in values for leaf in leaves if isinstance(leaf, ast.Symbol))
+        case _:
+            return isinstance(statement, ast.Table | ast.Sizes)
+
+
+def _without_given(used: Used, use: ast.Use) -> Solved:
+    """Return what was found without the values of loads that are given others."""
+    given = {name.text for name, _ in use.given} & used.loads.keys()
+    if not given:
+        return used.solved
+    results = (r for r in used.solved.results if r.name not in given)
+    return replace(used.solved, results=tuple(_leaving(r, given) for r in results))
+
+
+def _leaving(result: Result, names: set[str]) -> Result:
+    """Return a result in which some names are left open."""
+    where = tuple(d for d in result.where if d.name not in names)
+    elsewhere = _leaving(result.elsewhere, names) if result.elsewhere else None
+    return replace(result, where=where, elsewhere=elsewhere)
 
 
 def _given(use: ast.Use, used: Used, report: Report) -> Mapping[str, ast.Expr]:
@@ -190,12 +275,16 @@ def _given(use: ast.Use, used: Used, report: Report) -> Mapping[str, ast.Expr]:
     for name, value in use.given:
         if name.text in places:
             report.add(messages.given_twice(name.span, name.text, places[name.text]))
-        elif name.text not in used.parameters:
-            what, known = use.used.text, list(used.parameters)
+        elif name.text not in used.parameters and name.text not in used.loads:
+            what, known = use.used.text, [*used.parameters, *used.loads]
             report.add(messages.no_such_parameter(name.span, name.text, what, known, used.span))
         else:
             found[name.text] = value
         places.setdefault(name.text, name.span)
+    for above, below in put_in.ratios(used.solved):
+        if above in found and below in found:
+            where = places[above], above, below, places[below]
+            report.add(messages.given_both_loads(*where))
     return found
 
 

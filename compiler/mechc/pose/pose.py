@@ -16,6 +16,7 @@ from ..algebra.trigonometry import cosine, sine
 from ..formula.tree import Formula
 from ..frozen import frozen
 from ..model.mechanism import Mechanism
+from ..model.result import ClosedLoop as ClosedLoop
 from ..source import Span
 
 
@@ -68,18 +69,6 @@ class Limit(NamedTuple):
                 return (add([square, -(across * across)]),)
             case _:
                 return ()
-
-
-class ClosedLoop(NamedTuple):
-    """A loop that closes at some values of its symbols only.
-
-    ``names`` are the definitions that have no value where it does not; ``margin`` is not
-    negative where it closes, and negative or NaN elsewhere.
-    """
-
-    loop: str
-    names: frozenset[str]
-    margin: Formula
 
 
 LoopKind = Literal["triangle", "guide", "slot", "aligned", "lengths", "vector", "system"]

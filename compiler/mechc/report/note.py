@@ -9,19 +9,21 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from ..formula.choices import chosen, is_choice
-from ..formula.tree import Call, Constant, Formula, Number, Symbol
-from ..formula.walk import evaluate, symbols, walk
-from ..model.mechanism import Let, Mechanism, Require
+from ..formula.tree import Call, Constant, Formula, Implicit, Number, Symbol
+from ..formula.walk import constants, evaluate, symbols, walk
+from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
 from ..model.values import Chain, defaults, dependent
 from ..model.written import WrittenTable
-from ..units import Dimension, si_unit
+from ..study.analysis import as_printed
+from ..units import NUMBER, Dimension, si_unit
 from .put_in import Quantity, put_in
 
 
 class NoteLine(NamedTuple):
     """A formula of a sheet, with the numbers put in, and what it comes to.
 
+    There is no ``formula`` of what is iterated.
     ``of`` is the table or list that is asked, for what ``formula`` comes to: ``asked``. Of
     several things that the largest or smallest is taken of, one ``decides``. There are no
     ``numbers`` where nothing is put in, and no ``value`` where a parameter has none.
@@ -31,7 +33,7 @@ class NoteLine(NamedTuple):
     label: str
     kind: Literal["", "table", "list"]
     of: str
-    formula: Formula
+    formula: Formula | None
     numbers: Formula | None
     value: Quantity | None
     asked: Quantity | None
@@ -68,12 +70,64 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     """Return the calculation note of a sheet, at the values that it gives."""
     units = {p.name: p.unit or si_unit(p.dimension) for p in mechanism.parameters}
     units |= {let.name: let.unit or si_unit(let.dimension) for let in mechanism.lets}
+    units |= {t.name: t.unit or si_unit(t.dimension) for t in mechanism.taken}
     values = Chain(dependent(mechanism)).complete(defaults(mechanism))
     values |= {r.name: r.default for r in results if r.default is not None}
     given = {name: Quantity(value, units[name]) for name, value in values.items()}
-    lines = tuple(_line(let, given) for let in mechanism.lets)
+    lines = tuple(_lines(mechanism, results, given))
     checks = [_check(r, given) for r in mechanism.requires if not r.subject]
     return Note(mechanism.tables, lines, tuple(_with_the_least(checks)))
+
+
+def _lines(
+    mechanism: Mechanism, results: Sequence[Result], given: Mapping[str, Quantity]
+) -> Iterator[NoteLine]:
+    """Yield the formulas in the order of the text, results of used mechanisms among them."""
+    named = {result.name: as_printed(result) for result in results}
+    literals = {known.name: known for known in mechanism.literals}
+    shown, done = set(given), 0
+    for known in mechanism.taken:
+        yield from (_line(let, given) for let in mechanism.lets[done : known.before])
+        done = known.before
+        result = named[known.name]
+        formula = None if _is_iterated(result) else result.formula
+        yield from _mentioned(result, literals, shown) if formula else ()
+        yield _plain(known.name, known.label, formula, given.get(known.name), known.dimension)
+    yield from (_line(let, given) for let in mechanism.lets[done:])
+
+
+def _is_iterated(result: Result) -> bool:
+    return any(isinstance(part, Implicit) for f in _formulas(result) for part in walk(f))
+
+
+def _mentioned(
+    result: Result, literals: Mapping[str, Parameter], shown: set[str]
+) -> Iterator[NoteLine]:
+    """Yield the numbers and the definitions that a formula mentions, each once in a note."""
+    lines = [_number(literals[c.name]) for c in constants(_formulas(result))]
+    lines += [_plain(name, "", formula, None, NUMBER) for name, formula in result.where]
+    for line in lines:
+        if line.name not in shown:
+            shown.add(line.name)
+            yield line
+
+
+def _number(known: Parameter) -> NoteLine:
+    """Return a number of a mechanism under its name."""
+    assert known.value
+    value = Quantity(evaluate(known.value, {}), known.unit or si_unit(known.dimension))
+    return _plain(known.name, "", None, value, known.dimension)
+
+
+def _formulas(result: Result) -> list[Formula]:
+    return [result.formula, *(d.formula for d in result.where)]
+
+
+def _plain(
+    name: str, label: str, formula: Formula | None, value: Quantity | None, dimension: Dimension
+) -> NoteLine:
+    """Return a line without the numbers put in."""
+    return NoteLine(name, label, "", "", formula, None, value, None, None, dimension)
 
 
 def _line(let: Let, given: Mapping[str, Quantity]) -> NoteLine:

@@ -22,7 +22,7 @@ def unseen_loops(result: Result, scope: Scope, loops: Sequence[ClosedLoop]) -> l
     known = _defined(result, formulas, scope)
     if result.target is None and not _rests_on_a_pose(known, scope, loops):
         return []
-    for loop in reversed(loops):
+    for loop in reversed([loop for loop in loops if _concerns(loop, {result.name, *known})]):
         if loop.names.isdisjoint(known) and scope.free(result.name, [loop.margin]):
             found.append(loop)
             known |= _defined(result, [loop.margin], scope)
@@ -31,6 +31,11 @@ def unseen_loops(result: Result, scope: Scope, loops: Sequence[ClosedLoop]) -> l
 
 def _defined(result: Result, formulas: Sequence[Formula], scope: Scope) -> set[str]:
     return {name for name, _ in scope.definitions(result.name, formulas).formulas}
+
+
+def _concerns(loop: ClosedLoop, names: set[str]) -> bool:
+    """Tell whether a loop is the mechanism's own, or one of a used mechanism that has the names."""
+    return not loop.of or any(name.startswith(f"{loop.of}_") for name in names)
 
 
 def _rests_on_a_pose(known: set[str], scope: Scope, loops: Sequence[ClosedLoop]) -> bool:

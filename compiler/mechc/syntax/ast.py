@@ -624,6 +624,18 @@ class Translate(Statement):
 
 
 @frozen
+class Taken(Statement):
+    """A result of a used mechanism: what it measures, and the names of values that it rests on.
+
+    No line says so: it is made where the mechanism is put in.
+    """
+
+    name: Name
+    measures: Dimension
+    rests_on: tuple[Symbol, ...]
+
+
+@frozen
 class Table(Statement):
     """``table m49 "Table 4.9" = 1: 0.388, 0.9: 0.400``: pairs of an argument and its value."""
 

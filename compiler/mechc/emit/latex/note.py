@@ -132,24 +132,26 @@ def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
 def _display(line: NoteLine, where: str, style: Notation) -> str:
     """Return a formula, the numbers put in and what it comes to, as one display."""
     left = box(Symbol(line.name), style)
-    if line.kind == "list" and line.value and line.asked:
+    if line.kind == "list" and line.formula and line.value and line.asked:
         found, asked = _quantity(line.value, style), _quantity(line.asked, style)
         needed = box(line.formula, style)
         return rf"\[ {left.tex}={found.tex}\geq {needed.tex}={asked.tex} \]"
     sides = [_side(line, formula, style) for formula in (line.formula, line.numbers) if formula]
     if line.value and not line.is_number:
         sides.append(_quantity(line.value, style))
-    if max(side.width for side in sides) > LINE:
-        return _broken(line, left, sides[-1], where, style)
+    if line.formula and max(side.width for side in sides) > LINE:
+        return _broken(line, line.formula, left, sides[-1], where, style)
     if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
         return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
     rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
     return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
 
 
-def _broken(line: NoteLine, left: Box, value: Box, where: str, style: Notation) -> str:
+def _broken(
+    line: NoteLine, formula: Formula, left: Box, value: Box, where: str, style: Notation
+) -> str:
     """Return a formula that no line holds, broken, and what it comes to, without the numbers."""
-    broken = display((Line(left, line.formula, line.dimension == ANGLE),), style, where)
+    broken = display((Line(left, formula, line.dimension == ANGLE),), style, where)
     return f"{broken}\n\\[ {left.tex}={value.tex} \\]" if line.value else broken
 
 

@@ -88,7 +88,7 @@ def _set(formula: Formula, signs: Signs) -> str:
 
 def _line(line: NoteLine, signs: Signs, in_numbers: bool) -> Row:
     """Return a formula, the numbers put in if they are wanted, and what it comes to."""
-    sides = [_asked(line, line.formula, signs)]
+    sides = [_asked(line, line.formula, signs)] if line.formula else []
     if in_numbers and line.numbers:
         sides.append(_asked(line, line.numbers, signs))
     constant = not line.of and line.numbers is None and line.is_number

@@ -1,0 +1,40 @@
+"""What a sheet takes from a mechanism that it uses: results, and all that they rest on."""
+
+from collections.abc import Iterator
+
+from ..formula.walk import symbols
+from ..frozen import replace
+from ..model.mechanism import Require, Subject
+from ..model.result import Definition, Result, Solved
+from ..pose.pose import Pose
+from ..units import ANGLE
+
+
+def solved(pose: Pose, results: tuple[Result, ...]) -> Solved:
+    """Return what was found of a mechanism, by the names that it has there."""
+    definitions = tuple(Definition(*d) for d in pose.definitions)
+    return Solved(
+        results,
+        (*definitions, *_drawn(pose)),
+        pose.loops,
+        tuple(_of_the_pose(pose)),
+        pose.mechanism.literals,
+    )
+
+
+def _drawn(pose: Pose) -> Iterator[Definition]:
+    """Yield the angles and lengths that no line gives but the drawing: they keep their values."""
+    defined = {d.name for d in pose.definitions}
+    for parameter in pose.mechanism.parameters:
+        made_up = parameter.name.startswith(("phi_", "len_"))
+        if made_up and parameter.value and parameter.name not in defined:
+            yield Definition(parameter.name, parameter.value)
+
+
+def _of_the_pose(pose: Pose) -> Iterator[Require]:
+    """Yield the conditions on what is found by loops, which the sheet has no names for."""
+    defined = {d.name for d in pose.definitions}
+    for require in pose.mechanism.requires:
+        if defined & (symbols(require.left) | symbols(require.right)):
+            unit = "deg" if require.dimension == ANGLE else ""
+            yield replace(require, subject=Subject("pose", "", ""), unit=unit)

@@ -1,0 +1,113 @@
+"""Results that a sheet takes from mechanisms, with what the sheet gives to these."""
+
+from collections.abc import Iterator, Mapping
+from typing import NamedTuple
+
+from ..formula.tree import Formula
+from ..formula.walk import evaluate, symbols
+from ..frozen import replace
+from ..model.mechanism import Mechanism, Require
+from ..model.order import ordered
+from ..model.result import Definition, FrictionResult, Result, Solved
+from ..model.values import Values, completed, holds, standing
+
+
+class _Whole(NamedTuple):
+    """A name with all that it rests on, as it is and elsewhere, and the conditions of that."""
+
+    here: Mapping[str, Formula]
+    elsewhere: Mapping[str, Formula]
+    guards: tuple[Require, ...]
+    has_other: bool
+
+
+def taken(mechanism: Mechanism, solved: Solved) -> tuple[Result, ...]:
+    """Return the results of used mechanisms, each resting on parameters of the sheet alone.
+
+    What the sheet gives to a mechanism stands among the definitions of its results.
+    """
+    lets = {let.name: let.value for let in mechanism.lets}
+    results = {result.name: result for result in solved.results}
+    needs = {name: set(symbols(value)) for name, value in lets.items()}
+    needs |= {name: set(_symbols(result)) for name, result in results.items()}
+    known = needs.keys()
+    order, _ = ordered({name: (used & known) - {name} for name, used in needs.items()})
+    wholes: dict[str, _Whole] = {}
+    found: dict[str, Result] = {}
+    for name in order:
+        before = _together([wholes[n] for n in sorted(needs[name] & wholes.keys())])
+        if name in lets:
+            wholes[name] = _with(before, name, lets[name], lets[name])
+        else:
+            found[name] = result = _resting_on(results[name], before)
+            wholes[name] = _of(result)
+    return tuple(found[name] for name in results)
+
+
+def _together(parts: list[_Whole]) -> _Whole:
+    return _Whole(
+        {n: f for part in parts for n, f in part.here.items()},
+        {n: f for part in parts for n, f in part.elsewhere.items()},
+        tuple(dict.fromkeys(g for part in parts for g in part.guards)),
+        any(part.has_other for part in parts),
+    )
+
+
+def _with(before: _Whole, name: str, here: Formula, elsewhere: Formula) -> _Whole:
+    return before._replace(
+        here={**before.here, name: here}, elsewhere={**before.elsewhere, name: elsewhere}
+    )
+
+
+def _of(result: Result) -> _Whole:
+    other = result.elsewhere or result
+    here, there = dict(result.where), dict(other.where)
+    whole = _Whole(here, there, result.guards, result.elsewhere is not None)
+    return _with(whole, result.name, result.formula, other.formula)
+
+
+def _resting_on(result: Result, before: _Whole) -> Result:
+    """Return a result whose definitions begin with those that stand before it."""
+    other = result.elsewhere or (result if before.has_other else None)
+    found = _behind(result, before.here)
+    guards = tuple(dict.fromkeys((*before.guards, *found.guards)))
+    elsewhere = _behind(other, before.elsewhere) if other else None
+    return replace(found, guards=guards, elsewhere=elsewhere)
+
+
+def _behind(result: Result, before: Mapping[str, Formula]) -> Result:
+    """Return a result with other definitions before its own."""
+    given = tuple(Definition(*pair) for pair in before.items())
+    found = replace(result, where=tuple(dict.fromkeys((*given, *result.where))))
+    if isinstance(found, FrictionResult) and found.case:
+        where = tuple(dict.fromkeys((*given, *found.case.where)))
+        return replace(found, case=replace(found.case, where=where))
+    return found
+
+
+def _symbols(result: Result) -> frozenset[str]:
+    """Return the names that a result mentions, wherever it does, but for those that it defines."""
+    own = {d.name for d in result.where}
+    parts = [result.formula, *(d.formula for d in result.where)]
+    parts += [side for g in result.guards for side in (g.left, g.right)]
+    names = frozenset[str]().union(*map(symbols, parts)) - own
+    return names | _symbols(result.elsewhere) if result.elsewhere else names
+
+
+def with_values(results: tuple[Result, ...], values: Values) -> Iterator[Result]:
+    """Yield results with their values at those of the sheet, None where they have none.
+
+    One with friction is printed for the signs that it has there.
+    """
+    for result in results:
+        form = standing(result, values)
+        known = completed(values, form.where) if form else values
+        value = None
+        if form and symbols(form.formula) <= known.keys():
+            value = evaluate(form.formula, known)
+        found = replace(result, default=value)
+        if isinstance(found, FrictionResult) and found.case:
+            signs = completed(values, found.case.where)
+            if not all(holds(h, signs) for h in found.case.holds):
+                found = replace(found, case=None)
+        yield found

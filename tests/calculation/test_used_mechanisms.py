@@ -1,0 +1,169 @@
+"""Mechanisms that a sheet uses: what comes of them there is what comes of them alone."""
+
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+import mechc
+from mechc.diagnostics import MechcError
+from mechc.diagnostics.render import render
+
+CLAMP = """
+mechanism clamp
+param b = 250 mm
+param l = 150 mm
+param f = 0.1
+param alpha = 12 deg in 2 deg .. 40 deg
+param F = 2  # no load of this name
+pivot O
+slider K along y
+link OBA
+link BK
+OB = 100 mm @ alpha - 90 deg
+OA = b @ alpha - 90 deg
+BK = l @ -97 deg
+mirror across y sharing K
+force P at A along -x
+force Q at K along y
+friction pins f diameter 20 mm
+find k = P/Q
+find R_O
+let share = k*F
+"""
+
+CRANK = """
+mechanism crank
+param r = 50 mm
+param l = 120 mm
+param phi = 40 deg
+pivot O
+slider B along x through O
+link OA
+link AB
+OA = r @ phi
+AB = l
+assembly B forward
+drive phi from 10 deg to 170 deg
+torque M on OA
+force F at B along -x
+require phi_AB < 0 deg
+find k = M/F
+"""
+
+SHEET = """
+sheet strength
+param W = 3 kN
+use "clamp.mech" as C (Q = W/2, f = 0.05)
+let p = C_P_f/(1 cm^2) in MPa
+require C_k_f < 2
+"""
+
+
+class Clamped(NamedTuple):
+    sheet: mechc.SolvedMechanism
+    alone: mechc.SolvedMechanism
+
+
+def written(folder: Path, sheet: str = SHEET, **parts: str) -> Path:
+    for name, text in {"clamp": CLAMP, "crank": CRANK, **parts}.items():
+        (folder / f"{name}.mech").write_text(text)
+    (folder / "sheet.mech").write_text(sheet)
+    return folder / "sheet.mech"
+
+
+def refused(path: Path) -> list[str]:
+    with pytest.raises(MechcError) as caught:
+        mechc.load(path)
+    return [render(d, caught.value.source) for d in caught.value.diagnostics]
+
+
+@pytest.fixture(scope="module")
+def clamped(tmp_path_factory: pytest.TempPathFactory) -> Clamped:
+    path = written(tmp_path_factory.mktemp("clamped"))
+    return Clamped(mechc.load(path), mechc.load(path.with_name("clamp.mech")))
+
+
+def test_results_are_those_of_the_mechanism_alone(clamped: Clamped) -> None:
+    """Also where a joint is pressed the other way, or nothing is left of k."""
+    alpha = np.array([-1.2, -0.1222, 0.05, 0.4, 1.4, 1.58, 2.0])
+    sheet = clamped.sheet.evaluate(C_alpha=alpha, W=3000.0)
+    alone = clamped.alone.evaluate(alpha=alpha, f=0.05, Q=1500.0)
+    assert {f"C_{name}" for name in alone} <= sheet.keys()
+    for name, values in alone.items():
+        np.testing.assert_array_equal(sheet[f"C_{name}"], values, err_msg=name)
+    assert np.isfinite(alone["k_f"]).sum() > 4
+
+
+def test_loads_follow_from_ratios(clamped: Clamped, tmp_path: Path) -> None:
+    found = clamped.sheet.evaluate()
+    assert found["C_P"] == pytest.approx(found["C_k"] * 1500)
+    assert found["C_P_f1"] == pytest.approx(found["C_k_f1"] * 1500)
+    assert found["p"] == pytest.approx(found["C_P_f"] * 1e4)
+    other = 'sheet s\nuse "crank.mech" as c (M = 9 N*m)\n'
+    found = mechc.load(written(tmp_path, other)).evaluate()
+    assert found["c_F"] * found["c_k"] == pytest.approx(9)
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_the_note_has_formulas_of_mechanisms(clamped: Clamped, language: str) -> None:
+    """Each behind what it mentions; of what is iterated there is the value alone."""
+    text = clamped.sheet.emit("latex", language=language)
+    assert text.index("C_d=20") < text.index(r"C_{\rho}=") < text.index("C_{k,f}")
+    assert "C_{R,O,x,f}=" in text
+
+
+def test_a_loop_that_does_not_close_and_a_condition_on_it(tmp_path: Path) -> None:
+    sheet = 'sheet s\nuse "crank.mech" as crank (F = 1 kN)\nlet M = crank_M in N*m\n'
+    phi = np.array([0.3, 1.2, 3.0, 3.5])
+    solved = mechc.load(written(tmp_path, sheet))
+    alone = mechc.load(tmp_path / "crank.mech")
+    for length in (0.12, 0.045):
+        here = solved.evaluate(crank_phi=phi, crank_l=length)
+        there = alone.evaluate(phi=phi, l=length)["k"]
+        np.testing.assert_array_equal(here["crank_k"], there)
+        np.testing.assert_allclose(here["M"], 1000 * there, rtol=1e-14)
+        assert 0 < np.isnan(there).sum() < phi.size
+    namespace: dict[str, object] = {}
+    exec(solved.emit("python"), namespace)
+    status = namespace["status"]
+    assert [int(status(0.05, 0.12, p)) for p in (0.3, 3.5)] == [0, 1]  # type: ignore[operator]
+
+
+def test_a_loop_concerns_its_own_mechanism_alone(tmp_path: Path) -> None:
+    sheet = 'sheet s\nuse "crank.mech" as a (F = 1 kN)\nuse "crank.mech" as b (M = 9 N*m)\n'
+    solved = mechc.load(written(tmp_path, sheet + "let x = a_M/b_M\nlet y = 2*a_k\n"))
+    found = solved.evaluate(a_l=0.02, a_phi=1.2)
+    assert all(np.isnan(found[name]) for name in ("a_k", "a_M", "x", "y"))
+    assert found["b_F"] == pytest.approx(9 / found["b_k"])
+
+
+def test_what_has_no_value_is_refused(tmp_path: Path) -> None:
+    sheet = 'sheet s\nuse "crank.mech" as crank (l = 20 mm)\n'
+    (message,) = refused(written(tmp_path, sheet))
+    assert "sheet.mech:2:5: error[E564]: crank_k has no value" in message
+    sheet = 'sheet s\nuse "crank.mech" as crank (phi = 200 deg)\n'
+    (message,) = refused(written(tmp_path, sheet))
+    assert "crank.mech:16:1: error[E550]: the requirement fails: " in message
+
+
+def test_two_of_one_kind_and_a_sheet_between(tmp_path: Path) -> None:
+    """The force of one mechanism is given to another, through a sheet that uses both."""
+    inner = (
+        'sheet within\nparam W = 1 kN\nuse "clamp.mech" as A (Q = W)\n'
+        'use "clamp.mech" as B (Q = A_P_f, alpha = 20 deg)\nlet whole = B_k_f*A_k_f\n'
+    )
+    outer = 'sheet outer\nuse "inner.mech" as I (W = 2 kN)\nlet x = I_B_P_f\n'
+    plain = CLAMP.replace("find R_O\n", "")
+    found = mechc.load(written(tmp_path, outer, inner=inner, clamp=plain)).evaluate(I_A_b=0.3)
+    clamp = mechc.load(tmp_path / "clamp.mech")
+    first, second = clamp.evaluate(b=0.3)["k_f"], clamp.evaluate(alpha="20 deg")["k_f"]
+    assert found["x"] == pytest.approx(2000 * first * second)
+    assert found["I_whole"] == pytest.approx(first * second)
+
+
+def test_what_is_wrong_in_a_mechanism_has_both_places(tmp_path: Path) -> None:
+    (message, *_) = refused(written(tmp_path, clamp=CLAMP.replace("OA = b", "OA = c")))
+    assert "clamp.mech:13:6: error[" in message
+    assert "sheet.mech:4:5: it is used here" in message
