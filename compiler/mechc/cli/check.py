@@ -24,8 +24,9 @@ from ..source import Source
 from ..statics.verdict import Verdict
 from ..study.analysis import Analysis
 from ..study.expectations import Finding
+from ..study.ranges import scale_of
 from ..syntax.settings import Settings
-from ..units import in_unit, si_unit
+from ..units import in_unit
 from .inputs import expanded, settings_option, stdin_option
 from .open import begin
 from .session import Command, session, session_options, status
@@ -104,7 +105,8 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
         formulas = [result.formula, *(d.formula for d in where)]
         literals = [*told.new_literals(formulas, compilation.mechanism)]
         shown = in_short(result, compilation.results)
-        yield from _of_result(shown, where, literals, known, before)
+        unit = scale_of(result, compilation.mechanism)
+        yield from _of_result(shown, where, literals, known, before, unit)
         before = result
         yield from (f"    {line}" for line in friction_remarks(result, LOCALE, spell))
     yield from _of_findings(compilation)
@@ -122,10 +124,11 @@ def _of_result(
     literals: Iterable[Parameter],
     known: Letters,
     before: Analysis | None,
+    unit: str,
 ) -> Iterator[str]:
     """Yield what is known of a result, without what the one before has just told."""
     if _is_given(result) and result.default is not None:
-        yield f"  {result.name} = {result.default:.9g} {si_unit(result.dimension)}".rstrip()
+        yield f"  {result.name} = {in_unit(result.default, unit, 9)}"
         return
     yield f"  {result.name} = {text(result.formula)}"
     for literal in literals:
@@ -138,8 +141,7 @@ def _of_result(
         press = "press the joints" if len(sizes) > 1 else "presses the joint"
         yield f"    where {', '.join(sizes)} {press}: n = |r + D*n| by Newton's method"
     if result.default is not None:
-        unit = si_unit(result.dimension)
-        yield f"    = {result.default:.9g}{' ' if unit else ''}{unit} at the default pose"
+        yield f"    = {in_unit(result.default, unit, 9)} at the default pose"
     elif result.undetermined:
         yield f"    {LOCALE.undetermined} (0/0) at the default pose"
     held = own_conditions(result)

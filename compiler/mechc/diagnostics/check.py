@@ -1,9 +1,13 @@
 """Messages for expectations that do not hold (E58x, W58x)."""
 
 from collections.abc import Mapping
+from typing import Literal
 
 from ..source import Span
 from .diagnostic import Message, coded
+
+Slip = Literal["", "sign", "unit", "degrees", "figure"]
+"""What two numbers differ by, where that tells what was taken for what."""
 
 
 def _pose(at: Mapping[str, str]) -> str:
@@ -12,7 +16,7 @@ def _pose(at: Mapping[str, str]) -> str:
 
 @coded("E581")
 def expectation_refuted(
-    span: Span, subject: str, found: str, expected: str, at: Mapping[str, str]
+    span: Span, subject: str, found: str, expected: str, at: Mapping[str, str], slip: Slip = ""
 ) -> Message:
     """An ``expect`` does not hold: a pose was found where the two numbers differ.
 
@@ -26,10 +30,22 @@ def expectation_refuted(
     digits as the source gives::
 
         expect k = 7.1407 at alpha = 35 deg
+
+    Where only the sign differs, a load may be drawn the other way; where the numbers differ by a
+    power of ten, a unit may be wrong.
     """
-    does = "has no value" if found == "nan" else f"is {found}"
+    does = "has no value" if found.startswith("nan") else f"is {found}"
     message = f"{subject} {does} where {expected} is expected, at {_pose(at)}"
-    return Message(span, message, "fix the expectation, or the geometry it was written for")
+    return Message(span, message, _SLIPS[slip])
+
+
+_SLIPS: Mapping[Slip, str] = {
+    "": "fix the expectation, or the geometry it was written for",
+    "sign": "only the sign differs: look which way the loads are directed",
+    "unit": "the numbers differ by a power of ten: look at the units",
+    "figure": "it agrees at the values given: say so by a tolerance, 0.35 +- 0.01, or by at",
+    "degrees": "the numbers differ by 180/pi: degrees were taken for radians",
+}
 
 
 def _counted(poses: int) -> str:

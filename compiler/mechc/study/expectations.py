@@ -18,6 +18,7 @@ from typing import Literal, NamedTuple
 from ..algebra.equality import equal
 from ..diagnostics import Diagnostic, Report
 from ..diagnostics import check as messages
+from ..diagnostics.check import Slip
 from ..formula.rounding import Rounded, Rounding
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
@@ -28,6 +29,7 @@ from ..model.values import Chain, Values, allowed, completed, dependent, standin
 from ..units import in_unit
 from .analysis import as_printed
 from .poses import complete, default_pose, random_poses
+from .ranges import scale_of
 from .tolerances import SAME_FIGURE, SAME_RATIO
 
 POSES = 12
@@ -38,6 +40,10 @@ DRAWS = 60
 
 ROUNDINGS = 4
 """How many times the rounding of both values a difference may have: it is a first-order bound."""
+
+
+SLIP = 1e-3
+"""What a figure may be off where only its sign or its unit is wrong."""
 
 
 class Finding(NamedTuple):
@@ -72,7 +78,8 @@ def compare(
         for e in mechanism.expects
     )
     for finding in findings:
-        if remark := _remark(finding, mechanism):
+        unit = scale_of(named[finding.expect.subject], mechanism)
+        if remark := _remark(finding, mechanism, unit):
             report.add(remark)
     return findings
 
@@ -213,13 +220,14 @@ def _everything(values: Values, expect: Expect, result: Result) -> Values:
 # ------------------------------------------------------------------------- wording
 
 
-def _remark(finding: Finding, mechanism: Mechanism) -> Diagnostic | None:
+def _remark(finding: Finding, mechanism: Mechanism, unit: str) -> Diagnostic | None:
     span, subject = finding.expect.span, finding.expect.subject
     match finding.outcome:
         case "refuted":
             at = _in_units(finding.at, mechanism)
-            found, expected = _figures(finding)
-            return messages.expectation_refuted(span, subject, found, expected, at)
+            found, expected = _figures(finding, unit)
+            slip = _slip(finding) or _beside_the_values(finding, default_pose(mechanism))
+            return messages.expectation_refuted(span, subject, found, expected, at, slip)
         case "undecided" if finding.missing:
             return messages.expectation_without_pose(span, subject, finding.missing)
         case "agrees" | "undecided" if not _is_number(finding.expect):
@@ -227,15 +235,37 @@ def _remark(finding: Finding, mechanism: Mechanism) -> Diagnostic | None:
     return None
 
 
-def _figures(finding: Finding) -> tuple[str, str]:
+def _figures(finding: Finding, unit: str) -> tuple[str, str]:
     """Return both numbers with as many digits as it takes to tell them apart."""
     for digits in range(6, 17):
-        found, expected = f"{finding.found:.{digits}g}", f"{finding.expected:.{digits}g}"
+        found, expected = (in_unit(v, unit, digits) for v in (finding.found, finding.expected))
         if found != expected:
             break
     if finding.expect.stated:
-        return found, f"{expected} ± {float(finding.expect.tolerance):.6g}"
+        return found, f"{expected} ± {in_unit(float(finding.expect.tolerance), unit, 6)}"
     return found, expected
+
+
+def _beside_the_values(finding: Finding, given: Values) -> Slip:
+    """Return that a figure was compared as a formula, where it agrees at the values given."""
+    expect = finding.expect
+    is_figure = not expect.at and not symbols(expect.value)
+    elsewhere = any(given.get(name, value) != value for name, value in finding.at.items())
+    return "figure" if is_figure and elsewhere else ""
+
+
+def _slip(finding: Finding) -> Slip:
+    """Return what the numbers differ by, if it is a sign, a power of ten, or degrees."""
+    if not finding.expected or not math.isfinite(finding.found) or not finding.found:
+        return ""
+    times = abs(finding.found / finding.expected)
+    if math.isclose(times, 1, rel_tol=SLIP):
+        return "sign" if finding.found * finding.expected < 0 else ""
+    tens = math.log10(times)
+    if round(tens) and math.isclose(times, 10.0 ** round(tens), rel_tol=SLIP):
+        return "unit"
+    turned = (times, 1 / times)
+    return "degrees" if any(math.isclose(t, math.degrees(1), rel_tol=SLIP) for t in turned) else ""
 
 
 def _shown_at(expect: Expect, result: Result, mechanism: Mechanism, values: Values) -> Values:

@@ -71,9 +71,10 @@ def unit_of(name: str, mechanism: Mechanism) -> str:
 
 
 def scale_of(result: Result, mechanism: Mechanism) -> str:
-    """Return the unit in which a result is shown: lengths as they are given, others in the SI."""
-    is_length = result.dimension == LENGTH
-    return usual_length(mechanism) if is_length else si_unit(result.dimension)
+    """Return the unit in which a person reads a result: degrees, lengths as they are given."""
+    if result.dimension == ANGLE:
+        return "deg"
+    return usual_length(mechanism) if result.dimension == LENGTH else si_unit(result.dimension)
 
 
 def last(holds: Callable[[float], bool], good: float, bad: float, width: float = EXACT) -> float:

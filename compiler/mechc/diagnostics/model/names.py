@@ -96,7 +96,10 @@ def unknown_link(span: Span, points: str, known: Collection[str], hint: str = ""
 
 def telescope_as_link(points: str) -> str:
     """Return the hint at a telescope that is named where a rigid body is wanted."""
-    return f"{points} is a telescope of two parts: loads and slots are on rigid links"
+    return (
+        f"{points} is a telescope of two parts: loads and slots are on rigid links, and the force "
+        "along it is that of its actuator or spring: find that by its name"
+    )
 
 
 @coded("E204")
