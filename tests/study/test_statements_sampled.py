@@ -67,6 +67,13 @@ def test_nothing_that_is_said_is_refuted_and_no_zero_is_left_out():
     assert hold(range(40)) > 30
 
 
+def test_a_sum_of_which_it_is_not_known_what_it_shares_is_told_all_the_same():
+    """With l4 = l5 the sum vanishes at a root of the sine across the line; elsewhere it counts."""
+    mechanism, (k,) = results(Chain(80074, equal=True).text)
+    assert len([v for v in k.zeros if v.but]) == 1
+    assert list(refuted(mechanism, k, 80074)) == list(missing(mechanism, k, 80074)) == []
+
+
 def test_lengths_that_are_equal_by_chance_make_no_false_zeros():
     assert hold(range(1000, 1020), equal=True) > 15
 

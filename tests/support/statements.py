@@ -261,6 +261,8 @@ def _roots_refuted(
             own = order(lambda at: abs(factor(at)), x, NEAR * (high - low))
             if own is None or own < 0.5 or _is_open(result, curve, x, high - low):
                 continue
+            if any(abs(evaluate(f, curve(x))) < NEAR for f in limit.but):
+                continue
             found = _order_at(result, curve, x, high - low)
             if found is not None and found * _side(result, limit) < 0.5:
                 yield f"{result.name} has order {found:.2f} at {name} = {x} where a factor vanishes"

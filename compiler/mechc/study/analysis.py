@@ -17,13 +17,15 @@ class Vanishing(NamedTuple):
 
     ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None.
     ``kind`` tells a dead centre from a load perpendicular to its point's velocity. It is
-    ``outside`` where it is proved that the factor does not vanish within the ranges given.
+    ``outside`` where it is proved that the factor does not vanish within the ranges given. Where
+    one of ``but`` is zero, too, it is not known what the result does.
     """
 
     factor: Formula
     at: tuple[str, Formula] | None
     kind: Literal["output still", "drive locked", "perpendicular load", "other"]
     outside: bool = False
+    but: tuple[Formula, ...] = ()
 
 
 class Break(NamedTuple):

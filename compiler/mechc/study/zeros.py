@@ -71,13 +71,20 @@ def _conditions(
                 case Trig():
                     yield from _at_roots(factor, item, balance, near, side, chain)
                 case _:
-                    kind = _kind(factor, (), item, balance, side)
-                    left = _without_shared(factor, item.value, near)
-                    yield from (
-                        Vanishing(f.formula(), None, kind, _is_outside(f, balance))
-                        for f in left
-                        if may_vanish(f, near)
-                    )
+                    yield from _of_sum(factor, item, balance, near, side)
+
+
+def _of_sum(
+    factor: Factor, item: Solved, balance: Balance, near: Mapping[str, float], side: int
+) -> Iterator[Vanishing]:
+    """Yield what is left of a sum; where that is not known, all of it but for what it shares."""
+    assert item.value is not None
+    kind = _kind(factor, (), item, balance, side)
+    left = _without_shared(factor, item.value, near)
+    but = () if left else tuple(t.formula() for t in _across_the_line(factor, item.value))
+    for part in left or (factor,):
+        if may_vanish(part, near):
+            yield Vanishing(part.formula(), None, kind, _is_outside(part, balance), but)
 
 
 def _at_roots(
@@ -182,13 +189,17 @@ def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -
 
 def _roots_across(factor: Factor, value: Product) -> list[Root]:
     """Return the roots of the sines across the line that have a symbol in common with a sum."""
+    return [root for trig in _across_the_line(factor, value) for root in roots(trig, value)]
+
+
+def _across_the_line(factor: Factor, value: Product) -> list[Trig]:
+    """Return the sines across the line that have a symbol in common with a sum."""
     above = value.factors[factor] > 0
     inside = {name for angle in angles(Product.of(factor)) for name in angle.names}
     return [
-        root
+        trig
         for trig, e in value.factors.items()
         if isinstance(trig, Trig) and (e > 0) != above and trig.angle.names & inside
-        for root in roots(trig, value)
     ]
 
 

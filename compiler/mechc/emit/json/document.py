@@ -114,6 +114,7 @@ VANISHING: Kind[Vanishing] = record(
     member("symbol", "Solved for this.", optional(TEXT), lambda v: v.at and v.at[0]),
     member("value", "Its value there.", optional(FORMULA), lambda v: v.at and v.at[1]),
     member("kind", "What happens there.", one_of(*VANISHINGS), lambda v: v.kind),
+    member("but", "Unless one of these is 0, too.", list_of(FORMULA), lambda v: v.but),
     member("outside", "Proved: not within the ranges given.", TRUTH, lambda v: v.outside),
 )
 

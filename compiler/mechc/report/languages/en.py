@@ -240,6 +240,7 @@ LOCALE = Locale(
     infinite="Of {result} nothing is said where {condition}: there {name} is infinite, and "
     "{result} may jump.",
     when="that is, at {condition}",
+    but_where="except perhaps where also one of these holds: {conditions}",
     centres={
         "output still": "dead centre: the output stands still while the drive moves",
         "drive locked": "dead centre: the drive stands still while the output can move",

@@ -91,6 +91,7 @@ class Locale(NamedTuple):
     pole: str
     infinite: str
     when: str
+    but_where: str
     centres: Mapping[str, str]
     states: Mapping[str, str]
     all_loads: str

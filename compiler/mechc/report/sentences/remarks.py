@@ -160,6 +160,9 @@ def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: 
         name, value = limit.at[0], _ordered(limit.at[1])
         place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
         said += ", " + locale.when.format(condition=place)
+    if limit.but:
+        but = (spell.relation((f, ZERO), ("=",), False) for f in limit.but)
+        said += ", " + locale.but_where.format(conditions=", ".join(but))
     if limit.outside:
         said += ", " + locale.out_of_ranges
     kind = locale.centres[limit.kind]
