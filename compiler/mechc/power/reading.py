@@ -1,17 +1,18 @@
 """How a ratio of loads is read: multiplied out, as the speeds stand, or by ratios of speeds."""
 
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from functools import cached_property
 
 from ..algebra.product import Product
 from ..algebra.sums import is_long, readable
 from ..formula.operations import count_operations
 from ..formula.tree import Formula
+from ..formula.walk import symbols
 from ..kinematics.plan import Plan
 from ..kinematics.standing import StandingPlan, in_ratios, standing
 from ..model.mechanism import Mechanism
 from .balance import Equations
-from .definitions import bound_sums, open_lengths
+from .definitions import bound_sums, resting_on
 from .equations import equations_of
 from .loads import terms
 from .numbers import default_values
@@ -52,9 +53,8 @@ class Reading:
             return short
         nested = solved(equations_of(terms(self._ratios)))
         where = self._rests_on(nested)
-        if sum(map(count_operations, where)) > count_operations(short.formula()):
-            return short
-        if open_lengths(self._plan, where):
+        is_longer = sum(map(count_operations, where)) > count_operations(short.formula())
+        if is_longer or not _names_in(where) <= self._known(value) | set(self._ratio_names):
             return short
         self._rests_on_ratios = True
         return nested
@@ -69,9 +69,22 @@ class Reading:
         taken = frozenset((*_names(pose.mechanism), *(d.name for d in pose.definitions)))
         return in_ratios(self._plan, default_values(self._plan), taken)
 
+    @property
+    def _ratio_names(self) -> Iterator[str]:
+        return (binding.name for binding in self._ratios.bindings)
+
+    def _known(self, value: Product) -> set[str]:
+        """Return what a ratio depends on, by what loops find too: it mentions nothing else."""
+        formula = value.formula()
+        return _names_in([formula, *(d.formula for d in resting_on(self._plan, formula, [value]))])
+
     def _rests_on(self, nested: Product) -> list[Formula]:
         """Return a ratio of loads with the ratios of speeds that it rests on."""
         return [nested.formula(), *(d.formula for d in bound_sums(self._ratios, [nested]))]
+
+
+def _names_in(formulas: Iterable[Formula]) -> set[str]:
+    return {name for formula in formulas for name in symbols(formula)}
 
 
 def _names(mechanism: Mechanism) -> Iterator[str]:

@@ -65,9 +65,9 @@ def book_form(formula: Formula, positive: Set[str]) -> Formula:
         case Call("hypot", (x, y)):
             return min((*_by_cosines(x, y), whole), key=_operations)
         case Call("atan2", (Call("sqrt", (square,)), x)) if size := _root(square, x, positive):
-            return Call("acos", (quotient(_minus_last(x), size.formula()),))
+            return Call("acos", (_per(x, size),))
         case Call("atan2", (y, Call("sqrt", (square,)))) if size := _root(square, y, positive):
-            return Call("asin", (quotient(_minus_last(y), size.formula()),))
+            return Call("asin", (_per(y, size),))
         case _:
             return whole
 
@@ -89,6 +89,14 @@ def _operations(distance: Formula) -> int:
             return _operations(Call("sqrt", (total(power(s, number(2)) for s in sides),)))
         case _:
             return count_operations(distance)
+
+
+def _per(side: Formula, size: Product) -> Formula:
+    """Return a side of a right triangle by its longest one, cancelled where it is one term."""
+    one = to_product(side) / size
+    if any(isinstance(factor, FactoredSum) for factor in one.factors):
+        return quotient(_minus_last(side), size.formula())
+    return one.formula()
 
 
 def _minus_last(formula: Formula) -> Formula:

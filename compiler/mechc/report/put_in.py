@@ -13,6 +13,9 @@ from ..units import in_unit
 DIGITS = 4
 """Significant digits of numbers that are put in."""
 
+FINEST = 9
+"""Decimals of an angle in degrees, beyond which there is nothing but rounding."""
+
 
 class Quantity(NamedTuple):
     """A value in SI, and the unit that it is given in."""
@@ -65,5 +68,9 @@ def _constant(quantity: Quantity, bracketed: bool) -> Constant:
 
 
 def in_degrees(angle: float, digits: int) -> Formula:
-    """Return an angle in radians as degrees, to so many digits."""
-    return degrees(Fraction(f"{math.degrees(angle):.{digits}g}"))
+    """Return an angle in radians as degrees, to so many digits; rounding alone makes none.
+
+    >>> in_degrees(1e-15, 4)
+    Number(value=Fraction(0, 1))
+    """
+    return degrees(Fraction(f"{round(math.degrees(angle), FINEST):.{digits}g}"))
