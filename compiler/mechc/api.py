@@ -4,7 +4,7 @@ All quantities that go in or come out as numbers are SI and radians; what goes i
 with a unit, ``"20 deg"``, as well.
 """
 
-from collections.abc import Mapping, Sequence, Set
+from collections.abc import Mapping, Sequence
 from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,31 +13,21 @@ from .diagnostics import Diagnostic, near_miss
 from .driver import Compilation, checked, compile_source, emit, warnings
 from .emit import registry
 from .emit.target import Emitted, Options
+from .evaluation import Evaluation
 from .files import find, read
 from .formula.to_sympy import to_sympy
-from .formula.to_text import text
-from .formula.tree import Formula
-from .formula.walk import constants, symbols
-from .model.typed import in_si
-from .model.values import dependent
+from .formula.walk import constants
 from .plotting import Plotting
-from .routine.freed import freed, given_loads
 from .source import Source
-from .study.poses import default_pose
-from .units import Dimension
 
 if TYPE_CHECKING:
     import sympy
 
     from .emit.picture import Picture
-    from .emit.python.evaluator import Evaluator
     from .figure.figure import Figure
+    from .routine.evaluate import OnArrays
     from .shown import ShownDerivation, ShownResult, ShownStroke
     from .statics.diagram import Diagram
-
-
-KEPT = 8
-"""How many choices of loads given by hand a mechanism keeps its functions for."""
 
 
 class SolvedMechanism(Plotting):
@@ -56,9 +46,11 @@ class SolvedMechanism(Plotting):
     0.067068
     """
 
-    def __init__(self, compilation: Compilation) -> None:
+    def __init__(
+        self, compilation: Compilation, on_arrays: "Mapping[str, OnArrays] | None" = None
+    ) -> None:
         self._compilation = compilation
-        self._evaluators: dict[frozenset[str], Evaluator] = {}
+        self._evaluation = Evaluation(compilation, on_arrays)
 
     @property
     def name(self) -> str:
@@ -123,7 +115,7 @@ class SolvedMechanism(Plotting):
     @property
     def defaults(self) -> Mapping[str, float]:
         """The parameters' values from the description, in SI and radians."""
-        return default_pose(self._compilation.mechanism)
+        return self._evaluation.defaults
 
     @property
     def warnings(self) -> list[Diagnostic]:
@@ -146,72 +138,22 @@ class SolvedMechanism(Plotting):
         >>> round(clamp.evaluate(alpha="10 deg", a="120 mm")["k"], 4)
         0.0718
         """
-        values = self._in_si(values)
-        overridden = self._fixed_loads.intersection(values)
-        evaluator = self._evaluator(overridden)
-        self._refuse_strangers(values.keys() - overridden, evaluator.inputs)
-        found = evaluator.values({**self._defaults, **values}, overridden)
-        return {r.name: found[r.name] for r in self._compilation.found if r.name in found}
+        return self._evaluation.results(values)
 
-    def _in_si(self, values: Mapping[str, Any]) -> dict[str, Any]:
-        """Return values with those in SI that are texts, or sequences of texts."""
-        sizes = self._dimensions
-        return {n: _in_si(n, v, sizes[n]) if n in sizes else v for n, v in values.items()}
+    def compile(self) -> "SolvedMechanism":
+        """Return the same mechanism, whose ``evaluate`` has machine code for arrays.
 
-    @cached_property
-    def _dimensions(self) -> dict[str, Dimension]:
-        """The dimension of each parameter and load."""
-        mechanism = self._compilation.mechanism
-        return {q.name: q.dimension for q in (*mechanism.parameters, *mechanism.loads)}
+        The emitted C is built once, in ``mechc`` below ``$XDG_CACHE_HOME`` or ``~/.cache``. Where
+        that is not possible, the emitted NumPy module takes its place.
 
-    @cached_property
-    def _defaults(self) -> Mapping[str, float]:
-        return self.defaults
-
-    @cached_property
-    def _fixed_loads(self) -> frozenset[str]:
-        """The loads whose size the description gives."""
-        return given_loads(self._compilation.mechanism, self._compilation.found)
-
-    def _evaluator(self, overridden: frozenset[str]) -> "Evaluator":
-        """Return what evaluates results, with loads as inputs that the description gives a size.
-
-        A few of them are kept, each for the loads that were last given by hand.
+        >>> import mechc
+        >>> clamp = mechc.load("karpenko_fig9_packet_clamp").compile()
+        >>> [round(float(k), 4) for k in clamp.evaluate(alpha=[0.1, 0.2])["k"]]
+        [0.0446, 0.0651]
         """
-        found = self._evaluators.pop(overridden, None) or self._new_evaluator(overridden)
-        self._evaluators[overridden] = found
-        if len(self._evaluators) > KEPT:
-            del self._evaluators[next(iter(self._evaluators))]
-        return found
+        from .emit.machine import on_arrays
 
-    def _new_evaluator(self, overridden: frozenset[str]) -> "Evaluator":
-        from .emit.python.evaluator import Evaluator
-
-        if not overridden:
-            return Evaluator(self._compilation.routine)
-        pose, found = self._compilation.pose, self._compilation.found
-        changed = freed(pose.mechanism, found, overridden)
-        return Evaluator(self._compilation.routine_of(*changed))
-
-    def _refuse_strangers(self, names: Set[str], inputs: Set[str]) -> None:
-        """Raise TypeError for a name that is no input, with what it follows from."""
-        known = inputs | self._fixed_loads
-        for name in sorted(names - known):
-            formula = self._followed.get(name)
-            if formula is None:
-                raise TypeError(f"no result depends on {name!r} {near_miss(name, known)}")
-            raise TypeError(
-                f"{name!r} follows from the description: {name} = {text(formula)}; "
-                f"give {', '.join(sorted(symbols(formula) & known)) or 'what it rests on'} instead"
-            )
-
-    @cached_property
-    def _followed(self) -> dict[str, Formula]:
-        """What the description defines by formulas: results, tied loads, parameters."""
-        mechanism = self._compilation.mechanism
-        ties = {load.name: load.tie for load in mechanism.loads if load.tie is not None}
-        found = {name: result.formula for name, result in self.results.items()}
-        return {**found, **ties, **dependent(mechanism)}
+        return SolvedMechanism(self._compilation, on_arrays(self._compilation))
 
     def figure(self, **values: float | str) -> "Figure":
         """Return what a drawing shows at given values: points in metres, and parts.
@@ -225,7 +167,7 @@ class SolvedMechanism(Plotting):
         >>> rocker.points["A"]
         Plane(x=..., y=0.0)
         """
-        given = self._in_si(values)
+        given = self._evaluation.in_si(values)
         parameters = [p.name for p in self._compilation.mechanism.parameters]
         for unknown in (name for name in given if name not in parameters):
             raise TypeError(f"{unknown!r} is no parameter {near_miss(unknown, parameters)}")
@@ -254,7 +196,7 @@ class SolvedMechanism(Plotting):
         >>> [(acting.by, round(acting.force.y, 6)) for acting in lever.forces]
         [('P', -25.0), ('ground', 125.0), ('F', -100.0)]
         """
-        given = self._in_si(values)
+        given = self._evaluation.in_si(values)
         loads = {load.name for load in self._compilation.mechanism.loads}
         sizes = {name: size for name, size in given.items() if name in loads}
         pose = {name: value for name, value in given.items() if name not in loads}
@@ -283,10 +225,10 @@ class SolvedMechanism(Plotting):
         if routine.points is None:
             raise ValueError("there is no motion: expected a drive that moves points, found none")
         inputs = [i.name for i in routine.points.program.inputs]
-        values = self._in_si(values)
+        values = self._evaluation.in_si(values)
         used = {i.name for f in routine.functions for i in f.inputs}
-        self._refuse_strangers(values.keys(), used.union(inputs))
-        given = {**self._defaults, **values}
+        self._evaluation.refuse_strangers(values.keys(), used.union(inputs))
+        given = {**self._evaluation.defaults, **values}
         if missing := [name for name in inputs if name not in given]:
             raise TypeError(f"no value is given for {', '.join(missing)}")
         return pose(routine.points.program, given)
@@ -327,15 +269,6 @@ class SolvedMechanism(Plotting):
     def __repr__(self) -> str:
         """Return name and results in one line."""
         return f"<{self.name}: {', '.join(self.results)}>"
-
-
-def _in_si(name: str, value: Any, dimension: Dimension) -> Any:
-    """Return a value in SI where it is text, or has texts in it, else as it is."""
-    if isinstance(value, str):
-        return in_si(name, value, dimension)
-    if isinstance(value, list | tuple):
-        return [_in_si(name, each, dimension) for each in value]
-    return value
 
 
 def load(path: str | Path) -> SolvedMechanism:

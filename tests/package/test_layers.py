@@ -33,9 +33,9 @@ STAGES = [
     "figure",
 ]
 OUTPUT = ["routine", "plot", "drawing", "report", "emit"]
-TOP = ["stage", "driver", "shown", "plotting", "api", "cli", "__main__"]
+TOP = ["stage", "driver", "shown", "plotting", "evaluation", "api", "cli", "__main__"]
 ORDER = BASE + STAGES + OUTPUT + TOP
-VIEWS = ("driver.py", "plotting.py", "api.py")
+VIEWS = ("driver.py", "plotting.py", "evaluation.py", "api.py")
 """Where a module may be imported in a function: for what is made only when it is asked for."""
 
 LATE = {

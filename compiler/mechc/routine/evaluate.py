@@ -18,6 +18,8 @@ from .quotient import quotient_of
 from .steps import Function, Guard, Pose, Solve, Statement
 
 Value: TypeAlias = float | Array
+OnArrays = Callable[..., Value]
+"""A function of values that broadcast together, in the order of its inputs."""
 
 
 def _condition(name: str, left: Array, right: Array) -> Array:

@@ -11,6 +11,7 @@ from ...formula import newton
 from ...formula.choices import SIGNS
 from ...routine.steps import (
     Common,
+    Routine,
     every,
     programs,
 )
@@ -19,7 +20,7 @@ from ..names import Names, file_stem, mangle, transliterate
 from ..render import Line, render
 from ..target import Compiled, Emitted, Options
 from .checks import ChecksContext, checks_context
-from .functions import FileScope, FunctionContext, function_context, symbols_of
+from .functions import FileScope, FunctionContext, Symbols, function_context, symbols_of
 from .helpers import BITS, helpers
 from .layout import harmless
 from .pose import CommonContext, PoseContext, common_context, pose_contexts
@@ -157,11 +158,17 @@ def _preface(compiled: Compiled) -> list[str]:
     return [harmless(line) for line in lines]
 
 
+def linked_names(routine: Routine, space: Names) -> dict[str, Symbols]:
+    """Return the names that the linker knows of results and of their statuses."""
+    listed = list(every(routine.functions))
+    statuses = (f.status.name for f in listed if f.status)
+    return symbols_of(routine.name, [*(f.name for f in listed), *statuses], space)
+
+
 def _parts(compiled: Compiled) -> Parts:
     routine, space = compiled.routine, Names(LINKED)
     written, listed = programs(routine), list(every(routine.functions))
-    told = [f.status.name for f in listed if f.status]
-    linked = symbols_of(routine.name, [*(f.name for f in listed), *told], space)
+    linked = linked_names(routine, space)
     called = [linked[f.otherwise.name].single for f in listed if f.otherwise]
     arguments = mangle((i.name for p in written for i in p.inputs), Names(RESERVED.besides(called)))
     status, statuses = (space.claim(f"{routine.name}_status{end}") for end in ("", "_n"))

@@ -4,16 +4,20 @@ from collections.abc import Mapping, Set
 from functools import cached_property
 from typing import Any
 
-from ...routine.evaluate import evaluate, scalar_or_array
+from ...routine.evaluate import OnArrays, evaluate, scalar_or_array
 from ...routine.steps import Function, Routine
 from .one_pose import ERRORS, OnFloats, on_floats
 
 
 class Evaluator:
-    """The results of a routine: for one pose on floats, for many on arrays."""
+    """The results of a routine: for one pose on floats, for many on arrays.
 
-    def __init__(self, routine: Routine) -> None:
-        self._parts = [_Part(function) for function in routine.functions]
+    For these the interpreter is asked where ``on_arrays`` has no function for a result.
+    """
+
+    def __init__(self, routine: Routine, on_arrays: Mapping[str, OnArrays] | None = None) -> None:
+        others = on_arrays or {}
+        self._parts = [_Part(function, others.get(function.name)) for function in routine.functions]
         self.inputs = frozenset(name for part in self._parts for name in part.inputs)
 
     def values(self, given: Mapping[str, Any], overridden: Set[str]) -> dict[str, Any]:
@@ -27,8 +31,8 @@ class Evaluator:
 class _Part:
     """One function; it is made for floats when it is first asked for."""
 
-    def __init__(self, function: Function) -> None:
-        self._function = function
+    def __init__(self, function: Function, on_arrays: OnArrays | None) -> None:
+        self._function, self._on_arrays = function, on_arrays
         self.name = function.name
         self.inputs = tuple(i.name for i in function.inputs)
         self.needed = frozenset(self.inputs)
@@ -38,8 +42,11 @@ class _Part:
         return on_floats(self._function)
 
     def value(self, given: Mapping[str, Any]) -> Any:
-        found = self._at_one_pose([given[name] for name in self.inputs])
-        return evaluate(self._function, given) if found is None else found
+        values = [given[name] for name in self.inputs]
+        found = self._at_one_pose(values)
+        if found is not None:
+            return found
+        return self._on_arrays(*values) if self._on_arrays else evaluate(self._function, given)
 
     def _at_one_pose(self, values: list[Any]) -> float | None:
         """Return the value for floats; None where arrays are needed to tell."""

@@ -15,6 +15,7 @@ from ...routine.steps import (
     Common,
     Function,
     Pose,
+    Routine,
     Solver,
     every,
     formulas_of,
@@ -106,10 +107,8 @@ def _stem(options: Options) -> str:
 
 def _module(compiled: Compiled) -> ModuleContext:
     routine = compiled.routine
-    space = Names(RESERVED)
-    listed = list(every(routine.functions))
-    statuses = [f.status.name for f in listed if f.status]
-    names = mangle((*(f.name for f in listed), *statuses), space)
+    space, listed = Names(RESERVED), list(every(routine.functions))
+    names = function_names(routine, space)
     parts = programs(routine)
     called = [names[f.otherwise.name] for f in listed if f.otherwise]
     free = Names(RESERVED.besides(called))
@@ -139,6 +138,13 @@ def _module(compiled: Compiled) -> ModuleContext:
         else None,
         main=[_shown(f, names[f.name], arguments) for f in routine.functions],
     )
+
+
+def function_names(routine: Routine, space: Names) -> dict[str, str]:
+    """Return the names that results and their statuses have in the module."""
+    listed = list(every(routine.functions))
+    statuses = (f.status.name for f in listed if f.status)
+    return mangle((*(f.name for f in listed), *statuses), space)
 
 
 def _called(part: Common | Function | Pose | Checks) -> Iterator[str]:

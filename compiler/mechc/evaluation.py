@@ -1,0 +1,118 @@
+"""Results at given values: which values may be given, and what is kept for the next ones."""
+
+from collections.abc import Mapping, Set
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+from .diagnostics import near_miss
+from .driver import Compilation
+from .formula.to_text import text
+from .formula.tree import Formula
+from .formula.walk import symbols
+from .model.typed import in_si
+from .model.values import dependent
+from .routine.freed import freed, given_loads
+from .study.poses import default_pose
+from .units import Dimension
+
+if TYPE_CHECKING:
+    from .emit.python.evaluator import Evaluator
+    from .routine.evaluate import OnArrays
+
+KEPT = 8
+"""How many choices of loads given by hand functions are kept for."""
+
+
+class Evaluation:
+    """The results of a compilation at values in SI and radians, or in text with its unit.
+
+    For arrays a result's function ``on_arrays`` is asked, where there is one.
+    """
+
+    def __init__(
+        self, compilation: Compilation, on_arrays: "Mapping[str, OnArrays] | None"
+    ) -> None:
+        self._compilation, self._on_arrays = compilation, on_arrays
+        self._evaluators: dict[frozenset[str], Evaluator] = {}
+
+    @cached_property
+    def defaults(self) -> Mapping[str, float]:
+        """The parameters' values from the description."""
+        return default_pose(self._compilation.mechanism)
+
+    def results(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return the results at values, which go before those of the description.
+
+        TypeError for a name that no result depends on, or that follows from others.
+        """
+        values = self.in_si(values)
+        overridden = self._fixed_loads.intersection(values)
+        evaluator = self._evaluator(overridden)
+        self.refuse_strangers(values.keys() - overridden, evaluator.inputs)
+        found = evaluator.values({**self.defaults, **values}, overridden)
+        return {r.name: found[r.name] for r in self._compilation.found if r.name in found}
+
+    def in_si(self, values: Mapping[str, Any]) -> dict[str, Any]:
+        """Return values with those in SI that are texts, or sequences of texts."""
+        sizes = self._dimensions
+        return {n: _in_si(n, v, sizes[n]) if n in sizes else v for n, v in values.items()}
+
+    @cached_property
+    def _dimensions(self) -> dict[str, Dimension]:
+        """The dimension of each parameter and load."""
+        mechanism = self._compilation.mechanism
+        return {q.name: q.dimension for q in (*mechanism.parameters, *mechanism.loads)}
+
+    @cached_property
+    def _fixed_loads(self) -> frozenset[str]:
+        """The loads whose size the description gives."""
+        return given_loads(self._compilation.mechanism, self._compilation.found)
+
+    def _evaluator(self, overridden: frozenset[str]) -> "Evaluator":
+        """Return what evaluates results, with loads as inputs that the description gives a size.
+
+        A few of them are kept, each for the loads that were last given by hand.
+        """
+        found = self._evaluators.pop(overridden, None) or self._new_evaluator(overridden)
+        self._evaluators[overridden] = found
+        if len(self._evaluators) > KEPT:
+            del self._evaluators[next(iter(self._evaluators))]
+        return found
+
+    def _new_evaluator(self, overridden: frozenset[str]) -> "Evaluator":
+        from .emit.python.evaluator import Evaluator
+
+        if not overridden:
+            return Evaluator(self._compilation.routine, self._on_arrays)
+        pose, found = self._compilation.pose, self._compilation.found
+        changed = freed(pose.mechanism, found, overridden)
+        return Evaluator(self._compilation.routine_of(*changed))
+
+    def refuse_strangers(self, names: Set[str], inputs: Set[str]) -> None:
+        """Raise TypeError for a name that is no input, with what it follows from."""
+        known = inputs | self._fixed_loads
+        for name in sorted(names - known):
+            formula = self._followed.get(name)
+            if formula is None:
+                raise TypeError(f"no result depends on {name!r} {near_miss(name, known)}")
+            raise TypeError(
+                f"{name!r} follows from the description: {name} = {text(formula)}; "
+                f"give {', '.join(sorted(symbols(formula) & known)) or 'what it rests on'} instead"
+            )
+
+    @cached_property
+    def _followed(self) -> dict[str, Formula]:
+        """What the description defines by formulas: results, tied loads, parameters."""
+        mechanism = self._compilation.mechanism
+        ties = {load.name: load.tie for load in mechanism.loads if load.tie is not None}
+        found = {r.name: r.formula for r in self._compilation.found}
+        return {**found, **ties, **dependent(mechanism)}
+
+
+def _in_si(name: str, value: Any, dimension: Dimension) -> Any:
+    """Return a value in SI where it is text, or has texts in it, else as it is."""
+    if isinstance(value, str):
+        return in_si(name, value, dimension)
+    if isinstance(value, list | tuple):
+        return [_in_si(name, each, dimension) for each in value]
+    return value
