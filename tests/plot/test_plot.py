@@ -65,6 +65,14 @@ def test_a_family_beyond_the_range(clamp):
     assert max(found.panels[0].high, -found.panels[0].low) < 5
 
 
+def test_the_pose_of_the_description_is_marked_on_its_own_curve_alone(clamp):
+    found = clamp.plot("alpha", family={"beta": ["7 deg", "8 deg"]}).plot
+    assert [[m.kind for m in curve.marks] for curve in found.curves] == [["default"], []]
+    picture = clamp.plot("alpha", family={"beta": ["8 deg"]})
+    assert "The description" not in picture.alt
+    assert {"β = 8°", "k"} <= set(lettering(picture.drawing))
+
+
 def test_along_a_constraint_as_figure_5_of_karpenko():
     """A range of the parameter that follows is that of what it was before."""
     levers = mechc.load(LEVERS)

@@ -13,7 +13,7 @@ from .describe_plot import describe
 from .drawing import AXIS, Arc, Drawing, Fill, Label, Pen, Polyline, Run, Shape
 from .labels import Around
 from .lettering import SIZE, box
-from .panels import Layout, entry, laid_out, values_at, ways
+from .panels import Layout, common_entry, entry, laid_out, values_at, ways
 from .sheet import Layer, Sheet
 
 SAMPLE = 9.0
@@ -123,12 +123,13 @@ def _write_values(sheet: Sheet, mark: Mark, pen: Pen, layout: Layout) -> None:
 
 
 def _draw_legend(sheet: Sheet, layout: Layout) -> None:
-    """Draw which line is which."""
-    if not layout.has_legend:
-        return
+    """Draw which line is which, and under them what they have in common."""
     corner = layout.frame.high
-    for row, (curve, pen) in enumerate(layout.pens.items()):
-        at = Plane(corner.x + 4.0, corner.y - 3.0 - ROW * row)
+    at = Plane(corner.x + 4.0, corner.y - 3.0)
+    for curve, pen in layout.pens.items() if layout.has_legend else ():
         end = Plane(at.x + SAMPLE, at.y)
         sheet.draw(Layer.BODIES, [Polyline((at, end), pen)])
         sheet.write(label(Plane(end.x + 1.5, at.y), entry(curve, layout)))
+        at = Plane(at.x, at.y - ROW)
+    if layout.common:
+        sheet.write(label(at, common_entry(layout)))

@@ -76,6 +76,12 @@ class Layout:
         """Return whether it must be said which line is which."""
         return len(self.panel.curves) > 1 or self.plot.equal
 
+    @property
+    def common(self) -> tuple[Value, ...]:
+        """Return the setting of all curves; nothing where they have several."""
+        settings = {curve.setting for curve in self.panel.curves}
+        return settings.pop() if len(settings) == 1 else ()
+
 
 def laid_out(plot: Plot, panel: Panel) -> Layout:
     """Return the layout of a panel; the axes of a path have one scale."""
@@ -200,9 +206,17 @@ def values_at(mark: Mark, layout: Layout) -> tuple[str, ...]:
 def entry(curve: Curve, layout: Layout) -> tuple[Run, ...]:
     """Return what the legend says of a curve: its name if there are several, its setting."""
     several = len({c.name for c in layout.panel.curves}) > 1 or layout.plot.equal
-    parts = [*([name(curve.name)] if several else []), *map(_set_to, curve.setting)]
-    between = [(Run(", "),)] * len(parts)
-    runs = [run for pair in zip(between, parts, strict=True) for part in pair for run in part]
+    settings = () if layout.common else curve.setting
+    return _listed([*([name(curve.name)] if several else []), *map(_set_to, settings)])
+
+
+def common_entry(layout: Layout) -> tuple[Run, ...]:
+    """Return what the legend says of all curves: the setting that they have in common."""
+    return _listed(list(map(_set_to, layout.common)))
+
+
+def _listed(parts: Sequence[tuple[Run, ...]]) -> tuple[Run, ...]:
+    runs = [run for part in parts for run in (Run(", "), *part)]
     return tuple(runs[1:])
 
 

@@ -263,11 +263,18 @@ def _curve(
     )
     marks = [Mark(TURNING[t.sense], Plane(t.x, t.y)) for t in trace.turns]
     marks += [Mark("zero", Plane(x, 0.0)) for x in trace.zeros]
-    default = sweep.values.get(sweep.x.name)
-    if default is not None and sweep.low <= default <= sweep.high and len(sweep.settings) == 1:
-        y = float(function(np.array([default]))[0])
-        marks += [Mark("default", Plane(default, y))] if np.isfinite(y) else []
+    marks += _default(sweep, setting, function)
     return Curve(quantity.name, setting, parts, tuple(marks), trace.poles, trace.jumps)
+
+
+def _default(sweep: _Sweep, setting: Sequence[Value], function: Function) -> Iterator[Mark]:
+    """Yield the pose of the description, if it is on the curve."""
+    x = sweep.values.get(sweep.x.name, math.nan)
+    is_described = all(v.value == sweep.values.get(v.axis.name) for v in setting)
+    if is_described and sweep.low <= x <= sweep.high:
+        y = float(function(np.array([x]))[0])
+        if math.isfinite(y):
+            yield Mark("default", Plane(x, y))
 
 
 def _columns(sweep: _Sweep, asked: Sequence[Quantity], points: int) -> tuple[Column, ...]:

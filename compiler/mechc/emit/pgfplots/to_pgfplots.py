@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
 from ...drawing.drawing import Pen, Run
-from ...drawing.panels import Layout, entry, laid_out, values_at, ways
+from ...drawing.panels import Layout, common_entry, entry, laid_out, values_at, ways
 from ...drawing.ticks import Scale
 from ...plot.plot import Curve, Mark, Plot
 from ...pose.places import Plane
@@ -68,6 +68,9 @@ def _axis(layout: Layout, bottom: float) -> Iterator[str]:
     yield from _poles(layout)
     for curve, pen in layout.pens.items():
         yield from _curve(curve, pen, layout)
+    if layout.common:
+        yield r"\addlegendimage{empty legend}"
+        yield rf"\addlegendentry{{${mathematics(common_entry(layout))}$}}"
     yield from _marks(layout)
     yield r"\end{axis}"
 
@@ -98,7 +101,7 @@ def _poles(layout: Layout) -> Iterator[str]:
 def _curve(curve: Curve, pen: Pen, layout: Layout) -> Iterator[str]:
     look = f"mechc{pen.name}, line width={pen.width:g}mm" + (", dashed" if pen.dashes else "")
     for i, way in enumerate(ways(curve, layout)):
-        told = "" if not i else ", forget plot"
+        told = "" if layout.has_legend and not i else ", forget plot"
         places = " ".join(f"({p.x:.8g},{p.y:.8g})" for p in way)
         yield rf"\addplot[{look}, no markers{told}] coordinates {{{places}}};"
         if not i and layout.has_legend:
