@@ -52,6 +52,7 @@ from .work import Allowance
 if TYPE_CHECKING:
     from .drawing.drawing import Drawing
     from .figure.figure import Figure
+    from .plot.from_routine import Watch
     from .plot.plot import Plot
     from .plot.query import Query
     from .report.derivation.steps import Derivation
@@ -356,13 +357,13 @@ class Compilation:
             constrained.verdict  # noqa: B018
         return constrained
 
-    def plot(self, query: "Query") -> "Plot":
-        """Return results against a parameter."""
+    def plot(self, query: "Query", watch: "Watch" = iter) -> "Plot":
+        """Return results against a parameter; ``watch`` sees the curves done one by one."""
         from .plot.from_routine import plot
 
         mechanism, routine = self.pose.mechanism, self.routine
         with within(Allowance(), self.report):
-            return plot(mechanism, routine, query)
+            return plot(mechanism, routine, query, watch)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

@@ -1,5 +1,7 @@
 """``mechc plot``: results against a parameter, as a picture or a table."""
 
+import sys
+from collections.abc import Iterator, Sequence
 from pathlib import Path
 
 import click
@@ -11,12 +13,13 @@ from ..emit.plot_files import FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
 from ..plot.query import POINTS, Condition, Query, condition
+from ..plot.sampling import Function
 from ..syntax.settings import Settings, parse
 from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, settings_option, stdin_option
 from .open import begin, check_names
 from .session import Command, session, session_options
-from .terminal import give
+from .terminal import give, on_terminal
 
 STANDARD_OUTPUT = Path("-")
 
@@ -158,7 +161,7 @@ def command(
     compilation = begin(file, stdin_name, settings)
     check_names(along, compilation.source, "--along")
     query = Query(x, ys, family, ends, paths, zone, points)
-    found = checked(compilation).along(along).plot(query)
+    found = checked(compilation).along(along).plot(query, _watched)
     plotted = PlotPicture(found, picture(found))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in outputs if path != STANDARD_OUTPUT]
@@ -168,3 +171,12 @@ def command(
     write_all(contents)
     if printed:
         give(to_svg(plotted.drawing))
+
+
+def _watched(functions: Sequence[Function]) -> Iterator[Function]:
+    """Yield the functions of several curves, a bar on the terminal saying how many are done."""
+    if len(functions) == 1 or not on_terminal():
+        yield from functions
+        return
+    with click.progressbar(functions, label="plotting", file=sys.stderr) as bar:
+        yield from bar

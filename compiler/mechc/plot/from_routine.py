@@ -1,7 +1,7 @@
 """From the program and what is asked for to a plot."""
 
 import math
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from functools import partial
 from itertools import groupby, product
 
@@ -34,14 +34,18 @@ STATIONS = 12
 TURNING: Mapping[int, MarkKind] = {1: "minimum", -1: "maximum"}
 
 
-def plot(mechanism: Mechanism, routine: Routine, query: Query) -> Plot:
-    """Return the curves that are asked for.
+Watch = Callable[[Sequence[Function]], Iterable[Function]]
+"""What hands out the functions that are followed, and may tell how many are done."""
+
+
+def plot(mechanism: Mechanism, routine: Routine, query: Query, watch: Watch = iter) -> Plot:
+    """Return the curves that are asked for; ``watch`` sees them done one after another.
 
     Raises :class:`MechcError` (E583 … E589, E599) where there is no such thing.
     """
     known = quantities(routine, mechanism)
     sweep = _sweep(mechanism, known, query)
-    return _paths(sweep, query) if query.paths else _curves(sweep, query)
+    return _paths(sweep, query) if query.paths else _curves(sweep, query, watch)
 
 
 @frozen
@@ -172,13 +176,13 @@ def _known(sweep: _Sweep, names: Sequence[str]) -> list[Quantity]:
 # -------------------------------------------------------------------------------- curves
 
 
-def _curves(sweep: _Sweep, query: Query) -> Plot:
+def _curves(sweep: _Sweep, query: Query, watch: Watch) -> Plot:
     """Return results against a parameter: a panel for each dimension."""
     asked = _asked(sweep, query)
     _count(len(asked) * len(sweep.settings))
     axes = {q.name: sweep.axis(q) for q in asked}
     together = groupby(sorted(asked, key=lambda q: _rank(q, asked)), key=lambda q: q.dimension)
-    panels = tuple(_panel(sweep, list(group), axes) for _, group in together)
+    panels = tuple(_panel(sweep, list(group), axes, watch) for _, group in together)
     if not panels or not any(curve.pieces for panel in panels for curve in panel.curves):
         raise MechcError([messages.no_curve([q.name for q in asked], sweep.x.name)])
     columns = _columns(sweep, asked, query.points)
@@ -234,12 +238,14 @@ def _plot(sweep: _Sweep, x: Axis, panels: tuple[Panel, ...], columns: tuple[Colu
     )
 
 
-def _panel(sweep: _Sweep, group: Sequence[Quantity], axes: Mapping[str, Axis]) -> Panel:
+def _panel(
+    sweep: _Sweep, group: Sequence[Quantity], axes: Mapping[str, Axis], watch: Watch
+) -> Panel:
     """Return the panel of quantities of one dimension."""
     pairs = [(q, setting) for q in group for setting in sweep.settings]
     functions = [sweep.function(*pair) for pair in pairs]
     with np.errstate(all="ignore"):
-        traces = [traced(f, sweep.low, sweep.high) for f in functions]
+        traces = [traced(f, sweep.low, sweep.high) for f in watch(functions)]
         there = [t for t in traces if np.isfinite(t.ys).any()]
         low, high = limits(there) if there else (0.0, 1.0)
         traces = [smooth(f, t, low, high) for f, t in zip(functions, traces, strict=True)]
