@@ -10,10 +10,11 @@ from collections.abc import Iterator, Mapping
 
 from latex_reader import read
 from mechc.driver import Compilation
-from mechc.emit.latex.to_latex import TARGET, style_of
+from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.target import Options
 from mechc.formula.walk import evaluate, symbols
 from mechc.model.values import completed, holds
+from mechc.report.latex.document_style import style_of
 from mechc.report.latex.notation import name, notation
 from mechc.routine.evaluate import evaluate as run
 from mechc.study.analysis import Analysis
@@ -37,7 +38,8 @@ class Page:
         self.compilation = compilation
         (emitted,) = TARGET.emit(compilation, Options("page", numbers=False))
         self.tex = emitted.text
-        style = style_of(compilation, notation("en"))
+        results = compilation.derivation.results
+        style = style_of(compilation.mechanism, results, notation("en"))
         self.code = dict(self._values())
         self.spelled = {name(symbol, style): value for symbol, value in self.code.items()}
         self.open = {name(r.name, style) for r in compilation.results if not self._holds(r)}
