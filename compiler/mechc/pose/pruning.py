@@ -7,7 +7,7 @@ from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
 from ..model.mechanism import Mechanism
-from .loops.vector_graph import mentioned
+from .loops.vector_graph import mentioned, names_in
 from .pose import Pose
 
 
@@ -20,18 +20,22 @@ def pruned(pose: Pose) -> Pose:
     it is seen that it closes.
     """
     formulas = {d.name: d.formula for d in pose.definitions}
-    used = _reached(_names(pose), formulas, pose.rates)
+    used = set[str]()
+    _reach(_names(pose), used, formulas, pose.rates)
     for loop in pose.loops:
         shown = loop.names if loop.names.isdisjoint(used) else symbols(loop.margin)
-        used |= _reached(shown, formulas, pose.rates)
+        _reach(shown, used, formulas, pose.rates)
     return replace(pose, definitions=tuple(d for d in pose.definitions if d.name in used))
 
 
-def _reached(
-    names: Iterable[str], formulas: Mapping[str, Formula], rates: Mapping[str, Product]
-) -> set[str]:
-    """Return the definitions that names lead to, those of their rates included."""
-    used, waiting = set[str](), list(names)
+def _reach(
+    names: Iterable[str],
+    used: set[str],
+    formulas: Mapping[str, Formula],
+    rates: Mapping[str, Product],
+) -> None:
+    """Add to the used definitions those that names lead to, those of their rates included."""
+    waiting = list(names)
     while waiting:
         name = waiting.pop()
         if name in used or name not in formulas:
@@ -39,8 +43,7 @@ def _reached(
         used.add(name)
         waiting.extend(symbols(formulas[name]))
         if name in rates:
-            waiting.extend(symbols(rates[name].formula()))
-    return used
+            waiting.extend(names_in(rates[name]))
 
 
 def _names(pose: Pose) -> Iterator[str]:

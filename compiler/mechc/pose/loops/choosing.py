@@ -108,7 +108,9 @@ class Choice:
     def _measure(self, assembly: Assembly, values: Values) -> float | None:
         """Return twice the triangle's area, or the place along the guide; None if open."""
         start = self._start(assembly, values)
-        places = self._state.graph.places(start, values) if start is not None else {}
+        if start is None:
+            return None
+        places = self._state.graph.places(start, values, assembly.points)
         if not set(assembly.points) <= places.keys():
             return None
         if len(assembly.points) == 1:

@@ -32,20 +32,24 @@ class Edge(NamedTuple):
         return Edge(self.head, self.tail, reverse(self.arms), self.span)
 
 
+Ways = Mapping[str, list[Edge]]
+"""The edges that lead away from each point, walked either way."""
+
 Cycle = tuple[Edge, ...]
 """Edges each of which begins where the one before it ends, back to the first."""
 
 
 def mentioned(vector: Vector) -> Names:
     """Return the symbols of a vector, in lengths and in angles."""
-    return frozenset(n for arm in vector for n in (*_names(arm.length), *arm.angle.names))
+    return frozenset(n for arm in vector for n in (*names_in(arm.length), *arm.angle.names))
 
 
-def _names(length: Product) -> Iterator[str]:
-    for factor in length.factors:
+def names_in(value: Product) -> Iterator[str]:
+    """Yield the symbols of a product, without writing it out as a formula."""
+    for factor in value.factors:
         if isinstance(factor, Sum):
             for term in factor.terms:
-                yield from _names(term)
+                yield from names_in(term)
         else:
             yield from symbols(factor.formula())
 
@@ -88,19 +92,37 @@ class VectorGraph:
         self.edges = list(edges)
         self.sought = set(sought)
         self._mentions = [mentioned(e.arms) for e in self.edges]
+        self._turned: list[Edge | None] = [None] * len(self.edges)
+        self._open: dict[Names, Ways] = {}
 
     def put(self, values: Mapping[str, Angle]) -> None:
         """Replace symbols in all directions by what they were found to be."""
-        self.rewrite(lambda angle: angle.put(values))
+        self._rewrite(lambda angle: angle.put(values), lambda names: not names.isdisjoint(values))
 
     def rewrite(self, written: Callable[[Angle], Angle]) -> None:
         """Write every direction in another way."""
+        self._rewrite(written, lambda names: True)
 
-        def rewritten(edge: Edge) -> Edge:
-            return edge._replace(arms=tuple(Arm(a.length, written(a.angle)) for a in edge.arms))
+    def _rewrite(
+        self, written: Callable[[Angle], Angle], is_touched: Callable[[Names], bool]
+    ) -> None:
+        """Write the directions of the edges that mention certain names in another way."""
+        self._open.clear()
+        for i, edge in enumerate(self.edges):
+            if is_touched(self._mentions[i]):
+                arms = tuple(Arm(a.length, written(a.angle)) for a in edge.arms)
+                self.edges[i], self._mentions[i] = edge._replace(arms=arms), mentioned(arms)
+                self._turned[i] = None
 
-        self.edges = list(map(rewritten, self.edges))
-        self._mentions = [mentioned(e.arms) for e in self.edges]
+    def _ways(self, is_way: Callable[[Edge, Names], bool]) -> Ways:
+        """Return the ways along edges, which are chosen by what they mention, too."""
+        ways: dict[str, list[Edge]] = {}
+        for i, edge in enumerate(self.edges):
+            if is_way(edge, self._mentions[i]):
+                turned = self._turned[i] = self._turned[i] or edge.turned()
+                ways.setdefault(edge.tail, []).append(edge)
+                ways.setdefault(edge.head, []).append(turned)
+        return ways
 
     def pairs(self, within: Collection[str] | None = None) -> Iterator[tuple[Names, Cycle]]:
         """Yield each cycle of one or two unknowns, the fewest first.
@@ -108,10 +130,11 @@ class VectorGraph:
         ``within`` restricts it to the points of one body. After the unknowns of a cycle
         were found the caller asks anew.
         """
-        loose = self._loose(within)
-        clusters = self._clusters(within)
+        loose, ways = self._loose(within), self._known_ways(within)
+        clusters, by_names = self._clusters(ways), _by_names(loose)
         for wanted in self._candidates(loose, clusters):
-            if cycle := self._cycle(wanted, loose, clusters, within):
+            edges = _mentioning(wanted, by_names)
+            if _closes(edges, clusters) and (cycle := self._cycle(wanted, edges, clusters, ways)):
                 yield wanted, cycle
 
     def _loose(self, within: Collection[str] | None) -> list[tuple[Edge, Names]]:
@@ -119,33 +142,17 @@ class VectorGraph:
         marked = ((e, m & self.sought) for e, m in zip(self.edges, self._mentions, strict=True))
         return [(e, m) for e, m in marked if m and _inside(e, within)]
 
-    def _clusters(self, within: Collection[str] | None) -> dict[str, int]:
+    def _clusters(self, ways: Ways) -> dict[str, int]:
         """Return for each point the number of its cluster."""
         number: dict[str, int] = {}
         for start in dict.fromkeys(p for e in self.edges for p in (e.tail, e.head)):
             if start not in number:
-                for point in self._reach(start, within):
+                for point in _reach(start, ways):
                     number[point] = len(number) if point == start else number[start]
         return number
 
-    def _reach(self, start: str, within: Collection[str] | None) -> Iterator[str]:
-        ways = self._known_ways(within)
-        seen, queue = {start}, deque([start])
-        while queue:
-            point = queue.popleft()
-            yield point
-            for edge in ways.get(point, ()):
-                if edge.head not in seen:
-                    seen.add(edge.head)
-                    queue.append(edge.head)
-
-    def _known_ways(self, within: Collection[str] | None) -> Mapping[str, list[Edge]]:
-        ways: dict[str, list[Edge]] = {}
-        for edge, names in zip(self.edges, self._mentions, strict=True):
-            if self.sought.isdisjoint(names) and _inside(edge, within):
-                ways.setdefault(edge.tail, []).append(edge)
-                ways.setdefault(edge.head, []).append(edge.turned())
-        return ways
+    def _known_ways(self, within: Collection[str] | None) -> Ways:
+        return self._ways(lambda e, names: self.sought.isdisjoint(names) and _inside(e, within))
 
     def _candidates(
         self, loose: list[tuple[Edge, Names]], clusters: Mapping[str, int]
@@ -164,55 +171,42 @@ class VectorGraph:
         yield from sorted(found, key=sorted)
 
     def _cycle(
-        self,
-        wanted: Names,
-        loose: list[tuple[Edge, Names]],
-        clusters: Mapping[str, int],
-        within: Collection[str] | None,
+        self, wanted: Names, loose: Iterable[Edge], clusters: Mapping[str, int], ways: Ways
     ) -> Cycle | None:
-        """Return a cycle whose unknowns are just those wanted."""
+        """Return a cycle whose unknowns are just those wanted, of edges that mention no others."""
         forest: list[Edge] = []
-        for edge, names in loose:
-            if not names <= wanted:
-                continue
+        for edge in loose:
             path = _path(edge.head, edge.tail, forest, clusters)
             if path is not None:
-                cycle = self._joined((edge, *path), within)
+                cycle = _joined((edge, *path), ways)
                 if frozenset().union(*(mentioned(e.arms) for e in cycle)) & self.sought == wanted:
                     return cycle
             else:
                 forest.append(edge)
         return None
 
-    def _joined(self, steps: tuple[Edge, ...], within: Collection[str] | None) -> Cycle:
-        """Fill the gaps between the edges of a cycle of clusters with known vectors."""
-        ways = self._known_ways(within)
-        cycle: list[Edge] = []
-        for edge, following in zip(steps, (*steps[1:], steps[0]), strict=True):
-            cycle += [edge, *_shortest(edge.head, following.tail, ways)]
-        return tuple(cycle)
-
     def fundamental(self) -> list[Cycle]:
         """Return independent cycles through edges with unknowns, small ones first."""
         loose = sorted(self._loose(None), key=lambda em: len(em[1]))
-        clusters, forest, found = self._clusters(None), list[Edge](), list[Cycle]()
+        ways, forest, found = self._known_ways(None), list[Edge](), list[Cycle]()
+        clusters = self._clusters(ways)
         for edge, _ in loose:
             path = _path(edge.head, edge.tail, forest, clusters)
             if path is None:
                 forest.append(edge)
             else:
-                found.append(self._joined((edge, *path), None))
+                found.append(_joined((edge, *path), ways))
         return found
 
-    def places(self, start: str, values: Mapping[str, float]) -> dict[str, tuple[float, float]]:
-        """Return where the points are, seen from one, as far as values let them be placed."""
-        ways: dict[str, list[Edge]] = {}
-        for edge, names in zip(self.edges, self._mentions, strict=True):
-            if names <= values.keys():
-                ways.setdefault(edge.tail, []).append(edge)
-                ways.setdefault(edge.head, []).append(edge.turned())
-        found, queue = {start: (0.0, 0.0)}, deque([start])
-        while queue:
+    def places(
+        self, start: str, values: Mapping[str, float], wanted: Collection[str] = ()
+    ) -> dict[str, tuple[float, float]]:
+        """Return where the points are, seen from one, as far as values let them be placed.
+
+        Where some are ``wanted``, no others are looked for once these are found.
+        """
+        ways, found, queue = self._open_ways(values), {start: (0.0, 0.0)}, deque([start])
+        while queue and not (wanted and all(point in found for point in wanted)):
             point = queue.popleft()
             x, y = found[point]
             for edge in ways.get(point, ()):
@@ -221,6 +215,66 @@ class VectorGraph:
                     found[edge.head] = (x + dx, y + dy)
                     queue.append(edge.head)
         return found
+
+    def _open_ways(self, values: Mapping[str, float]) -> Ways:
+        """Return the ways along edges that have values."""
+        names = frozenset(values)
+        if names not in self._open:
+            self._open[names] = self._ways(lambda _, mentions: mentions <= names)
+        return self._open[names]
+
+
+def _reach(start: str, ways: Ways) -> Iterator[str]:
+    """Yield the points to which ways lead from one, itself the first."""
+    seen, queue = {start}, deque([start])
+    while queue:
+        point = queue.popleft()
+        yield point
+        for edge in ways.get(point, ()):
+            if edge.head not in seen:
+                seen.add(edge.head)
+                queue.append(edge.head)
+
+
+_ByNames = Mapping[Names, list[tuple[int, Edge]]]
+"""Edges, each with its place among all, by what they mention that is sought."""
+
+
+def _by_names(loose: Iterable[tuple[Edge, Names]]) -> _ByNames:
+    found: dict[Names, list[tuple[int, Edge]]] = {}
+    for i, (edge, names) in enumerate(loose):
+        found.setdefault(names, []).append((i, edge))
+    return found
+
+
+def _mentioning(wanted: Names, by_names: _ByNames) -> list[Edge]:
+    """Return the edges that mention one or two names and no others, in their order."""
+    parts = {wanted, *(frozenset((name,)) for name in wanted)}
+    places = dict(place for part in parts for place in by_names.get(part, ()))
+    return [places[i] for i in sorted(places)]
+
+
+def _closes(edges: Iterable[Edge], clusters: Mapping[str, int]) -> bool:
+    """Tell whether edges between clusters make a cycle."""
+    joined: dict[int, int] = {}
+    for edge in edges:
+        first, second = clusters[edge.tail], clusters[edge.head]
+        while first in joined:
+            first = joined[first]
+        while second in joined:
+            second = joined[second]
+        if first == second:
+            return True
+        joined[first] = second
+    return False
+
+
+def _joined(steps: tuple[Edge, ...], ways: Ways) -> Cycle:
+    """Fill the gaps between the edges of a cycle of clusters with known vectors."""
+    cycle: list[Edge] = []
+    for edge, following in zip(steps, (*steps[1:], steps[0]), strict=True):
+        cycle += [edge, *_shortest(edge.head, following.tail, ways)]
+    return tuple(cycle)
 
 
 def _inside(edge: Edge, within: Collection[str] | None) -> bool:
@@ -252,7 +306,7 @@ def _path(
     return tuple(reversed(path))
 
 
-def _shortest(start: str, goal: str, ways: Mapping[str, list[Edge]]) -> list[Edge]:
+def _shortest(start: str, goal: str, ways: Ways) -> list[Edge]:
     came: dict[str, Edge | None] = {start: None}
     queue = deque([start])
     while queue and goal not in came:
