@@ -153,6 +153,36 @@ def _four_bar_vectors(i: int) -> tuple[str, ...]:
     )
 
 
+def closed_four_bar_chain(n: int) -> str:
+    """Return ``n`` four-bars in series by their lengths, the crank of the first one driving.
+
+    Each rocker carries the crank of the next; directions follow from closing the loops.
+    """
+    stages = range(1, n + 1)
+    return _joined(
+        [
+            f'mechanism closed_four_bar_chain_{n} "{n} closed four-bars in series"',
+            "param phi = 70 deg in 50 deg .. 90 deg",
+            *(f"pivot O{i} at ({300 * i} mm, 0 mm)" for i in range(n + 1)),
+            "link O0A1",
+            *(f"link A{i}B{i}" for i in stages),
+            *(f"link O{i}B{i}{f'A{i + 1}' if i < n else ''}" for i in stages),
+            "O0A1 = 100 mm @ phi",
+            *(line for i in stages for line in _closed_four_bar(i, n)),
+            "drive phi from 50 deg to 90 deg",
+            "torque M on O0A1",
+            f"force F at B{n} along 180 deg",
+            "find k = M/F",
+        ]
+    )
+
+
+def _closed_four_bar(i: int, n: int) -> list[str]:
+    lengths = [f"A{i}B{i} = {290 + i} mm", f"O{i}B{i} = {120 + i} mm"]
+    crank = [f"O{i}A{i + 1} = 100 mm", f"angle B{i}O{i}A{i + 1} = 355 deg"] if i < n else []
+    return [*lengths, f"assembly A{i}B{i}O{i} cw", *crank]
+
+
 def coupler_chain(n: int) -> str:
     """Return ``n`` ternary couplers in series, each held by a rod to the ground.
 

@@ -7,6 +7,7 @@ import pytest
 
 import reference_kinematics
 from generators import (
+    closed_four_bar_chain,
     coupler_chain,
     four_bar_chain,
     scissor,
@@ -58,3 +59,13 @@ def test_operations_grow_as_the_stages_do(chain: Callable[[int], str]) -> None:
 @pytest.mark.parametrize("n", [1, 2, 5])
 def test_stages_of_a_scissor_only_multiply(n: int) -> None:
     assert function_of(scissor, n).operations <= 4
+
+
+@pytest.mark.slow
+def test_a_long_chain_of_loops_is_given_without_its_slope() -> None:
+    """The slope nests a rate in a rate for each loop, deeper than can be written in the end."""
+    short, long = (
+        Compilation(Source("chain.mech", closed_four_bar_chain(n))).results[0] for n in (2, 40)
+    )
+    assert short.derivatives
+    assert long.derivatives is None

@@ -39,6 +39,13 @@ Their number grows with the square of the parameters', and nobody reads them the
 """
 
 
+DEEP = 64
+"""A result in which more angles of loops than this move is given without its slope.
+
+Each loop's rate rests on the one before, so that the formula of the slope nests as deep.
+"""
+
+
 def analyse(solution: Solution) -> tuple[Analysis, ...]:
     """Return the results with what follows from each."""
     numbers, study = DefaultNumbers(solution.plan), cache(partial(_study, solution))
@@ -139,10 +146,13 @@ def _with_friction(result: Result, balance: Balance, study: "Callable[[], Study]
 
 
 def _along_the_stroke(value: Product, pose: Pose) -> Mapping[str, Formula] | None:
-    """Return the derivative by the drive, through all loops; None where a rate is not known."""
+    """Return the derivative by the drive, through all loops; None where a rate is not known.
+
+    None, too, where the formula would be too deep.
+    """
     drive = pose.mechanism.drive
     moving = {d.name for d in pose.definitions} & symbols(value.formula())
-    if drive is None or not moving <= pose.rates.keys():
+    if drive is None or len(moving) > DEEP or not moving <= pose.rates.keys():
         return None
     direct = [derivative(value, drive.parameter)]
     slope = add([*direct, *(derivative(value, n) * pose.rates[n] for n in sorted(moving))])
