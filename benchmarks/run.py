@@ -11,13 +11,20 @@ import subprocess
 import sys
 import tempfile
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import sympy
 
 import peers
 from emitted import scalar
-from generators import coupler_chain, four_bar_chain, scissor, uneven_scissor
+from generators import (
+    closed_four_bar_chain,
+    coupler_chain,
+    four_bar_chain,
+    scissor,
+    uneven_scissor,
+)
 from measure import exponent, medians, table, timed
 from mechc.diagnostics import Report
 from mechc.driver import Compilation, compile_source, emit
@@ -39,8 +46,12 @@ CHAINS: dict[str, Callable[[int], str]] = {
     "scissor, equal stages": scissor,
     "scissor, different stages": uneven_scissor,
     "chain of four-bars": four_bar_chain,
+    "chain of closed four-bars": closed_four_bar_chain,
     "chain of couplers": coupler_chain,
 }
+
+STROKES = {"jansen_leg": 0.5, "double_butterfly": 0.3, "triad_closed": 0.08}
+"""What each stroke may take at most, when ``import sympy`` is 1: the goal."""
 
 PATIENCE = 2.0
 """Seconds for one compilation beyond which a chain is not made longer."""
@@ -184,6 +195,20 @@ def lengths() -> None:
     table("Operations in k", ("mechanism", "own", "printed"), rows)
 
 
+# ------------------------------------------------------------------- (h) strokes
+
+
+def strokes(rounds: int) -> None:
+    """Time strokes of what has been compiled, 37 rows each, against ``import sympy``."""
+    unit = [sys.executable, "-c", "import sympy"]
+    runs = {"import sympy": _process(unit, dict(os.environ))}
+    for name in STROKES:
+        runs[name] = partial(compile_source(read(library()[name])).stroke, 37)
+    times = medians(runs, rounds)
+    rows = [(name, times[name] / times["import sympy"], goal) for name, goal in STROKES.items()]
+    table("A stroke of 37 rows; import sympy = 1", ("mechanism", "ratio", "goal"), rows)
+
+
 # ------------------------------------------------- (e) to (g), in files of their own
 
 
@@ -201,6 +226,7 @@ PARTS: dict[str, Callable[[bool], None]] = {
     "growth": lambda quick: growth(
         (4, 8, 16) if quick else (4, 8, 16, 32, 64), rounds=1 if quick else 3
     ),
+    "strokes": lambda quick: strokes(rounds=2 if quick else 9),
     "scalar": lambda quick: scalar(rounds=15 if quick else 75),
     "implicit": lambda quick: iterated(rounds=5 if quick else 25),
     "precision": lambda quick: precision(poses=7 if quick else 51),
