@@ -75,6 +75,11 @@ def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
     assert hold(closed(70081)) == 1
 
 
+def test_an_efficiency_that_turns_before_it_jumps():
+    """It falls from 0.966 to 0.961 and jumps to 0.962: the cell looked at ends at the jump."""
+    assert hold([chain(311034)]) == 1
+
+
 @pytest.mark.slow
 def test_a_slip_that_is_zero_at_any_pose_has_no_sign():
     """Three rods make one rigid body: no pin in it slips, and nothing is told by rounding."""
@@ -103,4 +108,4 @@ def test_what_is_said_of_open_mechanisms_with_friction():
 @pytest.mark.slow
 def test_what_is_said_of_many_mechanisms_with_friction():
     assert hold(of(closed, [70160, 70299, *range(410, 450)])) > 15
-    assert hold(of(opened, range(410, 425))) > 8
+    assert hold(of(opened, [311051, *range(410, 425)])) > 8

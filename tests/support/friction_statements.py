@@ -84,6 +84,7 @@ def stuck(ratios: Ratios, result: Result, reach: LockingIntervals) -> Iterator[s
 def run(ratios: Ratios, result: Result, course: EfficiencyRange) -> Iterator[str]:
     """Yield what an efficiency comes to beyond what it is said to run through."""
     places = np.linspace(*course.range, DENSE)[1:-1]
+    width = course.range[1] - course.range[0]
     k, share = ratios.along(course.parameter, places)
     driven = ratios.sense * k < 0
     with np.errstate(all="ignore"):
@@ -94,6 +95,8 @@ def run(ratios: Ratios, result: Result, course: EfficiencyRange) -> Iterator[str
         if not course.least - ENOUGH <= eta <= course.greatest + ENOUGH:
             yield f"{where} is {eta} at {x!r}, not {course.least} to {course.greatest}"
             return
+        if any(abs(x - end) < NEAR * width for part in course.usual for end in part):
+            continue
         is_said = any(a <= x <= b for a, b in course.usual)
         slack = ENOUGH if is_said else -ENOUGH
         if is_said != (USUAL[0] - slack <= eta <= USUAL[1] + slack):

@@ -34,6 +34,9 @@ BENT = 0.02
 DEEPEST = 10
 """How often a cell is halved at most."""
 
+BEFORE_JUMP = 1e-2
+"""How far before a jump an efficiency is looked at, as a part of the cell that ends there."""
+
 SECTIONS, FEWER = 16, 13
 """Sections to a lowest or highest efficiency, after which three figures are right."""
 
@@ -53,7 +56,8 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     places = sorted({*places, *(x for x in jumps if all(abs(x - c) > far for c in still))})
     edges = [x for a, b in pairwise(places) for x in _edge(moving, a, b)]
     places = sorted({*places, *edges})
-    places = sorted({*places, *_bulging(moving, places)})
+    beside_jumps = _turning_beside_jumps(moving, places)
+    places = sorted({*places, *_bulging(moving, places), *beside_jumps})
     return sorted({*places, *_extremes(moving, places)})
 
 
@@ -156,6 +160,27 @@ def _bulging(moving: Moving, places: Sequence[float]) -> Iterator[float]:
         first, here, final = (moving.efficiency(x) for x in (a, middle, b))
         if here > max(first, final) or here < min(first, final):
             yield middle
+
+
+def _turning_beside_jumps(moving: Moving, places: Sequence[float]) -> Iterator[float]:
+    """Yield where an efficiency is lowest or highest within a cell that ends at a jump.
+
+    Its neighbour beyond the jump tells nothing of that; a place just before it does.
+    """
+    sections = FEWER if moving.is_slow else SECTIONS
+    for far, end, beyond in (*_triples(places), *_triples(places[::-1])):
+        if moving.signs(end) == moving.signs(beyond):
+            continue
+        first, final = moving.efficiency(far), moving.efficiency(end)
+        inside = moving.efficiency(end + (far - end) * BEFORE_JUMP)
+        for sense in (1, -1):
+            if sense * inside < sense * final <= sense * first:
+                efficiency = partial(_signed, moving, sense)
+                yield lowest(efficiency, min(far, end), max(far, end), sections)
+
+
+def _triples(places: Sequence[float]) -> Iterator[tuple[float, float, float]]:
+    return zip(places, places[1:], places[2:], strict=False)
 
 
 def _extremes(moving: Moving, places: Sequence[float]) -> Iterator[float]:
