@@ -74,7 +74,7 @@ def test_a_ratio_that_turns_in_a_range_is_least_and_greatest_where_it_is_said_to
     assert [e.parameter for e in k.extents] == ["phi"]
     assert list(refuted(compilation)) == []
     said = " ".join(render(compilation.told, compilation.mechanism, unicode=False).split())
-    assert "k is least at phi = 150 deg, 4.1915 mm" in said
+    assert "the least k is 4.1915 mm, at phi = 150 deg" in said
 
 
 def test_what_is_said_along_random_strokes():
