@@ -63,6 +63,7 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
     default=True,
     help="Put the values given into the formulas of LaTeX output.",
 )
+@click.option("--brief", is_flag=True, help="LaTeX of the formulas alone, on about a page.")
 @click.option(
     "--lang",
     "language",
@@ -85,6 +86,7 @@ def command(
     paths: tuple[str, ...],
     fragment: bool,
     numbers: bool,
+    brief: bool,
     language: str,
     settings: Settings,
     deps: str | None,
@@ -104,7 +106,7 @@ def command(
     wanted = outputs(paths, target)
     compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    options = Options(stem="", fragment=fragment, language=language, numbers=numbers)
+    options = Options("", fragment, language, numbers, brief)
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]
     printed = [emitted[0].text for output, emitted in made if output.path is None]

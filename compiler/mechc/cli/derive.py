@@ -3,7 +3,7 @@
 import click
 
 from ..driver import complete, warnings
-from ..report.text.derivation import render
+from ..report.text.derivation import render, render_brief
 from ..syntax.settings import Settings
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
@@ -14,10 +14,11 @@ from .terminal import say, speaks_unicode
 @click.command("derive", cls=Command)
 @description_argument
 @click.option("--numbers/--no-numbers", default=True, help="Put the values given into formulas.")
+@click.option("--brief", is_flag=True, help="Print the formulas alone.")
 @settings_option
 @stdin_option
 @session_options
-def command(file: str, numbers: bool, settings: Settings, stdin_name: str) -> None:
+def command(file: str, numbers: bool, brief: bool, settings: Settings, stdin_name: str) -> None:
     """Print the derivation of k step by step.
 
     Each velocity relation with the rule that gives it, the power equation, k, and where
@@ -25,10 +26,11 @@ def command(file: str, numbers: bool, settings: Settings, stdin_name: str) -> No
 
     \b
     mechc derive clamp.mech
+    mechc derive clamp.mech --brief
     """
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    text = render(
-        compilation.told, compilation.mechanism, unicode=speaks_unicode(), numbers=numbers
-    )
+    shown = render_brief if brief else render
+    told, mechanism = compilation.told, compilation.mechanism
+    text = shown(told, mechanism, unicode=speaks_unicode(), numbers=numbers)
     say(text, end="")

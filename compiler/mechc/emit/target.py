@@ -79,6 +79,8 @@ class Options(NamedTuple):
     """One of :data:`~mechc.report.languages.registry.LANGUAGES`."""
     numbers: bool = True
     """Whether reports put the given values into their formulas."""
+    brief: bool = False
+    """Whether reports are formulas without the words between."""
     single: bool = False
     """One self-contained file (for standard output)."""
     named: bool = True

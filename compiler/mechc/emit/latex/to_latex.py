@@ -13,6 +13,7 @@ from ...data import data
 from ...formula.tree import ZERO
 from ...model.mechanism import Parameter
 from ...model.sheets import is_sheet
+from ...report.brief import needed, relations, short
 from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import evaluated
 from ...report.languages import registry
@@ -28,7 +29,7 @@ from ...report.latex.given import (
     vector_rows,
 )
 from ...report.latex.notation import Notation, notation, translated
-from ...report.latex.numbers import numbers, values
+from ...report.latex.numbers import in_line, numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.results import (
     SectionBlock,
@@ -86,6 +87,19 @@ class Report(NamedTuple):
     remarks: tuple[str, ...]
 
 
+class Brief(NamedTuple):
+    """All that the template of a report in brief prints."""
+
+    locale: Locale
+    made_by: str
+    section: str
+    title: str
+    source: str
+    displays: tuple[str, ...]
+    numbers: tuple[str, ...]
+    values: str
+
+
 class Latex:
     """The target ``latex``."""
 
@@ -123,9 +137,11 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, options.fragment)
         return TEMPLATES.get_template("note.jinja").render(note._asdict())
-    whole = report(
-        compiled, locale, style_of(compiled.mechanism, compiled.derivation.results, style), options
-    )
+    style = style_of(compiled.mechanism, compiled.derivation.results, style)
+    if options.brief:
+        in_brief = brief(compiled, locale, style, options)
+        return TEMPLATES.get_template("brief.jinja").render(in_brief._asdict())
+    whole = report(compiled, locale, style, options)
     return TEMPLATES.get_template("body.jinja").render(whole._asdict())
 
 
@@ -184,6 +200,29 @@ def report(compiled: Compiled, locale: Locale, style: Notation, options: Options
         numbers=numbers(derivation.results, {e.left for e in found}, locale, style),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
+    )
+
+
+def brief(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Brief:
+    """Return the formulas of a report alone: of the position, the speeds, the loads, results."""
+    mechanism, derivation = compiled.mechanism, compiled.told
+    whole = outline(derivation, mechanism)
+    found = tuple(short(evaluated(whole, mechanism), derivation)) if options.numbers else ()
+    bare = [item for item in found if item.numbers is None]
+    position = definitions([d for s in whole.position for d in s.where], locale, style, {})
+    steps = [_equations(relations(derivation), locale, style)]
+    loads = [_equations(map(tuple, needed(derivation)), locale, style)]
+    sections = [section_block(s, locale, style) for s in whole.results]
+    results = [d for s in sections for d in (*(p.equations for p in s.paragraphs), *s.displays)]
+    return Brief(
+        locale=locale,
+        made_by=locale.made_by.format(version=compiled.version),
+        section="subsection" if options.fragment else "section",
+        title=translated(mechanism.title or mechanism.name, style),
+        source=translated(mechanism.source, style),
+        displays=tuple(filter(None, (*position, *steps, *loads, *results))),
+        numbers=tuple(in_line(item, locale, style) for item in bare),
+        values=values([item for item in found if item not in bare], locale, style),
     )
 
 

@@ -25,6 +25,12 @@ def values(found: Iterable[Evaluated], locale: Locale, style: Notation) -> str:
     return f"\\begin{{align*}}\n{rows}\n\\end{{align*}}" if lines else ""
 
 
+def in_line(item: Evaluated, locale: Locale, style: Notation) -> str:
+    """Return a name and its value, to stand in a line of text."""
+    value = in_unit(item.value.value, item.value.unit, locale, style)
+    return f"${latex(item.left, style)}={value}$"
+
+
 def _line(item: Evaluated, locale: Locale, style: Notation) -> str:
     """Return a formula in numbers and its value, on several lines where one is too short."""
     left, value = box(item.left, style), in_unit(item.value.value, item.value.unit, locale, style)

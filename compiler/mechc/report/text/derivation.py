@@ -14,12 +14,13 @@ from ...model.result import Definition
 from ...model.sheets import is_sheet
 from ...study.analysis import Analysis
 from ...units import ANGLE, in_unit
+from ..brief import needed, relations, short
 from ..definitions import Solved, grouped
 from ..derivation.steps import Derivation, LastStep, Step
-from ..evaluated import evaluated
+from ..evaluated import Evaluated, evaluated
 from ..languages.en import LOCALE
 from ..put_in import Quantity, in_degrees
-from ..sections import Outline, PositionSection, Section, outline
+from ..sections import PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, lines, position_sentence, sentence
 from . import note
@@ -98,7 +99,7 @@ def render(
         lines += ["", *([] if again else [title]), *_section(section, spell)]
         before = title
     if numbers:
-        lines += _numbers(whole, mechanism, spell)
+        lines += _numbers(evaluated(whole, mechanism), spell)
     if mechanism.requires:
         lines += [
             "",
@@ -107,9 +108,32 @@ def render(
     return "\n".join(line.rstrip() for line in lines).lstrip("\n") + "\n"
 
 
-def _numbers(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+def render_brief(
+    derivation: Derivation, mechanism: Mechanism, *, unicode: bool = True, numbers: bool = True
+) -> str:
+    """Return the formulas of a derivation as text: of the position, the speeds, the results.
+
+    What else is asked for is as for :func:`render`.
+    """
+    if is_sheet(mechanism):
+        return note.render(mechanism, derivation.results, unicode)
+    spell = speller(derivation, mechanism, unicode)
+    whole = outline(derivation, mechanism)
+    position = [line for p in whole.position for line in _where(p.literals, p.where, spell, {})]
+    results = _equations(needed(derivation), spell)
+    for section in whole.results:
+        results += _equations([e for p in section.paragraphs for e in p.equations], spell)
+        results += [line for r in section.results for line in _result(r, spell, section.units)]
+        results += _where(section.literals, section.where, spell, section.units)
+    parts = [_title(mechanism), position, _equations(relations(derivation), spell), results]
+    text = "\n\n".join("\n".join(part) for part in parts if part) + "\n"
+    found = short(evaluated(whole, mechanism), derivation) if numbers else ()
+    return text + "".join(f"{line.rstrip()}\n" for line in _numbers(found, spell))
+
+
+def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
     """Yield what formulas come to at the default pose, with the numbers put in."""
-    found = tuple(evaluated(whole, mechanism))
+    found = tuple(values)
     if found:
         yield from ("", LOCALE.numbers, f"     {LOCALE.at_default}:")
     for left, numbers, value, angle in found:

@@ -1,0 +1,43 @@
+"""A derivation in brief, as a table of mechanisms has it: no words between the formulas."""
+
+from collections.abc import Iterable, Iterator
+
+from ..formula.operations import count_operations
+from ..formula.tree import Formula, Sum, Symbol, product
+from ..model.mechanism import LoadRatio
+from .derivation.steps import Derivation, Equation
+from .evaluated import Evaluated
+from .sentences.remarks import asked
+from .sentences.wording import Sides, lines
+
+LONG = 24
+"""A ratio of more operations than this is not written out a second time."""
+
+
+def relations(derivation: Derivation) -> Iterator[Sides]:
+    """Yield what each step gives: solved for the new speeds, where its rule does not do that."""
+    for step in derivation.steps:
+        said, hence = lines(step)
+        yield from map(_at_once, hence or said)
+
+
+def _at_once(sides: Sides) -> Sides:
+    """Return a chain without what it goes on to behind a sum, which takes a line by itself."""
+    return sides[:2] if isinstance(sides[1], Sum) else sides
+
+
+def short(found: Iterable[Evaluated], derivation: Derivation) -> Iterator[Evaluated]:
+    """Yield values, those of results with the numbers put in, of what they rest on without."""
+    results = {asked(result) for result in derivation.results}
+    for item in found:
+        yield item if item.left in results else item._replace(numbers=None)
+
+
+def needed(derivation: Derivation) -> Iterator[Equation]:
+    """Yield the load above the line of each ratio of loads: ``P = F·a/b``."""
+    for result in derivation.results:
+        match result.target:
+            case LoadRatio(above, below) if above != below:
+                is_long = count_operations(result.formula) > LONG
+                factor: Formula = Symbol(result.name) if is_long else result.formula
+                yield Equation(Symbol(above), product([(Symbol(below), 1), (factor, 1)]))

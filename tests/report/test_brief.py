@@ -1,0 +1,61 @@
+"""A derivation in brief: the formulas of a row of a table, each name told before it is used."""
+
+import re
+
+import pytest
+
+from good_mechanisms import compiled
+from mechc.driver import emit
+from mechc.emit.latex.to_latex import TARGET
+from mechc.emit.target import Options
+from mechc.report.text.derivation import render_brief
+from report_samples import packet_clamp
+
+CLAMP = """\
+Packet clamp of a profile-welding machine
+Karpenko, Muzyka, Shishkin 2023, fig. 9
+
+        V_A/V_B = b/a
+        V_B/V_K = cos(beta) / sin(alpha + beta)
+
+        P = F*a/(2*b) * sin(alpha + beta) / (cos(alpha) * cos(beta))
+        k = P/F = a/(2*b) * sin(alpha + beta) / (cos(alpha) * cos(beta))
+"""
+
+
+def brief(name, numbers=False):
+    made = compiled(name)
+    return render_brief(made.derivation, made.mechanism, unicode=False, numbers=numbers)
+
+
+def latex(name, language="en"):
+    return emit(compiled(name), TARGET, Options(name, language=language, brief=True))[0].text
+
+
+def test_a_clamp_is_a_row_of_the_table():
+    made = packet_clamp()
+    assert render_brief(made.derivation, made.mechanism, unicode=False, numbers=False) == CLAMP
+
+
+def test_numbers_are_put_in_for_results_alone():
+    found = brief("jansen_leg", numbers=True).partition("Numerical values")[2]
+    assert "mu_B = 34.8804 deg\n" in found
+    assert "k = 49 mm * 0.7316 * cos(-89.3 deg) - " in found
+
+
+@pytest.mark.parametrize("name", ["jansen_leg", "karpenko_fig9_with_friction"])
+def test_each_name_is_told_before_it_is_used(name):
+    told, where = {p.name for p in compiled(name).mechanism.parameters}, brief(name)
+    defined = set(re.findall(r"^ *(\w+) = ", where, re.MULTILINE))
+    for line in where.splitlines():
+        told |= set(re.findall(r"^ *(\w+) = ", line))
+        right = line.partition(" = ")[2]
+        assert not (set(re.findall(r"\w+", right)) & defined) - told, line
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_a_long_chain_has_a_short_report(language):
+    text = latex("jansen_leg", language)
+    assert text.count("=") < 90
+    assert r"\begin{enumerate}" not in text
+    assert "i_{DEF}=\\frac{\\omega_{DEF}}{\\omega_{OA}}" in text
