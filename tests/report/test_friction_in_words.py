@@ -66,7 +66,7 @@ def test_json_gives_the_conditions_of_a_case():
         "pin friction",
         "rod forces",
         "part",
-        "unit",
+        "unit and drive",
         "pressed",
         "crossed",
         "turns left",

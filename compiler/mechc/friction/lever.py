@@ -19,7 +19,18 @@ from ..algebra.angle import Angle
 from ..algebra.factors import Opaque
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
-from ..formula.tree import Call, negative, number, power, product, quotient, total
+from ..formula.tree import (
+    Call,
+    Formula,
+    Symbol,
+    negative,
+    number,
+    power,
+    product,
+    quotient,
+    total,
+)
+from ..formula.walk import substitute
 from ..pose.pose import Vector
 from ..power.speeds import root
 from .free_bodies import BodyForce, EquationsCoupled
@@ -39,11 +50,18 @@ class Bearing(NamedTuple):
     turn: Product
 
 
+Sides = tuple[Formula, Formula]
+
+
 class Balanced(NamedTuple):
-    """The size of the pull that balances a lever; it does so where ``turns`` is positive."""
+    """The size of the pull that balances a lever; it does so where ``turns`` is positive.
+
+    ``quadratic`` is the equation of which it is a root, where it is one.
+    """
 
     size: Product
     turns: Product = ONE
+    quadratic: Sides | None = None
 
 
 def on_lever(
@@ -57,7 +75,7 @@ def on_lever(
     if unknown.line is not None and unknown.size != ONE:
         part = ONE / unknown.size
         found = on_lever(unknown.scaled(part), known, arms, bearing, signs)
-        return found._replace(size=found.size * part)
+        return _in_whole(found, unknown, part)
     arm = moment(unknown, arms)
     rest = add(moment(p, arms) for p in known)
     if bearing is None:
@@ -68,7 +86,7 @@ def on_lever(
     if unknown.line is None:
         load = _size(along, across, f"s_{bearing.pivot}_load", signs)
         return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
-    label = unknown.name.removeprefix("S_").removeprefix("R_")
+    label = _label(unknown.name)
     way = -1 if arm.coefficient < 0 else 1
     arm, rest = arm.scaled(way), rest.scaled(-way)
     across = -across if across.coefficient < 0 else across
@@ -78,7 +96,21 @@ def on_lever(
         return Balanced(rest / arm)
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
-    return _root(label, (arm, rest, along, across), bearing, turn, signs)
+    return _root(unknown.name, (arm, rest, along, across), bearing, turn, signs)
+
+
+def _in_whole(found: Balanced, unknown: BodyForce, part: Product) -> Balanced:
+    """Return the size of a force from that of the part of it that acts."""
+    size = found.size * part
+    if found.quadratic is None:
+        return found._replace(size=size)
+    acting = {unknown.name: (Product.symbol(unknown.name) * unknown.size).formula()}
+    left, right = (substitute(side, acting) for side in found.quadratic)
+    return found._replace(size=size, quadratic=(left, right))
+
+
+def _label(name: str) -> str:
+    return name.removeprefix("S_").removeprefix("R_")
 
 
 def _size(along: Product, across: Product, name: str, signs: Signs) -> Product:
@@ -103,14 +135,14 @@ def _parallel(
 
 
 def _root(
-    label: str, parts: Sequence[Product], bearing: Bearing, turn: Product, signs: Signs
+    name: str, parts: Sequence[Product], bearing: Bearing, turn: Product, signs: Signs
 ) -> Balanced:
     """Return the root of the quadratic, with what it is made of by names.
 
     In code the radius has the sign of the turn: where that is zero, there is no friction.
     """
     a, b, c, q = (
-        signs.named(f"{letter}_{label}", part).formula()
+        signs.named(f"{letter}_{_label(name)}", part).formula()
         for letter, part in zip("abcq", parts, strict=True)
     )
     sense, signed = (ONE, turn * bearing.radius) if turn.factors else (turn, bearing.radius)
@@ -125,7 +157,10 @@ def _root(
     ]
     ahead = product([(bearing.turn.formula(), 1), (negative(gap), 1)])
     root, turns = quotient(total(above), square), Call("max", (square, ahead))
-    return Balanced(Product.of(Opaque(root)), Product.of(Opaque(turns)))
+    squares = [power(total([Symbol(name), c]), TWO), power(q, TWO)]
+    moments = total([product([(a, 1), (Symbol(name), 1)]), negative(b)])
+    quadratic = power(moments, TWO), product([(radius, 2), (total(squares), 1)])
+    return Balanced(Product.of(Opaque(root)), Product.of(Opaque(turns)), quadratic)
 
 
 def moment(force: BodyForce, arms: Arms) -> Product:

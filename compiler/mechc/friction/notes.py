@@ -47,13 +47,18 @@ class Notes:
         forces: Sequence[BodyForce],
         friction: Product,
         found: Mapping[str, Product],
+        squared: Pair | None = None,
     ) -> None:
-        """Note a body in balance under pulls of unknown size, and what that gives."""
+        """Note a body in balance under pulls of unknown size, and what that gives.
+
+        ``squared`` is the equation of a lever behind that of its moments, where these have a root.
+        """
         pivot, sense = "", 0
         match kind:
             case "lever":
                 pivot, sense = self._bodies.pivot(body), exact_sign(friction.coefficient)
                 equations = [self._moments(body, forces, friction)]
+                equations += [squared] if squared else []
             case "slider":
                 equations = [self._along(body, forces, friction)]
             case "pin":

@@ -25,7 +25,7 @@ from ..model.mechanism import Link
 from ..pose.pose import PointContact
 from .closed_form import Condition
 from .free_bodies import HALF_TURN, Bodies, BodyForce, EquationsCoupled, Kind, Surface, Task, under
-from .lever import Bearing, on_lever
+from .lever import Bearing, Sides, on_lever
 from .notes import Notes
 from .pairs import radii, reduced
 from .signs import Signs
@@ -44,6 +44,7 @@ class SequentialSolver:
         self._given = task.given
         self._radii = radii(p.pair for p in task.pressed)
         self._lines: dict[str, Angle] = {}
+        self._squared: dict[str, Sides] = {}
 
     @property
     def steps(self) -> list[Step]:
@@ -72,7 +73,7 @@ class SequentialSolver:
         if self._signs.is_read:
             free = [p.scaled(self._given.get(p.name) or Product.symbol(p.name)) for p in forces]
             found = {p.name: self.sizes[p.name] for p in unknown}
-            self._notes.balance(kind, body, free, friction, found)
+            self._notes.balance(kind, body, free, friction, found, self._squared.get(body))
         return True
 
     def _balance(
@@ -169,7 +170,10 @@ class SequentialSolver:
     def _lever(self, body: str, unknown: BodyForce, known: Sequence[BodyForce]) -> Product:
         surface, pivot = self._bodies.bearing(body), self._bodies.pivot(body)
         bearing = Bearing(pivot, self._factor(surface), self._turn(surface)) if surface else None
-        size, turns = on_lever(unknown, known, self._bodies.arms(body), bearing, self._signs)
+        arms = self._bodies.arms(body)
+        size, turns, quadratic = on_lever(unknown, known, arms, bearing, self._signs)
+        if quadratic:
+            self._squared[body] = quadratic
         self._determine(unknown, size)
         if turns.factors:
             self.conditions.append(Condition(ONE, turns))

@@ -45,10 +45,10 @@ def of_friction(solution: Solution) -> Iterator[Explanation]:
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is None or not solved or not solved[0].steps:
             continue
-        steps = told.with_one_meaning(solved[0].steps, place, solved[0].result.name)
-        paragraphs = [p for step in steps for p in _passages(step, told, place)]
         names = tuple(s.result.name for s in solved)
-        yield Explanation(names, (*_opening(place, steps, mechanism, told), *paragraphs))
+        steps = told.with_one_meaning(solved[0].steps, place, names[0])
+        paragraphs = [p for step in steps for p in _passages(step, told, place)]
+        yield Explanation(names, (*_opening(place, names[0], steps, mechanism, told), *paragraphs))
 
 
 def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
@@ -140,7 +140,7 @@ def _renamed(step: Step, names: Mapping[str, Formula]) -> Step:
 
 
 def _opening(
-    target: WithFriction, steps: Sequence[Step], mechanism: Mechanism, told: _Shown
+    target: WithFriction, result: str, steps: Sequence[Step], mechanism: Mechanism, told: _Shown
 ) -> Iterator[Paragraph]:
     """Say which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
@@ -153,7 +153,17 @@ def _opening(
     if kind not in ("first order", "straight", "iterated"):
         yield from told.once(_how(steps, mechanism))
     if isinstance(target.of, LoadRatio):
-        yield Paragraph(SentenceKind.UNIT, names={"load": (target.of.below,)})
+        yield _unit(target.of, steps, result)
+
+
+def _unit(asked: LoadRatio, steps: Sequence[Step], result: str) -> Paragraph:
+    """Say what forces are measured by, and what the load of the drive then is, where it is met."""
+    names, drive = {"load": (asked.below,)}, Symbol(asked.above)
+    met = {name for step in steps for pair in step.equations for s in pair for name in symbols(s)}
+    if drive.name not in met:
+        return Paragraph(SentenceKind.UNIT, names=names)
+    formulas = {"drive": drive, "ratio": Symbol(result)}
+    return Paragraph(SentenceKind.UNIT_AND_DRIVE, names=names, formulas=formulas)
 
 
 def _how(steps: Sequence[Step], mechanism: Mechanism) -> Iterator[Paragraph]:
@@ -241,15 +251,16 @@ def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> 
     turns = {1: SentenceKind.TURNS_LEFT, -1: SentenceKind.TURNS_RIGHT}
     names = {"link": (step.body,), "point": (step.pivot,)}
     saying = turns.get(step.sense, SentenceKind.MOMENTS)
-    moments, rest = found[0], found[1:]
+    moments, rest = found[0], [e for e in found[1:] if isinstance(e.left, Symbol)]
+    squared = [e for e in found[1:] if e not in rest]
     if not any(isinstance(f, Call) and f.function == "hypot" for f in walk(moments.right)):
         yield Paragraph(saying, (moments, *new, *rest), names)
         return
     given = [e for e in new if e.left in _mentioned(moments) and not _rests_on(e, new)]
     yield Paragraph(saying, (moments, *given), names)
     solved = [e for e in new if e not in given]
-    if solved:
-        yield Paragraph(SentenceKind.SQUARED, (*solved, *rest))
+    if squared:
+        yield Paragraph(SentenceKind.SQUARED, (*squared, *solved, *rest))
 
 
 def _mentioned(equation: Equation) -> set[Formula]:

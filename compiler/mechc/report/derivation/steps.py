@@ -146,6 +146,8 @@ class SentenceKind(StrEnum):
     """One of the equal parts of a mechanism is looked at."""
     UNIT = "unit"
     """What forces are measured by."""
+    UNIT_AND_DRIVE = "unit and drive"
+    """The same where the load of the drive is met: it is the ratio that is asked for."""
     PRESSED = "pressed"
     """A rod is pressed."""
     PULLED = "pulled"

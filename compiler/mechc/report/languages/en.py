@@ -155,6 +155,7 @@ LOCALE = Locale(
         "tension.",
         "part": "By symmetry one of the equal parts is considered.",
         "unit": "Forces are given per unit of {load}.",
+        "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",
         "pressed": "The rod {link} is in compression.",
         "pulled": "The rod {link} is in tension.",
         "crossed": "The force in {link} acts along the internal common tangent of the friction "
@@ -172,7 +173,7 @@ LOCALE = Locale(
         "right that of the friction in the pivot:",
         "turns right": "The link {link} turns clockwise. Moments about {point}, on the right that "
         "of the friction in the pivot:",
-        "squared": "Squared, this is a quadratic equation; its solution:",
+        "squared": "Squared, this is a quadratic equation:",
         "along": "Forces on {point} along its guide:",
         "along with friction": "Forces on {point} along its guide, on the right its friction:",
         "pin of rods": "Forces on the pin {point}, across each of the rods:",
