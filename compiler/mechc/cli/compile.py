@@ -65,6 +65,11 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
 )
 @click.option("--brief", is_flag=True, help="LaTeX of the formulas alone, on about a page.")
 @click.option(
+    "--pictures",
+    is_flag=True,
+    help="LaTeX with the scheme, the free bodies, a plot of the first result and its table.",
+)
+@click.option(
     "--lang",
     "language",
     type=Word(list(LANGUAGES)),
@@ -87,6 +92,7 @@ def command(
     fragment: bool,
     numbers: bool,
     brief: bool,
+    pictures: bool,
     language: str,
     settings: Settings,
     deps: str | None,
@@ -106,7 +112,7 @@ def command(
     wanted = outputs(paths, target)
     compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    options = Options("", fragment, language, numbers, brief)
+    options = Options("", fragment, language, numbers, brief, pictures)
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]
     printed = [emitted[0].text for output, emitted in made if output.path is None]

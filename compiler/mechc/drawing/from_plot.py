@@ -1,19 +1,17 @@
 """From a plot to its picture: panels above one another, legends to their right."""
 
-import math
 from collections.abc import Iterator
-from itertools import takewhile
 
 from ..frozen import replace
-from ..plot.plot import Mark, Plot
+from ..plot.plot import Plot
 from ..pose.places import Plane
 from .arrange import below_each_other
 from .axes import grid, heading, label, numbers_below, numbers_beside, outline, rectangle
 from .describe_plot import describe
-from .drawing import AXIS, Arc, Drawing, Fill, Label, Pen, Polyline, Run, Shape
-from .labels import Around
+from .drawing import Drawing, Polyline, Shape
 from .lettering import SIZE, box
-from .panels import Layout, common_entry, entry, laid_out, values_at, ways
+from .marks import curves, dots, poles, values_beside
+from .panels import Layout, common_entry, entry, laid_out
 from .sheet import Layer, Sheet
 
 SAMPLE = 9.0
@@ -21,12 +19,6 @@ SAMPLE = 9.0
 
 ROW = 5.6
 """How far rows of the legend are apart."""
-
-NAMED = 6
-"""How many marks of a panel have their values written beside them; more are only dots."""
-
-DOT = 0.9
-"""The radius of a mark."""
 
 
 def picture(plot: Plot) -> Drawing:
@@ -40,10 +32,8 @@ def picture(plot: Plot) -> Drawing:
 def _drawn(layout: Layout) -> Drawing:
     sheet, frame = Sheet(), layout.frame
     sheet.shade(Layer.COPIES, [*_shaded(layout), *grid(frame, layout.across, layout.up)])
-    sheet.draw(Layer.AXES, _poles(layout))
-    for curve, pen in layout.pens.items():
-        places = (tuple(map(frame.at, way)) for way in ways(curve, layout))
-        sheet.draw(Layer.BODIES, [Polyline(way, pen) for way in places])
+    sheet.draw(Layer.AXES, poles(layout))
+    sheet.draw(Layer.BODIES, curves(layout))
     sheet.draw(Layer.JOINTS, [outline(frame)])
     _write_axes(sheet, layout)
     _draw_legend(sheet, layout)
@@ -72,54 +62,13 @@ def _shaded(layout: Layout) -> Iterator[Shape]:
         yield rectangle(Plane(left, frame.low.y), Plane(right, frame.high.y), "light")
 
 
-def _poles(layout: Layout) -> Iterator[Shape]:
-    """Yield a broken line where a curve is infinite, from edge to edge."""
-    frame = layout.frame
-    for pole in sorted({pole for curve in layout.panel.curves for pole in curve.poles}):
-        x = layout.at(Plane(pole, 0.0)).x
-        if frame.low.x < x < frame.high.x:
-            yield Polyline((Plane(x, frame.low.y), Plane(x, frame.high.y)), AXIS)
-
-
 def _draw_marks(sheet: Sheet, layout: Layout) -> None:
-    frame = layout.frame
-    marks = [
-        (mark, pen)
-        for curve, pen in layout.pens.items()
-        for mark in curve.marks
-        if frame.least.y <= layout.value(mark.at).y <= frame.most.y
-    ]
-    sheet.draw(Layer.PINS, (_dot(mark, pen, layout) for mark, pen in marks))
-    told = [(mark, pen) for mark, pen in marks if mark.kind != "default"]
-    if len(told) <= NAMED or layout.plot.equal:
-        for mark, pen in told:
-            _write_values(sheet, mark, pen, layout)
-
-
-def _dot(mark: Mark, pen: Pen, layout: Layout) -> Arc:
-    fill: Fill = "solid" if mark.kind in ("default", "station") else "white"
-    return Arc(layout.at(mark.at), DOT, pen._replace(width=0.35, dashes=()), fill=fill)
-
-
-def _away(mark: Mark) -> float:
-    """Return in which direction from a mark there is likely to be room."""
-    return -math.pi / 2 if mark.kind == "minimum" else math.pi / 2
-
-
-def _write_values(sheet: Sheet, mark: Mark, pen: Pen, layout: Layout) -> None:
-    """Write the values at a mark inside the panel, over its grid, if there is room."""
-    at, towards = layout.at(mark.at), _away(mark)
-    for text in values_at(mark, layout):
-        name = Around(at, (Run(text),), pen, towards, DOT)
-        width, height = box(name.runs, SIZE)
-        half = Plane(width / 2 + 0.5, height / 2 + 0.3)
-        for place, _ in takewhile(lambda c: not c.far, name.candidates(width, height)):
-            low, high = place.minus(half), place.plus(half)
-            inside = layout.frame.holds(low) and layout.frame.holds(high)
-            if inside and sheet.occupied.free(place, width, height):
-                sheet.shade(Layer.GROUND, [rectangle(low, high, "white")])
-                sheet.write(Label(place, name.runs, pen, SIZE, width, height))
-                return
+    sheet.draw(Layer.PINS, (dot for dot, _ in dots(layout)))
+    for written in values_beside(layout):
+        half = Plane(written.width / 2 + 0.5, written.height / 2 + 0.3)
+        paper = rectangle(written.at.minus(half), written.at.plus(half), "white")
+        sheet.shade(Layer.GROUND, [paper])
+        sheet.write(written)
 
 
 def _draw_legend(sheet: Sheet, layout: Layout) -> None:

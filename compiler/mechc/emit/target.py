@@ -7,13 +7,16 @@ Targets are found by name; third parties add theirs through the entry-point grou
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ..model.mechanism import Mechanism
+from ..plot.query import Query
 from ..pose.motion import Motion
 from ..report.derivation.steps import Derivation
 from ..routine.steps import Routine
 from ..statics.verdict import Verdict
 
 if TYPE_CHECKING:
+    from ..drawing.drawing import Drawing
     from ..figure.figure import Figure
+    from ..plot.plot import Plot
     from ..statics.diagram import Diagram
 
 
@@ -59,6 +62,20 @@ class Compiled(Protocol):
         ...
 
     @property
+    def scheme(self) -> "Drawing | None":
+        """Return the kinematic scheme at the default pose; None where it cannot be assembled."""
+        ...
+
+    @property
+    def free_body_diagrams(self) -> "Drawing | None":
+        """Return the free bodies drawn; None where there are none."""
+        ...
+
+    def plot(self, query: Query) -> "Plot":
+        """Return results against a parameter."""
+        ...
+
+    @property
     def free_bodies(self) -> "tuple[Diagram, ...]":
         """Return each body with the forces on it, at the default pose."""
         ...
@@ -81,6 +98,8 @@ class Options(NamedTuple):
     """Whether reports put the given values into their formulas."""
     brief: bool = False
     """Whether reports are formulas without the words between."""
+    pictures: bool = False
+    """Whether reports have the scheme, the free bodies and a plot."""
     single: bool = False
     """One self-contained file (for standard output)."""
     named: bool = True

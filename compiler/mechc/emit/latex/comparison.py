@@ -1,6 +1,6 @@
 r"""Several mechanisms in one table: the scheme of each beside its formulas.
 
-A fragment needs what a report does, graphicx and tikz, and the pens of :func:`pictures`.
+A fragment needs what a report does, graphicx and tikz, and the lines of :func:`.pictures.preamble`.
 """
 
 from collections.abc import Iterable, Iterator, Sequence
@@ -14,7 +14,8 @@ from ...report.latex.notation import Notation, notation, translated
 from ...report.latex.results import section_block
 from ...report.sections import outline
 from ..target import Compiled
-from ..tikz.picture import definitions, tikzpicture
+from ..tikz.picture import tikzpicture
+from .pictures import preamble
 from .to_latex import document
 
 _COLUMNS = (
@@ -35,14 +36,7 @@ def to_table(mechanisms: Sequence[Compared], language: str, fragment: bool) -> s
     """Return a table in a language, as a document or to be put into one."""
     locale = registry.locale(language)
     body = "\n".join(_table(mechanisms, locale, language)) + "\n"
-    return body if fragment else document(body, locale, pictures())
-
-
-def pictures() -> Iterator[str]:
-    """Yield the lines of a preamble that pictures need."""
-    yield r"\usepackage{graphicx}"
-    yield r"\usepackage{tikz}"
-    yield from definitions()
+    return body if fragment else document(body, locale, preamble())
 
 
 def _table(mechanisms: Iterable[Compared], locale: Locale, language: str) -> Iterator[str]:

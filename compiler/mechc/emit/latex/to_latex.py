@@ -44,6 +44,7 @@ from ...report.sentences.remarks import conditions
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
 from ..target import Compiled, Emitted, Options
 from .note import note_report
+from .pictures import NONE, Pictures, pictures, preamble
 
 
 class StepBlock(NamedTuple):
@@ -85,6 +86,7 @@ class Report(NamedTuple):
     numbers: tuple[str, ...]
     check: str
     remarks: tuple[str, ...]
+    pictures: Pictures
 
 
 class Brief(NamedTuple):
@@ -110,7 +112,8 @@ class Latex:
         """Return one ``.tex`` file."""
         locale = registry.locale(options.language)
         body = _body(compiled, locale, notation(options.language), options)
-        text = body if options.fragment else document(body, locale)
+        drawn = preamble() if options.pictures else ()
+        text = body if options.fragment else document(body, locale, drawn)
         return (Emitted(f"{options.stem}.tex", text),)
 
 
@@ -200,6 +203,7 @@ def report(compiled: Compiled, locale: Locale, style: Notation, options: Options
         numbers=numbers(derivation.results, {e.left for e in found}, locale, style),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
+        pictures=pictures(compiled, locale, style) if options.pictures else NONE,
     )
 
 

@@ -5,17 +5,15 @@ from collections.abc import Iterator
 from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
 from ...drawing.drawing import Pen, Run
-from ...drawing.panels import Layout, common_entry, entry, laid_out, values_at, ways
+from ...drawing.marks import DOT, dots, values_beside
+from ...drawing.panels import Layout, common_entry, entry, laid_out, ways
 from ...drawing.ticks import Scale
-from ...plot.plot import Curve, Mark, Plot
+from ...plot.plot import Curve, Plot
 from ...pose.places import Plane
 from ..tikz.picture import comment, mathematics
 
 APART = 26.0
 """How far panels are below each other, in millimetres."""
-
-NAMED = 6
-"""How many marks of a panel have their values written beside them."""
 
 
 def to_pgfplots(plot: Plot) -> str:
@@ -27,18 +25,14 @@ def to_pgfplots(plot: Plot) -> str:
         r"\usepackage{pgfplots}",
         r"\pgfplotsset{compat=1.15}",
         r"\begin{document}",
-        *_tikzpicture(plot),
+        *tikzpicture(plot),
         r"\end{document}",
     )
     return "\n".join(lines) + "\n"
 
 
-def fragment(plot: Plot) -> str:
-    r"""Return a plot to be put into a document that has pgfplots in its preamble."""
-    return "\n".join(_tikzpicture(plot)) + "\n"
-
-
-def _tikzpicture(plot: Plot) -> Iterator[str]:
+def tikzpicture(plot: Plot) -> Iterator[str]:
+    """Yield the lines of the picture alone."""
     layouts = [laid_out(plot, panel) for panel in plot.panels]
     yield r"\begin{tikzpicture}"
     for pen in dict.fromkeys(pen for layout in layouts for pen in layout.pens.values()):
@@ -109,24 +103,15 @@ def _curve(curve: Curve, pen: Pen, layout: Layout) -> Iterator[str]:
 
 
 def _marks(layout: Layout) -> Iterator[str]:
-    frame = layout.frame
-    marks = [
-        (mark, pen)
-        for curve, pen in layout.pens.items()
-        for mark in curve.marks
-        if frame.least.y <= layout.value(mark.at).y <= frame.most.y
-    ]
-    told = sum(mark.kind != "default" for mark, _ in marks)
-    for mark, pen in marks:
-        yield _mark(mark, pen, layout, told <= NAMED or layout.plot.equal)
-
-
-def _mark(mark: Mark, pen: Pen, layout: Layout, is_named: bool) -> str:
-    x, y = layout.value(mark.at)
-    fill = f"mechc{pen.name}" if mark.kind in ("default", "station") else "white"
-    side = "below" if mark.kind == "minimum" else "above"
-    text = f"${mathematics((Run(values_at(mark, layout)[0]),))}$"
-    named = is_named and mark.kind != "default"
-    node = rf" node[{side}, font=\small] {{{text}}}" if named else ""
-    look = f"draw=mechc{pen.name}, text=mechc{pen.name}, fill={fill}"
-    return rf"\path[{look}] (axis cs:{x:.8g},{y:.8g}) circle[radius=0.9mm]{node};"
+    """Yield rings and dots, and their values where the picture has them, too."""
+    for dot, mark in dots(layout):
+        x, y = layout.value(mark.at)
+        colour = f"mechc{dot.pen.name}"
+        fill = colour if dot.fill == "solid" else "white"
+        look = f"draw={colour}, fill={fill}"
+        yield rf"\path[{look}] (axis cs:{x:.8g},{y:.8g}) circle[radius={DOT:g}mm];"
+    corner = layout.frame.high
+    for label in values_beside(layout):
+        at = f"rel axis cs:{label.at.x / corner.x:.4f},{label.at.y / corner.y:.4f}"
+        look = rf"text=mechc{label.pen.name}, fill=white, inner sep=1pt, font=\small"
+        yield rf"\node[{look}] at ({at}) {{${mathematics(label.runs)}$}};"

@@ -294,6 +294,11 @@ LOCALE = Locale(
         "holds": "holds",
         "least": "holds, the least reserve",
     },
+    pictures={
+        "scheme": "Kinematic scheme",
+        "bodies": "Free bodies",
+        "plot": "{names} against {x}",
+    },
     comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
     requirements="The result holds for",

@@ -117,6 +117,9 @@ class Locale(NamedTuple):
     calculation: Mapping[str, str]
     """The words of a calculation sheet."""
 
+    pictures: Mapping[str, str]
+    """What is said below pictures, with places for names."""
+
     comparison: Mapping[str, str]
     """The heads of a table of several mechanisms."""
 
