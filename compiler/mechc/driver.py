@@ -328,9 +328,16 @@ class Compilation:
     @Stage
     def free_body_diagrams(self) -> "Drawing | None":
         """The free bodies drawn; None where there are none, or no figure."""
+        from .drawing.from_diagrams import WORDS
+
+        return self.drawn_bodies(WORDS)
+
+    @of_linkages
+    def drawn_bodies(self, words: Mapping[str, str]) -> "Drawing | None":
+        """Return the free bodies drawn, in the words of a language; None where there are none."""
         from .drawing.from_diagrams import free_bodies
 
-        return free_bodies(self.figure, self.free_bodies) if self.figure else None
+        return free_bodies(self.figure, self.free_bodies, words) if self.figure else None
 
     @of_linkages
     def stroke(self, points: int, paths: Sequence[str] = ()) -> "Stroke":

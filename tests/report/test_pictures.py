@@ -3,7 +3,10 @@
 import pytest
 
 import mechc
+from good_mechanisms import begun
 from mechc.cli import main
+from mechc.report.languages import registry
+from readable_drawings import lettering
 
 CAPTIONS = {
     "en": ("Kinematic scheme", "Free bodies", "$k$ against $\\alpha$"),
@@ -30,6 +33,15 @@ def test_each_picture_is_at_its_place(language, clamp):
     assert given < places[0] < heads[1] < places[1] < results < places[2] < numbers
     assert text.count(r"\begin{tikzpicture}") == 3
     assert r"\usepackage{pgfplots}" in text
+
+
+@pytest.mark.parametrize("language", CAPTIONS)
+def test_free_bodies_are_headed_in_the_language(language):
+    words = registry.locale(language).pictures
+    drawing = begun("karpenko_fig9_with_friction").drawn_bodies(words)
+    heads = [text for text in lettering(drawing) if text.startswith("k, ")]
+    per = words["per"].format(load="F")
+    assert heads == [f"k, {words['without']}, {per}", f"k, {words['tightening']}, {per}"]
 
 
 def test_the_table_has_the_values_of_the_plot_in_the_language(clamp):

@@ -2,7 +2,7 @@
 
 import math
 from collections import Counter
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
 from ..figure.figure import Figure, Link, Slide, Slider, Telescope, Torque
 from ..frozen import frozen, replace
@@ -34,13 +34,30 @@ LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "T"}
 """What forces of joints are called by their kind; others are R."""
 
 
-def free_bodies(figure: Figure, diagrams: Sequence[Diagram]) -> Drawing | None:
-    """Return the free-body diagrams of the described half, for every set of loads if any."""
+WORDS: Mapping[str, str] = {
+    "without": "without friction",
+    "tightening": "with friction, tightening",
+    "releasing": "with friction, releasing",
+    "per": "forces per unit of {load}",
+}
+"""What stands above the bodies, of the forces on them."""
+
+
+def free_bodies(
+    figure: Figure, diagrams: Sequence[Diagram], words: Mapping[str, str] = WORDS
+) -> Drawing | None:
+    """Return the free-body diagrams of the described half, for every set of loads if any.
+
+    ``words`` are those of a language.
+    """
     if not diagrams:
         return None
     paper = on_paper(figure)
     torques = frozenset(p.name for p in figure.parts if isinstance(p, Torque))
-    drawn = [_Maker(paper, diagram, diagram.per in torques).drawing() for diagram in diagrams]
+    drawn = [
+        _Maker(paper, diagram, _heading(diagram, words), diagram.per in torques).drawing()
+        for diagram in diagrams
+    ]
     title = f"Free bodies of {figure.title or figure.name}"
     about = _description(diagrams, figure.mirror is not None)
     return replace(below_each_other(drawn), title=title, description=about)
@@ -48,13 +65,13 @@ def free_bodies(figure: Figure, diagrams: Sequence[Diagram]) -> Drawing | None:
 
 def _description(diagrams: Sequence[Diagram], halves: bool) -> str:
     bodies = "Every body of one mirrored half" if halves else "Every body"
-    heads = "; ".join(_heading(diagram) for diagram in diagrams)
+    heads = "; ".join(_heading(diagram, WORDS) for diagram in diagrams)
     return f"{bodies} cut free, with the forces on it: {heads}."
 
 
-def _heading(diagram: Diagram) -> str:
-    friction = f"with friction, {diagram.motion}" if diagram.motion else "without friction"
-    per = f", forces per unit of {diagram.per}" if diagram.per else ""
+def _heading(diagram: Diagram, words: Mapping[str, str]) -> str:
+    friction = words[diagram.motion or "without"]
+    per = f", {words['per'].format(load=diagram.per)}" if diagram.per else ""
     trouble = f": none, {diagram.trouble}" if diagram.trouble else ""
     return f"{diagram.result}, {friction}{per}{trouble}"
 
@@ -65,11 +82,12 @@ class _Maker:
 
     paper: Paper
     diagram: Diagram
+    heading: str
     turning: bool
 
     def drawing(self) -> Drawing:
         """Return a heading over all bodies."""
-        heading = _line_of_text(_heading(self.diagram))
+        heading = _line_of_text(self.heading)
         bodies = [self._body(body) for body in self._described()]
         return below_each_other([heading, in_rows(bodies)]) if bodies else heading
 

@@ -4,6 +4,7 @@ Targets are found by name; third parties add theirs through the entry-point grou
 ``mechc.targets``, whose values are :class:`Target` objects.
 """
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ..model.mechanism import Mechanism
@@ -66,9 +67,8 @@ class Compiled(Protocol):
         """Return the kinematic scheme at the default pose; None where it cannot be assembled."""
         ...
 
-    @property
-    def free_body_diagrams(self) -> "Drawing | None":
-        """Return the free bodies drawn; None where there are none."""
+    def drawn_bodies(self, words: Mapping[str, str]) -> "Drawing | None":
+        """Return the free bodies drawn, in the words of a language; None where there are none."""
         ...
 
     def plot(self, query: Query) -> "Plot":

@@ -46,7 +46,8 @@ def preamble() -> Iterator[str]:
 
 def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     """Return the pictures of a mechanism at the pose of its description."""
-    words, scheme, bodies = locale.pictures, compiled.scheme, compiled.free_body_diagrams
+    words, scheme = locale.pictures, compiled.scheme
+    bodies = compiled.drawn_bodies(words)
     query = usual(compiled.mechanism, compiled.routine)
     plot = compiled.plot(query) if query else None
     found = Pictures(

@@ -295,6 +295,10 @@ LOCALE = Locale(
         "least": "holds, the least reserve",
     },
     pictures={
+        "without": "without friction",
+        "tightening": "with friction, tightening",
+        "releasing": "with friction, releasing",
+        "per": "forces per unit of {load}",
         "scheme": "Kinematic scheme",
         "bodies": "Free bodies",
         "plot": "{names} against {x}",

@@ -118,7 +118,7 @@ class Locale(NamedTuple):
     """The words of a calculation sheet."""
 
     pictures: Mapping[str, str]
-    """What is said below pictures, with places for names."""
+    """What is said below pictures and above the free bodies, with places for names."""
 
     comparison: Mapping[str, str]
     """The heads of a table of several mechanisms."""
