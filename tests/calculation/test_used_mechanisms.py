@@ -9,6 +9,7 @@ import pytest
 import mechc
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
+from run_targets import COMPILER, assert_close, built, by_c_singly, by_interpreter
 
 CLAMP = """
 mechanism clamp
@@ -58,6 +59,7 @@ param W = 3 kN
 use "clamp.mech" as C (Q = W/2, f = 0.05)
 let p = C_P_f/(1 cm^2) in MPa
 require C_k_f < 2
+require C_R_O_f < 1 MN  # iterated
 """
 
 
@@ -104,6 +106,14 @@ def test_loads_follow_from_ratios(clamped: Clamped, tmp_path: Path) -> None:
     other = 'sheet s\nuse "crank.mech" as c (M = 9 N*m)\n'
     found = mechc.load(written(tmp_path, other)).evaluate()
     assert found["c_F"] * found["c_k"] == pytest.approx(9)
+
+
+@pytest.mark.skipif(COMPILER is None, reason="no C compiler")
+def test_c_computes_what_the_interpreter_does(clamped: Clamped, tmp_path: Path) -> None:
+    """Also what is iterated, on which a condition rests."""
+    found = clamped.sheet._compilation
+    made = built(found, tmp_path)
+    assert_close(by_c_singly(found, made), by_interpreter(found), 64, found.routine)
 
 
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])

@@ -17,7 +17,7 @@ from paths import ROOT
 from seed_friction import entries
 
 EXAMPLES = ROOT / "examples"
-DESCRIPTIONS = sorted(p for p in EXAMPLES.iterdir() if p.suffix in {".mech", ".yaml"})
+DESCRIPTIONS = sorted(p for p in EXAMPLES.rglob("*") if p.suffix in {".mech", ".yaml"})
 
 
 @pytest.mark.parametrize("path", DESCRIPTIONS, ids=lambda p: p.name)
@@ -41,6 +41,23 @@ def test_crank_puller_is_the_textbook_slider_crank() -> None:
     at = {r: 0.06, rod: 0.24, phi: 1.2217304763960306}
     expected = (r * sympy.sin(phi + beta) / sympy.cos(beta)).subs(at)
     assert crank.evaluate()["k"] == pytest.approx(float(expected), rel=1e-12)
+
+
+def test_the_gripper_from_the_part_to_the_cylinder() -> None:
+    """By hand: four faces hold by friction; R_O and N_KA balance the finger without friction."""
+    gripper = mechc.load(EXAMPLES / "gripper" / "gripper.mech")
+    found = gripper.evaluate(L_f=0.0)
+    force = 2 * (9.81 + 2) * 1.5 * math.sin(math.pi / 3) / (2 * 0.15)
+    assert 4 * 0.15 * found["N"] == pytest.approx(2 * (9.81 + 2) * 1.5)
+    arm = 10 * 0.78086881 + 15 * 0.62469505  # of the rod about O, in mm
+    rod = force * 60 / arm
+    assert found["L_N_KA_f"] == pytest.approx(-rod)
+    assert found["L_P_f"] == pytest.approx(2 * rod * 0.78086881)
+    reaction = math.hypot(force + rod * 0.62469505, rod * 0.78086881)
+    assert found["L_R_O_f"] == pytest.approx(reaction)
+    assert found["pivot_pin_d_min"] == pytest.approx(math.sqrt(4 * reaction / (math.pi * 75e6)))
+    assert (found["cyl_d"], found["s"]) == (0.04, 0.025)
+    assert math.isnan(gripper.evaluate(tau_a=5e6)["pivot_pin_d_min"])
 
 
 def printed(script: str) -> str:

@@ -4,31 +4,35 @@ from collections.abc import Iterator
 
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import Require, Subject
+from ..model.mechanism import Parameter, Require, Subject
 from ..model.result import Definition, Result, Solved
 from ..pose.pose import Pose
 from ..units import ANGLE
 
 
 def solved(pose: Pose, results: tuple[Result, ...]) -> Solved:
-    """Return what was found of a mechanism, by the names that it has there."""
-    definitions = tuple(Definition(*d) for d in pose.definitions)
+    """Return what was found of a mechanism, by the names that it has there.
+
+    Angles and lengths that no line gives but the drawing are numbers with names.
+    """
+    definitions = {d.name: Definition(*d) for d in pose.definitions}
+    drawn = tuple(_drawn(pose))
+    more = (Definition(d.name, d.value) for d in drawn if d.value and d.name not in definitions)
     return Solved(
         results,
-        (*definitions, *_drawn(pose)),
+        (*definitions.values(), *more),
         pose.loops,
         tuple(_of_the_pose(pose)),
-        pose.mechanism.literals,
+        (*pose.mechanism.literals, *drawn),
     )
 
 
-def _drawn(pose: Pose) -> Iterator[Definition]:
-    """Yield the angles and lengths that no line gives but the drawing: they keep their values."""
-    defined = {d.name for d in pose.definitions}
+def _drawn(pose: Pose) -> Iterator[Parameter]:
+    """Yield the angles and lengths of links that the drawing gives: they keep their values."""
     for parameter in pose.mechanism.parameters:
         made_up = parameter.name.startswith(("phi_", "len_"))
-        if made_up and parameter.value and parameter.name not in defined:
-            yield Definition(parameter.name, parameter.value)
+        if made_up and parameter.value and not symbols(parameter.value):
+            yield parameter
 
 
 def _of_the_pose(pose: Pose) -> Iterator[Require]:

@@ -16,7 +16,7 @@ from ..model.result import Result
 from ..model.values import Chain, defaults, dependent
 from ..model.written import WrittenTable
 from ..study.analysis import as_printed
-from ..units import NUMBER, Dimension, si_unit
+from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .put_in import Quantity, put_in
 
 
@@ -105,7 +105,10 @@ def _mentioned(
 ) -> Iterator[NoteLine]:
     """Yield the numbers and the definitions that a formula mentions, each once in a note."""
     lines = [_number(literals[c.name]) for c in constants(_formulas(result))]
-    lines += [_plain(name, "", formula, None, NUMBER) for name, formula in result.where]
+    lines += [
+        _number(literals[name]) if name in literals else _plain(name, "", formula, None, NUMBER)
+        for name, formula in result.where
+    ]
     for line in lines:
         if line.name not in shown:
             shown.add(line.name)
@@ -115,7 +118,8 @@ def _mentioned(
 def _number(known: Parameter) -> NoteLine:
     """Return a number of a mechanism under its name."""
     assert known.value
-    value = Quantity(evaluate(known.value, {}), known.unit or si_unit(known.dimension))
+    unit = "deg" if known.dimension == ANGLE else known.unit or si_unit(known.dimension)
+    value = Quantity(evaluate(known.value, {}), unit)
     return _plain(known.name, "", None, value, known.dimension)
 
 

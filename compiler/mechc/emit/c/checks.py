@@ -3,8 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ...formula.walk import symbols
-from ...routine.steps import Checks, Solver, names_of
+from ...routine.steps import Checks, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from .layout import harmless, wrapped
@@ -39,8 +38,10 @@ def checks_context(
     own = {i.name: arguments[i.name] for i in checks.inputs}
     space = Names(RESERVED, {single, batch, *own.values(), *solvers.values()})
     printer = CPrinter(own | mangle((n for s in checks.steps for n in names_of(s)), space))
-    used = frozenset(n for g in checks.guards for side in (g.left, g.right) for n in symbols(side))
-    body, _ = lines(checks.steps, used, solvers, printer, space)
+    sides = [side for guard in checks.guards for side in (guard.left, guard.right)]
+    used = mentioned(checks.steps, sides)
+    body, statuses = lines(checks.steps, used, solvers, printer, space)
+    body += [f"(void){name}; /* where it is not 0, the unknowns are NaN */" for name in statuses]
     status, number, loop = map(space.claim, ("status", "n", "i"))
     inputs = list(own.values())
     return ChecksContext(
