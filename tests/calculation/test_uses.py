@@ -135,3 +135,34 @@ def test_make_knows_what_is_used(tmp_path: Path, capfd: pytest.CaptureFixture[st
     rule = capfd.readouterr().out
     assert rule.split()[1:] == [str(path), *[str(tmp_path / "parts/pin.mech")] * 2]
     assert main(["compile", str(path), "-o", str(tmp_path / "parts/pin.mech"), "--emit", "c"]) == 2
+
+
+LEVER = """
+mechanism lever
+param Q = 3 kN
+use "parts/pin.mech" as pin (F = Q/2)
+let arm = 10*pin_s
+pivot O
+link OAB
+OA = arm @ 0 deg
+OB = 240 mm + pin_d @ 0 deg
+force P at A along y
+force F at B along -y
+find k = P/F
+let F = Q
+let tau = pin_tau in MPa
+"""
+
+
+def test_a_mechanism_uses_a_sheet(tmp_path: Path) -> None:
+    """Its formulas give lengths, loads and stresses; its range is a condition of use."""
+    lever = mechc.load(joint(tmp_path, user=LEVER))
+    found = lever.evaluate()
+    assert found["k"] == pytest.approx((240 + 8) / 80)
+    assert found["tau"] == pytest.approx(1500 / AREA)
+    assert lever.evaluate(pin_d=0.004)["k"] == pytest.approx(244 / 50)
+    assert math.isnan(lever.evaluate(Q=21e3)["tau"])
+    assert "OA" in lever.emit("latex")
+    wide = LEVER.replace("Q = 3 kN", "Q = 22 kN")
+    message = refused(joint(tmp_path, user=wide))[0]
+    assert "joint.mech:4:34: error[E560]: pin_F = 11000 N, expected at most 10000 N" in message

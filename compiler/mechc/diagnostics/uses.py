@@ -1,4 +1,4 @@
-"""Messages about sheets and mechanisms that a sheet uses (E555 to E565)."""
+"""Messages about sheets and mechanisms that are used (E555 to E567)."""
 
 from collections.abc import Collection
 
@@ -18,18 +18,6 @@ def used_in_a_circle(span: Span, name: str) -> Message:
     """
     message = f"{name!r} uses itself, by way of this line"
     return Message(span, message, "put what both need into a sheet of its own")
-
-
-@coded("E556")
-def use_in_a_mechanism(span: Span, other: Span) -> Message:
-    """A mechanism uses a sheet; only sheets do.
-
-    A calculation sheet, which has no links and no loads, puts others together. Of a mechanism
-    ask what it needs by ``let`` formulas of its own, or compile it by itself.
-    """
-    related = (Related(other, "this belongs to a mechanism"),)
-    hint = "put the line into a calculation sheet"
-    return Message(span, "a mechanism uses no sheets", hint, related)
 
 
 @coded("E557")
@@ -140,3 +128,34 @@ def given_both_loads(span: Span, above: str, below: str, before: Span) -> Messag
     related = (Related(before, "it is given here"),)
     message = f"{below} and {above} are given, of which one follows from the other"
     return Message(span, message, "give one of them", related)
+
+
+@coded("E566")
+def mechanism_in_a_mechanism(span: Span, heading: Span) -> Message:
+    """A mechanism uses another one, or a sheet that does; mechanisms use plain sheets only.
+
+    Put both mechanisms into a calculation sheet, which hands the force of one on to the other::
+
+        sheet press
+        use toggle_clamp as first (F = 2 kN)
+        use "lever.mech" as second (F = first_P)
+    """
+    related = (Related(heading, "this is what is used"),)
+    message = "a mechanism uses sheets only, and no mechanism by way of them"
+    return Message(span, message, "use both in a calculation sheet", related)
+
+
+@coded("E567")
+def range_of_results(span: Span, name: str, declared: Span | None) -> Message:
+    """What a mechanism gives to a sheet rests on loads or results, and has a range to keep to.
+
+    In a mechanism the conditions of use are those of its dimensions and its pose. A sheet that
+    uses the mechanism may check its forces::
+
+        sheet strength
+        use toggle_clamp as clamp (F = 2 kN)
+        use cylinder as cyl (P = clamp_P)
+    """
+    related = (Related(declared, "its range is given here"),) if declared else ()
+    message = f"{name} has a range, which loads and results cannot be held to in a mechanism"
+    return Message(span, message, "use the mechanism and the sheet in a sheet", related)

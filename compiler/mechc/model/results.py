@@ -1,24 +1,28 @@
 """Conditions of use, and what books and colleagues expect of results."""
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
+from ..diagnostics import Diagnostic
 from ..diagnostics.model import quantities
 from ..diagnostics.model import results as messages
+from ..diagnostics.uses import outside_used_range, range_of_results
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, substitute, symbols
+from ..frozen import replace
 from ..syntax import ast
-from ..units import NUMBER, Dimension
+from ..units import NUMBER, Dimension, in_unit, si_unit
 from .constants import last_digit
 from .definitions import Definitions, written_out
 from .expressions import Quantity, Reader
 from .finds import read_target
-from .mechanism import Expect, Find, Require
+from .mechanism import Expect, Find, Require, Subject
 from .parameters import constant, read_tolerance
 from .scope import CONDITION, EXPECTED, Scope
 from .sorts import Nature
 from .statements import every
+from .values import Chain, Values, holds
 
 HOLDS = {
     "<": float.__lt__,
@@ -64,8 +68,39 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         if not scope.sheet and any(not _holds(condition, scope) for condition in conditions):
             scope.report.add(quantities.condition_broken(statement.span))
         requires += conditions
-    implied = sorted(found.requires, key=lambda r: r.span) if scope.sheet else []
-    return [*implied, *requires]
+    if not scope.sheet:
+        return [*_ranges(found, lets, scope), *requires]
+    return [*sorted(found.requires, key=lambda r: r.span), *requires]
+
+
+def _ranges(found: Definitions, lets: Mapping[str, Formula], scope: Scope) -> Iterator[Require]:
+    """Yield that what a mechanism gives to sheets is in the ranges that these have for it."""
+    refused = set[str]()
+    values = Chain({let.name: let.value for let in found.lets.values()}).complete(scope.values)
+    for require in found.requires:
+        subject = require.subject
+        if subject is None or subject.kind != "range":
+            continue
+        entry = scope.entries[subject.let]
+        if not entry.plain or entry.posed:
+            if subject.let not in refused:
+                scope.report.add(range_of_results(require.span, subject.let, subject.place))
+            refused.add(subject.let)
+            continue
+        if fault := _outside(require, subject, values):
+            scope.report.add(fault)
+        yield replace(require, left=substitute(require.left, lets), subject=None)
+
+
+def _outside(require: Require, subject: Subject, values: Values) -> Diagnostic | None:
+    """Return that what is given is outside its range, at the values of the description."""
+    if subject.let not in values or holds(require, values):
+        return None
+    end = evaluate(require.right, {})
+    unit = si_unit(require.dimension)
+    left, right = (in_unit(value, unit, 6) for value in (values[subject.let], end))
+    said = f"{subject.let} = {left}", require.operator, right
+    return outside_used_range(require.span, *said, subject.place)
 
 
 def _holds(condition: Require, scope: Scope) -> bool:

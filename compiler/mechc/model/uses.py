@@ -1,11 +1,12 @@
-"""What a sheet uses: statements of it in place of the line that says so.
+"""What a sheet or a mechanism uses: statements of it in place of the line that says so.
 
 What a used sheet declares gets the prefix, ``pin_d``. A parameter to which something is given
 becomes a ``let`` that keeps to its dimension and range; one that follows from others a ``let``,
 the others stay parameters. What the used sheet expects of itself stays behind.
 
-Of a used mechanism parameters, loads and results come in. The results are those that the
-compiler finds of it; they go beside the statements, which name them only.
+Of a mechanism that a sheet uses parameters, loads and results come in. The results are those
+that the compiler finds of it; they go beside the statements, which name them only. A mechanism
+uses sheets only.
 """
 
 from collections.abc import Callable, Iterator, Mapping
@@ -90,8 +91,9 @@ def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) ->
 
     Names that clash, what is not there, and what is given amiss are reported.
     """
-    if not every(file, ast.Use) or _refused(file, report):
+    if not every(file, ast.Use):
         return Composed(file)
+    sheet = _is_sheet(file)
     taken = {name.text: name.span for s in file.statements for name in _declared(s)}
     statements: list[ast.Statement] = []
     solved = Solved()
@@ -102,6 +104,9 @@ def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) ->
         used = _read(statement, report, users, resolve)
         if used is None:
             break  # what is wrong there would be found again by each that uses it
+        if not sheet and (used.solved.results or not is_sheet(used.mechanism)):
+            report.add(messages.mechanism_in_a_mechanism(statement.used.span, used.span))
+            break
         found = list(_brought_in(statement, used, report))
         _check_names(statement, found, taken, report)
         statements += found
@@ -109,12 +114,9 @@ def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) ->
     return Composed(replace(file, statements=tuple(statements)), solved)
 
 
-def _refused(file: ast.File, report: Report) -> bool:
-    """Report the first use where the file is no sheet."""
-    strange = (s for s in file.statements if not isinstance(s, (*WRITTEN_IN_SHEETS, ast.Use)))
-    if other := next(strange, None):
-        report.add(messages.use_in_a_mechanism(every(file, ast.Use)[0].span, other.span))
-    return other is not None
+def _is_sheet(file: ast.File) -> bool:
+    """Return whether a file is a sheet, whatever it uses."""
+    return all(isinstance(s, (*WRITTEN_IN_SHEETS, ast.Use)) for s in file.statements)
 
 
 def _declared(statement: ast.Statement) -> Iterator[ast.Name]:
