@@ -24,6 +24,9 @@ FEW = 2
 LONGEST = 6
 """Factors of a size beyond which it is divided out at once: far from what underflows."""
 
+MANY = 3
+"""Angles in a sum that has a name from which on it is carried as one direction."""
+
 MOST = 5
 """Angles in a sum that is written out; each doubles what there is to compute."""
 
@@ -120,9 +123,17 @@ class _Turning:
         self.defined.add(name)
         angle = to_angle(formula)
         if angle is not None and any(n in self.units for n in angle.names):
-            self.sums[name] = angle.put(self.sums)
+            self._define_sum(name, angle.put(self.sums))
         elif units := self._polar(name, formula):
             self.units[name] = self._carried(name, units)
+
+    def _define_sum(self, name: str, angle: Angle) -> None:
+        """Add an angle that carried ones make up: a direction of its own where they are many."""
+        turns = self._turns(angle)
+        if MANY <= len(turns) <= MOST:
+            self.units[name] = self._carried(name, turns)
+        else:
+            self.sums[name] = angle
 
     def _carried(self, name: str, units: list[Unit]) -> Unit:
         unit = Unit(*map(self.rewritten, whole(units)))
@@ -209,15 +220,18 @@ class _Turning:
 
     def _turned(self, angle: Angle) -> Unit | None:
         """Return the direction of an angle that mentions carried ones; None for others."""
+        turns = self._turns(angle)
+        return whole(turns) if 0 < len(turns) <= MOST else None
+
+    def _turns(self, angle: Angle) -> list[Unit]:
+        """Return the directions that an angle is the sum of; none where it has no carried one."""
         carried = {n: c for n, c in angle.terms if n in self.units}
         if not carried or any(c not in MULTIPLES for c in carried.values()):
-            return None
+            return []
         self.used |= carried.keys()
         turns = [u for n, c in carried.items() for u in _repeated(self.units[n], int(c))]
         rest = Angle(tuple(t for t in angle.terms if t[0] not in carried), angle.degrees)
-        if rest.terms or rest.degrees:
-            turns.append(plain(rest))
-        return whole(turns) if len(turns) <= MOST else None
+        return [*turns, plain(rest)] if rest.terms or rest.degrees else turns
 
 
 def _is_root(formula: Formula) -> bool:
