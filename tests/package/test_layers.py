@@ -50,6 +50,8 @@ LATE = {
     ("study/from_solution.py", "study.locking"),
     ("study/from_solution.py", "study.ratios"),
     ("routine/from_results.py", "routine.together"),
+    ("emit/c/to_c.py", "emit.c.gradient"),
+    ("emit/python/to_python.py", "emit.python.gradient"),
 }
 """Other imports inside a function: what few descriptions ask for, and sympy."""
 

@@ -76,6 +76,11 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
     default="en",
     help="The language of LaTeX output.",
 )
+@click.option(
+    "--gradient",
+    is_flag=True,
+    help="In C and Python, functions that give results with their slopes by each argument.",
+)
 @settings_option
 @click.option(
     "--deps",
@@ -94,6 +99,7 @@ def command(
     brief: bool,
     pictures: bool,
     language: str,
+    gradient: bool,
     settings: Settings,
     deps: str | None,
     stdin_name: str,
@@ -112,7 +118,7 @@ def command(
     wanted = outputs(paths, target)
     compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    options = Options("", fragment, language, numbers, brief, pictures)
+    options = Options("", fragment, language, numbers, brief, pictures, gradient)
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]
     printed = [emitted[0].text for output, emitted in made if output.path is None]

@@ -148,6 +148,15 @@ def condition_lines(function: Function) -> list[str]:
     return lines
 
 
+def slope_remarks(function: Function) -> list[str]:
+    """Return what code says of slopes that are missing."""
+    if function.otherwise:
+        return [
+            "NaN where friction turns the force at a joint round: this form has no value there."
+        ]
+    return ["NaN where a condition of the result fails."] if function.guards else []
+
+
 def status_lines(checks: Checks) -> list[str]:
     """Return the conditions of a sheet by their numbers."""
     return [f"{i}: {_condition(guard)}" for i, guard in enumerate(checks.guards, 1)]

@@ -100,6 +100,8 @@ class Options(NamedTuple):
     """Whether reports are formulas without the words between."""
     pictures: bool = False
     """Whether reports have the scheme, the free bodies and a plot."""
+    gradient: bool = False
+    """Whether code has functions of results with their slopes by each input."""
     single: bool = False
     """One self-contained file (for standard output)."""
     named: bool = True

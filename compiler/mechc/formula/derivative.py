@@ -90,10 +90,23 @@ def _less_one(exponent: Formula) -> Formula:
     return total([exponent, number(-1)])
 
 
+def partials(function: str, arguments: tuple[Formula, ...]) -> list[Formula]:
+    """Return the derivative of a function by each of its arguments."""
+    size = len(arguments)
+    units = ([ONE if i == j else ZERO for j in range(size)] for i in range(size))
+    return [_with_slopes(function, arguments, unit) for unit in units]
+
+
 def _of_call(function: str, arguments: tuple[Formula, ...], name: str) -> Formula:
     slopes = [derivative(a, name) for a in arguments]
     if all(slope == ZERO for slope in slopes):
         return ZERO
+    return _with_slopes(function, arguments, slopes)
+
+
+def _with_slopes(
+    function: str, arguments: tuple[Formula, ...], slopes: Sequence[Formula]
+) -> Formula:
     if function in _OF_ONE:
         return product([(_OF_ONE[function](arguments[0]), 1), (slopes[0], 1)])
     return _OF_SEVERAL[function](arguments, slopes)

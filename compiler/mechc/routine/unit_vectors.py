@@ -45,15 +45,15 @@ def in_unit_vectors(
         for name, formula in definitions:
             turning.define(name, formula)
         found = [turning.rewritten(f) for f in formulas]
-        reached = _reached(turning.written, found, kept)
-        lost = turning.lost([*(f for _, f in reached), *found])
+        needed = reached(turning.written, found, kept)
+        lost = turning.lost([*(f for _, f in needed), *found])
         if not lost:
-            rooted, found = with_roots(reached, found, turning.taken)
-            return _reached(rooted, found, kept), found
+            rooted, found = with_roots(needed, found, turning.taken)
+            return reached(rooted, found, kept), found
         careful |= lost
 
 
-def _reached(definitions: Definitions, results: Iterable[Formula], kept: Iterable[str]) -> Named:
+def reached(definitions: Definitions, results: Iterable[Formula], kept: Iterable[str]) -> Named:
     """Return the definitions that something needs."""
     used = {*kept, *(name for f in results for name in symbols(f))}
     found: Named = []

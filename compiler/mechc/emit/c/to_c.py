@@ -1,9 +1,9 @@
 """C99: a header and a source that C++ reads too, each result for one pose and for many."""
 
 import re
-from collections.abc import Set
+from collections.abc import Iterator, Mapping, Set
 from types import ModuleType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple, TypeAlias
 
 from ...diagnostics.diagnostic import MechcError
 from ...diagnostics.emission import file_hides_another, unspeakable_file_name
@@ -33,11 +33,16 @@ from .solvers import (
 )
 from .status import StatusContext
 
+if TYPE_CHECKING:
+    from .gradient import GradientContext
+
 _CHOICES = {"min": "<", "max": ">"}
 _SIGNS = {**SIGNS, "same": "=="}
 
 
-Declared = FunctionContext | StatusContext | PoseContext | ChecksContext
+Declared: TypeAlias = (
+    "FunctionContext | StatusContext | PoseContext | ChecksContext | GradientContext"
+)
 """What a header declares."""
 
 
@@ -57,6 +62,7 @@ class CodeContext(NamedTuple):
     checks: ChecksContext | None
     solvers: list[SolverContext]
     commons: list[CommonContext]
+    gradients: "list[GradientContext]"
     newton: ModuleType
 
 
@@ -83,12 +89,14 @@ class Parts(NamedTuple):
     checks: ChecksContext | None
     solvers: list[SolverContext]
     commons: list[CommonContext]
+    gradients: "list[GradientContext]"
 
     @property
     def public(self) -> list[Declared]:
         """Return what the header declares."""
         with_statuses = (each for f in self.functions for each in (f, f.status) if each)
-        return [*with_statuses, *self.poses, *([self.checks] if self.checks else [])]
+        checks = [self.checks] if self.checks else []
+        return [*with_statuses, *self.poses, *checks, *self.gradients]
 
 
 class CTarget:
@@ -100,7 +108,7 @@ class CTarget:
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return source and header, or one file with the declarations in front."""
         stem = _stem(options)
-        parts = _parts(compiled)
+        parts = _parts(compiled, options.gradient)
         preface = _preface(compiled)
         header = "" if options.single else f"{stem}.h"
         source = Emitted(f"{stem}.c", _source(parts, preface, header))
@@ -135,16 +143,20 @@ def _source(parts: Parts, preface: list[str], header: str) -> str:
         choices=[Line(name, sign) for name, sign in _CHOICES.items() if name in called],
         conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
         bits=not called.isdisjoint(BITS),
-        roots=any("sqrt(" in line for f in parts.functions for line in _quick_lines(f)),
+        roots=any("sqrt(" in line for line in _quick_lines(parts)),
         pi=CPrinter.pi in code,
         code=code,
     )
     return render("c/source.jinja", context)
 
 
-def _quick_lines(function: FunctionContext) -> list[str]:
-    """Return the lines of the body that loops call; none where they call the plain one."""
-    return [*function.quick.body, function.quick.output] if function.quick else []
+def _quick_lines(parts: Parts) -> Iterator[str]:
+    """Yield the lines of the bodies that are for loops."""
+    for function in parts.functions:
+        if function.quick:
+            yield from (*function.quick.body, function.quick.output)
+    for gradient in parts.gradients:
+        yield from gradient.quick
 
 
 def _preface(compiled: Compiled) -> list[str]:
@@ -165,7 +177,7 @@ def linked_names(routine: Routine, space: Names) -> dict[str, Symbols]:
     return symbols_of(routine.name, [*(f.name for f in listed), *statuses], space)
 
 
-def _parts(compiled: Compiled) -> Parts:
+def _parts(compiled: Compiled, slopes: bool) -> Parts:
     routine, space = compiled.routine, Names(LINKED)
     written, listed = programs(routine), list(every(routine.functions))
     linked = linked_names(routine, space)
@@ -186,4 +198,13 @@ def _parts(compiled: Compiled) -> Parts:
         else None,
         [solver_context(solver, name) for solver, name in solvers.items()],
         [common_context(c, handing[c.number], arguments, solvers) for c in commons],
+        _gradients(routine, space, arguments) if slopes else [],
     )
+
+
+def _gradients(
+    routine: Routine, space: Names, arguments: Mapping[str, str]
+) -> "list[GradientContext]":
+    from .gradient import gradient_contexts
+
+    return gradient_contexts(routine.name, routine.functions, space, arguments)

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator, Mapping, Sequence
 from types import ModuleType
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 from ...diagnostics.diagnostic import MechcError
 from ...diagnostics.emission import file_hides_another
@@ -44,6 +44,10 @@ from .status import StatusContext, status_context
 _SIGNS = {**SIGNS, "same": "=="}
 
 
+if TYPE_CHECKING:
+    from .gradient import GradientContext
+
+
 class FunctionContext(NamedTuple):
     """One function of the module."""
 
@@ -78,6 +82,7 @@ class ModuleContext(NamedTuple):
     functions: list[FunctionContext]
     poses: list[PoseContext]
     checks: ChecksContext | None
+    gradients: "list[GradientContext]"
     main: list[str]
 
 
@@ -89,7 +94,7 @@ class PythonTarget:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return the module."""
-        text = render("python/module.jinja", _module(compiled))
+        text = render("python/module.jinja", _module(compiled, options.gradient))
         return (Emitted(f"{_stem(options)}.py", text),)
 
 
@@ -105,7 +110,7 @@ def _stem(options: Options) -> str:
     return stem
 
 
-def _module(compiled: Compiled) -> ModuleContext:
+def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
     routine = compiled.routine
     space, listed = Names(RESERVED), list(every(routine.functions))
     names = function_names(routine, space)
@@ -116,7 +121,11 @@ def _module(compiled: Compiled) -> ModuleContext:
     solvers = solver_names(step for part in parts for step in part.steps)
     functions = [_function(f, names, arguments, solvers, listed) for f in listed]
     inputs = {i.name: i for part in parts for i in part.inputs}.values()
-    called_functions = {name for part in parts for name in _called(part)}
+    poses = pose_contexts(routine, space, arguments, solvers)
+    status = space.claim("status") if routine.checks else ""
+    gradients = _gradients(routine, space, arguments) if slopes else []
+    programs_of_slopes = (gradient.program for gradient in gradients)
+    called_functions = {name for part in (*parts, *programs_of_slopes) for name in _called(part)}
     return ModuleContext(
         heading=_quoted(describe.heading(compiled.mechanism)),
         preface=[_quoted(line) for line in _preface(compiled)],
@@ -132,12 +141,21 @@ def _module(compiled: Compiled) -> ModuleContext:
         chooses="choose" in called_functions,
         commons=[common_context(p, arguments, solvers) for p in parts if isinstance(p, Common)],
         functions=functions,
-        poses=pose_contexts(routine, space, arguments, solvers),
-        checks=checks_context(routine.checks, space.claim("status"), arguments, solvers)
+        poses=poses,
+        checks=checks_context(routine.checks, status, arguments, solvers)
         if routine.checks
         else None,
+        gradients=gradients,
         main=[_shown(f, names[f.name], arguments) for f in routine.functions],
     )
+
+
+def _gradients(
+    routine: Routine, space: Names, arguments: Mapping[str, str]
+) -> "list[GradientContext]":
+    from .gradient import gradient_contexts
+
+    return gradient_contexts(routine.functions, space, arguments)
 
 
 def function_names(routine: Routine, space: Names) -> dict[str, str]:

@@ -1,0 +1,59 @@
+"""Functions that give a result and its slopes by each argument."""
+
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from ...routine.functions import operations
+from ...routine.gradient import gradients
+from ...routine.steps import Function, Pose, names_of
+from .. import describe
+from ..names import Names, mangle
+from ..render import Line
+from .printer import RESERVED, PythonPrinter
+from .solvers import line
+
+
+class GradientContext(NamedTuple):
+    """Fields are what ``python/gradient.jinja`` mentions, and the program that it writes.
+
+    ``outputs`` are names and their variables.
+    """
+
+    name: str
+    title: str
+    of: str
+    arguments: list[str]
+    inputs: list[Line]
+    remarks: list[str]
+    body: list[Line]
+    outputs: list[Line]
+    operations: int
+    program: Pose
+
+
+def gradient_contexts(
+    functions: Iterable[Function], space: Names, arguments: Mapping[str, str]
+) -> list[GradientContext]:
+    """Return such a function for each result that has a closed form."""
+    return [_context(f, p, space, arguments) for f, p in gradients(functions)]
+
+
+def _context(
+    function: Function, program: Pose, space: Names, arguments: Mapping[str, str]
+) -> GradientContext:
+    own = {i.name: arguments[i.name] for i in program.inputs}
+    inner = Names(RESERVED.besides(["found"]), set(own.values()))
+    printer = PythonPrinter(own | mangle((n for s in program.steps for n in names_of(s)), inner))
+    used = frozenset(program.outputs)
+    return GradientContext(
+        space.claim(f"{function.name}_gradient"),
+        describe.one_line(function.title),
+        function.name,
+        list(own.values()),
+        [Line(own[i.name], describe.input_words(i, own[i.name])) for i in program.inputs],
+        describe.slope_remarks(function),
+        [line(step, used, {}, printer) for step in program.steps],
+        [Line(repr(n), printer.names[n]) for n in program.outputs],
+        operations(program.steps),
+        program,
+    )
