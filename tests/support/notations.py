@@ -154,6 +154,11 @@ CONSTRUCTS = [
     ("friction belt O1 c", "friction: {O1: {belt: c}}"),
     ("friction rack A c", "friction: {A: {rack: c}}"),
     ("friction screw A mu thread d", "friction: {A: {screw: mu, thread: d}}"),
+    ("friction collar A mu mean d", "friction: {A: {collar: mu, mean: d}}"),
+    (
+        "friction collar A mu outer D inner d pressure",
+        "friction: {A: {collar: mu, outer: D, inner: d, collar_law: pressure}}",
+    ),
     (
         "friction pin A f diameter d\nfriction slider A mu",
         "friction: {A: {f: f, diameter: d, guide: mu}}",

@@ -7,7 +7,7 @@ friction is its factor times the size of a pressing force is not linear.
 
 from collections.abc import Mapping, Sequence
 
-from ..algebra.product import Product
+from ..algebra.product import ZERO, Product
 from ..algebra.sums import add
 from ..frozen import frozen, replace
 from ..kinematics.plan import Plan
@@ -87,7 +87,8 @@ def loaded_pairs(
         transmitted = reactions.of(pair.joint)
         if transmitted is None:
             raise Undetermined(pair)
-        components = (_component(push, names, given) for push in transmitted.force_terms)
+        besides = {name: part for name, part in pair.besides if name in names.values()}
+        components = (_component(push, names, given, besides) for push in transmitted.force_terms)
         pressed.append(LoadedPair(pair, slip, tuple(components), transmitted.plans))
     return tuple(pressed)
 
@@ -110,14 +111,19 @@ def term_of(pair: FrictionPair, plan: Plan) -> Term:
     return Term(load, Product(pair.number), pair.speeds(plan), None)
 
 
-def _component(push: ForceTerm, names: Mapping[str, str], given: Given) -> Component:
+def _component(
+    push: ForceTerm, names: Mapping[str, str], given: Given, besides: Mapping[str, Product]
+) -> Component:
     known = names.keys() | given.keys()
     for load, amount in push.amounts.items():
         if amount and load not in known:
             raise LoadedByAnother(load)
     ideal = add(push.amounts[n] * size for n, size in given.items() if n in push.amounts)
-    by = {name: push.amounts[load] for load, name in names.items() if push.amounts.get(load)}
-    return Component(ideal, by)
+    by = {
+        name: add((push.amounts.get(load, ZERO), besides.get(name, ZERO)))
+        for load, name in names.items()
+    }
+    return Component(ideal, {name: part for name, part in by.items() if part})
 
 
 def scaled(pressed: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, ...]:

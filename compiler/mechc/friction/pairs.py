@@ -17,6 +17,7 @@ from ..kinematics.meshes import mesh_of, turning
 from ..kinematics.plan import Plan, Speeds
 from ..kinematics.release import JointRef, Measure, members, touch_at
 from ..model.mechanism import (
+    CollarFriction,
     FaceFriction,
     GuideFriction,
     JointFriction,
@@ -37,7 +38,8 @@ class FrictionPair(NamedTuple):
 
     The factor is the radius of a friction circle in metres, against a relative rotation,
     or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``,
-    ``A_guide``. The mechanism has ``number`` of them: one in each half or branch.
+    ``A_guide``. The mechanism has ``number`` of them: one in each half or branch. Frictions
+    ``besides`` press it by themselves, each by so much of it, and not through the joint alone.
     """
 
     name: str
@@ -45,6 +47,7 @@ class FrictionPair(NamedTuple):
     factor: Product
     slip: Measure
     number: Fraction = Fraction(1)
+    besides: tuple[tuple[str, Product], ...] = ()
 
     def speeds(self, plan: Plan) -> Speeds:
         """Return the slip per unit of each drive."""
@@ -83,6 +86,11 @@ def _of(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
             joint = JointRef("mesh", point, id)
             slip = _along_thread(joint, to_product(thread), pose)
             yield FrictionPair(f"{point}_screw", joint, to_product(factor), slip)
+        case CollarFriction(id, point, factor, radius):
+            joint = JointRef("mesh", point, id)
+            slip = _on_collar(joint, to_product(radius), pose)
+            pair = FrictionPair(f"{point}_collar", joint, to_product(factor), slip)
+            yield pair._replace(besides=tuple(_thrusts(joint, pose)))
         case FaceFriction(point, factor):
             yield _face(point, factor, pose)
         case _:
@@ -142,7 +150,7 @@ def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:
     """
     screw = mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a thread is on a screw"
-    slope = pose.radii[screw.pitch] / (to_product(PI) * diameter)
+    slope = _slope(screw, diameter, pose)
 
     def slip(graph: Graph) -> Form:
         ahead = projection(graph.velocities[screw.point], _guide(screw.point, pose))
@@ -150,6 +158,30 @@ def _along_thread(joint: JointRef, diameter: Product, pose: Pose) -> Measure:
         return subtract(scaled(ahead, slope), round_)
 
     return slip
+
+
+def _slope(screw: Screw, diameter: Product, pose: Pose) -> Product:
+    """Return tan ψ = p/(πd) of a thread."""
+    return pose.radii[screw.pitch] / (to_product(PI) * diameter)
+
+
+def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
+    """Yield what friction in a screw's thread adds along its axis to the force that it takes.
+
+    The collar carries both: all of the load on the nut.
+    """
+    screw = mesh_of(pose, joint.of)
+    assert isinstance(screw, Screw), "a collar is on a screw"
+    for given in pose.mechanism.friction.joints:
+        if isinstance(given, ThreadFriction) and given.joint == joint.of:
+            yield f"{joint.point}_screw", _slope(screw, to_product(given.thread), pose)
+
+
+def _on_collar(joint: JointRef, radius: Product, pose: Pose) -> Measure:
+    """Return the speed at which a collar slides at its mean radius."""
+    screw = mesh_of(pose, joint.of)
+    assert isinstance(screw, Screw), "a collar is on a screw"
+    return lambda graph: scaled(spin(graph, screw.link), radius)
 
 
 def radii(pairs: Iterable[FrictionPair]) -> dict[str, str]:

@@ -52,6 +52,7 @@ FRICTIONS = (
     ast.BeltFriction,
     ast.RackFriction,
     ast.ScrewFriction,
+    ast.CollarFriction,
 )
 
 

@@ -10,8 +10,10 @@ from ..formula.tree import Call, Formula, number, product, total
 from ..syntax import ast
 from ..units import NUMBER
 from .coefficients import checked, coefficient, positive_length, value_of
+from .collars import collar_radius
 from .expressions import Reader
 from .joint_friction import (
+    CollarFriction,
     FaceFriction,
     Friction,
     GuideFriction,
@@ -23,6 +25,10 @@ from .mechanism import Force, ForcePair, Load, Mechanism, Mesh, Rack, Screw, Slo
 from .pins import Pins, remark_on_pairs
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
+
+TransmissionFriction = (
+    ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction | ast.CollarFriction
+)
 
 
 def read_friction(file: ast.File, built: Mechanism, scope: Scope) -> Friction:
@@ -113,7 +119,13 @@ def _read(
             yield from _roller(statement, built, scope)
         case ast.ContactFriction():
             yield from _face(statement, scope)
-        case ast.GearFriction() | ast.BeltFriction() | ast.RackFriction() | ast.ScrewFriction():
+        case (
+            ast.GearFriction()
+            | ast.BeltFriction()
+            | ast.RackFriction()
+            | ast.ScrewFriction()
+            | ast.CollarFriction()
+        ):
             yield from _transmission(statement, file, built, scope)
         case _:
             return
@@ -190,7 +202,7 @@ def _face(statement: ast.ContactFriction, scope: Scope) -> Iterator[JointFrictio
 
 
 def _transmission(
-    statement: ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction,
+    statement: TransmissionFriction,
     file: ast.File,
     built: Mechanism,
     scope: Scope,
@@ -216,10 +228,14 @@ def _transmission(
         thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:
             yield ThreadFriction(here[0].id, point.text, f, thread, span)
+    elif isinstance(statement, ast.CollarFriction):
+        radius = collar_radius(statement, scope)
+        if radius is not None:
+            yield CollarFriction(here[0].id, point.text, f, radius, span)
 
 
 def _transmissions(
-    statement: ast.GearFriction | ast.BeltFriction | ast.RackFriction | ast.ScrewFriction,
+    statement: TransmissionFriction,
     file: ast.File,
     built: Mechanism,
 ) -> tuple[str, set[str], Sequence[Mesh]]:
@@ -234,7 +250,7 @@ def _transmissions(
             return "belt", begun, [pair for pair in pairs if pair.kind == "belt"]
         case ast.RackFriction():
             return "rack", {s.point.text for s in every(file, ast.Rack)}, built.each(Rack)
-        case ast.ScrewFriction():
+        case ast.ScrewFriction() | ast.CollarFriction():
             return "screw", {s.point.text for s in every(file, ast.Screw)}, built.each(Screw)
         case _:
             assert_never(statement)

@@ -74,12 +74,29 @@ class ThreadFriction:
     span: Span
 
 
+@frozen
+class CollarFriction:
+    """A collar that takes the thrust of a screw: ``factor`` of it resists at a mean ``radius``.
+
+    It turns with the screw on what stands still. ``joint`` is the screw's id, ``point`` the
+    slider that it moves.
+    """
+
+    joint: str
+    point: str
+    factor: Formula
+    radius: Formula
+    span: Span
+
+
 def coulomb(coefficient: Formula) -> Formula:
     """Return sin(arctan f): a pin's friction circle over its radius, by Coulomb's law."""
     return Call("sin", (Call("atan", (coefficient,)),))
 
 
-JointFriction = PinFriction | GuideFriction | FaceFriction | WheelFriction | ThreadFriction
+JointFriction = (
+    PinFriction | GuideFriction | FaceFriction | WheelFriction | ThreadFriction | CollarFriction
+)
 
 
 @frozen
@@ -112,3 +129,5 @@ class Friction:
             yield joint.radius if isinstance(joint, PinFriction) else joint.factor
             if isinstance(joint, ThreadFriction):
                 yield joint.thread
+            elif isinstance(joint, CollarFriction):
+                yield joint.radius

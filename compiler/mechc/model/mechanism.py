@@ -15,6 +15,7 @@ from ..formula.tree import Formula, Number
 from ..frozen import frozen
 from ..source import Span
 from ..units import NUMBER, Dimension
+from .joint_friction import CollarFriction as CollarFriction
 from .joint_friction import FaceFriction as FaceFriction
 from .joint_friction import Friction as Friction
 from .joint_friction import GuideFriction as GuideFriction

@@ -14,6 +14,7 @@ from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import (
     ArcSlot,
+    CollarFriction,
     FaceFriction,
     GuideFriction,
     JointFriction,
@@ -42,7 +43,8 @@ from .unfold import Unfolding
 class Pair:
     """Two surfaces: a unit of friction between them as a load, by what they are pressed.
 
-    They are pressed by the forces of body ``by`` on pin ``on``, or on its own body.
+    They are pressed by the forces of body ``by`` on pin ``on``, or on its own body; and by a
+    friction of 1 in pairs ``besides``, as it acts, by so much more.
     """
 
     kind: Literal["pin", "guide", "face", "transmission"]
@@ -51,6 +53,7 @@ class Pair:
     by: str
     on: str
     factor: float
+    besides: tuple[tuple[str, float], ...] = ()
 
 
 Found = Sequence[float]
@@ -163,7 +166,8 @@ def _loaded(
     reference = tuple(_drive(unfolding, tied, drive.base))
     senses = tuple(-SIGNS[sense] * _slip(unfolding, pair, reference) for pair in pairs)
     rows = (_against(question, *each) for each in zip(pairs, senses, strict=True))
-    pressed = _pressed(question, pairs, ideal, [question.factors.solve(row) for row in rows])
+    responses = [question.factors.solve(row) for row in rows]
+    pressed = _pressed(question, pairs, senses, ideal, responses)
     return Loaded(question, right, pairs, senses, pressed)
 
 
@@ -227,16 +231,24 @@ def _against(question: Question, pair: Pair, sense: float) -> dict[int, float]:
 
 
 def _pressed(
-    question: Question, pairs: Sequence[Pair], ideal: Found, responses: Sequence[Found]
+    question: Question,
+    pairs: Sequence[Pair],
+    senses: Sequence[float],
+    ideal: Found,
+    responses: Sequence[Found],
 ) -> list[SurfacePair]:
     """Return what presses each pair: without friction, and per unit of each friction."""
-    return [
-        SurfacePair(
-            pair.factor,
-            [(ideal[c], [r[c] for r in responses]) for c in _pressing(question.system, pair)],
-        )
-        for pair in pairs
-    ]
+    names = [pair.name for pair in pairs]
+    found = []
+    for pair in pairs:
+        more = dict(pair.besides)
+        own = [more.get(name, 0.0) * s for name, s in zip(names, senses, strict=True)]
+        components = [
+            (ideal[c], [r[c] + part for r, part in zip(responses, own, strict=True)])
+            for c in _pressing(question.system, pair)
+        ]
+        found.append(SurfacePair(pair.factor, components))
+    return found
 
 
 def _pressing(system: System, pair: Pair) -> tuple[int, ...]:
@@ -275,10 +287,23 @@ def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
             size, diameter = (evaluate(f, unfolding.values) for f in (factor_, thread))
             actions = unfolding.along_thread(joint, diameter)
             yield Pair("transmission", joint, actions, joint, "", size)
+        case CollarFriction(joint, factor=factor_, radius=radius):
+            size, arm = (evaluate(f, unfolding.values) for f in (factor_, radius))
+            actions = unfolding.on_collar(joint, arm)
+            more = tuple(_thrusts(joint, unfolding))
+            yield Pair("transmission", f"collar of {joint}", actions, joint, "", size, more)
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:
             assert_never(given)
+
+
+def _thrusts(joint: str, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
+    """Yield by how much a friction of 1 in a screw's thread pushes the nut along the axis."""
+    for given in unfolding.pose.mechanism.friction.joints:
+        if isinstance(given, ThreadFriction) and given.joint == joint:
+            diameter = evaluate(given.thread, unfolding.values)
+            yield joint, unfolding.slope_of_thread(joint, diameter)
 
 
 def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:

@@ -148,11 +148,23 @@ class Unfolding(Halves):
         F/cos ψ along the thread, whose slope is tan ψ = p/(πd): F·tan ψ along the axis, and
         F·d/2 about it.
         """
-        screw = self.pose.mechanism.joint(joint)
-        assert isinstance(screw, Screw), "a thread is on a screw"
-        slope = evaluate(screw.pitch, self.values) / (math.pi * diameter)
+        screw = self._screw(joint)
+        slope = self.slope_of_thread(joint, diameter)
         along = self.direction_of_guide(screw.point).times(slope)
         return (*self._by(screw.link, screw.point, along), *self.couple(screw.link, diameter / 2))
+
+    def on_collar(self, joint: str, radius: float) -> tuple[Action, ...]:
+        """Return the couple on a screw of a friction of 1 at the mean radius of its collar."""
+        return self.couple(self._screw(joint).link, radius)
+
+    def slope_of_thread(self, joint: str, diameter: float) -> float:
+        """Return tan ψ = p/(πd) of a thread."""
+        return evaluate(self._screw(joint).pitch, self.values) / (math.pi * diameter)
+
+    def _screw(self, joint: str) -> Screw:
+        screw = self.pose.mechanism.joint(joint)
+        assert isinstance(screw, Screw), "threads and collars are on screws"
+        return screw
 
     def _by(self, link: str, point: str, force: Plane) -> tuple[Action, ...]:
         """Return a force on a point by each of the links that drive it."""

@@ -511,6 +511,18 @@ class ScrewFriction(Statement):
 
 
 @frozen
+class CollarFriction(Statement):
+    """``friction collar A mu mean d``, or ``outer D inner d [wear|pressure]``: of screw A."""
+
+    point: Name
+    coefficient: Expr
+    mean: Expr | None = None
+    outer: Expr | None = None
+    inner: Expr | None = None
+    law: Literal["", "wear", "pressure"] = ""
+
+
+@frozen
 class Motion(Statement):
     """``motion tightening`` or ``motion releasing``."""
 

@@ -51,6 +51,11 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "speed": frozenset({("drive", ANYWHERE)}),
     "pin": frozenset({("friction", 1)}),
     "pins": frozenset({("friction", 1)}),
+    "collar": frozenset({("friction", 1)}),
+    "mean": frozenset({("friction collar", ANYWHERE)}),
+    "outer": frozenset({("friction collar", ANYWHERE)}),
+    "wear": frozenset({("friction collar", ANYWHERE)}),
+    "pressure": frozenset({("friction collar", ANYWHERE)}),
     "sheet": frozenset({("sheet", 0)}),
     "table": frozenset({("table", 0)}),
     "list": frozenset({("list", 0)}),
@@ -61,7 +66,7 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "ru": frozenset({("translate", ANYWHERE)}),
     "next": frozenset({("let", 3), ("worth", 0)}),
 }
-"""Words that are names but in one kind of statement, by its first word, at one place in it.
+"""Words that are names but in one kind of statement, by its first word or two, at one place in it.
 
 A value of YAML stands by what it is read as, in place of a first word.
 """
@@ -74,20 +79,21 @@ def with_names(line: Sequence[Token], start: Start) -> list[Token]:
     >>> [token.type for token in with_names(line, "statement") if token.type != "WS"]
     ['PARAM', 'NAME', 'EQUAL', 'NAME']
     """
-    first = line[0] if line and start == "statement" else start
+    begun = (line[0], " ".join(line[:2])) if line and start == "statement" else (start,)
     return [
         Token("NAME", token, *span_of(token))
-        if token in SOFT and not _stands(token, place, first, line)
+        if token in SOFT and not _stands(token, place, begun, line)
         else token
         for place, token in enumerate(line)
     ]
 
 
-def _stands(word: str, place: int, first: str, line: Sequence[Token]) -> bool:
+def _stands(word: str, place: int, begun: Sequence[str], line: Sequence[Token]) -> bool:
     """Tell whether a soft word at a place of a statement is a word of the language there."""
-    if (first, place) in SOFT[word]:
+    if any((first, place) in SOFT[word] for first in begun):
         return True
-    return (first, ANYWHERE) in SOFT[word] and place > 1 and word not in line[2:place]
+    anywhere = any((first, ANYWHERE) in SOFT[word] for first in begun)
+    return anywhere and place > 1 and word not in line[2:place]
 
 
 @cache

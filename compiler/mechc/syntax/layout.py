@@ -50,6 +50,13 @@ ROLLER_FRICTION = (
     key("wheel", Kind.EXPRESSION),
 )
 SCREW_FRICTION = (key("screw", Kind.EXPRESSION, "coefficient"), key("thread", Kind.EXPRESSION))
+COLLAR_FRICTION = (
+    key("collar", Kind.EXPRESSION, "coefficient"),
+    optional("mean", Kind.EXPRESSION),
+    optional("outer", Kind.EXPRESSION, needs=("inner",)),
+    optional("inner", Kind.EXPRESSION, needs=("outer",)),
+    word("collar_law", "law", "wear", "pressure", needs=("outer",)),
+)
 FRICTION = (
     Entry(ast.PinFriction, key("point", Kind.PIN), keys=PIN_FRICTION),
     Entry(ast.GuideFriction, AT_POINT, keys=GUIDE_FRICTION),
@@ -59,6 +66,7 @@ FRICTION = (
     Entry(ast.BeltFriction, AT_POINT, keys=(key("belt", Kind.EXPRESSION, "coefficient"),)),
     Entry(ast.RackFriction, AT_POINT, keys=(key("rack", Kind.EXPRESSION, "coefficient"),)),
     Entry(ast.ScrewFriction, AT_POINT, keys=SCREW_FRICTION),
+    Entry(ast.CollarFriction, AT_POINT, keys=COLLAR_FRICTION),
 )
 PARAM_KEYS = (
     optional("value", Kind.MEASURE, "value", "tolerance"),

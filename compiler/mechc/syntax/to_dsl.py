@@ -57,6 +57,8 @@ LINES: dict[type[ast.Statement], str] = {
     ast.BeltFriction: "friction belt {point} {coefficient}",
     ast.RackFriction: "friction rack {point} {coefficient}",
     ast.ScrewFriction: "friction screw {point} {coefficient} thread {thread}",
+    ast.CollarFriction: "friction collar {point} {coefficient}[ mean {mean}]"
+    "[ outer {outer} inner {inner}][ {law}]",
     ast.Motion: "motion {sense}",
     ast.Efficiency: "efficiency {value}",
     ast.Table: "table {name}[ {source}] = {rows}",
@@ -74,7 +76,7 @@ QUOTED = frozenset({"title", "text", "label", "about", "source", "en", "uk", "ru
 TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw)
 FRICTIONS = (
     *(ast.PinFriction, ast.GuideFriction, ast.RollerFriction, ast.ContactFriction),
-    *(ast.GearFriction, ast.BeltFriction, ast.RackFriction, ast.ScrewFriction),
+    *(ast.GearFriction, ast.BeltFriction, ast.RackFriction, ast.ScrewFriction, ast.CollarFriction),
 )
 
 SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (

@@ -241,6 +241,17 @@ def friction_guide(
     return ast.GuideFriction(NOWHERE, point, coefficient, length, overhang, law(named))
 
 
+def friction_ring(
+    point: ast.Name,
+    coefficient: ast.Expr,
+    outer: ast.Expr,
+    inner: ast.Expr,
+    named: Token | None,
+) -> ast.CollarFriction:
+    """Return ``friction collar A mu outer D inner d wear``."""
+    return ast.CollarFriction(NOWHERE, point, coefficient, None, outer, inner, law(named))
+
+
 def motion(sense: Token) -> ast.Motion:
     """Return ``motion tightening`` or its reverse."""
     return ast.Motion(NOWHERE, cast(Literal["tightening", "releasing"], str(sense)))
@@ -330,6 +341,7 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "friction_belt": ast.BeltFriction,
     "friction_rack": ast.RackFriction,
     "friction_screw": ast.ScrewFriction,
+    "friction_collar": ast.CollarFriction,
     "efficiency": ast.Efficiency,
 }
 
@@ -359,6 +371,7 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "friction_pins": friction_pins,
     "friction_pin": friction_pin,
     "friction_guide": friction_guide,
+    "friction_ring": friction_ring,
     "motion": motion,
     "finds": tupled,
     "require": require,

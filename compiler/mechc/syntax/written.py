@@ -45,6 +45,7 @@ WRITTEN: Final = {
     "friction belt": "friction belt O1 0.02",
     "friction rack": "friction rack A 0.02",
     "friction screw": "friction screw A 0.1 thread 20 mm",
+    "friction collar": "friction collar A 0.1 mean 30 mm",
     "motion": "motion releasing",
     "efficiency": "efficiency 0.9",
     "sheet": 'sheet pin "Pin in shear"',

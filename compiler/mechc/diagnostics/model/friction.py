@@ -126,6 +126,29 @@ def several_transmissions(span: Span, kind: str, point: str) -> Message:
     return Message(span, message, hint)
 
 
+@coded("E410")
+def collar_without_size(span: Span, twice: bool) -> Message:
+    """A collar has one size: its mean diameter, or its outer and its inner one.
+
+    friction collar A 0.1 mean 30 mm
+    friction collar A 0.1 outer 40 mm inner 20 mm              # worn in: the same as mean 30 mm
+    friction collar A 0.1 outer 40 mm inner 20 mm pressure     # new: pressed evenly
+    """
+    found = "two sizes, one of them is expected" if twice else "no size"
+    return Message(span, f"the collar has {found}", "write 'mean d', or 'outer D inner d'")
+
+
+@coded("E411")
+def collar_inside_out(span: Span, outer: float, inner: float) -> Message:
+    """The inner diameter of a collar is not below its outer one.
+
+    friction collar A 0.1 outer 20 mm inner 40 mm     # wrong
+    friction collar A 0.1 outer 40 mm inner 20 mm     # right
+    """
+    message = f"the collar is {outer * 1000:g} mm wide outside and {inner * 1000:g} mm inside"
+    return Message(span, message, "the outer diameter is the larger one")
+
+
 @coded("E278")
 def half_of_a_whole(span: Span, point: str, load: str, other: str, share: Fraction) -> Message:
     """A guide has friction in one half, or branch, of a mechanism whose other halves are left out.

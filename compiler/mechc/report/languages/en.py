@@ -68,6 +68,8 @@ LOCALE = Locale(
         "rack": "friction of the rack at {point}: {value} of the force passed on is lost",
         "screw": "friction in the thread of the screw at {point}: coefficient {value}, mean "
         "diameter {diameter}",
+        "collar": "friction at the collar of the screw at {point}: coefficient {value}, mean "
+        "radius {radius}",
         "efficiency": "the efficiency is {value}",
         "tightening": "with friction the motion is along the arrow of {loads}",
         "releasing": "with friction the motion is against the arrow of {loads}",

@@ -5,6 +5,7 @@ from typing import assert_never
 
 from ...formula.tree import Formula, Product
 from ...model.mechanism import (
+    CollarFriction,
     FaceFriction,
     Friction,
     GuideFriction,
@@ -79,5 +80,8 @@ def _joint(joint: JointFriction, locale: Locale, style: Notation) -> Iterator[st
         case ThreadFriction(_, _, factor, thread):
             value, diameter = math(latex(factor, style)), math(length_of(thread, locale, style))
             yield locale.given_friction["screw"].format(point=point, value=value, diameter=diameter)
+        case CollarFriction(_, _, factor, radius):
+            value, at = math(latex(factor, style)), math(length_of(radius, locale, style))
+            yield locale.given_friction["collar"].format(point=point, value=value, radius=at)
         case _:
             assert_never(joint)

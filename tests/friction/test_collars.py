@@ -1,0 +1,91 @@
+"""Collars that take the thrust of a screw, by the formulas of textbooks."""
+
+import math
+
+import pytest
+
+import mechc
+
+JACK = """
+param p = {pitch} mm
+param d = 20 mm
+pivot O
+link OE
+OE = 10 mm @ 0 deg
+slider A along x
+screw A pitch p on OE
+torque T on OE
+force N at A along -x
+{friction}
+find k = T/N
+"""
+
+LEVER = """
+pivot O at (0 mm, 0 mm)
+link OE
+OE = 10 mm @ 0 deg
+slider A along x
+screw A pitch {pitch} mm on OE
+pivot C at (120 mm, 60 mm)
+link AB
+link CBD
+A at (40 mm, 0 mm)
+B at (110 mm, 20 mm)
+D at (160 mm, 90 mm)
+torque T on OE
+force N at D along x
+friction screw A 0.12 thread 20 mm
+friction collar A 0.15 outer 40 mm inner 22 mm pressure
+friction pin A 0.15 diameter 10 mm
+friction pin B 0.15 diameter 10 mm on AB
+friction pin C 0.15 diameter 10 mm
+find k = T/N
+"""
+
+
+def numbers(pitch, *friction):
+    return mechc.loads(JACK.format(pitch=pitch, friction="\n".join(friction))).evaluate()
+
+
+@pytest.mark.parametrize("pitch", [6, -6])
+@pytest.mark.parametrize(
+    ("size", "radius"),
+    [
+        ("mean 30 mm", 15e-3),
+        ("outer 40 mm inner 24 mm", 16e-3),
+        ("outer 40 mm inner 24 mm wear", 16e-3),
+        ("outer 40 mm inner 24 mm pressure", 2 / 3 * (20**3 - 12**3) / (20**2 - 12**2) * 1e-3),
+    ],
+)
+def test_a_collar_carries_the_whole_load_at_its_mean_radius(pitch, size, radius):
+    """T = F·(d/2·tan(ψ ± ρ) ± μ_c·r), whatever the thread itself loses."""
+    found = numbers(pitch, "friction screw A 0.12 thread d", f"friction collar A 0.15 {size}")
+    psi, rho = math.atan(abs(pitch) / (math.pi * 20)), math.atan(0.12)
+    hand = math.copysign(1, pitch)
+    lifts = 10e-3 * math.tan(psi + rho) + 0.15 * radius
+    holds = 10e-3 * math.tan(psi - rho) - 0.15 * radius
+    # A left-handed thread is driven the other way: along its arrow the torque lowers the load.
+    expected = (lifts, holds) if hand > 0 else (-holds, -lifts)
+    assert (found["k_f"], found["k_hold"]) == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_collar_alone_adds_its_couple():
+    found = numbers(6, "friction collar A 0.1 mean 30 mm")
+    ideal = 6e-3 / (2 * math.pi)
+    assert found["k_f"] == pytest.approx(ideal + 0.1 * 15e-3, rel=1e-12)
+    assert found["k_hold"] == pytest.approx(ideal - 0.1 * 15e-3, rel=1e-12)
+
+
+def test_free_bodies_agree_where_a_collar_hangs_together_with_pins():
+    """The program solves the coupled equations; loading compares them with the free bodies."""
+    found = mechc.loads(LEVER.format(pitch=6)).evaluate()
+    assert found["k_f"] > found["k"] > found["k_hold"]
+
+
+def test_words_of_collars_are_names_elsewhere():
+    names = "collar", "mean", "outer", "wear", "pressure"
+    given = "\n".join(f"param {name} = 0.02" for name in names)
+    found = numbers(6, given, f"friction screw A ({'+'.join(names)}) thread d")
+    assert found["k_f"] == pytest.approx(
+        10e-3 * math.tan(math.atan(6 / (20 * math.pi)) + math.atan(0.1))
+    )
