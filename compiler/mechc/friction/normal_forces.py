@@ -87,7 +87,7 @@ def loaded_pairs(
         transmitted = reactions.of(pair.joint)
         if transmitted is None:
             raise Undetermined(pair)
-        besides = {name: part for name, part in pair.besides if name in names.values()}
+        besides = dict(pair.besides)
         components = (_component(push, names, given, besides) for push in transmitted.force_terms)
         pressed.append(LoadedPair(pair, slip, tuple(components), transmitted.plans))
     return tuple(pressed)

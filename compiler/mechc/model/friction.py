@@ -218,7 +218,8 @@ def _transmission(
         return  # what is wrong with that line was reported
     if not here:
         there = sorted(joint.points[0] for joint in joints)
-        scope.report.add(messages.no_transmission(point.span, word, point.text, there))
+        what = "collar" if isinstance(statement, ast.CollarFriction) else word
+        scope.report.add(messages.no_transmission(point.span, word, what, point.text, there))
     elif len(here) > 1:
         scope.report.add(messages.several_transmissions(point.span, word, point.text))
     elif not isinstance(here[0], Screw):

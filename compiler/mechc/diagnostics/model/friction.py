@@ -94,8 +94,8 @@ def nothing_presses(span: Span, point: str) -> Message:
 
 
 @coded("E277")
-def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> Message:
-    """Friction of a gear, belt, rack or screw is given where there is none.
+def no_transmission(span: Span, kind: str, what: str, point: str, there: Sequence[str]) -> Message:
+    """Friction of a gear, belt, rack or screw, or of its collar, is given where there is none.
 
     A pair of gears and a belt are named by the pivot of their first wheel, a rack and a
     screw by their slider.
@@ -106,7 +106,7 @@ def no_transmission(span: Span, kind: str, point: str, there: Sequence[str]) -> 
     """
     named = {"gear": "no pair of gears begins at", "belt": "no belt begins at"}
     message = f"{named.get(kind, f'there is no {kind} at')} {point}"
-    hint = f"write 'friction {kind} {there[0]} …'" if there else f"no line begins with '{kind}'"
+    hint = f"write 'friction {what} {there[0]} …'" if there else f"no line begins with '{kind}'"
     return Message(span, message, hint)
 
 
