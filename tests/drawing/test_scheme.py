@@ -15,7 +15,7 @@ from good_mechanisms import ALL, begun
 from grown import Grown
 from mechc.cli import main, make_gallery
 from mechc.diagnostics import MechcError
-from mechc.drawing.drawing import COPY, FORCE, MEASURE, Arc, Polyline
+from mechc.drawing.drawing import COPY, FORCE, HATCH, MEASURE, SYMBOL, Arc, Polyline
 from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import name as lettering_of
 from mechc.driver import Compilation
@@ -121,6 +121,16 @@ def test_the_ground_of_a_pivot_is_off_its_bars():
                     other = head if pivot.point == tail else tail
                     way = figure.points[other].minus(figure.points[pivot.point]).unit()
                     assert way.dot(pivot.ground) < math.cos(math.radians(30)), name
+
+
+@pytest.mark.parametrize(("name", "is_ring"), [("planetary_ring", True), ("belt_on_arm", False)])
+def test_a_wheel_that_stands_still_is_hatched_where_the_ground_is(name, is_ring):
+    shapes = drawn(name).shapes
+    (rim,) = [s for s in shapes if isinstance(s, Arc) and s.pen == SYMBOL and abs(s.sweep) < 6]
+    hatches = [s.points for s in shapes if isinstance(s, Polyline) and s.pen == HATCH]
+    on_rim = [p for p in hatches if math.dist(p[0], rim.centre) == pytest.approx(rim.radius)]
+    assert len(on_rim) >= 5
+    assert all((math.dist(tip, rim.centre) > rim.radius) == is_ring for _, tip in on_rim)
 
 
 def test_no_measure_is_negative_and_no_angle_is_there_twice():

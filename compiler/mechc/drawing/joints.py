@@ -87,13 +87,28 @@ def _arc_slot(paper: Paper, part: ArcSlot) -> Layered:
 
 def _gears(paper: Paper, part: Gears) -> Iterator[Shape]:
     touch = paper.place(part.touch)
-    for point, radius in ((part.first, part.first_radius), (part.second, part.second_radius)):
+    largest = max(part.first_radius, part.second_radius)
+    for point, link, radius in _wheels(part):
         yield from symbols.wheel(paper.at(point), radius * paper.scale, touch)
+        if not link:
+            side = 1 if part.inner and radius == largest else -1
+            yield from symbols.standing(paper.at(point), radius * paper.scale, touch, side)
+
+
+def _wheels(part: Gears | Belt) -> tuple[tuple[str, str, float], ...]:
+    """Return centre, link and radius of both wheels; a wheel without a link stands still."""
+    return (
+        (part.first, part.first_link, part.first_radius),
+        (part.second, part.second_link, part.second_radius),
+    )
 
 
 def _belt(paper: Paper, part: Belt) -> Iterator[Shape]:
-    yield Arc(paper.at(part.first), part.first_radius * paper.scale, SYMBOL)
-    yield Arc(paper.at(part.second), part.second_radius * paper.scale, SYMBOL)
+    mates = paper.at(part.second), paper.at(part.first)
+    for (point, link, radius), mate in zip(_wheels(part), mates, strict=True):
+        yield Arc(paper.at(point), radius * paper.scale, SYMBOL)
+        if not link:
+            yield from symbols.standing(paper.at(point), radius * paper.scale, mate, -1)
     for run in part.runs:
         yield line(*paper.ends(run), BODY)
 

@@ -33,6 +33,9 @@ COUPLE = 6.0
 WHOLE = 60.0
 """The largest radius of a wheel that is drawn all round."""
 
+RIM = 16.0
+"""How long the hatching is on a wheel that stands still."""
+
 _HATCH, _STEP = 2.0, 1.6
 _HEAD, _SPREAD = 3.2, 0.8
 
@@ -181,6 +184,23 @@ def wheel(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
         yield Arc(centre, radius, AXIS, touch.minus(centre).angle - half, 2 * half)
     if radius > 3 * PIN:
         yield Arc(centre, 2 * PIN, SYMBOL, fill="white")
+
+
+def standing(centre: Plane, radius: float, touch: Plane, ground: int) -> Iterator[Shape]:
+    """Yield hatching on the rim of a wheel that stands still, where it is away from its mate.
+
+    The ground is outside of the rim for a ``ground`` of 1, as of a ring, inside for −1.
+    """
+    half = min(0.5 * RIM / radius, math.pi / 3)
+    middle = touch.minus(centre).angle + (math.pi if radius <= WHOLE else 0.0)
+    yield Arc(centre, radius, SYMBOL, middle - half, 2 * half)
+    count = max(3, round(2 * half * radius / _STEP))
+    for i in range(count):
+        out = direction(middle + half * ((2 * i + 1) / count - 1))
+        foot = off(centre, out, radius)
+        yield line(
+            foot, off(foot, out, ground * _HATCH / math.sqrt(2), -_HATCH / math.sqrt(2)), HATCH
+        )
 
 
 def teeth(start: Plane, end: Plane, side: int) -> Iterator[Shape]:
