@@ -82,6 +82,13 @@ def test_free_bodies_agree_where_a_collar_hangs_together_with_pins():
     assert found["k_f"] > found["k"] > found["k_hold"]
 
 
+def test_diameters_that_are_numbers_have_names():
+    sizes = "friction screw A 0.12 thread 20 mm", "friction collar A 0.15 outer 40 mm inner 24 mm"
+    jack = mechc.loads(JACK.format(pitch=6, friction="\n".join(sizes)))
+    named = {symbol.name for symbol in jack["k_f"].free_symbols}
+    assert named == {"p", "d_A", "D_A", "D_i_A"}
+
+
 def test_words_of_collars_are_names_elsewhere():
     names = "collar", "mean", "outer", "wear", "pressure"
     given = "\n".join(f"param {name} = 0.02" for name in names)

@@ -18,7 +18,7 @@ def collar_radius(statement: ast.CollarFriction, scope: Scope) -> Formula | None
         scope.report.add(messages.collar_without_size(statement.span, statement.mean is not None))
     elif statement.mean is not None:
         mean = positive_length(statement.mean, "the mean diameter of a collar", scope)
-        return mean and product([(_called("d", mean, statement, scope), 1), (number(2), -1)])
+        return mean and product([(_called("D", mean, statement, scope), 1), (number(2), -1)])
     elif statement.outer is not None and statement.inner is not None:
         return _of_ring(statement, (statement.outer, statement.inner), scope)
     return None
@@ -40,7 +40,7 @@ def _of_ring(
     if wide is not None and narrow is not None and wide <= narrow:
         scope.report.add(messages.collar_inside_out(diameters[1].span, wide, narrow))
         return None
-    outer, inner = (_called(*of, statement, scope) for of in (("D", outer), ("d", inner)))
+    outer, inner = (_called(*of, statement, scope) for of in (("D", outer), ("D_i", inner)))
     if statement.law == "pressure":
         return _evenly_pressed(outer, inner)
     return product([(total([outer, inner]), 1), (number(4), -1)])

@@ -8,7 +8,7 @@ from ..diagnostics.model import friction as messages
 from ..diagnostics.model.reactions import several_touch
 from ..formula.tree import Call, Formula, number, product, total
 from ..syntax import ast
-from ..units import NUMBER
+from ..units import LENGTH, NUMBER
 from .coefficients import checked, coefficient, positive_length, value_of
 from .collars import collar_radius
 from .expressions import Reader
@@ -228,6 +228,7 @@ def _transmission(
     elif isinstance(statement, ast.ScrewFriction):
         thread = positive_length(statement.thread, "the mean diameter of a thread", scope)
         if thread is not None:
+            thread = scope.named("d", point.text, thread, LENGTH, span)
             yield ThreadFriction(here[0].id, point.text, f, thread, span)
     elif isinstance(statement, ast.CollarFriction):
         radius = collar_radius(statement, scope)
