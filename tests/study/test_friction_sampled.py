@@ -75,6 +75,7 @@ def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
     assert hold(closed(70081)) == 1
 
 
+@pytest.mark.slow
 def test_an_efficiency_that_turns_before_it_jumps():
     """It falls from 0.966 to 0.961 and jumps to 0.962: the cell looked at ends at the jump."""
     assert hold([chain(311034)]) == 1
