@@ -128,6 +128,7 @@ def test_formulas_stay_whole_where_a_coefficient_is_zero(name, smooth):
     text = (LIBRARY / f"{name}.mech").read_text("utf-8")
     parameter = f"param {smooth.split('=')[0]}"
     lines = [n for n in text.splitlines() if " at " not in n or not n.startswith("expect")]
+    lines = [n for n in lines if not n.startswith("translate")]
     smoothed = [f"param {smooth}" if n.startswith(parameter) else n for n in lines]
     assert smoothed != lines
     solved = mechc.loads("\n".join(smoothed))

@@ -83,3 +83,19 @@ force P at A along -y
 force F at B along -y
 find k = P/F
 """
+
+
+def test_a_tolerance_may_be_as_small_as_one_likes():
+    lever = """
+param a = 1 mm
+param b = 2 mm
+pivot O
+link AOB
+OA = a @ 180 deg
+OB = b @ 0 deg
+torque M on AOB
+force F at B along -y
+find k = M/F
+expect k = 2 mm +- 1e-12 mm
+"""
+    assert not mechc.loads(lever).warnings

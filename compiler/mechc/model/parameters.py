@@ -77,7 +77,7 @@ def read_tolerance(
     if dimension and not Reader(scope, DESCRIPTION).fits(found, dimension, f"the tolerance {what}"):
         return None
     size = evaluate(found.formula, {})
-    if not size > 0 or out_of_reach(size, found.dimension):
+    if not size > 0 or out_of_reach(max(size, 1.0), found.dimension):
         scope.report.add(quantities.tolerance_not_positive(expression.span, what))
         return None
     return found.formula
