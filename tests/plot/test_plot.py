@@ -69,8 +69,31 @@ def test_the_pose_of_the_description_is_marked_on_its_own_curve_alone(clamp):
     found = clamp.plot("alpha", family={"beta": ["7 deg", "8 deg"]}).plot
     assert [[m.kind for m in curve.marks] for curve in found.curves] == [["default"], []]
     picture = clamp.plot("alpha", family={"beta": ["8 deg"]})
-    assert "The description" not in picture.alt
+    assert "default pose" not in picture.alt
+    assert "at the default pose, alpha = 12°." in clamp.plot("alpha").alt
     assert {"β = 8°", "k"} <= set(lettering(picture.drawing))
+
+
+@pytest.mark.parametrize(
+    ("family", "values"),
+    [("a=1,2e2,30mm", [0.001, 0.2, 0.03]), ("a=1e2,0.2m", [100, 0.2]), ("a=1 mm,2", None)],
+)
+def test_the_unit_of_the_last_value_is_that_of_all_without_one(family, values, tmp_path, capsys):
+    line = ["plot", CLAMP, "--x", "alpha", "--family", family, "-n", "2"]
+    status = main([*line, "-o", str(tmp_path / "k.csv")])
+    if values is None:
+        assert "2 what? Expected a length (mm)" in capsys.readouterr().err
+        return
+    assert status == 0
+    with (tmp_path / "k.csv").open(encoding="utf-8") as file:
+        _, (_, *found), _ = csv.reader(file)
+    one = 0.2 * (math.tan(math.radians(2)) + math.tan(math.radians(7))) / 0.1
+    assert [float(k) for k in found] == pytest.approx([one * a for a in values])
+
+
+def test_a_family_of_what_is_along_the_axis_makes_no_sense(clamp):
+    with pytest.raises(MechcError, match="E584: alpha is no parameter to vary"):
+        clamp.plot("alpha", family={"alpha": ["3 deg"]})
 
 
 def test_along_a_constraint_as_figure_5_of_karpenko():

@@ -1,5 +1,6 @@
 """``mechc plot``: results against a parameter, as a picture or a table."""
 
+import re
 import sys
 from collections.abc import Iterator, Sequence
 from pathlib import Path
@@ -22,6 +23,9 @@ from .session import Command, session, session_options
 from .terminal import give, on_terminal
 
 STANDARD_OUTPUT = Path("-")
+
+NUMBER = re.compile(r"^[-+]?(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?")
+"""A number that begins a value; its unit is what stands behind it."""
 
 
 def _known(
@@ -53,8 +57,8 @@ def _member(text: str) -> tuple[str, tuple[str, ...]]:
     listed = [value.strip() for value in values.split(",")]
     if not sign or not name.strip() or not all(listed):
         raise click.BadParameter(f"{text!r} is not NAME=VALUE,VALUE…, as in beta=10,20,30deg")
-    unit = listed[-1].lstrip("+-0123456789. ")
-    bare = (value.lstrip("+-0123456789. ") == "" for value in listed)
+    unit = NUMBER.sub("", listed[-1])
+    bare = (NUMBER.fullmatch(value) is not None for value in listed)
     return name.strip(), tuple(v + unit * b for v, b in zip(listed, bare, strict=True))
 
 

@@ -50,7 +50,7 @@ def _of_curve(curve: Curve, plot: Plot, y: Axis) -> Iterator[str]:
         elif mark.kind == "zero":
             yield f"{what} is 0 at {x}."
         elif mark.kind == "default":
-            yield f"The description has {x}: {shown(mark.at.y, y)}."
+            yield f"{what} is {shown(mark.at.y, y)} at the default pose, {x}."
     for place in curve.poles:
         yield f"{what} is infinite at {plot.x.name} = {shown(place, plot.x)}."
     for place in curve.jumps:

@@ -33,7 +33,6 @@ STATIONS = 12
 
 TURNING: Mapping[int, MarkKind] = {1: "minimum", -1: "maximum"}
 
-
 Watch = Callable[[Sequence[Function]], Iterable[Function]]
 """What hands out the functions that are followed, and may tell how many are done."""
 
@@ -93,10 +92,7 @@ def _sweep(mechanism: Mechanism, known: Mapping[str, Quantity], query: Query) ->
     name = query.x or _driving(mechanism)
     x = _axis(name, inputs, mechanism)
     low, high = _ends(x, mechanism, query.ends)
-    chosen = [
-        [Value(_axis(n, inputs, mechanism), v) for v in vs] for n, vs in _family(query, inputs)
-    ]
-    settings = tuple(product(*chosen))
+    settings = tuple(product(*_family(query, x, inputs, mechanism)))
     return _Sweep(mechanism, known, x, low, high, settings, defaults(mechanism))
 
 
@@ -137,12 +133,16 @@ def _ends(
     return found
 
 
-def _family(query: Query, inputs: Mapping[str, Input]) -> Iterator[tuple[str, list[float]]]:
-    for name, texts in query.family:
-        if name not in inputs:
-            near = near_miss(name, inputs)
-            raise MechcError([messages.no_such_parameter(name, list(inputs), near)])
-        yield name, [_si(name, text, inputs[name].dimension) for text in texts]
+def _family(
+    query: Query, x: Axis, inputs: Mapping[str, Input], mechanism: Mechanism
+) -> Iterator[list[Value]]:
+    """Yield the values of each parameter of the family; E584 for what is along the axis."""
+    for name, given in query.family:
+        if name == x.name:
+            others = [other for other in inputs if other != name]
+            raise MechcError([messages.no_such_parameter(name, others, "it is along the axis")])
+        axis = _axis(name, inputs, mechanism)
+        yield [Value(axis, _si(name, value, axis.dimension)) for value in given]
 
 
 def _si(name: str, given: Given, dimension: Dimension) -> float:
