@@ -237,11 +237,16 @@ SIMPLE: dict[str, Unit] = {
 }
 """The units of one word."""
 
-PARTS = SIMPLE | {"h": _unit(3600, TIME), "1": _unit(1, NUMBER)}
-"""What compounds are made of; behind a number alone, h is more likely to be a height."""
+PARTS = SIMPLE | {
+    "h": _unit(3600, TIME),
+    "l": _unit("1/1000", DIMENSIONS["volume"]),
+    "1": _unit(1, NUMBER),
+}
+"""What compounds are made of; behind a number alone, h and l are more likely to be lengths."""
 
 COMPOUNDS = """
     mm^2 cm^2 m^2 in^2 ft^2 mm^3 cm^3 m^3 in^3 ft^3 mm^4 cm^4 m^4 in^4
+    m^3/s m^3/h cm^3/s l/min
     kg*m^2 kg*cm^2 kg/m^3 g/cm^3
     N*m N*mm N*cm kN*m kN*mm daN*m kgf*m kgf*cm kgf*mm
     lbf*ft ft*lbf lbf*in in*lbf ozf*in in*ozf

@@ -58,6 +58,7 @@ sheet strength
 param W = 3 kN
 use "clamp.mech" as C (Q = W/2, f = 0.05)
 let p = C_P_f/(1 cm^2) in MPa
+let R = 2*C_R_O
 require C_k_f < 2
 require C_R_O_f < 1 MN  # iterated
 """
@@ -103,6 +104,7 @@ def test_loads_follow_from_ratios(clamped: Clamped, tmp_path: Path) -> None:
     assert found["C_P"] == pytest.approx(found["C_k"] * 1500)
     assert found["C_P_f1"] == pytest.approx(found["C_k_f1"] * 1500)
     assert found["p"] == pytest.approx(found["C_P_f"] * 1e4)
+    assert clamped.sheet._compilation.mechanism.lets[-1].unit == "kN"
     other = 'sheet s\nuse "crank.mech" as c (M = 9 N*m)\n'
     found = mechc.load(written(tmp_path, other)).evaluate()
     assert found["c_F"] * found["c_k"] == pytest.approx(9)
@@ -122,6 +124,12 @@ def test_the_note_has_formulas_of_mechanisms(clamped: Clamped, language: str) ->
     text = clamped.sheet.emit("latex", language=language)
     assert text.index("C_d=20") < text.index(r"C_{\rho}=") < text.index("C_{k,f}")
     assert "C_{R,O,x,f}=" in text
+
+
+def test_what_a_mechanism_does_not_rest_on_is_no_mistake(tmp_path: Path) -> None:
+    sheet = 'sheet s\nuse "crank.mech" as c (F = 2 kN)\nlet F = c_M/(1 cm)\n'
+    idle = CRANK.replace("param r =", "param idle = 1 mm\nparam r =")
+    assert mechc.load(written(tmp_path, sheet, crank=idle)).warnings == []
 
 
 def test_a_loop_that_does_not_close_and_a_condition_on_it(tmp_path: Path) -> None:

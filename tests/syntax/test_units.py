@@ -12,7 +12,17 @@ from mechc.syntax.settings import params, parse
 from mechc.syntax.to_dsl import to_dsl
 from mechc.syntax.to_yaml import to_yaml
 from mechc.syntax.unit_words import SPELLED
-from mechc.units import COMPOUNDS, FORCE, FREQUENCY, LENGTH, PRESSURE, TORQUE, UNITS, VELOCITY
+from mechc.units import (
+    COMPOUNDS,
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    PRESSURE,
+    TORQUE,
+    UNITS,
+    VELOCITY,
+    Dimension,
+)
 
 
 def param(value: str) -> ast.Param:
@@ -36,6 +46,7 @@ def param(value: str) -> ast.Param:
         ("km/h", "5/18", VELOCITY),
         ("kgf/cm^2", "98066.5", PRESSURE),
         ("rev/min", "1/30", FREQUENCY),
+        ("l/min", "1/60000", Dimension(3, 0, -1)),
     ],
 )
 def test_a_unit_is_what_its_definition_says(unit, factor, dimension):

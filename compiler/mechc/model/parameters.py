@@ -208,7 +208,8 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
 
 
 def warn_unused(parameters: Mapping[str, Parameter], scope: Scope) -> None:
-    """Warn of parameters that no formula mentions."""
+    """Warn of parameters that no formula mentions, those of what is used left out."""
+    own = len(scope.report.source.text)
     for name, parameter in parameters.items():
-        if name not in scope.used:
+        if name not in scope.used and parameter.span.start < own:
             scope.report.add(names.unused_parameter(parameter.span, name))

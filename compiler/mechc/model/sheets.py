@@ -49,6 +49,9 @@ def as_written(mechanism: Mechanism, file: ast.File) -> Mechanism:
     remarks = {name: line.label or line.remark for name, line in lines.items()}
     parameters = tuple(replace(p, label=remarks[p.name]) for p in mechanism.parameters)
     units: dict[str, str] = {p.name: p.unit for p in parameters}
+    named = [unit for line in lines.values() if isinstance(line, ast.Let) for unit in _units(line)]
+    taken = tuple(_taken(file, mechanism.lets, [*units.values(), *named]))
+    units |= {result.name: result.unit for result in taken}
     lets: list[Let] = []
     for let in mechanism.lets:
         line = lines[let.name]
@@ -61,13 +64,13 @@ def as_written(mechanism: Mechanism, file: ast.File) -> Mechanism:
         mechanism,
         parameters=parameters,
         lets=tuple(lets),
-        taken=tuple(_taken(file, lets, units)),
+        taken=taken,
         requires=tuple(_with_sides(mechanism.requires, units, file)),
         tables=written.tables(file.statements),
     )
 
 
-def _taken(file: ast.File, lets: Iterable[Let], units: Mapping[str, str]) -> Iterator[Taken]:
+def _taken(file: ast.File, lets: Iterable[Let], units: Iterable[str]) -> Iterator[Taken]:
     """Yield the results of used mechanisms, in the units of their kind that are written first."""
     known, before = {let.name for let in lets}, 0
     for statement in file.statements:
@@ -75,7 +78,7 @@ def _taken(file: ast.File, lets: Iterable[Let], units: Mapping[str, str]) -> Ite
             case ast.Let(name=name):
                 before += name.text in known
             case ast.Taken(name=name, measures=dimension, remark=remark):
-                unit = _first(units.values(), dimension)
+                unit = _first(units, dimension)
                 yield Taken(name.text, dimension, name.span, before, unit, remark)
 
 

@@ -84,7 +84,8 @@ def agreed(a: Sort, b: Sort) -> Sort | None:
 def multiplied(factors: Sequence[tuple[Sort, int]]) -> Sort:
     """Return the sort of a product of factors, each with its exponent (±1).
 
-    Literals leave the sort of a single other factor alone: ``2*alpha`` is an angle.
+    Literals leave the sort of a single other factor alone: ``2*alpha`` is an angle. So do
+    counts that an angle is divided by, but that it may serve as a pure number, too.
     """
     solid = [(s, e) for s, e in factors if s.nature not in (Nature.BARE, Nature.ZERO)]
     if not solid:
@@ -93,6 +94,9 @@ def multiplied(factors: Sequence[tuple[Sort, int]]) -> Sort:
         return Sort(NUMBER, Nature.UNITLESS)
     if len(solid) == 1 and solid[0][1] == 1:
         return solid[0][0]
+    others = [(s.nature, e) for s, e in solid if (s, e) != (Sort(ANGLE), 1)]
+    if len(others) == len(solid) - 1 and all(o == (Nature.UNITLESS, -1) for o in others):
+        return Sort(ANGLE, Nature.LOOSE)
     dimension = NUMBER
     for sort, exponent in factors:
         dimension = dimension.joined(sort.dimension.scaled(exponent))
