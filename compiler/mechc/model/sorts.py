@@ -85,7 +85,7 @@ def multiplied(factors: Sequence[tuple[Sort, int]]) -> Sort:
     """Return the sort of a product of factors, each with its exponent (±1).
 
     Literals leave the sort of a single other factor alone: ``2*alpha`` is an angle. So do
-    counts that an angle is divided by, but that it may serve as a pure number, too.
+    counts that an angle is divided by; the quotient may serve as a pure number, too.
     """
     solid = [(s, e) for s, e in factors if s.nature not in (Nature.BARE, Nature.ZERO)]
     if not solid:
