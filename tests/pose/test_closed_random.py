@@ -7,6 +7,7 @@ compilation.
 """
 
 import ctypes
+import math
 import shutil
 import subprocess
 from collections import Counter
@@ -23,7 +24,7 @@ from mechc.emit.target import Options
 from mechc.formula.walk import symbols
 from mechc.routine.evaluate import evaluate
 from mechc.source import Source
-from reference_strokes import Strokes
+from reference_strokes import Strokes, conditions
 
 STEPS = 25
 WIDE = {"phi": 0.25, "s": 0.01}
@@ -166,6 +167,20 @@ def test_ten_thousand_strokes(record_property):
     seen = sweep(range(60, 1370))
     seen.report(record_property)
     assert seen.strokes >= 10_000
+
+
+def test_a_reference_that_fails_says_so_and_ends_that_stroke_alone(monkeypatch):
+    whole = np.linalg.cond
+
+    def of_well_scaled_ones(matrices):
+        if np.max(np.abs(matrices)) > 1:
+            raise np.linalg.LinAlgError("SVD did not converge")
+        return whole(matrices)
+
+    monkeypatch.setattr(np.linalg, "cond", of_well_scaled_ones)
+    with pytest.warns(UserWarning, match="the reference found no condition"):
+        found = conditions(np.array([np.eye(3), 2 * np.eye(3)]))
+    assert found.tolist() == [1.0, math.inf]
 
 
 def test_a_jump_to_the_other_closure_would_be_seen():

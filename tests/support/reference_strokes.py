@@ -5,6 +5,7 @@ same forms, differentiated; loads from their work. Many strokes run at once.
 """
 
 import math
+import warnings
 
 import numpy as np
 
@@ -13,6 +14,26 @@ CLOSED = 1e-15
 
 HARD = 300.0
 """Above this condition a pose is near a dead centre: the reference could take another branch."""
+
+
+def conditions(matrices):
+    """Return the conditions of matrices; infinite, with a warning, where LAPACK finds none.
+
+    Some builds of it do not converge where others do: the reference then ends a stroke, which
+    says nothing of what is compared with it.
+    """
+    try:
+        return np.linalg.cond(matrices)
+    except np.linalg.LinAlgError:
+        return np.array([_condition(matrix) for matrix in matrices])
+
+
+def _condition(matrix):
+    try:
+        return np.linalg.cond(matrix)
+    except np.linalg.LinAlgError:
+        warnings.warn("the reference found no condition and ends a stroke", stacklevel=3)
+        return math.inf
 
 
 class Strokes:
@@ -94,7 +115,7 @@ class Strokes:
             alive &= closed
             scaled = jacobian / sizes
             scaled[~alive] = np.eye(jacobian.shape[1])
-            alive &= np.linalg.cond(scaled) < HARD
+            alive &= conditions(scaled) < HARD
             if not alive.any():
                 break
             jacobian[~alive] = np.eye(jacobian.shape[1])
