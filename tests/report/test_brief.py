@@ -46,11 +46,11 @@ def test_numbers_are_put_in_for_results_alone():
 @pytest.mark.parametrize("name", ["jansen_leg", "karpenko_fig9_with_friction"])
 def test_each_name_is_told_before_it_is_used(name):
     told, where = {p.name for p in compiled(name).mechanism.parameters}, brief(name)
-    defined = set(re.findall(r"^ *(\w+) = ", where, re.MULTILINE))
-    for line in where.splitlines():
-        told |= set(re.findall(r"^ *(\w+) = ", line))
-        right = line.partition(" = ")[2]
-        assert not (set(re.findall(r"\w+", right)) & defined) - told, line
+    solved = re.findall(r"^ *(\w+) = (.*)$", where, re.MULTILINE)
+    defined = {left for left, _ in solved}
+    for left, right in solved:
+        assert set(re.findall(r"\w+", right)) & defined <= told, left
+        told.add(left)
 
 
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
