@@ -17,6 +17,7 @@ from pathlib import Path
 import sympy
 
 import peers
+from batches import batches
 from emitted import scalar
 from generators import (
     closed_four_bar_chain,
@@ -228,6 +229,7 @@ PARTS: dict[str, Callable[[bool], None]] = {
     ),
     "strokes": lambda quick: strokes(rounds=2 if quick else 9),
     "scalar": lambda quick: scalar(rounds=15 if quick else 75),
+    "batch": lambda quick: batches(rounds=15 if quick else 75),
     "implicit": lambda quick: iterated(rounds=5 if quick else 25),
     "precision": lambda quick: precision(poses=7 if quick else 51),
 }

@@ -98,3 +98,14 @@ def test_huge_angles_are_right_in_loops_of_the_library(part, tmp_path):
     for name in LIBRARY[part::6]:
         (tmp_path / name).mkdir()
         assert_huge_angles_are_right(name, tmp_path / name)
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+def test_a_loop_over_roots_becomes_vector_code(tmp_path):
+    (source,) = TARGET.emit(solved("crank_rocker"), Options("k", single=True))
+    (tmp_path / "k.c").write_text(source.text, encoding="utf-8")
+    command = ["gcc", "-std=c99", "-O3", "-fopt-info-vec", "-c", "k.c"]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, check=True)
+    loops = {line.split(":")[1] for line in done.stderr.splitlines() if "loop vectorized" in line}
+    heads = [source.text.splitlines()[int(n) - 1] for n in loops]
+    assert [head.split()[0] for head in heads] == ["for", "for"]  # those of k and of i
