@@ -9,12 +9,16 @@ Quantities are SI and radians. Importing the package is cheap: the compiler is i
 with the first :func:`load`, sympy with the first expression, NumPy with the first number.
 """
 
+from __future__ import annotations
+
 from importlib import import_module
-from typing import TYPE_CHECKING, Any
 
 from .version import VERSION
 
+TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from typing import Any
+
     from .api import SolvedMechanism, load, loads
     from .diagnostics import MechcError
 

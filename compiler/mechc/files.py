@@ -16,6 +16,7 @@ from .diagnostics import files as messages
 from .diagnostics.syntax_limits import text_too_long
 from .frozen import replace
 from .source import Source, Span
+from .witness import tell
 
 LARGEST = 1 << 20
 """Bytes in the largest description that is read."""
@@ -37,6 +38,7 @@ def find(name: str) -> Path:
     path = Path(name)
     if path.exists():
         return path
+    tell("absent", name)
     listed = library()
     if name in listed:
         return listed[name]
@@ -98,8 +100,9 @@ def read(path: Path) -> Source:
     """Return the text of a file; :class:`MechcError` (E801, E902, E903) where it is none."""
     try:
         with path.open("rb") as file:
-            source = decode(file.read(LARGEST + 1), str(path))
-            return replace(source, folder=path.parent)
+            content = file.read(LARGEST + 1)
+        tell("read", str(path), content)
+        return replace(decode(content, str(path)), folder=path.parent)
     except OSError as error:
         raise MechcError([messages.file_unreadable(str(path), reason(error))]) from None
 
@@ -108,6 +111,7 @@ def read_stdin(name: str) -> Source:
     """Return the text on standard input under a name; :class:`MechcError` where there is none."""
     if sys.stdin is None:
         raise MechcError([messages.file_unreadable(name, "standard input is closed")])
+    tell("read from a stream", name)
     try:
         return decode(sys.stdin.buffer.read(LARGEST + 1), name)
     except OSError as error:
@@ -159,6 +163,8 @@ def write_all(files: Mapping[Path, str | bytes]) -> None:
             pending.extend(_prepare(path, _encoded(content)))
         for temporary, target in pending:
             temporary.replace(target)
+        for path, content in files.items():
+            tell("wrote", str(path), _encoded(content))
     except OSError as error:
         raise MechcError([messages.file_unwritable(str(path), reason(error))]) from None
     finally:

@@ -29,12 +29,12 @@ from ..syntax.settings import Settings
 from ..units import in_unit
 from .inputs import expanded, settings_option, stdin_option
 from .open import begin
-from .session import Command, session, session_options, status
+from .session import Repeatable, session, session_options, status
 from .terminal import say
 from .words import descriptions
 
 
-@click.command("check", cls=Command)
+@click.command("check", cls=Repeatable)
 @click.argument(
     "files", nargs=-1, required=True, metavar="FILE|FOLDER|NAME|-...", shell_complete=descriptions
 )

@@ -12,11 +12,12 @@ from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
 from ..report.languages.registry import LANGUAGES
 from ..syntax.settings import Settings
+from ..witness import tell
 from .collisions import claim, refuse_collisions
 from .inputs import claim_of, description_argument, path_of, settings_option, stdin_option
 from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
-from .session import Command, session, session_options
+from .session import Repeatable, session, session_options
 from .terminal import give
 from .words import Word, beginning, paths
 
@@ -38,7 +39,7 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
     return beginning(begun, registry.names())
 
 
-@click.command("compile", cls=Command)
+@click.command("compile", cls=Repeatable)
 @description_argument
 @click.option(
     "--emit",
@@ -132,6 +133,8 @@ def command(
 
 
 def _emitted(compilation: Compilation, output: Output, options: Options) -> tuple[Emitted, ...]:
+    if output.target not in registry.BUILT_IN:
+        tell("asked another package", output.target)
     stem = output.stem(compilation.mechanism.name)
     single = output.path is None
     asked = options._replace(stem=stem, single=single, named=not (single or output.folder))

@@ -7,11 +7,11 @@ from ..report.text.derivation import render, render_brief
 from ..syntax.settings import Settings
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
-from .session import Command, session, session_options
+from .session import Repeatable, session, session_options
 from .terminal import say, speaks_unicode
 
 
-@click.command("derive", cls=Command)
+@click.command("derive", cls=Repeatable)
 @description_argument
 @click.option("--numbers/--no-numbers", default=True, help="Put the values given into formulas.")
 @click.option("--brief", is_flag=True, help="Print the formulas alone.")

@@ -12,6 +12,7 @@ from ..diagnostics.files import no_descriptions
 from ..files import SUFFIXES, find, read, read_stdin
 from ..source import Source
 from ..syntax.settings import Settings, parse
+from ..witness import tell
 from .collisions import Claim, claim, refuse_reading, streams
 from .words import descriptions
 
@@ -52,6 +53,7 @@ def expanded(names: Iterable[str]) -> Iterator[str]:
         elif not (found := sorted(map(str, _below(Path(name))))):
             raise MechcError([no_descriptions(name)])
         else:
+            tell("listed", name)
             yield from found
 
 

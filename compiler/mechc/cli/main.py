@@ -1,14 +1,21 @@
 """The way in: quiet when it is interrupted, even while the compiler is being imported."""
 
-from collections.abc import Sequence
+from __future__ import annotations
+
+import sys
 from importlib import import_module
-from typing import cast
+
+from . import answers
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
 
 INTERRUPTED = 130
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit status."""
+    """Run one command and return its exit status; without arguments that of the command line."""
     try:
         return _run(arguments)
     except KeyboardInterrupt:
@@ -16,5 +23,14 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 
 def _run(arguments: Sequence[str] | None) -> int:
-    """Run one command; what it needs is imported here, where Ctrl-C is expected."""
-    return cast(int, import_module(".run", __package__).run(arguments))
+    """Answer as before, or run the command; what it needs is imported where Ctrl-C is expected."""
+    asked = answers.question(sys.argv[1:]) if arguments is None else b""
+    known = answers.find(asked) if asked else None
+    try:
+        status = answers.give(known) if known else None
+    except OSError as error:
+        status = import_module(".run", __package__).broken(error)
+    if status is None:
+        status = import_module(".run", __package__).run(arguments, asked)
+    assert isinstance(status, int)
+    return status

@@ -10,8 +10,11 @@ import click
 
 from ..files import reason
 from ..version import VERSION
+from ..witness import listening
 from . import terminal
+from .answers import Event
 from .commands import mechc
+from .keeping import keep
 from .session import ENVIRONMENT, INTERNAL
 
 PATIENT = 50_000
@@ -19,27 +22,45 @@ PATIENT = 50_000
 searching every 700 objects takes a twelfth of its time."""
 
 
-def run(arguments: Sequence[str] | None = None) -> int:
-    """Run one command and return its exit status; KeyboardInterrupt where it is interrupted."""
+def run(arguments: Sequence[str] | None = None, asked: bytes = b"") -> int:
+    """Run one command and return its exit status; KeyboardInterrupt where it is interrupted.
+
+    The answer to what is ``asked`` is kept for the next time.
+    """
     gc.set_threshold(PATIENT)
     terminal.prepare()
     try:
-        status = mechc.main(arguments, prog_name="mechc", standalone_mode=False)
-        terminal.flush()
+        return _answered(arguments, asked) if asked else _status(arguments)
     except click.ClickException as error:
         error.show()
         return error.exit_code
     except click.Abort:
         raise KeyboardInterrupt from None
-    except BrokenPipeError:
-        return _hush(0)
     except OSError as error:
-        return _hush(_refused(error))
+        return broken(error)
     except SystemExit as error:
         return _hush(0) if error.code else 0
     except Exception as error:
         return _apologise(error)
+
+
+def _status(arguments: Sequence[str] | None) -> int:
+    status = mechc.main(arguments, prog_name="mechc", standalone_mode=False)
+    terminal.flush()
     return status if isinstance(status, int) else 0
+
+
+def _answered(arguments: Sequence[str] | None, asked: bytes) -> int:
+    events: list[Event] = []
+    with listening(lambda *event: events.append(event)):
+        status = _status(arguments)
+    keep(asked, status, events)
+    return status
+
+
+def broken(error: OSError) -> int:
+    """Return the status where a stream or a file failed: 0 where nobody reads on."""
+    return _hush(0 if isinstance(error, BrokenPipeError) else _refused(error))
 
 
 def _hush(status: int) -> int:

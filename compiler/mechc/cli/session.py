@@ -12,6 +12,8 @@ from ..diagnostics.render import Form, render
 from ..diagnostics.statics import BUGS
 from ..frozen import frozen, replace
 from ..source import Source
+from ..witness import tell
+from .answers import OFF
 from .terminal import give_message, on_terminal, warn
 from .words import Word
 
@@ -85,14 +87,23 @@ class Command(click.Command):
             ctx.exit(status(error.diagnostics))
 
 
+class Repeatable(Command):
+    """A command whose answer hangs on its arguments and on what it reads, and on nothing else."""
+
+    def invoke(self, ctx: click.Context) -> Any:
+        """Run the command; what it answers may be kept."""
+        tell("repeatable")
+        return super().invoke(ctx)
+
+
 def _remember(ctx: click.Context, parameter: click.Parameter, value: Any) -> None:
     if value is not None and parameter.name:
         ctx.obj = replace(ctx.find_object(Session) or Session(), **{parameter.name: value})
 
 
 def session_options(function: F) -> F:
-    """Add ``--format``, ``--color`` and ``--werror``; they may stand before or after a command."""
-    for option in (_werror, _color, _form):
+    """Add ``--format``, ``--color`` and the like; they may stand before or after a command."""
+    for option in (_afresh, _werror, _color, _form):
         function = option(function)
     return function
 
@@ -119,4 +130,10 @@ _werror = click.option(
     expose_value=False,
     callback=_remember,
     help="Treat warnings as errors.",
+)
+_afresh = click.option(
+    OFF,
+    is_flag=True,
+    expose_value=False,
+    help="Compute anew what was answered before.",
 )

@@ -8,11 +8,11 @@ from ..report.text.stroke import to_table
 from ..syntax.settings import Settings
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
-from .session import Command, session, session_options
+from .session import Repeatable, session, session_options
 from .terminal import give, say
 
 
-@click.command("stroke", cls=Command)
+@click.command("stroke", cls=Repeatable)
 @description_argument
 @click.option(
     "-n", "--points", type=click.IntRange(2, 100_000), default=19, show_default=True,

@@ -13,6 +13,8 @@ from unicodedata import normalize
 
 import click
 
+from ..witness import heard, tell
+
 LIKENESS = {
     "→": "->", "←": "<-", "⇒": "=>", "↔": "<->", "−": "-", "–": "-", "—": "-", "·": "*", "×": "*",
     "÷": "/", "≤": "<=", "≥": ">=", "≠": "!=", "≈": "~", "≡": "==", "±": "+-", "°": " deg",
@@ -72,33 +74,44 @@ def on_terminal() -> bool:
 
 def say(text: object, end: str = "\n") -> None:
     """Write text for people on standard output."""
+    _tell("out", _out(), f"{text}{end}")
     click.echo(f"{text}{end}", file=_out(), nl=False)
 
 
 def give(text: str) -> None:
     """Write data on standard output: UTF-8, line ends as they are."""
-    _give(_out(), text)
+    _give("out", _out(), text)
 
 
 def warn(text: str, color: bool | None = None) -> None:
     """Write a message for people on standard error."""
     if sys.stderr is not None:
+        _tell("err", sys.stderr, f"{text}\n")
         click.echo(text, file=sys.stderr, color=color)
 
 
 def give_message(text: str) -> None:
     """Write a message for programs on standard error: UTF-8."""
     if sys.stderr is not None:
-        _give(sys.stderr, f"{text}\n")
+        _give("err", sys.stderr, f"{text}\n")
 
 
-def _give(stream: TextIO, text: str) -> None:
+def _tell(what: str, stream: TextIO, text: str) -> None:
+    """Tell those who listen which bytes a text becomes."""
+    if heard():
+        lines = text.replace("\n", os.linesep)
+        tell(what, "", lines.encode(stream.encoding, stream.errors or "strict"))
+
+
+def _give(what: str, stream: TextIO, text: str) -> None:
+    content = text.encode("utf-8", "surrogateescape")
+    tell(what, "", content)
     buffer = getattr(stream, "buffer", None)
     if buffer is None:
         stream.write(text)
         return
     stream.flush()
-    buffer.write(text.encode("utf-8", "surrogateescape"))
+    buffer.write(content)
     buffer.flush()
 
 

@@ -1,0 +1,30 @@
+"""Who wants to know what a run reads, writes and prints."""
+
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+
+Listener = Callable[[str, str, bytes], None]
+"""Called with what happened, to which file, and the bytes that went through."""
+
+_listeners: list[Listener] = []
+
+
+@contextmanager
+def listening(listener: Listener) -> Iterator[None]:
+    """Tell a listener all that happens inside."""
+    _listeners.append(listener)
+    try:
+        yield
+    finally:
+        _listeners.remove(listener)
+
+
+def heard() -> bool:
+    """Tell whether anyone listens."""
+    return bool(_listeners)
+
+
+def tell(what: str, place: str = "", content: bytes = b"") -> None:
+    """Tell those who listen that something was read, written or printed."""
+    for listener in _listeners:
+        listener(what, place, content)
