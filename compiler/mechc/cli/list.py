@@ -11,7 +11,9 @@ from ..diagnostics import MechcError
 from ..driver import Compilation
 from ..files import library, read
 from ..formula.to_text import text
-from .session import Command
+from ..model.statements import only
+from ..syntax.ast import Heading
+from .session import Repeatable
 from .terminal import give, say
 
 TERMINAL = 80
@@ -30,7 +32,7 @@ class Row(NamedTuple):
     k: str
 
 
-@click.command("list", cls=Command)
+@click.command("list", cls=Repeatable)
 @click.option("-l", "--long", is_flag=True, help="With source and k, wider than a terminal.")
 @click.option("--json", "as_json", is_flag=True, help="All of it, one object per line, uncut.")
 def command(long: bool, as_json: bool) -> None:
@@ -41,7 +43,8 @@ def command(long: bool, as_json: bool) -> None:
     mechc list --long | grep tan
     mechc list --json | jq -r .name
     """
-    rows = [_row(name, path) for name, path in library().items()]
+    found = _row if long or as_json else _titled
+    rows = [found(name, path) for name, path in library().items()]
     if as_json:
         give("".join(f"{_json(row)}\n" for row in rows))
         return
@@ -49,13 +52,26 @@ def command(long: bool, as_json: bool) -> None:
         say(line)
 
 
+def _titled(name: str, path: Path) -> Row:
+    """Return a row with the title alone, for which nothing has to be solved."""
+    try:
+        heading = only(Compilation(read(path)).tree, Heading)
+    except MechcError as error:
+        return _failed(name, error)
+    return Row(name, heading.title if heading else "", "", "")
+
+
 def _row(name: str, path: Path) -> Row:
     compilation = Compilation(read(path))
     try:
         mechanism, (first, *_) = compilation.mechanism, compilation.found
     except MechcError as error:
-        return Row(name, "", "", f"({error.diagnostics[0].code})")
+        return _failed(name, error)
     return Row(name, mechanism.title, mechanism.source, f"{first.name} = {text(first.formula)}")
+
+
+def _failed(name: str, error: MechcError) -> Row:
+    return Row(name, "", "", f"({error.diagnostics[0].code})")
 
 
 def _json(row: Row) -> str:
