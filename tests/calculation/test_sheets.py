@@ -15,6 +15,7 @@ from mechc.driver import Compilation, complete
 from mechc.emit.registry import load
 from mechc.emit.target import Options
 from mechc.report.text.note import render
+from mechc.report.text.speller import speller
 from mechc.source import Source
 from run_targets import COMPILER, assert_close, built, by_c_in_batch, by_c_singly, by_python
 
@@ -194,7 +195,9 @@ require s > d  # room
 
 
 def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture[str]) -> None:
-    lines = render(sheet(PIN).mechanism, sheet(PIN).results, unicode=False).splitlines()
+    pin = sheet(PIN)
+    spell = speller(pin.results, pin.mechanism, unicode=False)
+    lines = render(pin.mechanism, pin.results, spell).splitlines()
     assert lines[:3] == ["Pin in shear", "", "Given"]
     for line in [
         "  K = K_v at v = K_v at 1 m/s = 1.25",

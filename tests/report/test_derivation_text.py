@@ -1,5 +1,6 @@
 """The derivation as the terminal shows it."""
 
+import re
 from collections.abc import Callable
 
 import pytest
@@ -8,8 +9,9 @@ from mechc.driver import compile_source
 from mechc.files import find, read
 from mechc.formula.to_text import text
 from mechc.report.sentences.wording import as_ratio
-from mechc.report.text.derivation import WIDTH, render
+from mechc.report.text.derivation import render
 from mechc.report.text.printer import ASCII, UNICODE, print_formula
+from mechc.report.text.speller import WIDTH
 from report_samples import equations, formula, packet_clamp, six_bar
 
 
@@ -132,3 +134,23 @@ def test_a_weight_is_its_mass_times_g_and_nothing_is_defined_twice() -> None:
     assert "W = mg\n        g = 9.80665 m/s²" in derived("wheelbarrow")
     clamp = derived("karpenko_fig9_packet_clamp")
     assert clamp.count("δ = 4/(πd²)") == 1
+
+
+@pytest.mark.parametrize(
+    ("language", "tangent", "unit"), [("uk", "tg α", "мм"), ("ru", "tg α", "мм")]
+)
+def test_a_derivation_is_told_in_the_language(language: str, tangent: str, unit: str) -> None:
+    found = compile_source(read(find("karpenko_fig7_single_lever")))
+    shown = render(found.derivation, found.mechanism, language=language)
+    assert "tg α" in shown
+    assert " мм" in shown
+    words = re.sub(r"[A-Z]'?(?:_\w+)?|cos|sin|arc\w+|\d+", "", shown)
+    assert len(re.findall(r"[а-яієїґ]", words)) > 20 * len(re.findall(r"[a-z]{3,}", words))
+
+
+def test_lines_are_as_wide_as_asked() -> None:
+    found = compile_source(read(find("crank_rocker")))
+    for width in (40, 60, 110):
+        shown = render(found.derivation, found.mechanism, width=width)
+        prose = [line for line in shown.splitlines() if not set("=·√/(") & set(line)]
+        assert width - 15 <= max(map(len, prose)) <= width

@@ -56,6 +56,7 @@ def question(arguments: list[str]) -> bytes:
         asked = (
             [(word, os.path.isdir(word)) for word in arguments],
             [(stream.encoding, stream.isatty()) for stream in streams],
+            [os.get_terminal_size(s.fileno()).columns for s in streams if s.isatty()],
             [os.environ.get(name) for name in ("NO_COLOR", "TERM", "COLUMNS")],
             (sys.version, os.getcwd(), PACKAGE, *_state()),
         )

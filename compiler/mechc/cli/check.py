@@ -16,9 +16,9 @@ from ..report.languages.en import LOCALE
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import own_conditions, reaction
-from ..report.text.derivation import speller
 from ..report.text.note import in_brief
 from ..report.text.overview import overview
+from ..report.text.speller import speller
 from ..report.text.verdict import to_text
 from ..source import Source
 from ..statics.verdict import Verdict
@@ -88,7 +88,7 @@ def _overview(compilation: Compilation) -> Iterator[str]:
 
 def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
     """Yield what is known of a sound description, line by line."""
-    spell = speller(compilation.derivation, compilation.mechanism, unicode=False)
+    spell = speller(compilation.derivation.results, compilation.mechanism, unicode=False)
     if verbose:
         yield from _overview(compilation)
     else:

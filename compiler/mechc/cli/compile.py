@@ -10,8 +10,8 @@ from ..driver import Compilation, checked, emit, warnings
 from ..emit import registry
 from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
-from ..report.languages.registry import LANGUAGES
 from ..syntax.settings import Settings
+from ..syntax.vocabulary import LANGUAGES
 from ..witness import tell
 from .collisions import claim, refuse_collisions
 from .inputs import claim_of, description_argument, path_of, settings_option, stdin_option
@@ -73,7 +73,7 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
 @click.option(
     "--lang",
     "language",
-    type=Word(list(LANGUAGES)),
+    type=Word(LANGUAGES),
     default="en",
     help="The language of LaTeX output.",
 )

@@ -5,20 +5,28 @@ import click
 from ..driver import complete, warnings
 from ..report.text.derivation import render, render_brief
 from ..syntax.settings import Settings
+from ..syntax.vocabulary import LANGUAGES
 from .inputs import description_argument, settings_option, stdin_option
 from .open import begin
 from .session import Repeatable, session, session_options
-from .terminal import say, speaks_unicode
+from .terminal import columns, say, speaks_unicode
+from .words import Word
 
 
 @click.command("derive", cls=Repeatable)
 @description_argument
 @click.option("--numbers/--no-numbers", default=True, help="Put the values given into formulas.")
 @click.option("--brief", is_flag=True, help="Print the formulas alone.")
+@click.option(
+    "--lang", "language", type=Word(LANGUAGES), default="en", show_default=True,
+    help="The language of the derivation.",
+)  # fmt: skip
 @settings_option
 @stdin_option
 @session_options
-def command(file: str, numbers: bool, brief: bool, settings: Settings, stdin_name: str) -> None:
+def command(
+    file: str, numbers: bool, brief: bool, language: str, settings: Settings, stdin_name: str
+) -> None:
     """Print the derivation of k step by step.
 
     Each velocity relation with the rule that gives it, the power equation, k, and where
@@ -26,11 +34,18 @@ def command(file: str, numbers: bool, brief: bool, settings: Settings, stdin_nam
 
     \b
     mechc derive clamp.mech
-    mechc derive clamp.mech --brief
+    mechc derive clamp.mech --brief --lang uk
     """
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     shown = render_brief if brief else render
     told, mechanism = compilation.told, compilation.mechanism
-    text = shown(told, mechanism, unicode=speaks_unicode(), numbers=numbers)
+    text = shown(
+        told,
+        mechanism,
+        unicode=speaks_unicode(),
+        numbers=numbers,
+        language=language,
+        width=columns(),
+    )
     say(text, end="")

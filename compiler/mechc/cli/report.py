@@ -7,7 +7,7 @@ import click
 from ..driver import Compilation, checked, warnings
 from ..emit.latex.comparison import Compared, to_table
 from ..files import write_all
-from ..report.languages.registry import LANGUAGES
+from ..syntax.vocabulary import LANGUAGES
 from .collisions import refuse_collisions
 from .inputs import NAMELESS, claim_of, expanded
 from .open import begin
@@ -25,7 +25,7 @@ from .words import Word, descriptions, paths
 @click.option("--schemes/--no-schemes", default=True, help="Draw each mechanism in its row.")
 @click.option("--fragment", is_flag=True, help="LaTeX without preamble, to \\input.")
 @click.option(
-    "--lang", "language", type=Word(list(LANGUAGES)), default="en",
+    "--lang", "language", type=Word(LANGUAGES), default="en",
     help="The language of the table.",
 )  # fmt: skip
 @session_options

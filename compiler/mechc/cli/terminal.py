@@ -7,6 +7,7 @@ LaTeX, code, descriptions and tables of numbers are the same bytes whatever the 
 import codecs
 import errno
 import os
+import shutil
 import sys
 from typing import TextIO
 from unicodedata import normalize
@@ -28,6 +29,10 @@ LIKENESS = {
     "Ω": "Omega",
 }  # fmt: skip
 """What stands for a letter that a console lacks."""
+
+
+USUAL_WIDTH, NARROW, WIDE = 80, 40, 120
+"""Columns of text that goes to no terminal, and of the narrowest and widest lines on one."""
 
 
 def plainer(character: str) -> str:
@@ -65,6 +70,13 @@ def flush() -> None:
 def speaks_unicode() -> bool:
     """Return whether standard output takes every letter."""
     return (getattr(_out(), "encoding", None) or "utf-8").lower().startswith("utf")
+
+
+def columns() -> int:
+    """Return how wide lines of text are: as the terminal is, but none that is hard to read."""
+    if not (sys.stdout is not None and sys.stdout.isatty()):
+        return USUAL_WIDTH
+    return min(max(shutil.get_terminal_size().columns, NARROW), WIDE)
 
 
 def on_terminal() -> bool:

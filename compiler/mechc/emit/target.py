@@ -8,7 +8,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ..model.mechanism import Mechanism
-from ..plot.query import Query
 from ..pose.motion import Motion
 from ..report.derivation.steps import Derivation
 from ..routine.steps import Routine
@@ -18,6 +17,7 @@ if TYPE_CHECKING:
     from ..drawing.drawing import Drawing
     from ..figure.figure import Figure
     from ..plot.plot import Plot
+    from ..plot.query import Query
     from ..statics.diagram import Diagram
 
 
@@ -71,7 +71,7 @@ class Compiled(Protocol):
         """Return the free bodies drawn, in the words of a language; None where there are none."""
         ...
 
-    def plot(self, query: Query) -> "Plot":
+    def plot(self, query: "Query") -> "Plot":
         """Return results against a parameter."""
         ...
 

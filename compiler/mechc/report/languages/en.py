@@ -287,6 +287,8 @@ LOCALE = Locale(
         "lines": "Calculation",
         "checks": "Checks",
         "list": "the next size of the list {name}",
+        "unknown": "not known",
+        "least of all": "the least",
         "decides": "{formula} decides",
         "otherwise": "otherwise",
         "condition": "Condition",

@@ -292,6 +292,8 @@ LOCALE = Locale(
         "lines": "Расчёт",
         "checks": "Проверки",
         "list": "ближайший больший размер ряда {name}",
+        "unknown": "неизвестно",
+        "least of all": "наименьший",
         "decides": "определяющим является {formula}",
         "otherwise": "в остальных случаях",
         "condition": "Условие",

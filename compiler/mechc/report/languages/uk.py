@@ -290,6 +290,8 @@ LOCALE = Locale(
         "lines": "Розрахунок",
         "checks": "Перевірки",
         "list": "найближчий більший розмір ряду {name}",
+        "unknown": "невідомо",
+        "least of all": "найменший",
         "decides": "визначальним є {formula}",
         "otherwise": "в інших випадках",
         "condition": "Умова",

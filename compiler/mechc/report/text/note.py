@@ -1,6 +1,6 @@
 """The calculation note of a sheet for the terminal."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ...formula.choices import is_choice
@@ -10,12 +10,14 @@ from ...formula.walk import evaluate
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
-from ...units import ANGLE, described, in_unit, si_unit
+from ...units import ANGLE, in_unit, si_unit
+from ..languages.registry import locale
 from ..note import Note, NoteCheck, NoteLine, note
-from .printer import ASCII, UNICODE, Signs, print_formula, print_name
+from .printer import ASCII, Signs, print_formula, print_name
+from .speller import SHOWN, Speller
 
-SHOWN = 6
-"""Significant digits of what a formula comes to."""
+Words = Mapping[str, str]
+"""The words of notes in a language."""
 
 
 class Row(NamedTuple):
@@ -25,34 +27,39 @@ class Row(NamedTuple):
     label: str = ""
 
 
-def render(mechanism: Mechanism, results: Sequence[Result], unicode: bool) -> str:
+def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> str:
     """Return the whole note: what is given, the formulas with their numbers, the checks."""
-    found, signs = note(mechanism, results), _signs(mechanism, unicode)
+    found, signs = note(mechanism, results), _signs(mechanism, spell.signs)
+    words = spell.locale.calculation
+    title = mechanism.title or mechanism.name, mechanism.source
     parts = [
-        [mechanism.title or mechanism.name, *filter(None, [mechanism.source])],
-        _headed("Given", [_given(p, signs) for p in mechanism.parameters]),
-        _headed("Tables and lists of sizes", [*_tables(found, signs)]),
-        _headed("Calculation", [_line(line, signs, in_numbers=True) for line in found.lines]),
-        _headed("Checks", [_check(check, signs) for check in found.checks]),
+        [spell.text(text) for text in title if text],
+        given(mechanism.parameters, spell),
+        _headed(words["tables"], [*_tables(found, signs)], spell),
+        _headed(words["lines"], [_line(one, signs, words, True) for one in found.lines], spell),
+        _headed(words["checks"], [_check(check, signs, words) for check in found.checks], spell),
     ]
     return "\n".join("".join(f"{line}\n" for line in part) for part in parts if part)
 
 
 def in_brief(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
     """Yield what each formula comes to, and the checks, in characters that every terminal has."""
-    found, signs = note(mechanism, results), _signs(mechanism, unicode=False)
-    yield from _aligned([_line(line, signs, in_numbers=False) for line in found.lines])
-    yield from _aligned([_check(check, signs) for check in found.checks])
+    found, signs = note(mechanism, results), _signs(mechanism, ASCII)
+    words = locale("en").calculation
+    yield from _aligned([_line(line, signs, words, in_numbers=False) for line in found.lines])
+    yield from _aligned([_check(check, signs, words) for check in found.checks])
 
 
-def _signs(mechanism: Mechanism, unicode: bool) -> Signs:
+def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
     angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
     angles |= {let.name for let in mechanism.lets if let.dimension == ANGLE}
-    return replace(UNICODE if unicode else ASCII, angles=frozenset(angles))
+    return replace(signs, angles=frozenset(angles))
 
 
-def _headed(heading: str, rows: Sequence[Row]) -> list[str]:
-    return [heading, *_aligned(rows)] if rows else []
+def _headed(heading: str, rows: Sequence[Row], spell: Speller) -> list[str]:
+    """Return rows under a heading, in the language of the note."""
+    told = [Row(spell.units(row.said), spell.text(row.label)) for row in rows]
+    return [heading, *_aligned(told)] if rows else []
 
 
 def _aligned(rows: Sequence[Row]) -> Iterator[str]:
@@ -62,17 +69,24 @@ def _aligned(rows: Sequence[Row]) -> Iterator[str]:
         yield f"  {row.said:{width}}  {row.label}".rstrip()
 
 
-def _given(parameter: Parameter, signs: Signs) -> Row:
+def given(parameters: Iterable[Parameter], spell: Speller) -> list[str]:
+    """Return what is given, under its heading: values, ranges, texts."""
+    return _headed(spell.locale.given, [_given(p, spell) for p in parameters], spell)
+
+
+def _given(parameter: Parameter, spell: Speller) -> Row:
+    signs = spell.signs
     unit = parameter.unit or si_unit(parameter.dimension)
     if parameter.value is None:
-        said = f"{described(parameter.dimension)} without a value"
+        said = spell.locale.any_value
     elif parameter.dependent:
         said = print_formula(parameter.value, signs, parameter.name in signs.angles)
     else:
         said = in_unit(evaluate(parameter.value, {}), unit, SHOWN)
     if parameter.range:
         ends = (in_unit(evaluate(end, {}), unit, SHOWN) for end in parameter.range)
-        said += f" in {' .. '.join(ends)}"
+        said += f", {spell.locale.range.lower()} {' .. '.join(ends)}"
+    said = said.replace(" deg", signs.degree).replace("-", signs.minus)
     return Row(f"{print_name(parameter.name, signs)} = {said}", parameter.label)
 
 
@@ -86,7 +100,7 @@ def _set(formula: Formula, signs: Signs) -> str:
     return print_formula(formula, signs, is_angle(formula, signs.angles))
 
 
-def _line(line: NoteLine, signs: Signs, in_numbers: bool) -> Row:
+def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
     """Return a formula, the numbers put in if they are wanted, and what it comes to."""
     sides = [_asked(line, line.formula, signs)] if line.formula else []
     if in_numbers and line.numbers:
@@ -94,7 +108,9 @@ def _line(line: NoteLine, signs: Signs, in_numbers: bool) -> Row:
     constant = not line.of and line.numbers is None and line.is_number
     if line.value and not constant:
         sides.append(line.value.text(SHOWN))
-    decides = f" ({_set(line.decides, signs)} decides)" if line.decides else ""
+    decides = (
+        f" ({words['decides'].format(formula=_set(line.decides, signs))})" if line.decides else ""
+    )
     return Row(f"{print_name(line.name, signs)} = {' = '.join(sides)}{decides}", line.label)
 
 
@@ -110,12 +126,13 @@ def _asked(line: NoteLine, formula: Formula, signs: Signs) -> str:
             return f"({inner})" if is_choice(formula) else inner
 
 
-def _check(check: NoteCheck, signs: Signs) -> Row:
+def _check(check: NoteCheck, signs: Signs, words: Words) -> Row:
     operator = f" {signs.relations.get(check.operator, check.operator)} "
     said = operator.join(_set(side, signs) for side in (check.left, check.right))
     if check.values is None:
-        return Row(f"{said}: not known", check.label)
+        return Row(f"{said}: {words['unknown']}", check.label)
     said += f": {operator.join(side.text(SHOWN) for side in check.values)}"
     if check.reserve is not None:
-        said += f", reserve {check.reserve:.3g}{', the least' if check.decides else ''}"
+        least = f", {words['least of all']}" if check.decides else ""
+        said += f", {words['reserve'].lower()} {check.reserve:.3g}{least}"
     return Row(said, check.label)

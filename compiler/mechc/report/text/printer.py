@@ -15,6 +15,7 @@
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
+from types import MappingProxyType
 
 from ...formula.layout import TRIGONOMETRIC, decimal
 from ...formula.names import GREEK, split_name
@@ -28,7 +29,10 @@ _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
 
 @frozen
 class Signs:
-    """The signs of one character set; ``fancy`` when it has Greek letters and raised digits."""
+    """The signs of one character set; ``fancy`` when it has Greek letters and raised digits.
+
+    ``functions`` are called otherwise in the language: tg, ctg.
+    """
 
     fancy: bool
     times: str
@@ -38,6 +42,7 @@ class Signs:
     pi: str
     relations: Mapping[str, str]
     angles: frozenset[str] = frozenset()
+    functions: Mapping[str, str] = MappingProxyType({})
 
 
 UNICODE = Signs(True, " · ", "", "−", "°", "π", {"<=": "≤", ">=": "≥", "!=": "≠", "~": "∼"})
@@ -179,7 +184,8 @@ class _Terminal(Typesetter[str]):
         return f"{self.name(unknown)}: {equal}"
 
     def _word(self, function: str) -> str:
-        return _INVERSE.get(function, function) if self.signs.fancy else function
+        usual = _INVERSE.get(function, function) if self.signs.fancy else function
+        return self.signs.functions.get(function, usual)
 
 
 DIFFERENTIAL = Symbol("d")

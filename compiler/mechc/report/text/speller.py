@@ -1,0 +1,141 @@
+"""How a report for the terminal is written: its mathematics, its language, its lines."""
+
+import re
+from collections.abc import Iterable, Mapping
+from textwrap import wrap
+from types import MappingProxyType
+from typing import NamedTuple
+
+from ...formula.layout import is_angle
+from ...formula.tree import Formula, Symbol
+from ...formula.walk import evaluate
+from ...frozen import replace
+from ...model.mechanism import Mechanism, Parameter
+from ...model.result import Result
+from ...units import ANGLE, in_unit
+from ..languages.locale import Locale
+from ..languages.registry import locale as locale_of
+from ..put_in import Quantity, in_degrees
+from .printer import ASCII, UNICODE, Signs, print_point, print_side
+
+SHOWN = 6
+"""Significant digits of values."""
+
+WIDTH = 80
+"""Columns that lines keep to where they can."""
+
+DEEP = " " * 8
+"""What stands before a formula."""
+
+_INNERMOST = re.compile(r"\([^()]*\)")
+_OPERATOR = re.compile(r"\\operatorname\{(\w+)\}")
+_UNIT = re.compile(r"(?<=\d )(?!in\b)(?:1/)?[A-Za-z][\w^*/·]*")
+"""A unit behind its number; ``in`` is the word of a range, too, and stays as it is."""
+
+_WORD = re.compile(r"[A-Za-z]+")
+
+
+class Speller(NamedTuple):
+    """Mathematics inside a sentence, with the signs of a terminal, the words of a language.
+
+    Lines keep to ``width`` columns where they can; ``texts`` are what those of the description
+    are in the language.
+    """
+
+    signs: Signs
+    locale: Locale
+    width: int = WIDTH
+    texts: Mapping[str, str] = MappingProxyType({})
+
+    @property
+    def angles(self) -> frozenset[str]:
+        """Return the names that are angles."""
+        return self.signs.angles
+
+    def relation(self, sides: tuple[Formula, ...], signs: tuple[str, ...], angle: bool) -> str:
+        """Return sides joined by signs."""
+        line = print_side(sides[0], self.signs, angle)
+        for sign, side in zip(signs, sides[1:], strict=True):
+            shown = self.signs.relations.get(sign, sign)
+            line += f" {shown} {print_side(side, self.signs, angle)}"
+        return line
+
+    def number(self, value: float) -> str:
+        """Return a number that was computed."""
+        return f"{value:.{SHOWN}g}".replace("-", self.signs.minus)
+
+    def quantity(self, quantity: Quantity) -> str:
+        """Return a value in its unit, an angle in degrees."""
+        if quantity.unit != "deg":
+            return quantity.text(SHOWN)
+        return print_side(in_degrees(quantity.value, SHOWN), self.signs, True)
+
+    def point(self, names: str) -> str:
+        """Return a point, a link or a vector."""
+        return print_point(names, self.signs)
+
+    def text(self, text: str) -> str:
+        """Return a text of the description in the language, where it is translated."""
+        return self.texts.get(text, text)
+
+    def units(self, said: str) -> str:
+        """Return text in which units stand in the letters of the language."""
+        return _UNIT.sub(lambda unit: self.unit(unit[0]), said) if self.locale.units else said
+
+    def unit(self, unit: str) -> str:
+        """Return a unit in the letters of the language."""
+        return _WORD.sub(lambda word: self.locale.units.get(word[0], word[0]), unit)
+
+    def wrapped(self, text: str, lead: str) -> list[str]:
+        """Return a text in lines, behind ``lead``."""
+        hanging = " " * len(lead)
+        return wrap(
+            text,
+            self.width,
+            initial_indent=lead,
+            subsequent_indent=hanging,
+            break_long_words=False,
+        )
+
+    def broken(self, equation: str) -> list[str]:
+        """Break a long equation at the spaces around its signs, not within ``sin(α + β)``."""
+        indent = DEEP + " " * (len(equation) - len(equation.lstrip()))
+        tied = _INNERMOST.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
+        lines = wrap(
+            tied,
+            self.width,
+            initial_indent=indent,
+            subsequent_indent=indent + "    ",
+            break_long_words=False,
+            break_on_hyphens=False,
+        )
+        return [line.replace("\u00a0", " ") for line in lines]
+
+    def literal(self, literal: Parameter) -> str:
+        """Return the line on a length that is given by a number."""
+        assert literal.value
+        name = self.relation((Symbol(literal.name),), (), False)
+        value = in_unit(evaluate(literal.value, {}), literal.unit, 10)
+        return f"{DEEP}{name} = {self.units(value).replace('-', self.signs.minus)}"
+
+
+def speller(
+    results: Iterable[Result],
+    mechanism: Mechanism,
+    unicode: bool,
+    language: str = "en",
+    width: int = WIDTH,
+) -> Speller:
+    """Return what spells mathematics, with the names that are angles in this mechanism."""
+    words = locale_of(language)
+    angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+    for result in results:
+        for definition in result.where:
+            if is_angle(definition.formula, angles):
+                angles.add(definition.name)
+    signs = UNICODE if unicode else ASCII
+    functions = {name: _OPERATOR.sub(r"\1", word) for name, word in words.functions.items()}
+    signs = replace(
+        signs, angles=frozenset(angles), functions=functions if language != "en" else {}
+    )
+    return Speller(signs, words, width, mechanism.translations.get(language, {}))
