@@ -53,6 +53,7 @@ LATE = {
     ("routine/from_results.py", "routine.together"),
     ("emit/c/to_c.py", "emit.c.gradient"),
     ("emit/python/to_python.py", "emit.python.gradient"),
+    ("emit/latex/to_latex.py", "emit.latex.pictures"),
 }
 """Other imports inside a function: what few descriptions ask for, and sympy."""
 

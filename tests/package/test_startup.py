@@ -94,7 +94,7 @@ def test_what_was_answered_before_needs_no_compiler(
 
 
 LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
-OWN, ALL = 320, 490
+OWN, ALL = 328, 492
 """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
 
 

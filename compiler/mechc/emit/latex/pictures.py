@@ -3,7 +3,6 @@
 import math
 import re
 from collections.abc import Iterable, Iterator
-from typing import NamedTuple
 
 from ...drawing.drawing import Drawing
 from ...plot.plot import Axis, Column, Plot
@@ -15,21 +14,11 @@ from ...report.latex.unit_symbols import unit_symbol
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
 from ..tikz.picture import definitions, tikzpicture
+from .picture_lines import Pictures
 
 WIDE, HIGH = 155.0, 200.0
 """How large a picture may be on a page, in millimetres; a larger one is made smaller."""
 
-
-class Pictures(NamedTuple):
-    """Lines of LaTeX; none where there is no such picture."""
-
-    scheme: tuple[str, ...] = ()
-    bodies: tuple[str, ...] = ()
-    plot: tuple[str, ...] = ()
-    table: tuple[str, ...] = ()
-
-
-NONE = Pictures()
 
 _WRITTEN = re.compile(r"\$[^$]*\$")
 """What a picture says, in mathematics."""

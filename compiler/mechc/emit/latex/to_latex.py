@@ -44,7 +44,7 @@ from ...report.sentences.remarks import conditions
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
 from ..target import Compiled, Emitted, Options
 from .note import note_report
-from .pictures import NONE, Pictures, pictures, preamble
+from .picture_lines import NONE, Pictures
 
 
 class StepBlock(NamedTuple):
@@ -112,7 +112,7 @@ class Latex:
         """Return one ``.tex`` file."""
         locale = registry.locale(options.language)
         body = _body(compiled, locale, notation(options.language), options)
-        drawn = preamble() if options.pictures else ()
+        drawn = _preamble() if options.pictures else ()
         text = body if options.fragment else document(body, locale, drawn)
         return (Emitted(f"{options.stem}.tex", text),)
 
@@ -203,8 +203,20 @@ def report(compiled: Compiled, locale: Locale, style: Notation, options: Options
         numbers=numbers(derivation.results, {e.left for e in found}, locale, style),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
-        pictures=pictures(compiled, locale, style) if options.pictures else NONE,
+        pictures=_pictures(compiled, locale, style) if options.pictures else NONE,
     )
+
+
+def _pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
+    from .pictures import pictures
+
+    return pictures(compiled, locale, style)
+
+
+def _preamble() -> Iterable[str]:
+    from .pictures import preamble
+
+    return preamble()
 
 
 def brief(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Brief:
