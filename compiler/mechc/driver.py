@@ -251,10 +251,10 @@ class Compilation:
         return self._sound(derive(self.solution, self.results))
 
     @Stage
-    def told(self) -> "Derivation":
-        """The derivation as a report tells it: with what ratios come to along the stroke.
+    def reported(self) -> "Derivation":
+        """The derivation as a report has it: with what ratios come to along the stroke.
 
-        It is told without where following the stroke takes more work than is allowed.
+        It is without that where following the stroke takes more work than is allowed.
         """
         if self.calculation:
             return self.derivation

@@ -41,7 +41,7 @@ def curve(compilation, name, parameter):
 
 
 def refuted(compilation):
-    for result in compilation.told.results:
+    for result in compilation.reported.results:
         for extent in result.extents:
             at = curve(compilation, result.name, extent.parameter)
             yield from extent_refuted(extent, at)
@@ -55,7 +55,7 @@ def hold(seeds):
             continue
         compilation = Compilation(Source("grown.mech", wide(grown)))
         try:
-            told += sum(len(r.extents) for r in compilation.told.results)
+            told += sum(len(r.extents) for r in compilation.reported.results)
         except MechcError:
             continue
         assert list(refuted(compilation)) == [], seed
@@ -63,7 +63,7 @@ def hold(seeds):
 
 
 def test_the_least_force_of_the_claw_is_where_the_paper_has_it():
-    k = of_library("claw_closed.mech").told.results[0]
+    k = of_library("claw_closed.mech").reported.results[0]
     (extent,) = k.extents
     assert extent.least == pytest.approx((1.380557799745, 1.372773669854), rel=1e-9)
     assert extent.zeros == extent.poles == ()
@@ -71,10 +71,10 @@ def test_the_least_force_of_the_claw_is_where_the_paper_has_it():
 
 def test_a_ratio_that_turns_in_a_range_is_least_and_greatest_where_it_is_said_to_be():
     compilation = of_library("toggle_press.yaml")
-    (k,) = compilation.told.results
+    (k,) = compilation.reported.results
     assert [e.parameter for e in k.extents] == ["phi"]
     assert list(refuted(compilation)) == []
-    said = " ".join(render(compilation.told, compilation.mechanism, unicode=False).split())
+    said = " ".join(render(compilation.reported, compilation.mechanism, unicode=False).split())
     assert "the least k is 4.1915 mm, at phi = 150 deg" in said
 
 
@@ -89,7 +89,7 @@ def test_what_is_said_along_many_random_strokes():
 
 def test_the_sampler_refutes_what_is_false():
     compilation = of_library("crank_rocker.mech")
-    k = compilation.told.results[0]
+    k = compilation.reported.results[0]
     (extent,) = k.extents
     at = curve(compilation, "k", "phi")
     assert list(extent_refuted(extent, at)) == []
@@ -101,5 +101,5 @@ def test_a_report_goes_without_what_would_take_too_much_work(monkeypatch):
     compilation = of_library("crank_rocker.mech")
     assert compilation.derivation.results
     monkeypatch.setattr("mechc.driver.Allowance", lambda: Allowance(100))
-    assert compilation.told == compilation.derivation
+    assert compilation.reported == compilation.derivation
     assert not compilation.report.diagnostics

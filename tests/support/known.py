@@ -22,5 +22,5 @@ class Known(NamedTuple):
     motion: Motion | None = None
 
     @property
-    def told(self) -> Derivation:
+    def reported(self) -> Derivation:
         return self.derivation

@@ -39,9 +39,9 @@ def command(
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     shown = render_brief if brief else render
-    told, mechanism = compilation.told, compilation.mechanism
+    reported, mechanism = compilation.reported, compilation.mechanism
     text = shown(
-        told,
+        reported,
         mechanism,
         unicode=speaks_unicode(),
         numbers=numbers,

@@ -38,7 +38,7 @@ class Compiled(Protocol):
         ...
 
     @property
-    def told(self) -> Derivation:
+    def reported(self) -> Derivation:
         """Return the derivation with what ratios come to along the stroke, for people."""
         ...
 

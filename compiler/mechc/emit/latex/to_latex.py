@@ -178,7 +178,7 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
 
 
 def report(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Report:
-    mechanism, derivation, verdict = compiled.mechanism, compiled.told, compiled.verdict
+    mechanism, derivation, verdict = compiled.mechanism, compiled.reported, compiled.verdict
     whole = outline(derivation, mechanism)
     found = tuple(evaluated(whole, mechanism)) if options.numbers else ()
     return Report(
@@ -221,7 +221,7 @@ def _preamble() -> Iterable[str]:
 
 def brief(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Brief:
     """Return the formulas of a report alone: of the position, the speeds, the loads, results."""
-    mechanism, derivation = compiled.mechanism, compiled.told
+    mechanism, derivation = compiled.mechanism, compiled.reported
     whole = outline(derivation, mechanism)
     found = tuple(short(evaluated(whole, mechanism), derivation)) if options.numbers else ()
     bare = [item for item in found if item.numbers is None]
