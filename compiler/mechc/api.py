@@ -143,8 +143,8 @@ class SolvedMechanism(Plotting):
     def compile(self) -> "SolvedMechanism":
         """Return the same mechanism, whose ``evaluate`` has machine code for arrays.
 
-        The emitted C is built once, in ``mechc`` below ``$XDG_CACHE_HOME`` or ``~/.cache``. Where
-        that is not possible, the emitted NumPy module takes its place.
+        The emitted C is built once, in the folder of caches (``~/.cache/mechc``, or
+        ``$MECHC_CACHE``). Where that is not possible, the emitted NumPy module takes its place.
 
         >>> import mechc
         >>> clamp = mechc.load("karpenko_fig9_packet_clamp").compile()

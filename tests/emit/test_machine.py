@@ -17,8 +17,8 @@ needs_compiler = pytest.mark.skipif(library.compiler() is None, reason="no C com
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
-    return tmp_path / "mechc" / "libraries"
+    monkeypatch.setenv("MECHC_CACHE", str(tmp_path))
+    return tmp_path / "libraries"
 
 
 def agrees(name):

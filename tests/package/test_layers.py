@@ -10,6 +10,7 @@ from paths import PACKAGE
 
 BASE = [
     "version",
+    "caches",
     "witness",
     "frozen",
     "source",

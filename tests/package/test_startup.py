@@ -90,11 +90,14 @@ def test_what_was_answered_before_needs_no_compiler(
     command = ("-m", "mechc", "compile", CLAMP, "--emit", "c")
     assert "mechc.driver" in imports(*command)
     again = {name for name in imports(*command) if name.startswith(("mechc", "click", "json"))}
-    assert again == {"mechc", "mechc.version", "mechc.cli", "mechc.cli.main", "mechc.cli.answers"}
+    assert again == {
+        *("mechc", "mechc.version", "mechc.caches"),
+        *("mechc.cli", "mechc.cli.main", "mechc.cli.answers"),
+    }
 
 
 LIBRARIES = {"mechc", "click", "jinja2", "markupsafe"}
-OWN, ALL = 328, 492
+OWN, ALL = 329, 493
 """Ceilings with some room: a module takes a two-hundredth of what a compilation may take."""
 
 

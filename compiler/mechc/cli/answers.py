@@ -16,6 +16,8 @@ import sys
 import zlib
 from importlib import import_module
 
+from ..caches import folder as folder
+
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator
@@ -29,20 +31,6 @@ Answer = tuple[int, list[Event]]
 OFF = "--no-cache"
 SUFFIX = ".answer"
 PACKAGE = os.path.dirname(os.path.dirname(os.path.abspath(__file__)))
-
-
-def folder() -> str:
-    """Return the folder of answers; '' where none are kept.
-
-    ``MECHC_CACHE`` names it, empty for none; otherwise it is where the system has caches.
-    """
-    if (named := os.environ.get("MECHC_CACHE")) is not None:
-        return os.path.abspath(named) if named else ""
-    home = os.path.expanduser("~")
-    usual = {"win32": "AppData/Local", "darwin": "Library/Caches"}.get(sys.platform, ".cache")
-    base = os.environ.get("XDG_CACHE_HOME", "")
-    base = base if os.path.isabs(base) else os.path.join(home, usual)
-    return os.path.join(base, "mechc") if os.path.isabs(base) else ""
 
 
 def question(arguments: list[str]) -> bytes:

@@ -1,5 +1,6 @@
 """C built into a library in a folder of the user's, and loaded: results for many poses at once."""
 
+import atexit
 import ctypes
 import hashlib
 import os
@@ -8,11 +9,13 @@ import shutil
 import subprocess
 import tempfile
 from collections.abc import Mapping, Sequence
+from functools import cache
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from ...caches import folder
 from ...routine.evaluate import OnArrays, Value, scalar_or_array
 from ...routine.newton import Array
 
@@ -61,16 +64,24 @@ def _library(source: str) -> ctypes.CDLL | None:
 
 
 def _folder() -> Path:
-    base = os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache"
-    folder = Path(base) / "mechc" / "libraries"
-    folder.mkdir(mode=0o700, parents=True, exist_ok=True)
-    return folder
+    """Return the folder of libraries: the one for this run where nothing is to be kept."""
+    kept = folder()
+    libraries = Path(kept) / "libraries" if kept else _of_this_run()
+    libraries.mkdir(mode=0o700, parents=True, exist_ok=True)
+    return libraries
+
+
+@cache
+def _of_this_run() -> Path:
+    made = tempfile.mkdtemp(prefix="mechc")
+    atexit.register(shutil.rmtree, made, ignore_errors=True)
+    return Path(made)
 
 
 def _build(command: str, source: str, target: Path) -> None:
     """Write a library, complete or not at all, for the processor at hand where that can be said."""
-    with tempfile.TemporaryDirectory(dir=target.parent) as folder:
-        code, made = Path(folder) / "code.c", Path(folder) / "code.so"
+    with tempfile.TemporaryDirectory(dir=target.parent) as place:
+        code, made = Path(place) / "code.c", Path(place) / "code.so"
         code.write_text(source, encoding="utf-8")
         for native in (["-march=native"], []):
             run = [command, *FLAGS, *native, str(code), "-o", str(made), "-lm"]
@@ -80,8 +91,8 @@ def _build(command: str, source: str, target: Path) -> None:
         made.replace(target)
 
 
-def _tidy(folder: Path) -> None:
-    by_age = sorted(folder.glob("*.so"), key=lambda path: path.stat().st_mtime)
+def _tidy(libraries: Path) -> None:
+    by_age = sorted(libraries.glob("*.so"), key=lambda path: path.stat().st_mtime)
     for path in by_age[:-KEPT]:
         path.unlink(missing_ok=True)
 
