@@ -27,8 +27,7 @@ def read_translations(file: ast.File, report: Report) -> Translations:
             hint = near_miss(line.text, known)
             report.add(messages.of_no_text(line.span, line.text, hint))
         for language, text in spoken(line).items():
-            before = first.get((line.text, language))
-            if before and found[language][line.text] != text:
+            if before := first.get((line.text, language)):
                 report.add(messages.translated_twice(line.span, line.text, language, before))
             first.setdefault((line.text, language), line.span)
             found.setdefault(language, {})[line.text] = text

@@ -9,7 +9,7 @@ that the compiler finds of it; they go beside the statements, which name them on
 uses sheets only.
 """
 
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from pathlib import Path
 from typing import NamedTuple
 
@@ -96,6 +96,7 @@ def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) ->
     sheet = _is_sheet(file)
     taken = {name.text: name.span for s in file.statements for name in _declared(s)}
     statements: list[ast.Statement] = []
+    translated = {line.text for line in every(file, ast.Translate)}
     solved = Solved()
     for statement in file.statements:
         if not isinstance(statement, ast.Use):
@@ -109,9 +110,24 @@ def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) ->
             break
         found = list(_brought_in(statement, used, report))
         _check_names(statement, found, taken, report)
-        statements += found
+        statements += _not_translated(found, translated)
         solved += renamed(_without_given(used, statement), statement.prefix.text, used.start)
     return Composed(replace(file, statements=tuple(statements)), solved)
+
+
+def _not_translated(
+    found: Iterable[ast.Statement], translated: set[str]
+) -> Iterator[ast.Statement]:
+    """Yield statements without translations of texts that are translated; note the new ones.
+
+    One sheet used twice brings its texts twice, and a file's own translation is the last word.
+    """
+    for statement in found:
+        if isinstance(statement, ast.Translate):
+            if statement.text in translated:
+                continue
+            translated.add(statement.text)
+        yield statement
 
 
 def _is_sheet(file: ast.File) -> bool:
