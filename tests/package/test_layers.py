@@ -10,7 +10,7 @@ from paths import PACKAGE
 
 BASE = [
     "version",
-    "caches",
+    "kept",
     "witness",
     "frozen",
     "source",

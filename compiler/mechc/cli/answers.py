@@ -16,7 +16,7 @@ import sys
 import zlib
 from importlib import import_module
 
-from ..caches import folder as folder
+from ..kept import folder as folder
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:

@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from ...caches import folder
+from ...kept import folder
 from ...routine.evaluate import OnArrays, Value, scalar_or_array
 from ...routine.newton import Array
 
