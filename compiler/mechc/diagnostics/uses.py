@@ -1,4 +1,4 @@
-"""Messages about sheets and mechanisms that are used (E555 to E567)."""
+"""Messages about sheets and mechanisms that are used (E555 to E568)."""
 
 from collections.abc import Collection
 
@@ -159,3 +159,17 @@ def range_of_results(span: Span, name: str, declared: Span | None) -> Message:
     related = (Related(declared, "its range is given here"),) if declared else ()
     message = f"{name} has a range, which loads and results cannot be held to in a mechanism"
     return Message(span, message, "use the mechanism and the sheet in a sheet", related)
+
+
+@coded("E568")
+def prefix_makes_quantities(span: Span, prefix: str, name: str, meaning: str) -> Message:
+    """Behind this prefix a used name would mean a quantity of a mechanism.
+
+    ``V_P`` is the velocity of a point P, ``R_O`` the force on a pin, ``N_AB``, ``phi_AB``,
+    ``len_AB`` and ``omega_AB`` are such names, too::
+
+        use clamp as V (F = 2 kN)          # wrong: its P would be V_P
+        use clamp as vise (F = 2 kN)       # right
+    """
+    message = f"the prefix {prefix!r} makes {name!r}, which means {meaning}"
+    return Message(span, message, "choose another prefix")

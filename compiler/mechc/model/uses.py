@@ -23,6 +23,7 @@ from ..syntax import ast
 from ..syntax.moved import moved
 from . import put_in
 from .constants import leaves as leaves_of
+from .forms import FORMS, form_of
 from .load_kinds import Load
 from .mechanism import Mechanism, Parameter
 from .renamed import renamed
@@ -147,9 +148,13 @@ def _declared(statement: ast.Statement) -> Iterator[ast.Name]:
 def _check_names(
     use: ast.Use, found: list[ast.Statement], taken: dict[str, Span], report: Report
 ) -> None:
-    """Report the first name that is there already, and note the others."""
+    """Report the first name that is there already or means something, and note the others."""
     names = dict.fromkeys(name.text for s in found for name in _declared(s))
-    if clash := next((name for name in names if name in taken), None):
+    prefix = use.prefix.text
+    if odd := next((name for name in names if form_of(name)), None):
+        meaning = FORMS[prefix]
+        report.add(messages.prefix_makes_quantities(use.prefix.span, prefix, odd, meaning))
+    elif clash := next((name for name in names if name in taken), None):
         report.add(messages.prefix_clashes(use.prefix.span, clash, taken[clash]))
     taken |= {name: use.prefix.span for name in names if name not in taken}
 
