@@ -1,6 +1,7 @@
 """Calculation sheets: choices, tables and lists by hand, in the interpreter, Python and C."""
 
 import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from types import SimpleNamespace
@@ -256,3 +257,12 @@ def test_what_is_rounding_alone_is_nothing():
     text = "sheet s\nparam F = 3 N\nlet a = 0.1*F\nlet b = 0.2*F\nlet rest = 0.3*F - a - b\n"
     assert 0.3 * 3 - 0.1 * 3 - 0.2 * 3 != 0
     assert mechc.loads(text, "s.mech").results["rest"].default == 0
+
+
+@pytest.mark.parametrize(("formula", "shown"), [("(8 mm)^2", "(8 mm)^2"), ("2*(5 mm)^-2", "5 mm")])
+def test_a_number_is_squared_with_its_unit(formula: str, shown: str) -> None:
+    found = sheet(f"sheet s\nparam F = 3 N\nlet p = F*{formula}\n")
+    spell = speller(found.results, found.mechanism, unicode=False)
+    line = next(s for s in render(found.mechanism, found.results, spell).splitlines() if "p =" in s)
+    assert shown in line
+    assert not re.search(r"\d mm\^", line)

@@ -95,7 +95,7 @@ def sides(require: ast.Require) -> list[WrittenSides]:
 def units(*formulas: Formula) -> list[str]:
     """Return the units written in formulas."""
     numbers = (part.name for f in formulas for part in walk(f) if isinstance(part, Constant))
-    return [split_quantity(number)[1] for number in numbers]
+    return [split_quantity(number.strip("()"))[1] for number in numbers]
 
 
 def expression(node: ast.Expr) -> Formula:
@@ -111,11 +111,18 @@ def expression(node: ast.Expr) -> Formula:
         case ast.Product(factors):
             return product((expression(factor), sign) for sign, factor in factors)
         case ast.Power(base, exponent):
-            return power(expression(base), expression(exponent))
+            return power(_bracketed(expression(base)), expression(exponent))
         case ast.Call(function, arguments):
             return Call(function, tuple(map(expression, arguments)))
         case _:
             assert_never(node)
+
+
+def _bracketed(base: Formula) -> Formula:
+    """Return the base of a power; a number with its unit is squared with it, ``(8 mm)^2``."""
+    if isinstance(base, Constant) and split_quantity(base.name)[1]:
+        return Constant(f"({base.name})", base.value)
+    return base
 
 
 def _number(node: ast.Number) -> Formula:
