@@ -24,7 +24,7 @@ def test_a_ratio_of_a_force_and_a_couple_is_expected(value):
     lines = list(
         report(compile_source(Source("u.mech", f"{LEVER}expect k = {value} at a = 40 mm\n")), False)
     )
-    assert any("agrees (25)" in line or "proved" in line for line in lines)
+    assert any("agrees (25 1/m)" in line or "proved" in line for line in lines)
     assert "    = 25 1/m at the default pose" in lines
 
 

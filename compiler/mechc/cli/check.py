@@ -171,15 +171,17 @@ def _of_definition(group: Definition | Solved, known: Letters) -> Iterator[str]:
 
 def _of_findings(compilation: Compilation) -> Iterator[str]:
     """Yield what every expectation came to."""
+    results = {result.name: result for result in compilation.found}
     for finding in compilation.findings:
-        yield f"  {_of_finding(finding, compilation.source)}"
+        unit = scale_of(results[finding.expect.subject], compilation.mechanism)
+        yield f"  {_of_finding(finding, unit, compilation.source)}"
 
 
-def _of_finding(finding: Finding, source: Source) -> str:
+def _of_finding(finding: Finding, unit: str, source: Source) -> str:
     written = " ".join(source.written(finding.expect.span).split()).removeprefix("expect ")
     if finding.outcome == "proved":
         return f"expect {written}: proved"
-    return f"expect {written}: agrees ({finding.found:.9g})"
+    return f"expect {written}: agrees ({in_unit(finding.found, unit, 9)})"
 
 
 def _of_verdict(verdict: Verdict, verbose: bool) -> Iterator[str]:
