@@ -240,8 +240,9 @@ def test_a_change_of_words_changes_nothing_of_closed_loops():
 
 
 @pytest.mark.slow
-def test_a_change_of_words_changes_nothing_of_many():
-    assert hold(given(range(11, 20), 1)) >= 16
+@pytest.mark.parametrize("first", [11, 14, 17])
+def test_a_change_of_words_changes_nothing_of_many(first):
+    assert hold(given(range(first, first + 3), 1)) >= 2
 
 
 @pytest.mark.slow
