@@ -40,6 +40,7 @@ ELSEWHERE = {
     "E701": "emit/test_c.py",
     "E702": "emit/test_registry.py",
     "E703": "emit/test_hostile_names.py",
+    "E705": "emit/test_c_real.py",
     "W701": "emit/test_registry.py",
     "E811": "diagnostics/test_corpus.py",
     "E817": "laws/test_work_limit.py",

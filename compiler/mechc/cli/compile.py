@@ -82,6 +82,12 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
     is_flag=True,
     help="In C and Python, functions that give results with their slopes by each argument.",
 )
+@click.option(
+    "--c-real",
+    type=Word(("double", "float")),
+    default="double",
+    help="The type of real numbers in C: float for processors without double.",
+)
 @settings_option
 @click.option(
     "--deps",
@@ -101,6 +107,7 @@ def command(
     pictures: bool,
     language: str,
     gradient: bool,
+    c_real: str,
     settings: Settings,
     deps: str | None,
     stdin_name: str,
@@ -119,7 +126,7 @@ def command(
     wanted = outputs(paths, target)
     compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    options = Options("", fragment, language, numbers, brief, pictures, gradient)
+    options = Options("", fragment, language, numbers, brief, pictures, gradient, c_real)
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]
     printed = [emitted[0].text for output, emitted in made if output.path is None]

@@ -56,6 +56,22 @@ def file_hides_another(name: str, hidden: str, free: str) -> Message:
     )
 
 
+@coded("E705")
+def beyond_single_precision(number: str) -> Message:
+    """A number that ``float`` does not hold, in C with ``--c-real float``.
+
+    Single precision goes from 1.2e-38 to 3.4e38, in SI units.
+
+    Wrong: ``param c = 1e45`` with ``mechc compile sheet.mech --emit c --c-real float``
+    Right: ``mechc compile sheet.mech --emit c``
+    """
+    return Message(
+        None,
+        f"the number {number} is beyond single precision: expected 1.2e-38 to 3.4e38",
+        "leave out --c-real float",
+    )
+
+
 @coded("W701")
 def left_out_target(name: str, origin: str, reason: str) -> Message:
     """A target of another package that does not load, though it was not asked for.

@@ -102,6 +102,8 @@ class Options(NamedTuple):
     """Whether reports have the scheme, the free bodies and a plot."""
     gradient: bool = False
     """Whether code has functions of results with their slopes by each input."""
+    c_real: str = "double"
+    """The type of C's real numbers, of :data:`~mechc.emit.c.real.REALS`."""
     single: bool = False
     """One self-contained file (for standard output)."""
     named: bool = True

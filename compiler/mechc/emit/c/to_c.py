@@ -25,6 +25,7 @@ from .helpers import BITS, helpers
 from .layout import harmless
 from .pose import CommonContext, PoseContext, common_context, pose_contexts
 from .printer import CPrinter
+from .real import FLOAT, Real, in_single_precision, named
 from .reserved import HEADERS, LINKED, RESERVED
 from .solvers import (
     SolverContext,
@@ -64,6 +65,7 @@ class CodeContext(NamedTuple):
     commons: list[CommonContext]
     gradients: "list[GradientContext]"
     newton: ModuleType
+    real: Real
 
 
 class SourceContext(NamedTuple):
@@ -78,6 +80,7 @@ class SourceContext(NamedTuple):
     bits: bool
     roots: bool
     pi: bool
+    real: Real
     code: str
 
 
@@ -109,14 +112,14 @@ class CTarget:
         """Return source and header, or one file with the declarations in front."""
         stem = _stem(options)
         parts = _parts(compiled, options.gradient)
-        preface = _preface(compiled)
+        preface, real = _preface(compiled), named(options.c_real)
         header = "" if options.single else f"{stem}.h"
-        source = Emitted(f"{stem}.c", _source(parts, preface, header))
+        source = _file(f"{stem}.c", _source(parts, preface, header, real), real)
         if options.single:
             return (source,)
         guard = f"MECHC_{transliterate(compiled.routine.name).upper()}_H"
         context = HeaderContext(preface, guard, parts.public)
-        return (source, Emitted(header, render("c/header.jinja", context)))
+        return (source, _file(header, render("c/header.jinja", context), real))
 
 
 TARGET = CTarget()
@@ -132,8 +135,12 @@ def _stem(options: Options) -> str:
     return stem
 
 
-def _source(parts: Parts, preface: list[str], header: str) -> str:
-    code = render("c/functions.jinja", CodeContext(*parts, newton))
+def _file(name: str, text: str, real: Real) -> Emitted:
+    return Emitted(name, in_single_precision(text) if real is FLOAT else text)
+
+
+def _source(parts: Parts, preface: list[str], header: str, real: Real) -> str:
+    code = render("c/functions.jinja", CodeContext(*parts, newton, real))
     called = helpers(code)
     context = SourceContext(
         preface=preface,
@@ -145,6 +152,7 @@ def _source(parts: Parts, preface: list[str], header: str) -> str:
         bits=not called.isdisjoint(BITS),
         roots=any("sqrt(" in line for line in _quick_lines(parts)),
         pi=CPrinter.pi in code,
+        real=real,
         code=code,
     )
     return render("c/source.jinja", context)

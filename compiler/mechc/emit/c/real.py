@@ -1,0 +1,97 @@
+"""The type of C's real numbers: ``double``, or ``float`` for processors that have no other.
+
+Code is written with ``double`` throughout and put into single precision word by word: types,
+literals and the functions of ``math.h`` change, comments and names do not.
+"""
+
+import re
+from typing import NamedTuple
+
+from ...diagnostics.diagnostic import MechcError
+from ...diagnostics.emission import beyond_single_precision
+from ...formula import newton
+
+
+class Real(NamedTuple):
+    """A type of real numbers, as far as the templates depend on it.
+
+    ``bits`` is the unsigned type of the same width, ``top`` the place of the sign in it,
+    ``infinity`` and ``size`` are the bits of infinity and of all but the sign. ``tiny`` and
+    ``rounding`` are for this type what :data:`~mechc.formula.newton.TINY` and
+    :data:`~mechc.formula.newton.ROUNDING` are for ``double``.
+    """
+
+    name: str
+    bits: str
+    top: int
+    infinity: str
+    size: str
+    tiny: float
+    rounding: float
+
+
+DOUBLE = Real(
+    "double",
+    "uint64_t",
+    63,
+    "0x7ff0000000000000u",
+    "0x7fffffffffffffffu",
+    newton.TINY,
+    newton.ROUNDING,
+)
+FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8)
+"""A correction of 3e-4 leaves some 1e-7, which is ``float``'s rounding."""
+
+REALS = {real.name: real for real in (DOUBLE, FLOAT)}
+
+NOT_NOTHING = {"1e+60": "1e+36"}
+"""What keeps a friction circle's root off zero, 1/(10^30)^2, and what does so in ``float``."""
+
+_LARGEST, _LEAST = 3.4e38, 1.2e-38
+_FUNCTIONS = """
+    sin cos tan asin acos atan atan2 sqrt hypot fabs exp log pow fmin fmax
+"""
+_SINGLE = {name: f"{name}f" for name in _FUNCTIONS.split()}
+_WORDS = {"double": "float", "HUGE_VAL": "HUGE_VALF"}
+_TOKEN = re.compile(
+    r"(?P<kept>/\*.*?\*/|\"[^\"\n]*\"|0[xX][0-9a-fA-F]+)"
+    r"|(?P<number>(?:\d+\.\d*|\.\d+)(?:[eE][-+]?\d+)?|\d+[eE][-+]?\d+)"
+    r"|(?P<word>[A-Za-z_]\w*)(?P<called>\()?",
+    re.DOTALL,
+)
+
+
+def named(name: str) -> Real:
+    """Return a type by its name; LookupError where there is none."""
+    if name not in REALS:
+        raise LookupError(f"no type is called {name!r}; there are {', '.join(REALS)}")
+    return REALS[name]
+
+
+def in_single_precision(code: str) -> str:
+    """Return C that was written for ``double``, for ``float``.
+
+    Raises:
+        MechcError: for a number that ``float`` does not hold (E705).
+
+    >>> in_single_precision("const double s = 2.0*sqrt(x) + y_2; /* a double */")
+    'const float s = 2.0f*sqrtf(x) + y_2; /* a double */'
+    """
+    return _TOKEN.sub(_single, code)
+
+
+def _single(token: re.Match[str]) -> str:
+    if token["number"]:
+        return f"{_held(token['number'])}f"
+    word, called = token["word"], token["called"] or ""
+    if word is None:
+        return token[0]
+    renamed = _SINGLE if called else _WORDS
+    return f"{renamed.get(word, word)}{called}"
+
+
+def _held(number: str) -> str:
+    number = NOT_NOTHING.get(number, number)
+    if float(number) > _LARGEST or 0.0 < float(number) < _LEAST:
+        raise MechcError([beyond_single_precision(number)])
+    return number
