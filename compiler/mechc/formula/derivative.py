@@ -11,6 +11,7 @@ from fractions import Fraction
 from functools import reduce
 from typing import assert_never
 
+from .once import Once
 from .tree import (
     ONE,
     ZERO,
@@ -31,10 +32,13 @@ from .tree import (
     total,
 )
 
+Slope = Callable[[Formula], Formula]
+
 
 def jacobian(formulas: Sequence[Formula], names: Sequence[str]) -> tuple[tuple[Formula, ...], ...]:
     """Return the derivative of each formula with respect to each name, a row for a formula."""
-    return tuple(tuple(derivative(f, name) for name in names) for f in formulas)
+    slopes = [_by(name) for name in names]
+    return tuple(tuple(slope(f) for slope in slopes) for f in formulas)
 
 
 def derivative(formula: Formula, name: str) -> Formula:
@@ -43,38 +47,50 @@ def derivative(formula: Formula, name: str) -> Formula:
     Raises ``ValueError`` for a solution of a system that depends on the name: its
     derivative is no formula.
     """
-    match formula:
-        case Number() | Pi():
-            return ZERO
-        case Symbol(symbol):
-            return ONE if symbol == name else ZERO
-        case Sum(terms):
-            return total(derivative(t, name) for t in terms)
-        case Product(factors):
-            return _of_product(factors, name)
-        case Power(base, exponent):
-            return _of_power(base, exponent, name)
-        case Call(function, arguments):
-            return _of_call(function, arguments, name)
-        case Implicit(_, _, arguments):
-            if any(derivative(a, name) != ZERO for a in arguments):
-                raise ValueError(f"a solution that depends on {name} has no formula for its slope")
-            return ZERO
-        case _:
-            assert_never(formula)
+    return _by(name)(formula)
 
 
-def _of_product(factors: tuple[Formula, ...], name: str) -> Formula:
-    slopes = [derivative(f, name) for f in factors]
+def _by(name: str) -> Slope:
+    """Return the derivative with respect to a name, found once of parts that formulas share."""
+
+    def found(formula: Formula) -> Formula:
+        match formula:
+            case Number() | Pi():
+                return ZERO
+            case Symbol(symbol):
+                return ONE if symbol == name else ZERO
+            case Sum(terms):
+                return total(map(slope, terms))
+            case Product(factors):
+                return _of_product(factors, slope)
+            case Power(base, exponent):
+                return _of_power(base, exponent, slope)
+            case Call(function, arguments):
+                return _of_call(function, arguments, slope)
+            case Implicit(_, _, arguments):
+                if any(slope(a) != ZERO for a in arguments):
+                    raise ValueError(
+                        f"what depends on {name} by a system has no formula for its slope"
+                    )
+                return ZERO
+            case _:
+                assert_never(formula)
+
+    slope = Once(found)
+    return slope
+
+
+def _of_product(factors: tuple[Formula, ...], slope: Slope) -> Formula:
+    slopes = [slope(f) for f in factors]
     return total(
-        product((slope if i == j else f, 1) for j, f in enumerate(factors))
-        for i, slope in enumerate(slopes)
-        if slope != ZERO
+        product((own if i == j else f, 1) for j, f in enumerate(factors))
+        for i, own in enumerate(slopes)
+        if own != ZERO
     )
 
 
-def _of_power(base: Formula, exponent: Formula, name: str) -> Formula:
-    below, above = derivative(base, name), derivative(exponent, name)
+def _of_power(base: Formula, exponent: Formula, slope: Slope) -> Formula:
+    below, above = slope(base), slope(exponent)
     lower = power(base, total([exponent, number(-1)]) if above != ZERO else _less_one(exponent))
     first = product([(exponent, 1), (lower, 1), (below, 1)])
     if above == ZERO:
@@ -97,8 +113,8 @@ def partials(function: str, arguments: tuple[Formula, ...]) -> list[Formula]:
     return [_with_slopes(function, arguments, unit) for unit in units]
 
 
-def _of_call(function: str, arguments: tuple[Formula, ...], name: str) -> Formula:
-    slopes = [derivative(a, name) for a in arguments]
+def _of_call(function: str, arguments: tuple[Formula, ...], slope: Slope) -> Formula:
+    slopes = [slope(a) for a in arguments]
     if all(slope == ZERO for slope in slopes):
         return ZERO
     return _with_slopes(function, arguments, slopes)

@@ -136,7 +136,7 @@ def total(terms: Iterable[Formula]) -> Formula:
     for term in terms:
         if isinstance(term, Sum):
             flat.extend(term.terms)
-        elif term != ZERO:
+        elif not (isinstance(term, Number) and term.value == 0):
             flat.append(term)
     if not flat:
         return ZERO

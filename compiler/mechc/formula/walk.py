@@ -76,13 +76,14 @@ def walk(formula: Formula) -> Iterator[Formula]:
 
 def symbols(formula: Formula) -> frozenset[str]:
     """Return the names that a formula depends on; a number under a name is none of them."""
-    names, stack = set[str](), [formula]
+    names, met, stack = set[str](), set[int](), [formula]
     while stack:
         node = stack.pop()
         if isinstance(node, Symbol):
             if not isinstance(node, Constant):
                 names.add(node.name)
-        else:
+        elif id(node) not in met:
+            met.add(id(node))
             stack.extend(children(node))
     return frozenset(names)
 

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, assert_never
 
 from ..formula.operations import count_operations
+from ..formula.sharing import OneOfEach
 from ..formula.tree import Formula
 from ..formula.walk import constants, symbols
 from ..frozen import replace
@@ -139,8 +140,9 @@ def steps_to(
     asked = {name for side in sides for name in symbols(side)}.union(c.name for c in known)
     definitions = [*map(named, known), *definitions]
     taken = {*names, *(name for name, _ in definitions)}
-    definitions = [(name, in_choices(formula)) for name, formula in definitions]
-    formulas = [in_choices(formula) for formula in formulas]
+    alike = OneOfEach()
+    definitions = [(name, in_choices(alike.of(formula))) for name, formula in definitions]
+    formulas = [in_choices(alike.of(formula)) for formula in formulas]
     return share(*in_unit_vectors(definitions, formulas, asked, taken), names)
 
 

@@ -13,6 +13,8 @@ from ..algebra.factors import Length
 from ..algebra.from_formula import is_transparent, to_product
 from ..algebra.product import Product as Factored
 from ..algebra.sums import add
+from ..formula.once import Once
+from ..formula.sharing import each_part
 from ..formula.tree import (
     Call,
     Constant,
@@ -28,7 +30,7 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import children, evaluate, rebuild, walk
+from ..formula.walk import children, evaluate, rebuild
 
 Definitions = Sequence[tuple[str, Formula]]
 Named = list[tuple[str, Formula]]
@@ -45,41 +47,47 @@ def with_roots(
 
     A length whose square is asked for has the square defined before it.
     """
-    lengths = sizes(definitions).values()
-    paired = [(name, in_squares(formula, lengths)) for name, formula in definitions]
-    results = [in_squares(f, lengths) for f in formulas]
+    in_squares = squaring(sizes(definitions).values())
+    paired = [(name, in_squares(formula)) for name, formula in definitions]
+    results = [in_squares(f) for f in formulas]
     asked = set(_squared([*(f for _, f in paired), *results]))
     squares: dict[Formula, Formula] = {}
+    put = _putting(squares)
     written: Named = []
     for name, formula in paired:
         if not _is_length(formula):
-            written.append((name, _put(formula, squares)))
+            written.append((name, put(formula)))
             continue
-        square = _sum_of_squares(_put(part, squares) for part in formula.arguments)
+        square = _sum_of_squares(map(put, formula.arguments))
         if name in asked:
             title = fresh(f"{name}_squared", taken)
             written.append((title, square))
             square = squares[Power(Symbol(name), TWO)] = Symbol(title)
+            put.forget()
         written.append((name, Call("sqrt", (square,))))
-    return written, [_put(f, squares) for f in results]
+    return written, [put(f) for f in results]
 
 
 def _squared(formulas: Iterable[Formula]) -> Iterator[str]:
-    for formula in formulas:
-        for part in walk(formula):
-            match part:
-                case Power(Symbol(name), exponent) if exponent == TWO:
-                    yield name
+    for part in each_part(formulas):
+        match part:
+            case Power(Symbol(name), exponent) if exponent == TWO:
+                yield name
 
 
-def _put(formula: Formula, squares: Mapping[Formula, Formula]) -> Formula:
-    """Return a formula with squares by their names, and roots for lengths."""
-    if formula in squares:
-        return squares[formula]
-    parts = tuple(_put(p, squares) for p in children(formula))
-    if _is_length(formula):
-        return Call("sqrt", (_sum_of_squares(parts),))
-    return rebuild(formula, parts) if parts else formula
+def _putting(squares: Mapping[Formula, Formula]) -> Once[Formula]:
+    """Return how formulas are written with squares by their names, and roots for lengths."""
+
+    def written(formula: Formula) -> Formula:
+        if isinstance(formula, Power) and formula in squares:
+            return squares[formula]
+        parts = tuple(map(once, children(formula)))
+        if _is_length(formula):
+            return Call("sqrt", (_sum_of_squares(parts),))
+        return rebuild(formula, parts) if parts else formula
+
+    once = Once(written)
+    return once
 
 
 def _is_length(formula: Formula) -> TypeGuard[Call]:
@@ -90,16 +98,25 @@ def _sum_of_squares(parts: Iterable[Formula]) -> Formula:
     return total(power(unsigned(part), TWO) for part in parts)
 
 
-def in_squares(formula: Formula, lengths: Collection[str]) -> Formula:
-    """Return a formula with ``(u + r)·(u - r)`` as ``u² - r²`` in it, r being such a length.
+def squaring(lengths: Collection[str]) -> Once[Formula]:
+    """Return how formulas are written with ``u² - r²`` for ``(u + r)·(u - r)``, r such a length.
 
     As r is the root of a square, nothing cancels that had not cancelled already: u² is as
     close to r² as u + r and u - r are to what the rounded r makes them.
     """
-    parts = tuple(in_squares(p, lengths) for p in children(formula))
-    if not isinstance(formula, Product):
+
+    def written(formula: Formula) -> Formula:
+        parts = tuple(map(once, children(formula)))
+        if isinstance(formula, Product):
+            return _in_squares(parts, lengths)
         return rebuild(formula, parts) if parts else formula
-    left, found = [*parts], list[Formula]()
+
+    once = Once(written)
+    return once
+
+
+def _in_squares(factors: Iterable[Formula], lengths: Collection[str]) -> Formula:
+    left, found = [*factors], list[Formula]()
     while left:
         first = left.pop(0)
         pairs = ((p, d) for p in left if (d := _difference(first, p, lengths)))

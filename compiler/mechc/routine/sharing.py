@@ -7,10 +7,12 @@ as that is short, and are numbered otherwise (``s1`` a sum, ``p1`` a product).
 from collections import Counter
 from collections.abc import Iterable, Sequence
 from fractions import Fraction
+from functools import lru_cache
 from itertools import count
 from typing import NamedTuple, assert_never
 
 from ..formula.derivative import jacobian
+from ..formula.sharing import each_part
 from ..formula.tree import (
     Call,
     Constant,
@@ -23,7 +25,7 @@ from ..formula.tree import (
     Symbol,
     System,
 )
-from ..formula.walk import side, symbols, walk
+from ..formula.walk import side, symbols
 from .angle_offsets import turned_alike
 from .steps import Solve, Solver, Statement, Step
 from .table import (
@@ -82,7 +84,7 @@ def _with_constants(
     Those that are in the equations of a system only are its solver's.
     """
     formulas = [*(formula for _, formula in definitions), *results]
-    used = dict.fromkeys(p for f in formulas for p in walk(f) if isinstance(p, Constant))
+    used = dict.fromkeys(p for p in each_part(formulas) if isinstance(p, Constant))
     names = {name for name, _ in definitions}
     return [*(named(c) for c in used if c.name not in names), *definitions]
 
@@ -92,6 +94,7 @@ def named(constant: Constant) -> tuple[str, Formula]:
     return constant.name, constant.value
 
 
+@lru_cache(maxsize=16)
 def solver(system: System) -> Solver:
     """Return a system in straight lines, its equations and their slopes sharing parts."""
     used = used_outer(system)

@@ -4,9 +4,10 @@
 loop over one becomes vector code.
 """
 
+from ..formula.sharing import each_part
 from ..formula.tree import ONE, ZERO, Call, Formula, Power, negative, power
 from ..formula.walk import children, rebuild
-from .lengths import signed
+from .lengths import signed, unsigned
 
 MINUS_ONE = negative(ONE)
 
@@ -19,12 +20,24 @@ def in_choices(formula: Formula) -> Formula:
     >>> text(in_choices(Power(Symbol("q"), Call("sign", (Symbol("k"),)))))
     'q when k > 0 else (1/q when k < 0 else (1))'
     """
-    parts = tuple(map(in_choices, children(formula)))
+    return _in_choices(formula) if any(map(_is_decided, each_part([formula]))) else formula
+
+
+def _is_decided(formula: Formula) -> bool:
+    """Return whether a sign is the exponent of a power."""
+    if not isinstance(formula, Power):
+        return False
+    inner = unsigned(formula.exponent)
+    return isinstance(inner, Call) and inner.function == "sign"
+
+
+def _in_choices(formula: Formula) -> Formula:
+    parts = tuple(map(_in_choices, children(formula)))
     match formula:
         case Power(_, exponent):
             sign, inner = signed(exponent)
             if isinstance(inner, Call) and inner.function == "sign":
-                return _chosen(parts[0], sign, in_choices(inner.arguments[0]))
+                return _chosen(parts[0], sign, _in_choices(inner.arguments[0]))
     return rebuild(formula, parts) if parts else formula
 
 

@@ -6,11 +6,12 @@ which they were written, and differ from their reordering in nothing but that or
 An entry's parts stand before it, so a pass over the entries needs no recursion.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from fractions import Fraction
 from typing import NamedTuple, assert_never
 
 from ..formula.choices import spelled_out
+from ..formula.once import Once
 from ..formula.tree import (
     Call,
     Constant,
@@ -123,17 +124,12 @@ class Table:
     def __init__(self, split: frozenset[int] = frozenset()) -> None:
         self.split = split
         self.entries: list[Entry] = []
+        self.lower = Once(self._lower)
         self._known: dict[object, int] = {}
 
-    def lower(self, formula: Formula) -> int:
+    def _lower(self, formula: Formula) -> int:
         """Return the entry of a formula, putting it and its parts into the table."""
-        done: list[int] = []
-        for node in _parts_first(formula):
-            size = len(children(node))
-            arguments = tuple(done[len(done) - size :])
-            del done[len(done) - size :]
-            done.append(self._lower_one(node, arguments))
-        return done[0]
+        return self._lower_one(formula, tuple(map(self.lower, children(formula))))
 
     def _lower_one(self, node: Formula, arguments: tuple[int, ...]) -> int:
         match node:
@@ -242,16 +238,6 @@ class Table:
         return self._add(Apply(function, arguments), (Apply, function, arguments))
 
 
-def _parts_first(formula: Formula) -> Iterator[Formula]:
-    """Yield all parts of a formula, each behind its own parts, left to right."""
-    stack, backwards = [formula], []
-    while stack:
-        node = stack.pop()
-        backwards.append(node)
-        stack.extend(children(node))
-    return reversed(backwards)
-
-
 def tabulate(formulas: Iterable[Formula]) -> tuple[Table, tuple[int, ...]]:
     """Return one table of all formulas, and each formula's entry in it."""
     listed, table = tuple(formulas), Table()
@@ -259,6 +245,7 @@ def tabulate(formulas: Iterable[Formula]) -> tuple[Table, tuple[int, ...]]:
     if not any(isinstance(e, Apply) and e.function == "tan" for e in table.entries):
         return table, entries
     table.split = _circular(table)
+    table.lower.forget()
     return table, tuple(table.lower(f) for f in listed)
 
 

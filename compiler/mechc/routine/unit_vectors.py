@@ -10,8 +10,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence, Set
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_angle
+from ..formula.once import Once
+from ..formula.sharing import each_part
 from ..formula.tree import ONE, Call, Formula, Sum, Symbol, negative, number, power, product, total
-from ..formula.walk import children, rebuild, symbols, walk
+from ..formula.walk import children, rebuild, symbols
 from .lengths import Definitions, Named, fresh, signed, size, sizes, unsigned, with_roots
 from .unit import WANTED, Unit, factors, plain, whole
 
@@ -83,7 +85,7 @@ def _uses(definitions: Definitions, results: Sequence[Formula]) -> Counter[str]:
 
 
 def _turned_by(formula: Formula) -> Iterator[Angle]:
-    for part in walk(formula):
+    for part in each_part([formula]):
         if isinstance(part, Call) and part.function in WANTED:
             angle = to_angle(part.arguments[0])
             if angle is not None:
@@ -110,11 +112,12 @@ class _Turning:
         self.roots: dict[str, Formula] = {}
         self.written: Named = []
         self.used: set[str] = set()
+        self.rewritten = Once(self._rewritten)
         self.defined: set[str] = set()
 
     def lost(self, formulas: Iterable[Formula]) -> set[str]:
         """Return the angles in use whose roots are not."""
-        there = {part for f in formulas for part in walk(f)}
+        there = {part for part in each_part(formulas) if _is_root(part)}
         return {n for n, root in self.roots.items() if n in self.used and root not in there}
 
     def define(self, name: str, formula: Formula) -> None:
@@ -124,8 +127,10 @@ class _Turning:
         angle = to_angle(formula)
         if angle is not None and any(n in self.units for n in angle.names):
             self._define_sum(name, angle.put(self.sums))
+            self.rewritten.forget()
         elif units := self._polar(name, formula):
             self.units[name] = self._carried(name, units)
+            self.rewritten.forget()
 
     def _define_sum(self, name: str, angle: Angle) -> None:
         """Add an angle that carried ones make up: a direction of its own where they are many."""
@@ -209,7 +214,7 @@ class _Turning:
 
     # ---------------------------------------------------------------------- writing
 
-    def rewritten(self, formula: Formula) -> Formula:
+    def _rewritten(self, formula: Formula) -> Formula:
         """Return a formula with functions of carried angles written by their vectors."""
         if isinstance(formula, Call) and formula.function in WANTED:
             angle = to_angle(formula.arguments[0])
