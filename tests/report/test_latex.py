@@ -1,9 +1,6 @@
 """The LaTeX report: its text, and that every engine compiles it."""
 
-import os
 import re
-import shutil
-import subprocess
 from collections.abc import Callable
 from pathlib import Path
 from string import Formatter
@@ -23,6 +20,7 @@ from mechc.report.languages.locale import Locale
 from mechc.report.latex.display import vanishing
 from mechc.report.latex.notation import notation
 from report_samples import packet_clamp, six_bar
+from tex import compile_tex, needs_cyrillic
 
 NASTY = r"50% of A&B_{x} #1 \input{/etc/passwd} ~^$ Кран λ «ёлка» – naïve “q” 中 `a' --- <<"
 NASTY += (
@@ -206,29 +204,9 @@ def test_ukrainian_and_russian_name_the_same_units() -> None:
 # ------------------------------------------------------------------------- engines
 
 
-def compile_tex(engine: str, text: str, folder: Path) -> str:
-    """Run an engine that may read nothing outside the folder; return its log."""
-    if shutil.which(engine) is None:
-        pytest.skip(f"{engine} is not installed")
-    (folder / "report.tex").write_text(text, encoding="utf-8")
-    command = [engine, "-no-shell-escape", "-interaction=nonstopmode", "report.tex"]
-    environment = os.environ | {"openin_any": "p", "openout_any": "p"}
-    run = subprocess.run(command, cwd=folder, env=environment, capture_output=True, timeout=120)
-    log = (folder / "report.log").read_text(encoding="utf-8", errors="replace")
-    assert run.returncode == 0, log[-3000:]
-    assert (folder / "report.pdf").stat().st_size > 5000
-    return log
-
-
-def needs_cyrillic() -> None:
-    found = subprocess.run(["kpsewhich", "t2aenc.def"], capture_output=True, check=False)
-    if found.returncode:
-        pytest.skip("no Cyrillic fonts for TeX")
-
-
 @pytest.mark.parametrize("language", LANGUAGES)
 def test_pdflatex_sets_the_report(language: str, tmp_path: Path) -> None:
-    if shutil.which("kpsewhich") and language != "en":
+    if language != "en":
         needs_cyrillic()
     log = compile_tex("pdflatex", report(language), tmp_path)
     assert "Overfull" not in log
@@ -236,8 +214,7 @@ def test_pdflatex_sets_the_report(language: str, tmp_path: Path) -> None:
 
 @pytest.mark.parametrize("language", ["en", "uk"])
 def test_pdflatex_sets_any_title(language: str, tmp_path: Path) -> None:
-    if shutil.which("kpsewhich"):
-        needs_cyrillic()
+    needs_cyrillic()
     log = compile_tex("pdflatex", report(language, title=NASTY), tmp_path)
     assert "Missing character" not in log
 

@@ -4,6 +4,7 @@ A fragment needs what a report does, graphicx and tikz, and the lines of :func:`
 """
 
 from collections.abc import Iterable, Iterator, Sequence
+from itertools import takewhile
 
 from ...drawing.drawing import Drawing
 from ...frozen import frozen
@@ -11,17 +12,31 @@ from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.document_style import style_of
 from ...report.latex.notation import Notation, notation, translated
-from ...report.latex.results import section_block
-from ...report.sections import outline
+from ...report.latex.results import section_block, width
+from ...report.sections import Section, outline
 from ..target import Compiled
 from ..tikz.picture import tikzpicture
 from .pictures import preamble
-from .to_latex import document
+from .to_latex import TEMPLATES, document
+
+_SHARE = 0.44
+"""The part of a line that each of the two columns has."""
 
 _COLUMNS = (
-    r"@{}r>{\centering\arraybackslash}m{0.44\linewidth}"
-    r">{\raggedright\arraybackslash}m{0.44\linewidth}@{}"
+    rf"@{{}}r>{{\centering\arraybackslash}}m{{{_SHARE}\linewidth}}"
+    rf">{{\raggedright\arraybackslash}}m{{{_SHARE}\linewidth}}@{{}}"
 )
+
+_ROOM = 14.0
+"""Room in the second column, in em: its share of 160 mm at 11 pt, less some air."""
+
+_BESIDE = 3
+"""Sections that stand beside a scheme; a row with more of them could outgrow its page."""
+
+_FULL_WIDTH = r"\resizebox{\linewidth}{!}{%"
+
+_TALL = 1.2
+"""Height of a scheme, by the width of its column, beyond which the height is what is bounded."""
 
 
 @frozen
@@ -35,7 +50,8 @@ class Compared:
 def to_table(mechanisms: Sequence[Compared], language: str, fragment: bool) -> str:
     """Return a table in a language, as a document or to be put into one."""
     locale = registry.locale(language)
-    body = "\n".join(_table(mechanisms, locale, language)) + "\n"
+    letters = TEMPLATES.get_template("letters.jinja").render()
+    body = letters + "\n".join(_table(mechanisms, locale, language)) + "\n"
     return body if fragment else document(body, locale, preamble())
 
 
@@ -49,31 +65,50 @@ def _table(mechanisms: Iterable[Compared], locale: Locale, language: str) -> Ite
     for number, compared in enumerate(mechanisms, start=1):
         if number > 1:
             yield r"\midrule"
-        yield f"{number} &"
-        yield from _scheme(compared, language)
-        yield "&"
-        yield from _formulas(compared.compiled, locale, language)
-        yield r"\\"
+        yield from _rows(number, compared, locale, language)
     yield r"\bottomrule"
     yield r"\end{longtable}"
 
 
-def _style(compiled: Compiled, language: str) -> Notation:
-    return style_of(compiled.mechanism, compiled.derivation.results, notation(language))
+def _rows(number: int, compared: Compared, locale: Locale, language: str) -> Iterator[str]:
+    """Yield the row of a scheme with the formulas that fit beside it, and the rest below it."""
+    compiled = compared.compiled
+    style = style_of(compiled.mechanism, compiled.derivation.results, notation(language))
+    sections = outline(compiled.derivation, compiled.mechanism).results
+    beside = _beside(sections, style)
+    yield f"{number} &"
+    yield from _scheme(compared, style)
+    yield "&"
+    yield from _cell(beside, locale, style)
+    yield r"\\"
+    for section in sections[len(beside) :]:
+        yield r"\multicolumn{3}{@{}p{\linewidth}@{}}{%"
+        yield from _cell([section], locale, style)
+        yield r"} \\"
 
 
-def _scheme(compared: Compared, language: str) -> Iterator[str]:
-    mechanism = compared.compiled.mechanism
-    if compared.scheme is not None:
-        yield r"\resizebox{\linewidth}{!}{%"
-        yield from tikzpicture(compared.scheme)
+def _beside(sections: Sequence[Section], style: Notation) -> Sequence[Section]:
+    """Return the first sections, as far as none is wider than its column."""
+    return list(takewhile(lambda s: width(s, style) <= _ROOM, sections[:_BESIDE]))
+
+
+def _scheme(compared: Compared, style: Notation) -> Iterator[str]:
+    mechanism, scheme = compared.compiled.mechanism, compared.scheme
+    if scheme is not None:
+        (left, bottom), (right, top) = scheme.low, scheme.high
+        is_tall = top - bottom > _TALL * (right - left)
+        yield rf"\resizebox{{!}}{{{_TALL}\linewidth}}{{%" if is_tall else _FULL_WIDTH
+        yield from tikzpicture(scheme)
         yield r"}\par\smallskip"
-    title = translated(mechanism.title or mechanism.name, _style(compared.compiled, language))
-    yield rf"{{\small {title}\par}}"
+    yield rf"{{\small {translated(mechanism.title or mechanism.name, style)}\par}}"
 
 
-def _formulas(compiled: Compiled, locale: Locale, language: str) -> Iterator[str]:
-    """Yield what was asked for as displays, each with what its names stand for."""
-    style = _style(compiled, language)
-    for section in outline(compiled.derivation, compiled.mechanism).results:
+def _cell(sections: Iterable[Section], locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield displays, each with what its names stand for.
+
+    Braces keep the ``&`` of an ``align*`` from ending the cell.
+    """
+    yield "{"
+    for section in sections:
         yield from section_block(section, locale, style).displays
+    yield "}"

@@ -71,6 +71,13 @@ def section_block(section: Section, locale: Locale, style: Notation) -> SectionB
     )
 
 
+def width(section: Section, style: Notation) -> float:
+    """Return the length in em of the longest equation that a section displays."""
+    results = (_left(r, style).width + box(r.formula, style).width for r in section.results)
+    where = (box(Symbol(d.name), style).width + box(d.formula, style).width for d in section.where)
+    return max((*results, *where))
+
+
 def _together(results: Sequence[Analysis], style: Notation, locale: Locale) -> tuple[str, ...]:
     """Return the components of one force below each other; nothing for a single result."""
     if len(results) == 1:
