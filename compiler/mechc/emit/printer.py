@@ -5,7 +5,7 @@ and minus signs are settled here, in the order of :mod:`mechc.routine.quotient`.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from enum import IntEnum
 from fractions import Fraction
 from functools import reduce
@@ -13,8 +13,9 @@ from typing import assert_never
 
 from ..formula.choices import spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from ..model.result import Drive
 from ..routine.quotient import is_decimal, quotient_of
-from ..routine.steps import Guard
+from ..routine.steps import Guard, Status
 
 
 class Level(IntEnum):
@@ -130,3 +131,13 @@ def _enclosed(text: str, needed: bool) -> str:
 
 def _join(left: str, right: str) -> str:
     return f"{left} - {right[1:]}" if right.startswith("-") else f"{left} + {right}"
+
+
+def driving(status: Status, printer: Printer, call: Callable[[str], str]) -> tuple[str, str]:
+    """Return the code of the load that drives, without friction and with it.
+
+    Of a load or a ratio the second one is its own ``value``.
+    """
+    if isinstance(status.drive, Drive):
+        return printer.print(status.drive.ideal), printer.print(status.drive.load)
+    return call(status.drive), "value"

@@ -1,6 +1,6 @@
 """Forces at joints with friction: as they are without it, and what each friction adds."""
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from functools import partial
 
 from ..algebra.angle import Angle
@@ -9,8 +9,10 @@ from ..formula.tree import Call, Formula, Symbol, number, product, total
 from ..kinematics.forms import QUARTER
 from ..kinematics.plan import Plan
 from ..model.mechanism import Axial, Normal, Reaction
+from ..model.result import Definition
 from ..pose.pose import Arm
 from ..power.balance import Term
+from ..power.definitions import bound_sums
 from ..power.joint_forces import component, joint_of, line_of
 from ..power.reactions import Reactions
 from .closed_form import Named, Printed, conditions
@@ -58,6 +60,12 @@ class ForceWithFriction:
         where = (*signs.definitions, *self._sizes.definitions)
         steps = (Step("iterated"),)
         return Printed(formula, where, conditions(signs), steps, self._sizes.positive)
+
+    def sums(self) -> Iterator[Definition]:
+        """Yield the named sums that the force rests on."""
+        assert self.transmitted is not None
+        for plan, push in zip(self.transmitted.plans, self.transmitted.force_terms, strict=True):
+            yield from bound_sums(plan, list(push.amounts.values()))
 
     def _formula(
         self, factor: Callable[[FrictionPair], Product], sign: Callable[[Product], Formula]

@@ -26,7 +26,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.result import Case as PrintedCase
-from ..model.result import Definition, FrictionResult, Result
+from ..model.result import Definition, Drive, FrictionResult, Result
 from ..model.targets import SIGNS
 from ..power.balance import Balance
 from ..power.definitions import bound_sums, intermediates
@@ -140,10 +140,10 @@ class FrictionResults:
         self._remark_on_pins(case, exact=closed is not None)
         sizes = self._sizes_of(pressed, sign, endings)
         if closed and self._stands(find, case.ideal, closed):
-            return replace(closed, elsewhere=self._anywhere(case.ideal, added, sizes))
+            return replace(closed, elsewhere=self._anywhere(case.ideal.formula, added, sizes))
         iterated = self._iterated(case.ideal, added, sizes, endings)
         if closed and not self._stands(find, case.ideal, iterated):
-            return replace(closed, elsewhere=self._anywhere(case.ideal, added, sizes))
+            return replace(closed, elsewhere=self._anywhere(case.ideal.formula, added, sizes))
         return iterated
 
     def _stands(self, find: Find, ideal: Result, found: Named) -> bool:
@@ -194,21 +194,25 @@ class FrictionResults:
         task = Task(self._plan.graph.pose, case.driving, case.given, owners, pressed)
         yield lambda signs: SequentialSolver(task, False, signs, sense)
         yield lambda signs: SequentialSolver(task, True, signs, sense)
-        columns = self._equations.columns
-        works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
-        ideal = canonical(-(add(works) / columns[case.driving][0]))
+        ideal = self._without_friction(case)
         yield lambda signs: LinearSolver(case.driving, ideal, pressed, signs, sense)
 
-    def _anywhere(self, ideal: Result, pressed: Sequence[LoadedPair], sizes: Sizes) -> Named:
+    def _without_friction(self, case: Case) -> Product:
+        """Return the driving load that balances those given."""
+        columns = self._equations.columns
+        works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
+        return canonical(-(add(works) / columns[case.driving][0]))
+
+    def _anywhere(self, ideal: Formula, pressed: Sequence[LoadedPair], sizes: Sizes) -> Named:
         """Return the load by Newton's method, whichever way the joints are pressed."""
         positive = partial(magnitude, mechanism=self._mechanism)
-        return exact(ideal.formula, pressed, sizes, positive)
+        return exact(ideal, pressed, sizes, positive)
 
     def _iterated(
         self, ideal: Result, pressed: Sequence[LoadedPair], sizes: Sizes, endings: Sequence[str]
     ) -> Named:
         """Return the load by Newton's method, as it is printed for the default pose."""
-        found = self._anywhere(ideal, pressed, sizes)
+        found = self._anywhere(ideal.formula, pressed, sizes)
         case = self._default.printed(partial(exact_case, ideal.formula, pressed, sizes), endings)
         return replace(found, case=case)
 
@@ -277,14 +281,11 @@ class FrictionResults:
             return None
         named = replace(found.at_any_pose(), case=self._default.printed(found.at_one_pose, endings))
         result = self._result(find, replace(ideal, where=()), named)
-        sums = [
-            d
-            for plan, push in zip(
-                found.transmitted.plans, found.transmitted.force_terms, strict=True
-            )
-            for d in bound_sums(plan, list(push.amounts.values()))
-        ]
-        result = replace(result, where=tuple(dict.fromkeys((*sums, *result.where))))
+        without = self._without_friction(case)
+        drive = Drive(without.formula(), self._anywhere(without.formula(), pressed, sizes).formula)
+        known = self._where(ideal, drive.ideal, bound_sums(self._plan, [without]))
+        where = tuple(dict.fromkeys((*found.sums(), *known, *result.where)))
+        result = replace(result, where=where, drive=drive)
         return SolvedWithFriction(result, steps=(Step("iterated"),))
 
     # ------------------------------------------------------------------------- results

@@ -61,17 +61,29 @@ class Case:
     guards: tuple[Require, ...] = ()
 
 
+class Drive(NamedTuple):
+    """The load of the drive under which a force at a joint is so large.
+
+    Without friction it is ``ideal``, with it ``load``; both rest on the force's definitions.
+    """
+
+    ideal: Formula
+    load: Formula
+
+
 @frozen
 class FrictionResult(Result):
     """A result with friction.
 
     ``case`` is what is printed instead of a formula that takes its signs from the pose.
     Names of ``where`` that are ``inside`` a system are its many coefficients, of which people
-    read the structure only.
+    read the structure only. Whether a force at a joint is one of a mechanism that moves, its
+    ``drive`` tells.
     """
 
     case: Case | None = None
     inside: frozenset[str] = frozenset()
+    drive: Drive | None = None
 
 
 class ClosedLoop(NamedTuple):

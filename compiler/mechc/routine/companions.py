@@ -5,27 +5,38 @@ turned, code solves the coupled equations instead, in a function of its own. A n
 does not tell by itself whether anything moves: the status does.
 """
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Sequence, Set
 
+from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import replace
-from ..model.mechanism import LoadForm, LoadRatio, Mechanism, WithFriction
-from ..model.result import Result
+from ..model.mechanism import LoadForm, LoadRatio, Sense, WithFriction
+from ..model.result import Drive, FrictionResult
 from ..model.targets import SIGNS
-from .steps import Function, Guard, Input, Solve, Statement, Status, formulas_of, names_of
+from .functions import Asked, steps_to
+from .scope import Scope, rename
+from .steps import (
+    Function,
+    Guard,
+    Input,
+    Solve,
+    Statement,
+    Status,
+    formulas_of,
+    mentioned,
+    names_of,
+)
 
 
 class Companions:
     """Gives functions their companions, under names that nothing else has."""
 
-    def __init__(
-        self, mechanism: Mechanism, results: Sequence[Result], inputs: Mapping[str, Input]
-    ) -> None:
-        self._results, self._inputs = results, inputs
-        self._pairs = mechanism.friction.efficiency is None
-        self._taken = {*inputs, *(r.name for r in results)}
+    def __init__(self, scope: Scope, inputs: Sequence[Input]) -> None:
+        self._scope, self._inputs = scope, inputs
+        self._pairs = scope.mechanism.friction.efficiency is None
+        self._taken = {*(i.name for i in inputs), *scope.results}
 
-    def joined(self, function: Function, other: Function | None, result: Result) -> Function:
+    def joined(self, function: Function, other: Function | None, asked: Asked) -> Function:
         """Return a function with the one for elsewhere and with its status, if it has them."""
         if other:
             title = f"{function.title}, whichever way its joints are pressed"
@@ -33,23 +44,41 @@ class Companions:
             other = replace(other, name=name, title=title)
             names = {i.name for f in (function, other) for i in f.inputs}
             function = replace(function, inputs=self._in_order(names), otherwise=other)
-        status = self._status(function, result)
+        status = self._status(function, asked) if self._pairs else None
         return replace(function, status=status) if status else function
 
-    def _status(self, function: Function, result: Result) -> Status | None:
-        match result.target:
-            case WithFriction(LoadRatio() | LoadForm() as of, sense, "exact") if self._pairs:
-                ideal = next(r for r in self._results if r.target == of)
+    def _status(self, function: Function, asked: Asked) -> Status | None:
+        match asked.result.target:
+            case WithFriction(LoadRatio() | LoadForm() as of, sense, "exact"):
+                ideal = next(r for r in self._scope.results.values() if r.target == of)
                 solved = function.otherwise or function
-                guards = tuple(g for g in solved.guards if not g.balance)
+                guards = _of_the_pose(solved.guards)
                 name = self._fresh(f"{function.name}_status")
-                steps = _needed(solved.steps, guards)
+                steps = _needed(solved.steps, _sides(guards))
                 return Status(name, ideal.name, SIGNS[sense], function.inputs, steps, guards)
+            case WithFriction(_, sense, "exact"):
+                return self._of_a_force(function, asked, sense)
             case _:
                 return None
 
-    def _in_order(self, names: set[str]) -> tuple[Input, ...]:
-        return tuple(item for name, item in self._inputs.items() if name in names)
+    def _of_a_force(self, function: Function, asked: Asked, sense: Sense) -> Status:
+        """Return the status of a force at a joint: whether the drive moves, it does not tell."""
+        result = asked.result
+        assert isinstance(result, FrictionResult), "a force with friction"
+        assert result.drive, "it says what drives"
+        known = self._scope.definitions(result.name, [*result.drive, *asked.needed])
+        guards = _of_the_pose(asked.guards(known.names))
+        loads = [rename(load, known.names) for load in result.drive]
+        steps, (ideal, load) = steps_to(known.formulas, loads, guards, self._taken)
+        ends = [ideal, load, *_sides(guards)]
+        steps = _needed(steps, ends)
+        used = mentioned(steps, ends).union(i.name for i in function.inputs)
+        name = self._fresh(f"{function.name}_status")
+        drive = Drive(ideal, load)
+        return Status(name, drive, SIGNS[sense], self._in_order(used), steps, guards)
+
+    def _in_order(self, names: Set[str]) -> tuple[Input, ...]:
+        return tuple(item for item in self._inputs if item.name in names)
 
     def _fresh(self, name: str) -> str:
         while name in self._taken:
@@ -58,9 +87,18 @@ class Companions:
         return name
 
 
-def _needed(steps: Sequence[Statement], guards: Sequence[Guard]) -> tuple[Statement, ...]:
-    """Return the steps that solve systems, and those that they and the guards rest on."""
-    needed = {name for g in guards for side in (g.left, g.right) for name in symbols(side)}
+def _of_the_pose(guards: Sequence[Guard]) -> tuple[Guard, ...]:
+    """Return the conditions without which there is no pose."""
+    return tuple(g for g in guards if not g.balance)
+
+
+def _sides(guards: Sequence[Guard]) -> list[Formula]:
+    return [side for g in guards for side in (g.left, g.right)]
+
+
+def _needed(steps: Sequence[Statement], ends: Sequence[Formula]) -> tuple[Statement, ...]:
+    """Return the steps that solve systems, and those that they and the formulas rest on."""
+    needed = {name for formula in ends for name in symbols(formula)}
     kept: list[Statement] = []
     for step in reversed(steps):
         if isinstance(step, Solve) or not needed.isdisjoint(names_of(step)):

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ..formula.choices import SIGNS, spelled_out
 from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, Sum, Symbol
+from ..model.result import Drive
 from .newton import Array, follow
 from .quotient import quotient_of
 from .steps import Function, Guard, Pose, Solve, Statement
@@ -93,11 +94,14 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
     What the numbers mean is in :data:`~.steps.STATUSES`.
     """
     asked = function.status
-    assert asked is not None, "only loads and ratios with friction have a status"
+    assert asked is not None, "only results with friction have a status"
     value, without = (np.asarray(evaluate(f, values)) for f in (function, ideal))
+    load = value
     scope = {i.name: np.asarray(values[i.name], dtype=np.float64) for i in asked.inputs}
     with np.errstate(all="ignore"):
         done = [_run(step, scope) for step in asked.steps]
+        if isinstance(asked.drive, Drive):
+            without, load = (compute(each, scope) for each in asked.drive)
         solved = [d for d, step in zip(done, asked.steps, strict=True) if isinstance(step, Solve)]
         is_pose = reduce(
             np.logical_and, (_holds(g, scope) for g in asked.guards), ~np.isnan(without)
@@ -108,7 +112,7 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
     found = np.where(none & (friction == 2), 2, found)
     found = np.where(none & ~is_pose, 1, found)
     found = np.where(none & reduce(np.logical_or, (d == 2 for d in loops), False), 2, found)
-    moves = np.isfinite(value) & np.where(ahead, value > 0, value < 0)
+    moves = np.isfinite(value) & np.where(ahead, load > 0, load < 0)
     return np.where(moves, 0, found)
 
 

@@ -48,8 +48,8 @@ def program(
         function(asked(r.elsewhere, other, inputs, loops), other, names) if r.elsewhere else None
         for r in results
     ]
-    companions = Companions(mechanism, results, inputs)
-    functions = tuple(starmap(companions.joined, zip(made, beside, results, strict=True)))
+    companions = Companions(scope, tuple(inputs.values()))
+    functions = tuple(starmap(companions.joined, zip(made, beside, listed, strict=True)))
     pose = _pose(scope, inputs, loops)
     points = _points(mechanism, motion, inputs, definitions or {}) if motion else None
     tests = checks(scope, inputs, names) if is_sheet(mechanism) else None

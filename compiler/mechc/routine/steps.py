@@ -12,6 +12,7 @@ from typing import Literal
 from ..formula.tree import Formula
 from ..formula.walk import symbols
 from ..frozen import frozen
+from ..model.result import Drive
 from ..pose.motion import Quantity
 from ..units import Dimension
 
@@ -112,17 +113,24 @@ class Guard:
 class Status:
     """Whether a result with friction moves what it drives: how code tells its poses apart.
 
-    ``ideal`` is the function of the same without friction, ``sense`` 1 where the motion is
-    that along the drive's arrow, else -1. ``steps`` solve for the pressing forces, and where
-    ``guards`` fail there is no pose. The numbers are those of :data:`STATUSES`.
+    ``drive`` is the function of the same without friction, or, of a force at a joint, the load
+    that drives, ``sense`` 1 where the motion is that along the drive's arrow, else -1. ``steps``
+    solve for the pressing forces, and where ``guards`` fail there is no pose. The numbers are
+    those of :data:`STATUSES`.
     """
 
     name: str
-    ideal: str
+    drive: str | Drive
     sense: int
     inputs: tuple[Input, ...]
     steps: tuple[Statement, ...]
     guards: tuple[Guard, ...]
+
+    @property
+    def sides(self) -> tuple[Formula, ...]:
+        """Return the formulas in terms of the steps."""
+        compared = (side for guard in self.guards for side in (guard.left, guard.right))
+        return (*compared, *(self.drive if isinstance(self.drive, Drive) else ()))
 
     @property
     def stuck(self) -> tuple[int, int]:

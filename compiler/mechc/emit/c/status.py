@@ -3,9 +3,11 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from ...model.result import Drive
 from ...routine.steps import STATUSES, Function, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
+from ..printer import driving
 from .layout import harmless, wrapped
 from .printer import CPrinter
 from .reserved import RESERVED
@@ -20,6 +22,8 @@ class StatusContext(NamedTuple):
     batch: str
     value: str
     ideal: str
+    load: str
+    before: list[str]
     body: list[str]
     conditions: list[str]
     loops: list[str]
@@ -30,7 +34,7 @@ class StatusContext(NamedTuple):
     loop: str
 
 
-OWN = ("value", "ideal", "is_ahead", "status", "n", "i")
+OWN = ("value", "ideal", "load", "is_ahead", "status", "n", "i")
 """What the template calls its own."""
 
 
@@ -49,8 +53,9 @@ def status_context(
     own = mangle((i.name for i in asked.inputs), Names(reserved))
     space = Names(reserved, set(own.values()))
     printer = CPrinter(own | mangle((n for s in asked.steps for n in names_of(s)), space))
-    sides = [side for g in asked.guards for side in (g.left, g.right)]
-    body, statuses = lines(asked.steps, mentioned(asked.steps, sides), solvers, printer, space)
+    used = mentioned(asked.steps, asked.sides)
+    body, statuses = lines(asked.steps, used, solvers, printer, space)
+    needed_first = isinstance(asked.drive, Drive)
     single, inputs = names[asked.name], list(own.values())
     arrays = [f"const double *MECHC_RESTRICT {name}" for name in inputs]
     listed = ["size_t n", *arrays, "int *MECHC_RESTRICT status"]
@@ -59,8 +64,9 @@ def status_context(
         wrapped(f"int {single}(", [f"double {a}" for a in inputs] or ["void"]),
         wrapped(f"void {batch}(", listed),
         describe.call(function, names, own),
-        describe.call(functions[asked.ideal], names, own),
-        body,
+        *driving(asked, printer, lambda name: describe.call(functions[name], names, own)),
+        body if needed_first else [],
+        [] if needed_first else body,
         [printer.condition(g) for g in asked.guards],
         statuses[:-1],
         statuses[-1] if statuses else "2",

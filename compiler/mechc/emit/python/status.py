@@ -6,6 +6,7 @@ from typing import NamedTuple
 from ...routine.steps import STATUSES, Function, Solve, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
+from ..printer import driving
 from ..render import Line
 from .printer import RESERVED, PythonPrinter
 from .solvers import line
@@ -21,6 +22,7 @@ class StatusContext(NamedTuple):
     meanings: list[str]
     value: str
     ideal: str
+    load: str
     body: list[Line]
     conditions: list[str]
     loops: list[str]
@@ -28,7 +30,7 @@ class StatusContext(NamedTuple):
     stuck: tuple[int, int]
 
 
-OWN = ("value", "ideal", "ahead", "found")
+OWN = ("value", "ideal", "load", "ahead", "found")
 """What the template calls its own."""
 
 
@@ -46,8 +48,7 @@ def status_context(
     own = mangle((i.name for i in asked.inputs), Names(reserved))
     space = Names(reserved, set(own.values()))
     printer = PythonPrinter(own | mangle((n for s in asked.steps for n in names_of(s)), space))
-    sides = [side for g in asked.guards for side in (g.left, g.right)]
-    used, statuses, body = mentioned(asked.steps, sides), list[str](), list[Line]()
+    used, statuses, body = mentioned(asked.steps, asked.sides), list[str](), list[Line]()
     for step in asked.steps:
         status = space.claim("status_1") if isinstance(step, Solve) else ""
         body.append(line(step, used, solvers, printer, status))
@@ -59,7 +60,7 @@ def status_context(
         [Line(own[i.name], describe.input_words(i, own[i.name])) for i in asked.inputs],
         list(describe.numbered(STATUSES)),
         describe.call(function, names, own),
-        describe.call(functions[asked.ideal], names, own),
+        *driving(asked, printer, lambda name: describe.call(functions[name], names, own)),
         body,
         [printer.condition(g) for g in asked.guards],
         statuses[:-1],

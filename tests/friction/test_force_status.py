@@ -1,0 +1,79 @@
+"""A force at a joint with friction says, as the load that drives does, whether anything moves."""
+
+import ctypes
+import math
+import shutil
+import subprocess
+
+import pytest
+
+import mechc
+from mechc.api import SolvedMechanism
+from mechc.routine.evaluate import status
+
+KNEE = """\
+mechanism knee
+param l = 200 mm
+param alpha = 20 deg
+param f = 0.1
+pivot O
+slider K along y
+link OB
+link BK
+OB = l @ 90 deg + alpha
+BK = l @ 90 deg - alpha
+force P at B along x
+force F at K along -y
+friction pins f diameter 20 mm
+friction slider K f
+"""
+ANGLES = (-3, 0.3, 4, 82, 87)
+LOADS = (500.0, -500.0)
+POSES = [(math.radians(angle), load) for angle in ANGLES for load in LOADS]
+
+
+@pytest.fixture(scope="module")
+def knee() -> SolvedMechanism:
+    return mechc.loads(f"{KNEE}find P, R_O, N_OB\n")
+
+
+def values(alpha: float, load: float) -> dict[str, float]:
+    return {"l": 0.2, "alpha": alpha, "f": 0.1, "F": load}
+
+
+def test_a_force_has_the_status_of_the_load_that_drives(knee):
+    listed = {f.name: f for f in knee._compilation.routine.functions}
+    told = [int(status(listed["P_f"], listed["P"], values(*pose))) for pose in POSES]
+    assert set(told) == {0, 3, 4}
+    for force in ("R_O", "R_O_direction", "N_OB"):
+        with_friction = listed[f"{force}_f"]
+        found = [int(status(with_friction, listed[force], values(*pose))) for pose in POSES]
+        assert found == told
+
+
+def test_it_has_one_where_the_load_is_not_asked_for():
+    """A ratio does not know which way the load points, a force without one has none beside it."""
+    of_ratio = code(mechc.loads(f"{KNEE}find k = P/F, N_OB\n"))["N_OB_f_status"]
+    assert [of_ratio(**values(*pose)) for pose in ((1.52, 500.0), (0.005, -500.0))] == [4, 3]
+    alone = code(mechc.loads(f"{KNEE}let F = 500 N\nfind N_OB\n"))["N_OB_f_status"]
+    assert [alone(0.2, alpha, 0.1) for alpha in (0.35, 1.52)] == [0, 4]
+
+
+def code(mechanism: SolvedMechanism) -> dict[str, object]:
+    space: dict[str, object] = {"__name__": "module"}
+    exec(compile(mechanism.emit("python"), "module.py", "exec"), space)
+    return space
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+def test_python_and_c_say_the_same(knee, tmp_path):
+    for file in knee.emit_files("c"):
+        (tmp_path / file.name).write_text(file.text, encoding="utf-8")
+    command = "gcc -std=c99 -Wall -Wextra -Werror -fPIC -shared knee.c -o knee.so -lm"
+    subprocess.run(command.split(), cwd=tmp_path, check=True)
+    single = ctypes.CDLL(str(tmp_path / "knee.so")).knee_R_O_f_status
+    single.argtypes = [ctypes.c_double] * 5
+    of_python = code(knee)["R_O_f_status"]
+    for alpha, load in POSES:
+        given = (0.2, alpha, 0.1, load)
+        assert single(*given) == of_python(*given)
