@@ -51,7 +51,9 @@ from .work import Allowance
 
 if TYPE_CHECKING:
     from .drawing.drawing import Drawing
+    from .drawing.moving import Marks
     from .figure.figure import Figure
+    from .figure.velocities import Velocities
     from .plot.from_routine import Watch
     from .plot.plot import Plot
     from .plot.query import Query
@@ -325,12 +327,11 @@ class Compilation:
         with within(Allowance(), self.report):
             return diagrams(self.pose, self.solution.results, figure.values, figure.points, loads)
 
-    @Stage
-    def free_body_diagrams(self) -> "Drawing | None":
-        """The free bodies drawn; None where there are none, or no figure."""
-        from .drawing.from_diagrams import WORDS
+    def marked(self, marks: "Marks") -> "Drawing | None":
+        """Return the scheme with marks of how the mechanism moves."""
+        from .drawing.from_figure import scheme
 
-        return self.drawn_bodies(WORDS)
+        return scheme(self.figure, marks) if self.figure else None
 
     @of_linkages
     def drawn_bodies(self, words: Mapping[str, str]) -> "Drawing | None":
@@ -338,6 +339,23 @@ class Compilation:
         from .drawing.from_diagrams import free_bodies
 
         return free_bodies(self.figure, self.free_bodies, words) if self.figure else None
+
+    @Stage
+    @of_linkages
+    def velocities(self) -> "tuple[Velocities, ...]":
+        """How every point moves at the default pose, in each independent motion."""
+        from .figure.from_balance import velocities
+
+        return velocities(self.balance, self.figure, self.motion) if self.figure else ()
+
+    @of_linkages
+    def drawn_plans(self, words: Mapping[str, str]) -> "Drawing | None":
+        """Return the plans of velocities and forces, in the words of a language, if any."""
+        from .drawing.from_plans import plans
+
+        if self.figure is None:
+            return None
+        return plans(self.figure, self.velocities, self.free_bodies, words)
 
     @of_linkages
     def stroke(self, points: int, paths: Sequence[str] = ()) -> "Stroke":

@@ -37,6 +37,7 @@ ELSEWHERE = {
     "E720": "drawing/test_scheme.py",
     "E721": "drawing/test_scheme.py",
     "E722": "drawing/test_bodies.py",
+    "E723": "drawing/test_plans.py",
     "E701": "emit/test_c.py",
     "E702": "emit/test_registry.py",
     "E703": "emit/test_hostile_names.py",

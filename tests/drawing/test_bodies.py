@@ -9,6 +9,7 @@ from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
 from mechc.drawing.from_diagrams import LARGEST, SHORTEST
+from mechc.report.languages.pictured import EN
 from readable_drawings import assert_readable, lettering
 
 FEW = [
@@ -28,13 +29,13 @@ FEW = [
 
 @pytest.mark.parametrize("name", FEW)
 def test_no_label_is_on_a_line(name):
-    assert_readable(begun(name).free_body_diagrams)
+    assert_readable(begun(name).drawn_bodies(EN))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_nor_in_all_others(name):
-    drawing = begun(name).free_body_diagrams
+    drawing = begun(name).drawn_bodies(EN)
     assert drawing is not None or name == "speeds"
     if drawing is not None:
         assert_readable(drawing)
@@ -57,21 +58,21 @@ def test_forces_are_to_scale_and_point_as_they_act():
         (round(force.angle, 6), max(SHORTEST, LARGEST * math.hypot(*force) / largest))
         for force in forces
     ]
-    found = [tip.minus(tail) for tail, tip in arrows(begun(name).free_body_diagrams)]
+    found = [tip.minus(tail) for tail, tip in arrows(begun(name).drawn_bodies(EN))]
     drawn = [(round(arrow.angle, 6), math.hypot(*arrow)) for arrow in found]
     for one, other in zip(sorted(drawn), sorted(expected), strict=True):
         assert one == pytest.approx(other)
 
 
 def test_forces_have_names_and_sizes():
-    found = lettering(begun("karpenko_fig9_packet_clamp").free_body_diagrams)
+    found = lettering(begun("karpenko_fig9_packet_clamp").drawn_bodies(EN))
     assert {"F", "P = 0.0671\u2009F", "RO = 0.5\u2009F"} <= set(found)
     assert "k, without friction, forces per unit of F" in found
 
 
 def test_friction_circles_are_as_large_as_they_are():
     figure, scale = begun("lever_clamp_with_friction").figure, None
-    drawing = begun("lever_clamp_with_friction").free_body_diagrams
+    drawing = begun("lever_clamp_with_friction").drawn_bodies(EN)
     plain, rubbing = begun("lever_clamp_with_friction").free_bodies
     (offset,) = {abs(a.offset) for b in rubbing.bodies for a in b.forces if a.offset}
     (circle,) = [s for s in drawing.shapes if isinstance(s, Arc) and s.pen == AXIS]
@@ -83,7 +84,7 @@ def test_friction_circles_are_as_large_as_they_are():
 
 
 def test_of_halves_one_is_drawn():
-    drawing = begun("karpenko_fig9_packet_clamp").free_body_diagrams
+    drawing = begun("karpenko_fig9_packet_clamp").drawn_bodies(EN)
     assert "Every body of one mirrored half" in drawing.description
     assert lettering(drawing).count("A") == 1
     assert "A'" not in lettering(drawing)

@@ -55,3 +55,20 @@ def no_free_bodies() -> Message:
         "there are no free bodies: expected a result that speaks of a load, found none",
         "ask for one, as in find k = P/F, or draw the scheme without --bodies",
     )
+
+
+@coded("E723")
+def no_plans() -> Message:
+    """Plans of a mechanism that stands still, and on which no force is asked for.
+
+    The polygon of velocities needs a pose in which the drive moves the mechanism, those of
+    forces need a result that speaks of a load. Here there is neither.
+
+    Wrong: ``find v = V_B/V_A`` alone, at a dead centre, and ``mechc draw FILE --plans``
+    Right: another pose, ``-D phi=30deg``, or ``find k = P/F`` besides
+    """
+    return Message(
+        None,
+        "there are no plans: expected points that move or forces on bodies, found none",
+        "set another pose with -D, or ask for a result that speaks of a load",
+    )

@@ -1,17 +1,22 @@
 """Several drawings on one sheet, side by side in rows."""
 
 from collections.abc import Iterable, Sequence
-from typing import assert_never
+from typing import Literal, assert_never
 
 from ..frozen import replace
 from ..pose.places import Plane
-from .drawing import Arc, Drawing, Label, Polyline, Shape
+from .drawing import SYMBOL, Arc, Drawing, Label, Polyline, Run, Shape
+from .lettering import SIZE, box
 
 WIDE = 180.0
 """How wide a row may become, in millimetres."""
 
 
-def in_rows(drawings: Sequence[Drawing]) -> Drawing:
+Side = Literal["middle", "top"]
+"""What of drawings beside each other is at one height."""
+
+
+def in_rows(drawings: Sequence[Drawing], level: Side = "middle") -> Drawing:
     """Return drawings beside each other, in rows that are not too wide; no title."""
     rows: list[list[Drawing]] = []
     for drawing in drawings:
@@ -19,7 +24,14 @@ def in_rows(drawings: Sequence[Drawing]) -> Drawing:
         if not rows or sum(map(_width, rows[-1])) + width > WIDE:
             rows.append([])
         rows[-1].append(drawing)
-    return below_each_other([_beside(row) for row in rows])
+    return below_each_other([_beside(row, level) for row in rows])
+
+
+def line_of_text(runs: tuple[Run, ...]) -> Drawing:
+    """Return a line of text by itself."""
+    width, height = box(runs, SIZE)
+    label = Label(Plane(width / 2, 0.0), runs, SYMBOL, SIZE, width, height)
+    return Drawing("", "", (), (label,), Plane(0.0, -height), Plane(width, height))
 
 
 def below_each_other(drawings: Sequence[Drawing]) -> Drawing:
@@ -31,11 +43,12 @@ def below_each_other(drawings: Sequence[Drawing]) -> Drawing:
     return _together(moved)
 
 
-def _beside(drawings: Sequence[Drawing]) -> Drawing:
+def _beside(drawings: Sequence[Drawing], level: Side) -> Drawing:
     right, moved = 0.0, list[Drawing]()
     for drawing in drawings:
-        middle = (drawing.low.y + drawing.high.y) / 2
-        moved.append(_moved(drawing, Plane(right - drawing.low.x, -middle)))
+        top = drawing.high.y
+        height = top if level == "top" else (drawing.low.y + top) / 2
+        moved.append(_moved(drawing, Plane(right - drawing.low.x, -height)))
         right = moved[-1].high.x
     return _together(moved)
 

@@ -25,8 +25,10 @@ HATCH = Pen("hatch", 0.18)
 AXIS = Pen("axis", 0.18, "#777777", (3.0, 0.8, 0.4, 0.8))
 MEASURE = Pen("measure", 0.18, "#1f4e79")
 FORCE = Pen("force", 0.5, "#b00020")
+VELOCITY = Pen("velocity", 0.5, "#15803d")
+RELATIVE = Pen("relative", 0.35, "#1f4e9e")
 COPY = Pen("copy", 0.35, "#aaaaaa")
-PENS = (BODY, SYMBOL, HATCH, AXIS, MEASURE, FORCE, COPY)
+PENS = (BODY, SYMBOL, HATCH, AXIS, MEASURE, FORCE, VELOCITY, RELATIVE, COPY)
 
 ARC_STEP = math.radians(10)
 """How far apart the points are by which the way of an arc is looked at."""

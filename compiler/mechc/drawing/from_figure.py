@@ -15,6 +15,7 @@ from .labels import Around
 from .lettering import name
 from .loads import draw_forces, draw_pairs
 from .measures import draw_measures
+from .moving import NO_MARKS, Marks, draw_marks, say_marks
 from .paper import Paper, on_paper
 from .sheet import Layer, Sheet
 
@@ -22,17 +23,20 @@ BEYOND = 4.0
 """How far a mirror line goes beyond the mechanism, in millimetres."""
 
 
-def scheme(figure: Figure) -> Drawing:
-    """Return the kinematic scheme of a mechanism."""
+def scheme(figure: Figure, marks: Marks = NO_MARKS) -> Drawing:
+    """Return the kinematic scheme of a mechanism, with marks of how it moves if they are asked."""
     paper, sheet = on_paper(figure), Sheet()
     sheet.draw(Layer.COPIES, _copies(paper))
     _draw_bodies(sheet, paper)
     draw_slide_guides(sheet, paper)
     draw_forces(sheet, paper)
+    draw_marks(sheet, paper, marks)
     _draw_mirror(sheet, paper)
     draw_measures(sheet, paper)
     _write_points(sheet, paper)
-    return sheet.finished(figure.title or figure.name, describe(figure))
+    return sheet.finished(
+        figure.title or figure.name, " ".join((describe(figure), *say_marks(paper, marks)))
+    )
 
 
 def _draw_bodies(sheet: Sheet, paper: Paper) -> None:

@@ -119,6 +119,16 @@ def write(name: Name, occupied: Occupied) -> Written:
     return Written(label, leader)
 
 
+def next_to(name: Beside, occupied: Occupied) -> Label | None:
+    """Return a label next to its line, which is then taken; None where there is no room."""
+    width, height = box(name.runs, SIZE)
+    for place, _ in _sides(name.start, name.end, width, height):
+        if occupied.free(place, width, height):
+            occupied.write(Box(place, width, height))
+            return Label(place, name.runs, name.pen, SIZE, width, height)
+    return None
+
+
 def _support(towards: Plane, width: float, height: float) -> float:
     """Return how far the corners of a box are from its middle in a direction."""
     return (abs(towards.x) * width + abs(towards.y) * height) / 2

@@ -1,5 +1,6 @@
 """Formulas and names as they are lettered: Greek letters, indices, no signs of multiplication."""
 
+import math
 import re
 from collections.abc import Iterator
 
@@ -63,6 +64,18 @@ def _quantity(written: str) -> Iterator[Run]:
     yield Run(GREEK.get(head, head) + primes, italic=True)
     if indices:
         yield Run(",".join(GREEK.get(i, i) for i in indices), level=-1)
+
+
+def figures(value: float) -> str:
+    """Return a number to three figures.
+
+    >>> figures(-0.12345), figures(1234.5), figures(2.0), figures(1.5e-7)
+    ('−0.123', '1230', '2', '1.5e−07')
+    """
+    written = f"{value:.3g}"
+    if 1e3 <= abs(value) < 1e6:
+        written = f"{round(value, 2 - math.floor(math.log10(abs(value)))):.0f}"
+    return written.replace("-", "−")
 
 
 def formula(text: str) -> tuple[Run, ...]:

@@ -5,7 +5,7 @@ from enum import IntEnum
 
 from ..pose.places import Plane
 from .drawing import Arc, Drawing, Label, Shape
-from .labels import Name, write
+from .labels import Beside, Name, next_to, write
 from .occupied import Box, Occupied, stretches
 
 MARGIN = 3.0
@@ -49,6 +49,19 @@ class Sheet:
         """Take what is to be written when all is drawn, so that no line crosses it."""
         self._names.append(name)
 
+    def name_next_to(self, name: Beside) -> bool:
+        """Write a name next to its line over what is drawn so far; tell whether there is room."""
+        label = next_to(name, self.occupied)
+        if label is not None:
+            self._labels.append(label)
+        return label is not None
+
+    def name_now(self, name: Name) -> None:
+        """Write a name where there is room for it over what is drawn so far."""
+        label, leader = write(name, self.occupied)
+        self._labels.append(label)
+        self._shapes += [(Layer.MEASURES, line) for line in leader]
+
     def write(self, label: Label) -> None:
         """Write a label where it is."""
         self._labels.append(label)
@@ -62,10 +75,9 @@ class Sheet:
 
     def finished(self, title: str, description: str) -> Drawing:
         """Return the drawing, with names where there is room for them."""
-        written = [write(name, self.occupied) for name in self._names]
-        leaders = [line for _, lines in written for line in lines]
-        self._shapes += [(Layer.MEASURES, line) for line in leaders]
-        labels = (*self._labels, *(label for label, _ in written))
+        for name in self._names:
+            self.name_now(name)
+        labels = tuple(self._labels)
         low, high = self.extent(labels)
         margin = Plane(MARGIN, MARGIN)
         ordered = sorted(self._shapes, key=lambda pair: pair[0])

@@ -155,12 +155,12 @@ def head(tip: Plane, along: Plane, pen: Pen, length: float = _HEAD) -> Polyline:
     return Polyline((tip, *feet), pen, closed=True, fill="solid")
 
 
-def arrow(tail: Plane, tip: Plane) -> Iterator[Shape]:
-    """Yield the arrow of a force."""
+def arrow(tail: Plane, tip: Plane, pen: Pen = FORCE) -> Iterator[Shape]:
+    """Yield an arrow, which is that of a force by default."""
     along = tip.minus(tail).unit() or Plane(1.0, 0.0)
     size = min(_HEAD, 0.6 * math.dist(tail, tip))
-    yield line(tail, off(tip, along, -size), FORCE)
-    yield head(tip, along, FORCE, size)
+    yield line(tail, off(tip, along, -size), pen)
+    yield head(tip, along, pen, size)
 
 
 def couple(at: Plane, start: float, counterclockwise: bool) -> Iterator[Shape]:

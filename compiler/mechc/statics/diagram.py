@@ -5,7 +5,7 @@ is ``OA'``. Forces are in newtons, couples in newton metres, counter-clockwise.
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from typing import Literal, NamedTuple
 
 from ..pose.places import Plane as Plane
@@ -21,6 +21,9 @@ and threads press on the bearings."""
 
 
 Motion = Literal["", "tightening", "releasing"]
+
+AT_PINS = ("pin", "ground")
+"""Where the couple of friction shifts the force off its point; elsewhere it is a couple."""
 
 
 class Acting(NamedTuple):
@@ -87,3 +90,14 @@ class Diagram(NamedTuple):
     left_out: tuple[str, ...]
     bodies: tuple[FreeBody, ...]
     trouble: str = ""
+
+
+def friction_circles(diagrams: Iterable[Diagram]) -> dict[str, float]:
+    """Return the radii of the friction circles, in metres, by the points of their pins."""
+    return {
+        acting.point: abs(acting.offset)
+        for diagram in diagrams
+        for body in diagram.bodies
+        for acting in body.forces
+        if acting.kind in AT_PINS and acting.offset
+    }

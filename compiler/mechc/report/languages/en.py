@@ -1,5 +1,6 @@
 """English."""
 
+from . import pictured
 from .locale import Locale
 
 LOCALE = Locale(
@@ -298,15 +299,7 @@ LOCALE = Locale(
         "holds": "holds",
         "least": "holds, the least reserve",
     },
-    pictures={
-        "without": "without friction",
-        "tightening": "with friction, tightening",
-        "releasing": "with friction, releasing",
-        "per": "forces per unit of {load}",
-        "scheme": "Kinematic scheme",
-        "bodies": "Free bodies",
-        "plot": "{names} against {x}",
-    },
+    pictures=pictured.EN,
     comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
     requirements="The result holds for",

@@ -1,5 +1,6 @@
 """Russian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
+from . import pictured
 from .eastern import FUNCTIONS, UNITS
 from .locale import Locale
 
@@ -303,15 +304,7 @@ LOCALE = Locale(
         "holds": "выполняется",
         "least": "выполняется, наименьший запас",
     },
-    pictures={
-        "without": "без трения",
-        "tightening": "с трением, прямой ход",
-        "releasing": "с трением, обратный ход",
-        "per": "силы на единицу {load}",
-        "scheme": "Кинематическая схема",
-        "bodies": "Звенья, освобождённые от связей",
-        "plot": "Зависимость {names} от {x}",
-    },
+    pictures=pictured.RU,
     comparison={"number": "№", "scheme": "Схема", "results": "Передача силы"},
     holds="Это справедливо, пока {conditions}.",
     requirements="Результат справедлив при условиях",

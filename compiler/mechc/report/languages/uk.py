@@ -1,5 +1,6 @@
 """Ukrainian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
+from . import pictured
 from .eastern import FUNCTIONS, UNITS
 from .locale import Locale
 
@@ -301,15 +302,7 @@ LOCALE = Locale(
         "holds": "виконується",
         "least": "виконується, найменший запас",
     },
-    pictures={
-        "without": "без тертя",
-        "tightening": "з тертям, прямий хід",
-        "releasing": "з тертям, зворотний хід",
-        "per": "сили на одиницю {load}",
-        "scheme": "Кінематична схема",
-        "bodies": "Ланки, звільнені від в’язей",
-        "plot": "Залежність {names} від {x}",
-    },
+    pictures=pictured.UK,
     comparison={"number": "№", "scheme": "Схема", "results": "Передавання сили"},
     holds="Це справедливо, доки {conditions}.",
     requirements="Результат справедливий за умов",

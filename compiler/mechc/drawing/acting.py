@@ -1,0 +1,103 @@
+"""What forces on bodies are called, how large they are, and of what bodies they are told."""
+
+import math
+from collections import Counter
+from collections.abc import Iterator, Mapping
+
+from ..figure.figure import Figure, Link, Slide, Torque
+from ..frozen import frozen
+from ..statics.diagram import Acting, Diagram, FreeBody
+from .drawing import Run
+from .lettering import figures, name
+
+LEAST = 0.004
+"""A force below this part of the largest is nothing."""
+
+LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "T"}
+"""What forces of joints are called by their kind; others are R."""
+
+
+def heading(diagram: Diagram, words: Mapping[str, str]) -> str:
+    """Return under which loads the bodies are, in the words of a language."""
+    friction = words[diagram.motion or "without"]
+    per = f", {words['per'].format(load=diagram.per)}" if diagram.per else ""
+    trouble = f": none, {diagram.trouble}" if diagram.trouble else ""
+    return f"{diagram.result}, {friction}{per}{trouble}"
+
+
+@frozen
+class Forces:
+    """The forces of one diagram."""
+
+    figure: Figure
+    diagram: Diagram
+
+    @property
+    def largest(self) -> float:
+        """Return the size of the largest force."""
+        forces = (a.force for body in self.diagram.bodies for a in body.forces if a.force)
+        return max((math.hypot(*force) for force in forces), default=0.0) or 1.0
+
+    @property
+    def described(self) -> Iterator[FreeBody]:
+        """Yield the bodies of the described half, and those that both halves share."""
+        names = {body.name for body in self.diagram.bodies}
+        for body in self.diagram.bodies:
+            if not (body.name.endswith("'") and body.name[:-1] in names):
+                yield body
+
+    def called(self, body: str) -> str:
+        """Return a body's name by its points, with their primes: B'K is the twin of BK."""
+        for part in self.figure.parts:
+            if isinstance(part, Link | Slide) and part.name == body:
+                return "".join(part.points)
+        return body
+
+    def name(self, body: FreeBody, acting: Acting, couple: bool = False) -> tuple[Run, ...]:
+        """Return what a force or couple is called: a load by its name, others by their point."""
+        if acting.kind == "load":
+            return name(acting.by)
+        letter = LETTERS.get(acting.kind, "R")
+        same = Counter((LETTERS.get(a.kind, "R"), a.point) for a in body.forces if a.kind != "load")
+        index = "".join(run.text for run in name(acting.point))
+        if same[letter, acting.point] > 1:
+            index = f"{index},{self.called(acting.by)}"
+        shown = "M" if couple else letter
+        return (Run(shown, italic=True), *([Run(index, level=-1)] if index else []))
+
+    @property
+    def unit(self) -> tuple[Run, ...]:
+        """Return in what forces are measured: newtons, or the load that they are per."""
+        if not self.diagram.per:
+            return (Run("N"),)
+        return (*name(self.diagram.per), *([Run("/m")] if self._turning else []))
+
+    def size(self, acting: Acting) -> tuple[Run, ...]:
+        """Return how large a force is, in newtons or in units of the load that it is per."""
+        return self._value(acting, math.hypot(*(acting.force or ())), self._turning, "N", -1)
+
+    def turning(self, acting: Acting) -> tuple[Run, ...]:
+        """Return how large a couple is."""
+        return self._value(acting, abs(acting.moment), not self._turning, "N\u2009m", 1)
+
+    @property
+    def _turning(self) -> bool:
+        """Return whether the load that sizes are per unit of is a couple."""
+        parts = self.figure.parts
+        return any(isinstance(p, Torque) and p.name == self.diagram.per for p in parts)
+
+    def _value(
+        self, acting: Acting, size: float, scaled: bool, unit: str, metres: int
+    ) -> tuple[Run, ...]:
+        """Return a size in newtons or newton metres, or in units of the load that it is per.
+
+        That load itself has none, nor has what depends on lengths that were chosen.
+        ``scaled`` tells that the quotient of both has a dimension, of so many ``metres``.
+        """
+        if acting.chosen or (acting.kind == "load" and acting.by == self.diagram.per):
+            return ()
+        number = f" = {figures(size)}\u2009"
+        if not self.diagram.per:
+            return (Run(number + unit),)
+        length = {(True, -1): "/m", (True, 1): "\u2009m"}.get((scaled, metres), "")
+        return (Run(number), *name(self.diagram.per), *([Run(length)] if length else []))

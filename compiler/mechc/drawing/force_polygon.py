@@ -1,0 +1,70 @@
+"""The polygon of the forces on a body, head to tail: it closes where they balance."""
+
+import math
+from collections.abc import Sequence
+
+from ..pose.places import NOWHERE, Plane
+from ..statics.diagram import Acting, FreeBody
+from .acting import LEAST, Forces
+from .drawing import FORCE, HATCH, Drawing
+from .labels import Beside
+from .occupied import Stretch
+from .sheet import Layer, Sheet
+from .symbols import arrow, line
+
+FLAT = 1e-3
+"""The sine of the angle between forces below which they are drawn as parallel."""
+
+ASIDE = 3.0
+"""How far parallel forces of opposite senses are drawn from each other, in millimetres."""
+
+
+def visible(forces: Forces, body: FreeBody) -> list[Acting]:
+    """Return the forces on a body that are more than nothing, in the order of a polygon.
+
+    They go round counter-clockwise, the loads first, so that no side crosses another one.
+    """
+    pushing = [a for a in body.forces if _size(a) > LEAST * forces.largest]
+    first = next((a for a in pushing if a.kind == "load"), pushing[0] if pushing else None)
+    start = first.force.angle if first and first.force else 0.0
+
+    def turn(acting: Acting) -> float:
+        angle = acting.force.angle if acting.force else 0.0
+        return round((angle - start) % math.tau, 6) % round(math.tau, 6)
+
+    return sorted(pushing, key=turn)
+
+
+def is_known(body: FreeBody) -> bool:
+    """Return whether every force on a body has a value."""
+    return all(acting.force is not None for acting in body.forces)
+
+
+def force_polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
+    """Return the polygon of the forces on a body, in millimetres to a newton."""
+    sheet, acting = Sheet(), visible(forces, body)
+    sides = _sides([(one.force or NOWHERE).times(scale) for one in acting])
+    for one, (tail, tip) in zip(acting, sides, strict=True):
+        sheet.draw(Layer.LOADS, arrow(tail, tip))
+        sheet.name(Beside(tail, tip, (*forces.name(body, one), *forces.size(one)), FORCE))
+    for (_, tip), (tail, _) in zip(sides, (*sides[1:], sides[0]), strict=True):
+        if math.dist(tip, tail) > ASIDE / 2:
+            sheet.draw(Layer.AXES, [line(tip, tail, HATCH)])
+    return sheet.finished("", "")
+
+
+def _sides(steps: Sequence[Plane]) -> list[Stretch]:
+    """Return steps head to tail; where all are parallel, those back beside those ahead."""
+    along = max(steps, key=lambda step: math.hypot(*step)).unit() or Plane(1.0, 0.0)
+    flat = all(abs(along.turned().dot(step)) < FLAT * math.hypot(*step) for step in steps)
+    at, sides = NOWHERE, list[Stretch]()
+    for step in steps:
+        back = flat and along.dot(step) * along.dot(steps[0]) < 0
+        aside = along.turned().times(ASIDE if back else 0.0)
+        sides.append((at.plus(aside), at.plus(step).plus(aside)))
+        at = at.plus(step)
+    return sides
+
+
+def _size(acting: Acting) -> float:
+    return math.hypot(*acting.force) if acting.force else 0.0

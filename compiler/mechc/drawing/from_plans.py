@@ -1,0 +1,98 @@
+"""From velocities and free bodies to their plans: polygons to scale, one below the other."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ..figure.figure import Figure
+from ..figure.velocities import Velocities
+from ..frozen import replace
+from ..statics.diagram import Diagram, FreeBody
+from .acting import Forces, heading
+from .arrange import below_each_other, in_rows, line_of_text
+from .describe_plans import say_forces, say_velocities
+from .drawing import Drawing, Run
+from .force_polygon import force_polygon, is_known, visible
+from .lettering import name
+from .scale_bar import scale_bar
+from .speeds import Speeds
+from .velocity_polygon import scale_of, velocity_polygon
+
+LARGEST = 34.0
+"""The length of the largest force in millimetres."""
+
+ROW = 5
+"""How many velocities stand in a line below the polygon."""
+
+
+def plans(
+    figure: Figure,
+    velocities: Sequence[Velocities],
+    diagrams: Sequence[Diagram],
+    words: Mapping[str, str],
+) -> Drawing | None:
+    """Return the plans of velocities and of the forces on every body; None where there are none.
+
+    ``words`` are those of a language.
+    """
+    motions = [_of_velocities(figure, velocities, i, words) for i in range(len(velocities))]
+    forces = [_of_forces(Forces(figure, diagram), words) for diagram in diagrams]
+    if not motions and not forces:
+        return None
+    title = words["plans_of"].format(name=figure.title or figure.name)
+    about = [say_velocities(Speeds(v), words) for v in velocities]
+    about += [say_forces(Forces(figure, diagram), words) for diagram in diagrams]
+    return replace(
+        below_each_other([*motions, *forces]),
+        title=title,
+        description=" ".join(filter(None, about)),
+    )
+
+
+def _of_velocities(
+    figure: Figure, all_: Sequence[Velocities], number: int, words: Mapping[str, str]
+) -> Drawing:
+    """Return the plan of one motion, its scale, and how fast links turn."""
+    velocities = all_[number]
+    speeds, polygon = Speeds(velocities), velocity_polygon(figure, velocities)
+    several = words["motion"].format(number=number + 1, count=len(all_)) if len(all_) > 1 else ""
+    head = words["velocities"] + (f", {several}" if several else "")
+    unit = speeds.name(velocities.per) if velocities.per else (Run("m/s"),)
+    spins = filter(None, map(speeds.spin, velocities.spins))
+    return below_each_other(
+        [
+            line_of_text((Run(head),)),
+            polygon.drawing,
+            scale_bar(scale_of(velocities), unit),
+            *_rows(polygon.left),
+            *_rows(list(spins)),
+        ]
+    )
+
+
+def _rows(parts: Sequence[tuple[Run, ...]]) -> Iterator[Drawing]:
+    """Yield lines of what is said, a few things in each."""
+    for i in range(0, len(parts), ROW):
+        said = (run for part in parts[i : i + ROW] for run in (Run(",   "), *part))
+        yield line_of_text(tuple(said)[1:])
+
+
+def _of_forces(forces: Forces, words: Mapping[str, str]) -> Drawing:
+    """Return the polygons of all bodies under one set of loads, to one scale."""
+    scale = LARGEST / forces.largest
+    found = [_polygon(forces, body, scale) for body in _drawn(forces)]
+    polygons = [in_rows(found, "top"), scale_bar(scale, forces.unit)] if found else []
+    open_ = ", ".join(forces.called(b.name) for b in forces.described if not is_known(b))
+    left_out = [line_of_text((Run(words["open"].format(bodies=open_)),))] if open_ else []
+    head = line_of_text((Run(heading(forces.diagram, words)),))
+    return below_each_other([head, *polygons, *left_out])
+
+
+def _drawn(forces: Forces) -> Iterator[FreeBody]:
+    """Yield the bodies whose forces are all known, and more than one."""
+    for body in forces.described:
+        if is_known(body) and len(visible(forces, body)) > 1:
+            yield body
+
+
+def _polygon(forces: Forces, body: FreeBody, scale: float) -> Drawing:
+    title = line_of_text(name(forces.called(body.name)))
+    return below_each_other([title, force_polygon(forces, body, scale)])

@@ -1,0 +1,110 @@
+"""Marks of how a mechanism moves: velocities, instantaneous centres, circles of friction."""
+
+import math
+from collections.abc import Iterator, Mapping
+from types import MappingProxyType
+from typing import NamedTuple
+
+from ..figure.figure import Link
+from ..figure.velocities import Velocities
+from ..formula.names import split_points
+from ..frozen import frozen
+from ..pose.places import Plane
+from . import symbols
+from .drawing import AXIS, FORCE, SYMBOL, VELOCITY, Arc, Run
+from .labels import Around
+from .paper import Paper
+from .sheet import Layer, Sheet
+from .speeds import Speeds, index
+
+LONGEST, SHORTEST = 20.0, 1.0
+"""How long the largest velocity is drawn, and how long one is that is drawn at all."""
+
+FAR = 1.5
+"""How often as far off as the mechanism is large a centre may be to be drawn."""
+
+CROSS = 1.6
+"""Half the size of the cross at an instantaneous centre."""
+
+
+@frozen
+class Marks:
+    """What is marked: the velocities and the centres of a motion, circles by their points."""
+
+    velocities: Velocities | None = None
+    centres: Velocities | None = None
+    circles: Mapping[str, float] = MappingProxyType({})
+
+
+NO_MARKS = Marks()
+
+
+class Centre(NamedTuple):
+    """Where a link would be pinned to the ground to move as it does: its instantaneous centre."""
+
+    link: Link
+    at: Plane
+
+
+def draw_marks(sheet: Sheet, paper: Paper, marks: Marks) -> None:
+    """Draw what is asked for over a scheme."""
+    for point, radius in marks.circles.items():
+        sheet.draw(Layer.LOADS, [Arc(paper.at(point), radius * paper.scale, FORCE)])
+    if marks.centres is not None:
+        for centre in _centres(paper, marks.centres):
+            if _is_near(paper, centre):
+                _draw_centre(sheet, paper, centre)
+    if marks.velocities is not None:
+        _draw_velocities(sheet, paper, marks.velocities)
+
+
+def say_marks(paper: Paper, marks: Marks) -> Iterator[str]:
+    """Yield which centres are too far off to be drawn."""
+    centres = _centres(paper, marks.centres) if marks.centres else ()
+    far = [c.link.name for c in centres if not _is_near(paper, c)]
+    if far:
+        yield f"Too far off to be drawn: the instantaneous centres of {', '.join(far)}."
+
+
+def _draw_velocities(sheet: Sheet, paper: Paper, velocities: Velocities) -> None:
+    speeds, scale = Speeds(velocities), LONGEST / velocities.largest
+    for point, velocity in velocities.points.items():
+        step = velocity.times(scale)
+        if not split_points(point) or math.hypot(*step) < SHORTEST:
+            continue
+        tail = paper.at(point)
+        tip = tail.plus(step)
+        sheet.draw(Layer.LOADS, symbols.arrow(tail, tip, VELOCITY))
+        size = speeds.size(velocities.speed(point), point)
+        sheet.name(Around(tip, (*speeds.name(point), *size), VELOCITY, step.angle, 0.5))
+
+
+def _centres(paper: Paper, velocities: Velocities) -> Iterator[Centre]:
+    """Yield the centres of links that turn about no point of their own."""
+    least = 1e-9 * velocities.largest / paper.figure.size
+    for part in paper.figure.parts:
+        if not isinstance(part, Link) or abs(velocities.spins.get(part.name, 0.0)) < least:
+            continue
+        if all(velocities.speed(p) > 1e-9 * velocities.largest for p in part.points):
+            point, spin = part.points[0], velocities.spins[part.name]
+            arm = velocities.points[point].turned().times(1 / spin)
+            yield Centre(part, paper.place(paper.figure.points[point].plus(arm)))
+
+
+def _is_near(paper: Paper, centre: Centre) -> bool:
+    places = [paper.at(point) for point in paper.figure.points]
+    xs, ys = [at.x for at in places], [at.y for at in places]
+    reach = FAR * max(max(xs) - min(xs), max(ys) - min(ys))
+    middle = Plane((min(xs) + max(xs)) / 2, (min(ys) + max(ys)) / 2)
+    return math.dist(centre.at, middle) < reach
+
+
+def _draw_centre(sheet: Sheet, paper: Paper, centre: Centre) -> None:
+    """Draw a cross, and the lines to it, on which the velocities of the pins are square."""
+    for point in centre.link.points:
+        sheet.draw(Layer.AXES, [symbols.line(paper.at(point), centre.at, AXIS)])
+    for along in (Plane(CROSS, CROSS), Plane(CROSS, -CROSS)):
+        ends = centre.at.minus(along), centre.at.plus(along)
+        sheet.draw(Layer.LOADS, [symbols.line(*ends, SYMBOL)])
+    runs = (Run("P", italic=True), index(*centre.link.points))
+    sheet.name(Around(centre.at, runs, SYMBOL, math.pi / 4, CROSS))

@@ -1,0 +1,44 @@
+"""What velocities are called, and how large they are."""
+
+from ..figure.velocities import Velocities
+from ..frozen import frozen
+from .drawing import Run
+from .lettering import figures, name
+
+
+def index(*points: str) -> Run:
+    """Return points as an index."""
+    return Run("".join(run.text for point in points for run in name(point)), level=-1)
+
+
+@frozen
+class Speeds:
+    """The velocities of one motion."""
+
+    velocities: Velocities
+
+    def name(self, *points: str) -> tuple[Run, ...]:
+        """Return what the velocity of a point is called, or that relative to another one."""
+        return Run("V", italic=True), index(*points)
+
+    def spin_name(self, link: str) -> tuple[Run, ...]:
+        """Return what the angular velocity of a link is called."""
+        return Run("ω", italic=True), index(link)
+
+    def size(self, speed: float, *of: str) -> tuple[Run, ...]:
+        """Return how large a speed is that depends on some points; nothing where that is open."""
+        per = self.velocities.per
+        if of == (per,) or not self.velocities.chosen.isdisjoint(of):
+            return ()
+        return (Run(f" = {figures(speed)}\u2009"), *(self.name(per) if per else [Run("m/s")]))
+
+    def spin(self, link: str) -> tuple[Run, ...]:
+        """Return the angular velocity of a link; nothing where that is open."""
+        if link in self.velocities.chosen:
+            return ()
+        per, spin = self.velocities.per, self.velocities.spins[link]
+        least = 1e-9 * max(map(abs, self.velocities.spins.values()))
+        if abs(spin) <= least:
+            return (*self.spin_name(link), Run(" = 0"))
+        unit = (*self.name(per), Run("/m")) if per else (Run("rad/s"),)
+        return (*self.spin_name(link), Run(f" = {figures(spin)}\u2009"), *unit)

@@ -1,0 +1,221 @@
+"""The polygon of velocities: those of points from the pole, those relative to others between."""
+
+import math
+from collections.abc import Iterator
+from itertools import combinations
+from typing import NamedTuple
+
+from ..figure.figure import Figure, Link, Telescope
+from ..figure.velocities import Velocities
+from ..formula.names import split_points
+from ..frozen import frozen
+from ..pose.places import NOWHERE, Plane
+from .drawing import RELATIVE, SYMBOL, VELOCITY, Arc, Drawing, Pen, Run
+from .labels import Around, Beside
+from .lettering import name
+from .sheet import Layer, Sheet
+from .speeds import Speeds, index
+from .symbols import arrow
+
+LARGE = 62.0
+"""How wide or high the polygon is, in millimetres."""
+
+NEAR = 0.5
+"""Points nearer to each other than this, in millimetres, are drawn as one."""
+
+SHORT = 5.0
+"""An arrow shorter than this, in millimetres, is not named in the polygon."""
+
+DOT = 0.6
+"""The radius of a point of the polygon."""
+
+AHEAD = math.radians(2.0)
+"""Arrows from the pole with less than this between them lie on each other."""
+
+
+class Node(NamedTuple):
+    """A place in the polygon, the points whose velocities end there, and those under a pin."""
+
+    at: Plane
+    points: tuple[str, ...]
+    under: tuple[tuple[str, str], ...] = ()
+
+
+class Side(NamedTuple):
+    """A velocity of ``points[1]`` relative to ``points[0]``, which is a point or a body."""
+
+    start: Node
+    end: Node
+    points: tuple[str, str]
+
+
+def scale_of(velocities: Velocities) -> float:
+    """Return how many millimetres a unit of speed is."""
+    ends = [NOWHERE, *velocities.points.values()]
+    xs, ys = [end.x for end in ends], [end.y for end in ends]
+    return LARGE / max(max(xs) - min(xs), max(ys) - min(ys))
+
+
+class Arrow(NamedTuple):
+    """An arrow and what it is called."""
+
+    tail: Plane
+    tip: Plane
+    runs: tuple[Run, ...]
+    pen: Pen
+
+
+class Polygon(NamedTuple):
+    """The polygon, and what is said of arrows beside which there is no room."""
+
+    drawing: Drawing
+    left: tuple[tuple[Run, ...], ...]
+
+
+def velocity_polygon(figure: Figure, velocities: Velocities) -> Polygon:
+    """Return the polygon of the velocities of one motion."""
+    maker = _Maker(figure, velocities, Speeds(velocities), scale_of(velocities))
+    return maker.polygon()
+
+
+@frozen
+class _Maker:
+    """One motion at a scale in millimetres to a unit of speed."""
+
+    figure: Figure
+    velocities: Velocities
+    speeds: Speeds
+    scale: float
+
+    def polygon(self) -> Polygon:
+        sheet, nodes = Sheet(), self._nodes()
+        arrows = list(self._arrows(nodes))
+        for one in arrows:
+            sheet.draw(Layer.LOADS, arrow(one.tail, one.tip, one.pen))
+        for node in nodes:
+            sheet.draw(Layer.PINS, [Arc(node.at, DOT, SYMBOL, fill="solid")])
+        for node in nodes:
+            towards = node.at.angle if node is not nodes[0] else -math.pi / 2
+            runs = self._named(node, node is nodes[0])
+            sheet.name_now(Around(node.at, runs, SYMBOL, towards, DOT))
+        left = [one.runs for one in arrows if not _is_named(sheet, one, nodes)]
+        return Polygon(sheet.finished("", ""), tuple(left))
+
+    def _arrows(self, nodes: list[Node]) -> Iterator[Arrow]:
+        """Yield the arrows from the pole, then those between other points."""
+        for node in nodes[1:]:
+            if node.points:
+                yield Arrow(NOWHERE, node.at, self._absolute(node), VELOCITY)
+        for side in self._sides(nodes):
+            yield Arrow(side.start.at, side.end.at, self._relative(side), RELATIVE)
+
+    # --------------------------------------------------------------------------- nodes
+
+    def _nodes(self) -> list[Node]:
+        """Return the pole, which has what stands still, and where the other velocities end."""
+        nodes = [Node(NOWHERE, ())]
+        for point, velocity in self.velocities.points.items():
+            if split_points(point):
+                self._join(nodes, Node(velocity.times(self.scale), (point,)))
+        for point, body, velocity in self.velocities.slidings:
+            under = self.velocities.points[point].minus(velocity)
+            self._join(nodes, Node(under.times(self.scale), (), ((point, body),)))
+        return nodes
+
+    def _join(self, nodes: list[Node], new: Node) -> None:
+        for i, node in enumerate(nodes):
+            if math.dist(node.at, new.at) < NEAR:
+                nodes[i] = Node(node.at, node.points + new.points, node.under + new.under)
+                return
+        nodes.append(new)
+
+    def _sides(self, nodes: list[Node]) -> Iterator[Side]:
+        """Yield the relative velocities, one where several are between the same nodes."""
+        known = set[frozenset[int]]()
+        for points in self._pairs():
+            start, end = (self._node(nodes, point) for point in points)
+            ends = frozenset((nodes.index(start), nodes.index(end)))
+            if nodes[0] not in (start, end) and len(ends) == 2 and ends not in known:
+                known.add(ends)
+                yield Side(start, end, points)
+        for point, body, _ in self.velocities.slidings:
+            start = next(node for node in nodes if (point, body) in node.under)
+            end = self._node(nodes, point)
+            if start != end:
+                yield Side(start, end, (body, point))
+
+    def _pairs(self) -> Iterator[tuple[str, str]]:
+        """Yield the points of bodies between which there is a relative velocity.
+
+        On a link that turns about a pivot those from the pole say it all.
+        """
+        for part in self.figure.parts:
+            if isinstance(part, Link | Telescope):
+                known = [p for p in part.points if p in self.velocities.points and split_points(p)]
+                if all(self.velocities.speed(p) * self.scale > NEAR for p in known):
+                    yield from combinations(known, 2)
+
+    def _node(self, nodes: list[Node], point: str) -> Node:
+        return next(node for node in nodes if point in node.points)
+
+    # ------------------------------------------------------------------------- lettering
+
+    def _named(self, node: Node, is_pole: bool) -> tuple[Run, ...]:
+        """Return the small letters of the points that a node stands for."""
+        taken = any(run.text == "P" for p in self.velocities.points for run in name(p))
+        pole = [(Run("p", italic=True), *([Run("v", level=-1)] if taken else []))]
+        parts = [
+            *(pole if is_pole else []),
+            *(_small(point) for point in node.points),
+            *((*_small(point), index(*_points(self.figure, body))) for point, body in node.under),
+        ]
+        return tuple(run for part in parts for run in (Run(", "), *part))[1:]
+
+    def _absolute(self, node: Node) -> tuple[Run, ...]:
+        """Return the name and the size of the velocity from the pole to a node."""
+        names = [self.speeds.name(point) for point in node.points]
+        equal = tuple(run for named in names for run in (Run(" = "), *named))[1:]
+        first = node.points[0]
+        if self.velocities.per in node.points:
+            return equal
+        return (*equal, *self.speeds.size(self.velocities.speed(first), first))
+
+    def _relative(self, side: Side) -> tuple[Run, ...]:
+        """Return the name and the size of a relative velocity."""
+        base, point = side.points
+        speed = math.dist(side.start.at, side.end.at) / self.scale
+        if base in self.velocities.points:
+            return (*self.speeds.name(point, base), *self.speeds.size(speed, point, base))
+        named = Run(f"{index(point).text},{index(*_points(self.figure, base)).text}", level=-1)
+        return (Run("V", italic=True), named, *self.speeds.size(speed, point, base))
+
+
+def _small(point: str) -> tuple[Run, ...]:
+    return tuple(run._replace(text=run.text.lower()) for run in name(point))
+
+
+def _points(figure: Figure, body: str) -> tuple[str, ...]:
+    links = (p for p in figure.parts if isinstance(p, Link) and p.name == body)
+    return next((link.points for link in links), (body,))
+
+
+def _is_named(sheet: Sheet, one: Arrow, nodes: list[Node]) -> bool:
+    """Write the name of an arrow next to it; return whether it is long enough, with room."""
+    start = one.tail if one.tail != NOWHERE else _behind(one.tip, nodes)
+    if math.dist(start, one.tip) < SHORT:
+        return False
+    return sheet.name_next_to(Beside(start, one.tip, one.runs, one.pen))
+
+
+def _behind(tip: Plane, nodes: list[Node]) -> Plane:
+    """Return the end of the next shorter arrow that lies on one, else the pole."""
+    length = math.hypot(*tip)
+    on = [
+        at
+        for at, points, _ in nodes
+        if points
+        and 0 < math.hypot(*at) < length - NEAR
+        and abs(at.turned().dot(tip)) < AHEAD * math.hypot(*at) * length
+        and at.dot(tip) > 0
+    ]
+    return max(on, key=lambda at: math.hypot(*at), default=NOWHERE)
