@@ -197,6 +197,10 @@ CONSTRUCTS = [
     ("find P, V_D/V_A, R_B on AB", "find: [P, V_D/V_A, R_B on AB]"),
     ("find omega_OB/V_A\nfind N = N_AB", "find: [omega_OB/V_A, N = N_AB]"),
     ("find R = R_B on AB", "find: {R: R_B on AB}"),
+    (
+        "report scheme, bodies\nreport k, plot k over alpha",
+        "report: [scheme, bodies, k, plot k over alpha]",
+    ),
     ("require 0 deg < alpha + theta <= 90 deg", "require: [0 deg < alpha + theta <= 90 deg]"),
     (
         "expect k = 7.1407 at alpha = 35 deg, beta = 7 deg",

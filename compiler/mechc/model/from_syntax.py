@@ -30,6 +30,7 @@ from .motion import check_drives, read_assemblies, read_drives
 from .parameters import warn_unused
 from .points import Points
 from .reactions import check_rods
+from .reported import read_reported
 from .results import read_expects, read_requires
 from .scope import Scope
 from .sheets import as_written, refuse_links_in_a_sheet, written_as_sheet
@@ -68,6 +69,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     check_drives(mechanism, report)
     report.stop_on_errors()
     mechanism = with_held(mechanism, report)
+    mechanism = replace(mechanism, reported=read_reported(file, mechanism, scope))
     report.stop_on_errors()
     warn_unused(found.parameters, scope)
     warn_idle(mechanism.joints, points)

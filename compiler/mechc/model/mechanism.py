@@ -271,13 +271,21 @@ class Expect:
     stated: bool = False
 
 
+class Reported(NamedTuple):
+    """A part of a report: a picture or a result, or the plot of one ``over`` a parameter."""
+
+    name: str
+    over: str = ""
+
+
 @frozen
 class Mechanism:
     """A whole description, resolved and checked.
 
     ``literals`` are the lengths that it gives by numbers, each once, under names that it does
     not use: formulas have a :class:`~..formula.tree.Constant` for each. ``held`` are the drives
-    that stay at their values while ``drive`` moves. A calculation sheet may have results
+    that stay at their values while ``drive`` moves. ``reported`` is what a report holds, all where
+    nothing says so. A calculation sheet may have results
     ``taken`` from mechanisms that it uses.
     """
 
@@ -305,6 +313,7 @@ class Mechanism:
     requires: tuple[Require, ...] = ()
     expects: tuple[Expect, ...] = ()
     tables: tuple[WrittenTable, ...] = ()
+    reported: tuple[Reported, ...] = ()
     translations: Mapping[str, Mapping[str, str]] = MappingProxyType({})
     """By language, what texts of the description are in it."""
     taken: tuple[Taken, ...] = ()

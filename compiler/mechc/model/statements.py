@@ -7,7 +7,7 @@ from ..diagnostics.model.names import stated_again
 from ..frozen import replace
 from ..syntax import ast
 
-REPEATABLE = (ast.Find, ast.Expect, ast.Require, ast.Assembly, ast.Telescope)
+REPEATABLE = (ast.Find, ast.Expect, ast.Require, ast.Assembly, ast.Telescope, ast.Reported)
 """Statements of which no rule says that they may not stand twice."""
 
 S = TypeVar("S", bound=ast.Statement)
@@ -27,9 +27,7 @@ def check_doubled(file: ast.File, report: Report) -> None:
     """Warn of a statement that says over again what one before it says."""
     first: dict[ast.Statement, ast.Statement] = {}
     for statement in file.statements:
-        if isinstance(
-            statement, ast.Find | ast.Expect | ast.Require | ast.Assembly | ast.Telescope
-        ):
+        if isinstance(statement, REPEATABLE):
             plain = replace(statement, comments=(), remark="")
             if plain in first:
                 report.add(stated_again(statement.span, first[plain].span))

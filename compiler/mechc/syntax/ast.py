@@ -687,6 +687,17 @@ class Expect(Statement):
 
 
 @frozen
+class Reported(Statement):
+    """``report scheme``, ``report k``, ``report plot k over alpha``: one thing that a report holds.
+
+    ``over`` is what a plot is against, None for what is no plot.
+    """
+
+    name: Name
+    over: Name | None = None
+
+
+@frozen
 class File:
     """A whole description: its statements in order, and the comments after the last one."""
 

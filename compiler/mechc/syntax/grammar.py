@@ -41,8 +41,8 @@ def spelling() -> dict[str, str]:
     return parser().tables.texts
 
 
-ANYWHERE = -1
-"""The first of a word behind the name of a statement, wherever that is."""
+ANYWHERE, EACH = -1, -2
+"""The first of a word behind the name of a statement, wherever that is; or each of them."""
 
 SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "load": frozenset({("load", 0)}),
@@ -64,6 +64,9 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "en": frozenset({("translate", ANYWHERE)}),
     "uk": frozenset({("translate", ANYWHERE)}),
     "ru": frozenset({("translate", ANYWHERE)}),
+    "report": frozenset({("report", 0)}),
+    "plot": frozenset({("report", EACH), ("reported", EACH)}),
+    "over": frozenset({("report", EACH), ("reported", EACH)}),
     "next": frozenset({("let", 3), ("worth", 0)}),
 }
 """Words that are names but in one kind of statement, by its first word or two, at one place in it.
@@ -90,7 +93,7 @@ def with_names(line: Sequence[Token], start: Start) -> list[Token]:
 
 def _stands(word: str, place: int, begun: Sequence[str], line: Sequence[Token]) -> bool:
     """Tell whether a soft word at a place of a statement is a word of the language there."""
-    if any((first, place) in SOFT[word] for first in begun):
+    if any((first, at) in SOFT[word] for first in begun for at in (place, EACH)):
         return True
     anywhere = any((first, ANYWHERE) in SOFT[word] for first in begun)
     return anywhere and place > 1 and word not in line[2:place]

@@ -360,6 +360,11 @@ SECTIONS: tuple[Section, ...] = (
         Entry(ast.Expect, short=plain(Kind.EXPECTATION, "subject", "value", "at", "tolerance")),
     ),
     listed(
+        "report",
+        "what a report of it holds",
+        Entry(ast.Reported, short=plain(Kind.REPORTED, "name", "over")),
+    ),
+    listed(
         "translate",
         "what titles, labels and remarks are in other languages",
         Entry(

@@ -33,6 +33,7 @@ class Kind(Enum):
     RESULT = auto()
     CONDITION = auto()
     EXPECTATION = auto()
+    REPORTED = auto()  # scheme, k, plot k over alpha
     MEASURE = auto()  # 40 mm +- 0.1 mm
     WORTH = auto()  # 2*a, 1 when a < b else 2, m49 at r, next d in pins
     UNIT = auto()

@@ -21,6 +21,7 @@ Start = Literal[
     "result",
     "condition",
     "expectation",
+    "reported",
     "end",
     "rim",
     "measure",

@@ -188,6 +188,11 @@ def settings(given: tuple[tuple[ast.Name, ast.Expr], ...]) -> str:
     return ", ".join(f"{name.text} = {expression(value)}" for name, value in given)
 
 
+def reported(part: ast.Reported) -> str:
+    """Return ``scheme``, or ``plot k over alpha``."""
+    return part.name.text if part.over is None else f"plot {part.name.text} over {part.over.text}"
+
+
 def expectation(expected: ast.Expect) -> str:
     """Return ``k = 7.1 at alpha = 35 deg``."""
     at = f" at {settings(expected.at)}" if expected.at else ""

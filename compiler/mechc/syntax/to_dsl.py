@@ -92,6 +92,7 @@ SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (
     ),
     (*FRICTIONS, ast.Motion, ast.Efficiency),
     (ast.Use, ast.Let, ast.Find, ast.Require, ast.Expect),
+    (ast.Reported,),
     (ast.Translate,),
 )
 SUBJECT = {node: number for number, nodes in enumerate(SUBJECTS) for node in nodes}
@@ -153,6 +154,8 @@ def line(statement: ast.Statement) -> str:
     match statement:
         case ast.Find():
             return f"find {text.result(statement)}"
+        case ast.Reported():
+            return f"report {text.reported(statement)}"
         case ast.Require():
             return f"require {text.condition(statement)}"
         case ast.Expect():

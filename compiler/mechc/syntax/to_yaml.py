@@ -224,6 +224,8 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return text_scalar(used.text, flow)
         case Kind.GIVEN, [given_values]:
             return f"{{{', '.join(_setting(*setting) for setting in given_values)}}}"
+        case Kind.REPORTED, [name, over]:
+            return scalar(text.reported(ast.Reported(name.span, name, over)), flow)
         case Kind.EXPECTATION, [subject, value, at, tolerance]:
             expected = ast.Expect(subject.span, subject, value, at, tolerance)
             return scalar(text.expectation(expected), flow)

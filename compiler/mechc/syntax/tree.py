@@ -285,6 +285,16 @@ def expectation(
     return ast.Expect(NOWHERE, subject, value, settings, tolerance)
 
 
+def part_of_report(name: ast.Name) -> ast.Reported:
+    """Return ``scheme``, or ``k``."""
+    return ast.Reported(name.span, name)
+
+
+def plot_in_report(name: ast.Name, over: ast.Name) -> ast.Reported:
+    """Return ``plot k over alpha``."""
+    return ast.Reported(name.span.to(over.span), name, over)
+
+
 def name(token: Token) -> ast.Name:
     """Return a name that the user gives or uses."""
     return expressions.new_name(str(token), span_of(token))
@@ -374,6 +384,7 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "friction_ring": friction_ring,
     "motion": motion,
     "finds": tupled,
+    "reports": tupled,
     "require": require,
     "expect": itself,
 }
@@ -381,6 +392,8 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
 PARTS: Mapping[str, Made] = {
     "unnamed_result": unnamed_result,
     "named_result": named_result,
+    "part_of_report": part_of_report,
+    "plot_in_report": plot_in_report,
     "condition": expressions.chain,
     "expectation": expectation,
     "measure": measure,

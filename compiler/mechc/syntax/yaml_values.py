@@ -213,6 +213,12 @@ def expectation(node: Node, source: Source) -> Fields:
     return found.subject, found.value, found.at, found.tolerance
 
 
+def reported(node: Node, source: Source) -> Fields:
+    """Read ``scheme`` or ``plot k over alpha``."""
+    found = parsed("reported", "what a report holds, such as scheme", node, source)
+    return found.name, found.over
+
+
 def measure(node: Node, source: Source) -> Fields:
     """Read ``40 mm +- 0.1 mm``."""
     value, tolerance = parsed("measure", "an expression", node, source)
@@ -325,6 +331,7 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.RESULT: result,
     Kind.CONDITION: condition,
     Kind.EXPECTATION: expectation,
+    Kind.REPORTED: reported,
     Kind.MEASURE: measure,
     Kind.WORTH: worth,
     Kind.UNIT: unit,

@@ -1,0 +1,37 @@
+"""What a report of a mechanism holds: ``report scheme, k, plot k over alpha``."""
+
+from collections.abc import Iterator
+
+from ..diagnostics import near_miss
+from ..diagnostics.model import reported as messages
+from ..syntax import ast
+from .mechanism import Mechanism, Reported
+from .scope import Scope
+from .statements import every
+from .values import range_of
+
+PICTURES = ("scheme", "bodies", "plans", "stroke")
+"""What a report may hold beside results and plots."""
+
+
+def read_reported(file: ast.File, mechanism: Mechanism, scope: Scope) -> tuple[Reported, ...]:
+    """Return what the report holds, in order; report what is none of the mechanism's."""
+    return tuple(_checked(file, mechanism, scope))
+
+
+def _checked(file: ast.File, mechanism: Mechanism, scope: Scope) -> Iterator[Reported]:
+    results = [name for name, entry in scope.entries.items() if entry.kind in ("result", "let")]
+    ranged = [p.name for p in mechanism.parameters if range_of(p.name, mechanism)]
+    for part in every(file, ast.Reported):
+        name, over = part.name, part.over
+        known = results if over else [*PICTURES, *results]
+        if name.text not in known:
+            hint = near_miss(name.text, known)
+            scope.report.add(messages.no_part_of_a_report(name.span, name.text, known, hint))
+        elif over and over.text not in ranged:
+            hint = near_miss(over.text, ranged)
+            scope.report.add(messages.plot_over_no_range(over.span, over.text, ranged, hint))
+        elif name.text == "stroke" and mechanism.drive is None:
+            scope.report.add(messages.stroke_without_drive(name.span))
+        else:
+            yield Reported(name.text, over.text if over else "")
