@@ -19,6 +19,7 @@ if TYPE_CHECKING:
     from ..plot.plot import Plot
     from ..plot.query import Query
     from ..statics.diagram import Diagram
+    from ..study.stroke.stroke import Stroke
 
 
 class Compiled(Protocol):
@@ -69,6 +70,14 @@ class Compiled(Protocol):
 
     def drawn_bodies(self, words: Mapping[str, str]) -> "Drawing | None":
         """Return the free bodies drawn, in the words of a language; None where there are none."""
+        ...
+
+    def drawn_plans(self, words: Mapping[str, str]) -> "Drawing | None":
+        """Return the plans of velocities and forces, in the words of a language, if any."""
+        ...
+
+    def stroke(self, points: int) -> "Stroke":
+        """Return the results along the stroke of the drive, in so many rows."""
         ...
 
     def plot(self, query: "Query") -> "Plot":

@@ -8,6 +8,7 @@ class Pictures(NamedTuple):
 
     scheme: tuple[str, ...] = ()
     bodies: tuple[str, ...] = ()
+    plans: tuple[str, ...] = ()
     plot: tuple[str, ...] = ()
     table: tuple[str, ...] = ()
 

@@ -1,20 +1,20 @@
 """The pictures of a report, each at its place: scheme, free bodies, plot, and its table."""
 
-import math
 import re
 from collections.abc import Iterable, Iterator
 
 from ...drawing.drawing import Drawing
-from ...plot.plot import Axis, Column, Plot
-from ...plot.usual import usual
+from ...model.mechanism import Reported
+from ...plot.plot import Column, Plot
+from ...plot.query import Query
+from ...plot.usual import ROWS, usual
 from ...report.languages.locale import Locale
 from ...report.latex.notation import Notation, name
-from ...report.latex.quantity import decimal
-from ...report.latex.unit_symbols import unit_symbol
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
 from ..tikz.picture import definitions, tikzpicture
 from .picture_lines import Pictures
+from .tables import along_stroke, head, number, tabular
 
 WIDE, HIGH = 155.0, 200.0
 """How large a picture may be on a page, in millimetres; a larger one is made smaller."""
@@ -34,18 +34,50 @@ def preamble() -> Iterator[str]:
 
 
 def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
-    """Return the pictures of a mechanism at the pose of its description."""
-    words, scheme = locale.pictures, compiled.scheme
-    bodies = compiled.drawn_bodies(words)
-    query = usual(compiled.mechanism, compiled.routine)
-    plot = compiled.plot(query) if query else None
+    """Return the pictures of a mechanism at the pose of its description.
+
+    They are those that it wants in its report; where it says nothing, the scheme, the free
+    bodies, the plot of the first result, and the table of that, along the stroke if there is one.
+    """
+    named = {part.name for part in _wanted(compiled) if not part.over}
+    words, plots = locale.pictures, [compiled.plot(query) for query in _queries(compiled)]
+    along = compiled.stroke(ROWS) if "stroke" in named else None
     found = Pictures(
-        tuple(_picture(scheme, words["scheme"])) if scheme else (),
-        tuple(_picture(bodies, words["bodies"])) if bodies else (),
-        tuple(_centred(plotted(plot), _against(plot, locale, style))) if plot else (),
-        tuple(_table(plot, locale, style)) if plot else (),
+        _drawn(compiled.scheme if "scheme" in named else None, words["scheme"]),
+        _drawn(compiled.drawn_bodies(words) if "bodies" in named else None, words["bodies"]),
+        _drawn(compiled.drawn_plans(words) if "plans" in named else None, words["plans"]),
+        tuple(line for p in plots for line in _centred(plotted(p), _against(p, locale, style))),
+        tuple(along_stroke(along, locale, style) if along else _tables(plots, locale, style)),
     )
     return Pictures(*(tuple(_localized(lines, locale)) for lines in found))
+
+
+def _wanted(compiled: Compiled) -> tuple[Reported, ...]:
+    """Return what the report holds."""
+    usual_ones = ("scheme", "bodies", *(["stroke"] if compiled.mechanism.drive else []))
+    return compiled.mechanism.reported or tuple(map(Reported, usual_ones))
+
+
+def _queries(compiled: Compiled) -> Iterator[Query]:
+    """Yield what is plotted."""
+    for part in compiled.mechanism.reported:
+        if part.over:
+            yield Query(part.over, (part.name,), points=ROWS)
+    if not compiled.mechanism.reported:
+        first = usual(compiled.mechanism, compiled.routine)
+        yield from (first,) if first else ()
+
+
+def _drawn(drawing: Drawing | None, caption: str) -> tuple[str, ...]:
+    return tuple(_picture(drawing, caption)) if drawing else ()
+
+
+def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield the table of the values of each plot."""
+    for plot in plots:
+        heads = [head(name(c.axis.name, style), c.axis.unit, locale) for c in plot.columns]
+        columns = (_cells(column, style) for column in plot.columns)
+        yield from tabular(heads, list(zip(*columns, strict=True)))
 
 
 def _picture(drawing: Drawing, caption: str) -> Iterator[str]:
@@ -69,35 +101,9 @@ def _against(plot: Plot, locale: Locale, style: Notation) -> str:
     return locale.pictures["plot"].format(names=names, x=f"${name(plot.x.name, style)}$")
 
 
-def _table(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:
-    """Yield the table of the values that are plotted."""
-    yield r"\begin{center}"
-    yield rf"\begin{{tabular}}{{@{{}}{'r' * len(plot.columns)}@{{}}}}"
-    yield r"\toprule"
-    yield f"{' & '.join(_head(c.axis, locale, style) for c in plot.columns)} \\\\"
-    yield r"\midrule"
-    for row in zip(*(_cells(c, style) for c in plot.columns), strict=True):
-        yield f"{' & '.join(row)} \\\\"
-    yield r"\bottomrule"
-    yield r"\end{tabular}"
-    yield r"\end{center}"
-
-
-def _head(axis: Axis, locale: Locale, style: Notation) -> str:
-    unit = unit_symbol(axis.unit, locale).removeprefix(r"\,")
-    return f"${name(axis.name, style)}${f', ${unit}$' if unit else ''}"
-
-
 def _cells(column: Column, style: Notation) -> Iterator[str]:
     for value in column.values:
-        yield _number(value / column.axis.size, style)
-
-
-def _number(value: float, style: Notation) -> str:
-    """Return a number; a dash where there is none."""
-    if math.isnan(value):
-        return "--"
-    return f"${decimal(value, style)}$" if math.isfinite(value) else r"$\infty$"
+        yield number(value / column.axis.size, style)
 
 
 def _localized(lines: Iterable[str], locale: Locale) -> Iterator[str]:

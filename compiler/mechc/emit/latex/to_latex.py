@@ -14,6 +14,7 @@ from ...formula.tree import ZERO
 from ...model.mechanism import Parameter
 from ...model.sheets import is_sheet
 from ...report.brief import needed, relations, short
+from ...report.chosen import chosen
 from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import evaluated
 from ...report.languages import registry
@@ -112,7 +113,8 @@ class Latex:
         """Return one ``.tex`` file."""
         locale = registry.locale(options.language)
         body = _body(compiled, locale, notation(options.language), options)
-        drawn = _preamble() if options.pictures else ()
+        pictured = options.pictures or compiled.mechanism.reported
+        drawn = _preamble() if pictured else ()
         text = body if options.fragment else document(body, locale, drawn)
         return (Emitted(f"{options.stem}.tex", text),)
 
@@ -178,7 +180,8 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
 
 
 def report(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Report:
-    mechanism, derivation, verdict = compiled.mechanism, compiled.reported, compiled.verdict
+    mechanism, verdict = compiled.mechanism, compiled.verdict
+    derivation = chosen(compiled.reported, mechanism)
     whole = outline(derivation, mechanism)
     found = tuple(evaluated(whole, mechanism)) if options.numbers else ()
     return Report(
@@ -203,7 +206,9 @@ def report(compiled: Compiled, locale: Locale, style: Notation, options: Options
         numbers=numbers(derivation.results, {e.left for e in found}, locale, style),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
-        pictures=_pictures(compiled, locale, style) if options.pictures else NONE,
+        pictures=_pictures(compiled, locale, style)
+        if options.pictures or mechanism.reported
+        else NONE,
     )
 
 
@@ -221,7 +226,8 @@ def _preamble() -> Iterable[str]:
 
 def brief(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Brief:
     """Return the formulas of a report alone: of the position, the speeds, the loads, results."""
-    mechanism, derivation = compiled.mechanism, compiled.reported
+    mechanism = compiled.mechanism
+    derivation = chosen(compiled.reported, mechanism)
     whole = outline(derivation, mechanism)
     found = tuple(short(evaluated(whole, mechanism), derivation)) if options.numbers else ()
     bare = [item for item in found if item.numbers is None]
