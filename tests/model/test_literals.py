@@ -126,7 +126,7 @@ def test_whether_a_mechanism_moves_is_decided_by_the_numbers() -> None:
 
 def test_names_do_not_clash_with_those_of_the_description() -> None:
     mechanism = mechc.loads(CRANK + "let x_Q = 2*k\n")
-    assert {"x_Q_", "len_AB"} <= mechanism.where.keys()
+    assert {"x_Q_2", "len_AB"} <= mechanism.where.keys()
     assert mechanism.evaluate()["x_Q"] == pytest.approx(2 * mechanism.evaluate()["k"])
 
 
@@ -160,4 +160,12 @@ def test_sizes_of_springs_loads_and_pins_have_names_and_units() -> None:
 def test_a_name_that_the_description_has_is_left_to_it() -> None:
     text_of = SIZES.replace("find P", "param d_O = 7 mm\nfind P\nlet z = d_O")
     names = [p.name for p in mechc.loads(text_of)._compilation.mechanism.literals]
-    assert "d_O_" in names
+    assert "d_O_2" in names
+
+
+def test_both_intensities_of_a_load_are_told_apart_on_paper() -> None:
+    text_of = SIZES.replace("intensity 10 N/(5 mm)", "intensity 2 N/mm to 1 N/mm")
+    varied = mechc.loads(text_of.replace("friction pin", "# friction pin"))
+    sizes = {p.name: p.unit for p in varied._compilation.mechanism.literals}
+    assert (sizes["q_Q"], sizes["q_Q_2"]) == ("N/mm", "N/mm")
+    assert "q_Q+2q_{Q,2}" in varied.emit("latex")

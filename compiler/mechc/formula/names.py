@@ -55,6 +55,16 @@ def split_name(name: str) -> Name:
     return Name(stem, primes, tuple(i for i in (number, *indices) if i))
 
 
+def another(name: str) -> str:
+    """Return the name to try where one is taken; it differs on paper, too.
+
+    >>> another("q_Q"), another("q_Q_2"), another("d_1")
+    ('q_Q_2', 'q_Q_3', 'd_2')
+    """
+    stem, _, last = name.rpartition("_")
+    return f"{stem}_{int(last) + 1}" if stem and last.isdecimal() else f"{name}_2"
+
+
 def split_points(name: str) -> tuple[Point, ...]:
     """Split a point, vector or link into its points; ``()`` when it is none of these.
 

@@ -17,6 +17,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 from typing import NamedTuple
 
+from ..formula.names import another
 from ..formula.newton import LONGER
 from ..formula.tree import (
     ONE,
@@ -103,7 +104,7 @@ class _Coupled:
 
     def _name(self, wanted: str) -> str:
         while wanted in self._taken:
-            wanted += "_"
+            wanted = another(wanted)
         self._taken.add(wanted)
         return wanted
 

@@ -14,6 +14,7 @@ from ..algebra.factors import Factor, Length, Opaque, Trig
 from ..algebra.intervals import Box, Interval, sign
 from ..algebra.product import Product, Sum
 from ..algebra.trigonometry import cosine, sine
+from ..formula.names import another
 from ..formula.tree import Call, Formula
 from ..formula.walk import evaluate
 from ..model.result import Definition
@@ -103,7 +104,7 @@ class _Names:
     def fresh(self, name: str) -> str:
         """Return a name that nothing else has: ``name``, if that is free."""
         while name in self._taken:
-            name += "_"
+            name = another(name)
         self._taken.add(name)
         return name
 

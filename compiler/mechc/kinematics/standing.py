@@ -11,6 +11,7 @@ from ..algebra.determinant import shortest_determinant
 from ..algebra.factors import Length
 from ..algebra.product import ZERO, Bound, Product
 from ..algebra.sums import is_long, shortest
+from ..formula.names import another
 from ..frozen import fields, frozen
 from .graph import Form, Kind, Relation
 from .plan import Binding, Block, Plan, Speeds
@@ -133,7 +134,7 @@ class _Ratios:
 
     def _free(self, name: str) -> str:
         while name in self._taken or any(b.name == name for b in self.found.values()):
-            name += "_"
+            name = another(name)
         return name
 
     def _noted(self, name: str, speed: Product) -> int:

@@ -9,6 +9,7 @@ size are one quantity under one name, so that a parallelogram stays one.
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple, assert_never
 
+from ..formula.names import another
 from ..formula.tree import ZERO, Constant, Formula, Sum, negative, number
 from ..formula.walk import evaluate, substitute, symbols
 from ..frozen import fields, replace
@@ -158,7 +159,7 @@ def _names(mechanism: Mechanism) -> set[str]:
 def _free(name: str, taken: set[str]) -> str:
     """Return a name like this one that is not taken, and take it."""
     while name in taken:
-        name += "_"
+        name = another(name)
     taken.add(name)
     return name
 

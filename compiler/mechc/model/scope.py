@@ -6,6 +6,7 @@ from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics.model import names as messages
+from ..formula.names import another
 from ..formula.tree import ZERO, Constant, Formula, Number
 from ..formula.walk import evaluate, symbols
 from ..source import Span
@@ -166,7 +167,7 @@ class Scope:
             name = f"{kind}_{of}" if of else kind
             taken = {*self.entries, *(known.symbol.name for known in self.constants.values())}
             while name in taken:
-                name += "_"
+                name = another(name)
             self.constants[kind, formula] = Named(Constant(name, formula), dimension, span)
         return self.constants[kind, formula].symbol
 

@@ -12,6 +12,7 @@ from typing import NamedTuple
 from ..algebra.from_formula import to_product
 from ..algebra.product import Product
 from ..algebra.sums import add
+from ..formula.names import another
 from ..formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, negative, total
 from ..formula.walk import evaluate, substitute, symbols
 from ..source import Span
@@ -298,7 +299,7 @@ class Sketch:
         if not symbols(value):
             value = number_of(value)
         while self._means_another(name, value):
-            name += "_"
+            name = another(name)
         made = Parameter(name, dimension, self.span(point), value, unit=unit, dependent=True)
         self.parameters.setdefault(name, made)
         return Symbol(name)

@@ -8,6 +8,7 @@ from ...algebra.angle import Angle
 from ...algebra.factors import Length
 from ...algebra.from_formula import to_product
 from ...algebra.sums import add
+from ...formula.names import another
 from ...formula.tree import Call, Formula, degrees, negative, total
 from ...formula.walk import evaluate, symbols
 from ...model.mechanism import Mechanism
@@ -92,7 +93,7 @@ class State:
         """Return a name that nothing has, and keep it."""
         name = stem
         while name in self._taken:
-            name += "_"
+            name = another(name)
         self._taken.add(name)
         return name
 
