@@ -8,11 +8,13 @@ import click
 from ..diagnostics import MechcError
 from ..diagnostics.drawing import no_free_bodies, no_plans, nothing_to_draw
 from ..drawing.drawing import Drawing
+from ..drawing.letters import in_letters
 from ..drawing.moving import Marks
 from ..driver import Compilation, checked, warnings
 from ..emit.picture import FORMATS, in_format_of
 from ..emit.svg.picture import to_svg
 from ..files import write_all
+from ..report.languages.letters import letters
 from ..report.languages.registry import locale
 from ..statics.diagram import friction_circles
 from ..syntax.settings import Settings
@@ -93,7 +95,8 @@ def command(
     """
     _refuse_several(asked)
     compilation = begin(file, stdin_name, settings)
-    drawing = _drawing(compilation, asked, locale(language).pictures)
+    words = locale(language)
+    drawing = in_letters(_drawing(compilation, asked, words.pictures), letters(words))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in paths if path != STANDARD_OUTPUT]
     pictures = {path: in_format_of(path, drawing) for path in files}

@@ -15,12 +15,16 @@ from ..emit.svg.picture import to_svg
 from ..files import write_all
 from ..plot.query import POINTS, Condition, Query, condition
 from ..plot.sampling import Function
+from ..report.languages.letters import letters
+from ..report.languages.registry import locale
 from ..syntax.settings import Settings, parse
+from ..syntax.vocabulary import LANGUAGES
 from .collisions import refuse_collisions
 from .inputs import claim_of, description_argument, settings_option, stdin_option
 from .open import begin, check_names
 from .session import Command, session, session_options
 from .terminal import give, on_terminal
+from .words import Word
 
 STANDARD_OUTPUT = Path("-")
 
@@ -131,6 +135,10 @@ def _constraints(
     "-o", "--output", "outputs", type=click.Path(path_type=Path), multiple=True, callback=_known,
     metavar="PATH", help=f"A file by its suffix: {', '.join(FORMATS)}. May be repeated.",
 )  # fmt: skip
+@click.option(
+    "--lang", "language", type=Word(LANGUAGES), default="en",
+    help="The language of units and decimals.",
+)  # fmt: skip
 @settings_option
 @stdin_option
 @session_options
@@ -145,6 +153,7 @@ def command(
     zone: tuple[Condition, ...],
     points: int,
     outputs: tuple[Path, ...],
+    language: str,
     settings: Settings,
     stdin_name: str,
 ) -> None:
@@ -166,7 +175,7 @@ def command(
     check_names(along, compilation.source, "--along")
     query = Query(x, ys, family, ends, paths, zone, points)
     found = checked(compilation).along(along).plot(query, _watched)
-    plotted = PlotPicture(found, picture(found))
+    plotted = PlotPicture(found, picture(found), letters(locale(language)))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in outputs if path != STANDARD_OUTPUT]
     contents = {path: plotted.content(path) for path in files}
@@ -174,7 +183,7 @@ def command(
     refuse_collisions(files, [claim_of(file)], printed)
     write_all(contents)
     if printed:
-        give(to_svg(plotted.drawing))
+        give(to_svg(plotted.shown))
 
 
 def _watched(functions: Sequence[Function]) -> Iterator[Function]:

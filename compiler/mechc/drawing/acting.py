@@ -69,8 +69,8 @@ class Forces:
     def unit(self) -> tuple[Run, ...]:
         """Return in what forces are measured: newtons, or the load that they are per."""
         if not self.diagram.per:
-            return (Run("N"),)
-        return (*name(self.diagram.per), *([Run("/m")] if self._turning else []))
+            return (Run("N", unit=True),)
+        return (*name(self.diagram.per), *([Run("/m", unit=True)] if self._turning else []))
 
     def size(self, acting: Acting) -> tuple[Run, ...]:
         """Return how large a force is, in newtons or in units of the load that it is per."""
@@ -98,6 +98,6 @@ class Forces:
             return ()
         number = f" = {figures(size)}\u2009"
         if not self.diagram.per:
-            return (Run(number + unit),)
+            return (Run(number), Run(unit, unit=True))
         length = {(True, -1): "/m", (True, 1): "\u2009m"}.get((scaled, metres), "")
-        return (Run(number), *name(self.diagram.per), *([Run(length)] if length else []))
+        return (Run(number), *name(self.diagram.per), *([Run(length, unit=True)] if length else []))

@@ -113,8 +113,8 @@ def in_words(unit: str) -> tuple[Run, ...]:
     if unit in ("deg", ""):
         return (Run("°"),) if unit else ()
     pieces = unit.replace("*", "·").split("^")
-    runs = [Run(pieces[0])]
+    runs = [Run(pieces[0], unit=True)]
     for piece in pieces[1:]:
         runs.append(Run(piece[0], level=1))
-        runs += [Run(piece[1:])] if piece[1:] else []
+        runs += [Run(piece[1:], unit=True)] if piece[1:] else []
     return tuple(runs)

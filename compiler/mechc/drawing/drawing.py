@@ -73,11 +73,15 @@ Shape = Polyline | Arc
 
 
 class Run(NamedTuple):
-    """A piece of text in one type; ``level`` is −1 in an index, +1 in an exponent."""
+    """A piece of text in one type; ``level`` is −1 in an index, +1 in an exponent.
+
+    A ``unit`` is written in the letters of a language.
+    """
 
     text: str
     italic: bool = False
     level: int = 0
+    unit: bool = False
 
 
 class Label(NamedTuple):

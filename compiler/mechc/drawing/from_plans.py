@@ -55,7 +55,7 @@ def _of_velocities(
     speeds, polygon = Speeds(velocities), velocity_polygon(figure, velocities)
     several = words["motion"].format(number=number + 1, count=len(all_)) if len(all_) > 1 else ""
     head = words["velocities"] + (f", {several}" if several else "")
-    unit = speeds.name(velocities.per) if velocities.per else (Run("m/s"),)
+    unit = speeds.name(velocities.per) if velocities.per else (Run("m/s", unit=True),)
     spins = filter(None, map(speeds.spin, velocities.spins))
     return below_each_other(
         [

@@ -30,7 +30,8 @@ class Speeds:
         per = self.velocities.per
         if of == (per,) or not self.velocities.chosen.isdisjoint(of):
             return ()
-        return (Run(f" = {figures(speed)}\u2009"), *(self.name(per) if per else [Run("m/s")]))
+        unit = self.name(per) if per else (Run("m/s", unit=True),)
+        return (Run(f" = {figures(speed)}\u2009"), *unit)
 
     def spin(self, link: str) -> tuple[Run, ...]:
         """Return the angular velocity of a link; nothing where that is open."""
@@ -40,5 +41,5 @@ class Speeds:
         least = 1e-9 * max(map(abs, self.velocities.spins.values()))
         if abs(spin) <= least:
             return (*self.spin_name(link), Run(" = 0"))
-        unit = (*self.name(per), Run("/m")) if per else (Run("rad/s"),)
+        unit = (*self.name(per), Run("/m", unit=True)) if per else (Run("rad/s", unit=True),)
         return (*self.spin_name(link), Run(f" = {figures(spin)}\u2009"), *unit)

@@ -4,6 +4,7 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 
 from ..drawing.drawing import Drawing
+from ..drawing.letters import LATIN, Letters, in_letters
 from ..files import write_all
 from ..frozen import frozen
 from ..plot.plot import Plot
@@ -16,14 +17,10 @@ from .table.xlsx_table import to_xlsx
 OF_DRAWINGS = (".svg", ".pdf", ".png")
 """The suffixes of pictures that are those of any drawing."""
 
-OF_PLOTS: Mapping[str, Callable[[Plot], str | bytes]] = {
-    ".tex": to_pgfplots,
-    ".csv": to_csv,
-    ".xlsx": to_xlsx,
-}
-"""How a plot is written from its values, by the suffix of the file."""
+OF_PLOTS: Mapping[str, Callable[[Plot], str | bytes]] = {".csv": to_csv, ".xlsx": to_xlsx}
+"""How the values of a plot are written, by the suffix of the file."""
 
-FORMATS = (*OF_DRAWINGS, *OF_PLOTS)
+FORMATS = (*OF_DRAWINGS, ".tex", *OF_PLOTS)
 
 
 @frozen
@@ -32,6 +29,12 @@ class PlotPicture:
 
     plot: Plot
     drawing: Drawing
+    letters: Letters = LATIN
+
+    @property
+    def shown(self) -> Drawing:
+        """Return the drawing in the letters of its language."""
+        return in_letters(self.drawing, self.letters)
 
     @property
     def alt(self) -> str:
@@ -42,7 +45,9 @@ class PlotPicture:
         """Return the content of a file by its suffix; KeyError where no format has it."""
         suffix = path.suffix.lower()
         if suffix in OF_DRAWINGS:
-            return in_format_of(path, self.drawing)
+            return in_format_of(path, self.shown)
+        if suffix == ".tex":
+            return to_pgfplots(self.plot, self.letters)
         return OF_PLOTS[suffix](self.plot)
 
     def save(self, path: str | Path) -> None:
@@ -56,4 +61,4 @@ class PlotPicture:
         write_all({target: self.content(target)})
 
     def _repr_svg_(self) -> str:
-        return to_svg(self.drawing)
+        return to_svg(self.shown)

@@ -7,8 +7,10 @@ from collections.abc import Iterable, Iterator, Sequence
 from itertools import takewhile
 
 from ...drawing.drawing import Drawing
+from ...drawing.letters import in_letters
 from ...frozen import frozen
 from ...report.languages import registry
+from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
 from ...report.latex.document_style import style_of
 from ...report.latex.notation import Notation, notation, translated
@@ -77,7 +79,7 @@ def _rows(number: int, compared: Compared, locale: Locale, language: str) -> Ite
     sections = outline(compiled.derivation, compiled.mechanism).results
     beside = _beside(sections, style)
     yield f"{number} &"
-    yield from _scheme(compared, style)
+    yield from _scheme(compared, style, locale)
     yield "&"
     yield from _cell(beside, locale, style)
     yield r"\\"
@@ -92,13 +94,13 @@ def _beside(sections: Sequence[Section], style: Notation) -> Sequence[Section]:
     return list(takewhile(lambda s: width(s, style) <= _ROOM, sections[:_BESIDE]))
 
 
-def _scheme(compared: Compared, style: Notation) -> Iterator[str]:
+def _scheme(compared: Compared, style: Notation, locale: Locale) -> Iterator[str]:
     mechanism, scheme = compared.compiled.mechanism, compared.scheme
     if scheme is not None:
         (left, bottom), (right, top) = scheme.low, scheme.high
         is_tall = top - bottom > _TALL * (right - left)
         yield rf"\resizebox{{!}}{{{_TALL}\linewidth}}{{%" if is_tall else _FULL_WIDTH
-        yield from tikzpicture(scheme)
+        yield from tikzpicture(in_letters(scheme, letters(locale)))
         yield r"}\par\smallskip"
     yield rf"{{\small {translated(mechanism.title or mechanism.name, style)}\par}}"
 

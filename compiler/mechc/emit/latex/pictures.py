@@ -1,13 +1,14 @@
 """The pictures of a report, each at its place: scheme, free bodies, plot, and its table."""
 
-import re
 from collections.abc import Iterable, Iterator
 
 from ...drawing.drawing import Drawing
+from ...drawing.letters import in_letters
 from ...model.mechanism import Reported
 from ...plot.plot import Column, Plot
 from ...plot.query import Query
 from ...plot.usual import ROWS, usual
+from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
 from ...report.latex.notation import Notation, name
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
@@ -18,10 +19,6 @@ from .tables import along_stroke, head, number, tabular
 
 WIDE, HIGH = 155.0, 200.0
 """How large a picture may be on a page, in millimetres; a larger one is made smaller."""
-
-
-_WRITTEN = re.compile(r"\$[^$]*\$")
-"""What a picture says, in mathematics."""
 
 
 def preamble() -> Iterator[str]:
@@ -42,14 +39,17 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     named = {part.name for part in _wanted(compiled) if not part.over}
     words, plots = locale.pictures, [compiled.plot(query) for query in _queries(compiled)]
     along = compiled.stroke(ROWS) if "stroke" in named else None
-    found = Pictures(
-        _drawn(compiled.scheme if "scheme" in named else None, words["scheme"]),
-        _drawn(compiled.drawn_bodies(words) if "bodies" in named else None, words["bodies"]),
-        _drawn(compiled.drawn_plans(words) if "plans" in named else None, words["plans"]),
-        tuple(line for p in plots for line in _centred(plotted(p), _against(p, locale, style))),
-        tuple(along_stroke(along, locale, style) if along else _tables(plots, locale, style)),
+    drawings = {
+        "scheme": compiled.scheme if "scheme" in named else None,
+        "bodies": compiled.drawn_bodies(words) if "bodies" in named else None,
+        "plans": compiled.drawn_plans(words) if "plans" in named else None,
+    }
+    drawn = {name: tuple(_drawn(d, words[name], locale)) for name, d in drawings.items()}
+    return Pictures(
+        **drawn,
+        plot=tuple(line for plot in plots for line in _plotted(plot, locale, style)),
+        table=tuple(along_stroke(along, locale, style) if along else _tables(plots, locale, style)),
     )
-    return Pictures(*(tuple(_localized(lines, locale)) for lines in found))
 
 
 def _wanted(compiled: Compiled) -> tuple[Reported, ...]:
@@ -68,8 +68,15 @@ def _queries(compiled: Compiled) -> Iterator[Query]:
         yield from (first,) if first else ()
 
 
-def _drawn(drawing: Drawing | None, caption: str) -> tuple[str, ...]:
-    return tuple(_picture(drawing, caption)) if drawing else ()
+def _drawn(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[str]:
+    """Yield a drawing, if there is one, in the letters of a language."""
+    if drawing is not None:
+        yield from _picture(in_letters(drawing, letters(locale)), caption)
+
+
+def _plotted(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield a plot above what is plotted against what."""
+    return _centred(plotted(plot, letters(locale)), _against(plot, locale, style))
 
 
 def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[str]:
@@ -104,9 +111,3 @@ def _against(plot: Plot, locale: Locale, style: Notation) -> str:
 def _cells(column: Column, style: Notation) -> Iterator[str]:
     for value in column.values:
         yield number(value / column.axis.size, style)
-
-
-def _localized(lines: Iterable[str], locale: Locale) -> Iterator[str]:
-    """Yield lines with the decimal sign of a language in what is written."""
-    for line in lines:
-        yield _WRITTEN.sub(lambda found: found[0].replace(".", locale.decimal), line)

@@ -1,38 +1,41 @@
 """A plot for LaTeX: axes of pgfplots, with the values of the curves in the text."""
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 
 from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
 from ...drawing.drawing import Pen, Run
+from ...drawing.letters import LATIN, Letters, spelled
 from ...drawing.marks import DOT, dots, values_beside
 from ...drawing.panels import Layout, common_entry, entry, laid_out, ways
 from ...drawing.ticks import Scale
 from ...plot.plot import Curve, Plot
 from ...pose.places import Plane
-from ..tikz.picture import comment, mathematics
+from ..tikz.picture import comment, cyrillic, mathematics
 
 APART = 26.0
 """How far panels are below each other, in millimetres."""
 
 
-def to_pgfplots(plot: Plot) -> str:
-    """Return a plot as a document for every TeX engine."""
+def to_pgfplots(plot: Plot, letters: Letters = LATIN) -> str:
+    """Return a plot as a document for every TeX engine, in the letters of a language."""
+    picture = list(tikzpicture(plot, letters))
     lines = (
         f"% {comment(plot.title)}",
         f"% {comment(describe(plot))}",
         r"\documentclass[tikz]{standalone}",
+        *cyrillic(picture),
         r"\usepackage{pgfplots}",
         r"\pgfplotsset{compat=1.15}",
         r"\begin{document}",
-        *tikzpicture(plot),
+        *picture,
         r"\end{document}",
     )
     return "\n".join(lines) + "\n"
 
 
-def tikzpicture(plot: Plot) -> Iterator[str]:
-    """Yield the lines of the picture alone."""
+def tikzpicture(plot: Plot, letters: Letters = LATIN) -> Iterator[str]:
+    """Yield the lines of the picture alone, in the letters of a language."""
     layouts = [laid_out(plot, panel) for panel in plot.panels]
     yield r"\begin{tikzpicture}"
     for pen in dict.fromkeys(pen for layout in layouts for pen in layout.pens.values()):
@@ -40,39 +43,45 @@ def tikzpicture(plot: Plot) -> Iterator[str]:
     top = 0.0
     for layout in layouts:
         top -= layout.frame.high.y
-        yield from _axis(layout, top)
+        yield from _axis(layout, top, letters)
         top -= APART
     yield r"\end{tikzpicture}"
 
 
-def _axis(layout: Layout, bottom: float) -> Iterator[str]:
+def _axis(layout: Layout, bottom: float, letters: Letters) -> Iterator[str]:
     frame = layout.frame
+    x, y = heading((layout.plot.x,), layout.across), heading(layout.headed, layout.up)
     yield r"\begin{axis}["
     yield f"  at={{(0mm,{bottom:g}mm)}}, anchor=south west, scale only axis,"
     yield f"  width={frame.high.x:g}mm, height={frame.high.y:g}mm,"
     yield f"  xmin={frame.least.x!r}, xmax={frame.most.x!r},"
     yield f"  ymin={frame.least.y!r}, ymax={frame.most.y!r},"
-    yield f"  {_ticks('x', layout.across)},"
-    yield f"  {_ticks('y', layout.up)},"
-    yield f"  xlabel={{${mathematics(heading((layout.plot.x,), layout.across))}$}},"
-    yield f"  ylabel={{${mathematics(heading(layout.headed, layout.up))}$}},"
+    yield f"  {_ticks('x', layout.across, letters)},"
+    yield f"  {_ticks('y', layout.up, letters)},"
+    yield f"  xlabel={{{_set(x, letters)}}},"
+    yield f"  ylabel={{{_set(y, letters)}}},"
     yield "  grid=major, grid style={gray!40, very thin}, legend pos=outer north east,"
     yield "  legend cell align=left, clip mode=individual]"
     yield from _shaded(layout)
     yield from _poles(layout)
     for curve, pen in layout.pens.items():
-        yield from _curve(curve, pen, layout)
+        yield from _curve(curve, pen, layout, letters)
     if layout.common:
         yield r"\addlegendimage{empty legend}"
-        yield rf"\addlegendentry{{${mathematics(common_entry(layout))}$}}"
-    yield from _marks(layout)
+        yield rf"\addlegendentry{{{_set(common_entry(layout), letters)}}}"
+    yield from _marks(layout, letters)
     yield r"\end{axis}"
 
 
-def _ticks(axis: str, scale: Scale) -> str:
+def _set(runs: Iterable[Run], letters: Letters) -> str:
+    """Return text as mathematics in the letters of a language."""
+    return f"${mathematics(spelled(runs, letters))}$"
+
+
+def _ticks(axis: str, scale: Scale, letters: Letters) -> str:
     """Return the ticks and what is written at them."""
     places = ",".join(f"{tick:.12g}" for tick in scale.ticks)
-    texts = ",".join(f"${mathematics((Run(scale.text(t)),))}$" for t in scale.ticks)
+    texts = ",".join(_set((Run(scale.text(t)),), letters) for t in scale.ticks)
     return f"{axis}tick={{{places}}}, {axis}ticklabels={{{texts}}}, scaled {axis} ticks=false"
 
 
@@ -92,17 +101,17 @@ def _poles(layout: Layout) -> Iterator[str]:
         yield rf"\draw[dash dot, gray] {ends};"
 
 
-def _curve(curve: Curve, pen: Pen, layout: Layout) -> Iterator[str]:
+def _curve(curve: Curve, pen: Pen, layout: Layout, letters: Letters) -> Iterator[str]:
     look = f"mechc{pen.name}, line width={pen.width:g}mm" + (", dashed" if pen.dashes else "")
     for i, way in enumerate(ways(curve, layout)):
         told = "" if layout.has_legend and not i else ", forget plot"
         places = " ".join(f"({p.x:.8g},{p.y:.8g})" for p in way)
         yield rf"\addplot[{look}, no markers{told}] coordinates {{{places}}};"
         if not i and layout.has_legend:
-            yield rf"\addlegendentry{{${mathematics(entry(curve, layout))}$}}"
+            yield rf"\addlegendentry{{{_set(entry(curve, layout), letters)}}}"
 
 
-def _marks(layout: Layout) -> Iterator[str]:
+def _marks(layout: Layout, letters: Letters) -> Iterator[str]:
     """Yield rings and dots, and their values where the picture has them, too."""
     for dot, mark in dots(layout):
         x, y = layout.value(mark.at)
@@ -114,4 +123,4 @@ def _marks(layout: Layout) -> Iterator[str]:
     for label in values_beside(layout):
         at = f"rel axis cs:{label.at.x / corner.x:.4f},{label.at.y / corner.y:.4f}"
         look = rf"text=mechc{label.pen.name}, fill=white, inner sep=1pt, font=\small"
-        yield rf"\node[{look}] at ({at}) {{${mathematics(label.runs)}$}};"
+        yield rf"\node[{look}] at ({at}) {{{_set(label.runs, letters)}}};"

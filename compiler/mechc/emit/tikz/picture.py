@@ -1,6 +1,7 @@
 """A drawing as TikZ, in a document of its own that needs no other package."""
 
 import math
+import re
 from collections.abc import Iterable, Iterator
 
 from ...drawing.drawing import PENS, Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
@@ -30,19 +31,44 @@ _LETTERS = {letter: rf"\{name} " for name, letter in GREEK.items()} | {
 
 _PLAIN = frozenset("-/().,'?;")
 
+FONTS = ("cmunrm.otf", "Noto Serif", "FreeSerif", "Liberation Serif", "DejaVu Serif")
+"""Fonts with Cyrillic letters, of which the first is taken that is installed."""
+
+_COMMA = re.compile(r"(?<=\d),(?=\d)")
+"""A decimal comma, behind which mathematics would leave a space."""
+
 
 def to_tikz(drawing: Drawing) -> str:
     """Return a picture as a document for every TeX engine."""
+    picture = list(tikzpicture(drawing))
     lines = (
         f"% {comment(drawing.title)}",
         f"% {comment(drawing.description)}",
         r"\documentclass[tikz]{standalone}",
+        *cyrillic(picture),
         *definitions(),
         r"\begin{document}",
-        *tikzpicture(drawing),
+        *picture,
         r"\end{document}",
     )
     return "\n".join(lines) + "\n"
+
+
+def cyrillic(picture: Iterable[str]) -> Iterator[str]:
+    """Yield the lines of a preamble by which Cyrillic letters are set, where there are any."""
+    if not any(r"\mechccyr" in line for line in picture):
+        return
+    yield r"\usepackage{iftex}"
+    yield r"\ifPDFTeX"
+    yield r"  \usepackage[T2A,T1]{fontenc}"
+    yield r"  \newcommand{\mechccyr}[1]{{\fontencoding{T2A}\fontfamily{cmr}\selectfont #1}}"
+    yield r"\else"
+    yield r"  \usepackage[no-math]{fontspec}"
+    yield r"  \newcommand{\mechccyr}[1]{{#1}}"
+    for font in FONTS:
+        yield rf"  \IfFontExistsTF{{{font}}}{{\setmainfont{{{font}}}}}{{%"
+    yield rf"  {'}' * len(FONTS)}"
+    yield r"\fi"
 
 
 def definitions() -> Iterator[str]:
@@ -128,7 +154,7 @@ def mathematics(runs: Iterable[Run]) -> str:
 
 def _runs(runs: Iterable[Run]) -> Iterator[str]:
     for run in runs:
-        text = "".join(map(_spelled, run.text))
+        text = _COMMA.sub("{,}", "".join(map(_spelled, run.text)))
         if any(c.isascii() and c.isalpha() for c in run.text):
             text = rf"\mathit{{{text}}}" if run.italic else rf"\mathrm{{{text}}}"
         yield {0: text, -1: f"_{{{text}}}", 1: f"^{{{text}}}"}[run.level]

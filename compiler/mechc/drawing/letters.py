@@ -1,0 +1,48 @@
+"""Numbers and units in the letters of a language."""
+
+import re
+from collections.abc import Iterable, Mapping
+from typing import NamedTuple
+
+from ..frozen import replace
+from .drawing import Drawing, Run
+
+_BEHIND_A_NUMBER = re.compile(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[*·/^][A-Za-z0-9]+)*")
+_WORD = re.compile(r"[^\W\d_]+")
+_POINT = re.compile(r"(?<=\d)\.(?=\d)")
+
+
+class Letters(NamedTuple):
+    """What units are called in a language, by what they are called in English, and its comma."""
+
+    units: Mapping[str, str]
+    decimal: str
+
+
+LATIN = Letters({}, ".")
+
+
+def in_letters(drawing: Drawing, letters: Letters) -> Drawing:
+    """Return a drawing with its numbers and units in the letters of a language."""
+    if letters == LATIN:
+        return drawing
+    labels = (label._replace(runs=spelled(label.runs, letters)) for label in drawing.labels)
+    return replace(drawing, labels=tuple(labels))
+
+
+def spelled(runs: Iterable[Run], letters: Letters) -> tuple[Run, ...]:
+    """Return text with its numbers and units in the letters of a language.
+
+    >>> russian = Letters({"mm": "мм", "s": "с"}, ",")
+    >>> [r.text for r in spelled([Run("r = 1.5\u2009mm"), Run("mm/s", unit=True)], russian)]
+    ['r = 1,5\u2009мм', 'мм/с']
+    """
+    return tuple(run if run.italic else run._replace(text=_spelled(run, letters)) for run in runs)
+
+
+def _spelled(run: Run, letters: Letters) -> str:
+    def words(unit: str) -> str:
+        return _WORD.sub(lambda word: letters.units.get(word[0], word[0]), unit)
+
+    text = words(run.text) if run.unit else _BEHIND_A_NUMBER.sub(lambda m: words(m[0]), run.text)
+    return _POINT.sub(letters.decimal, text)
