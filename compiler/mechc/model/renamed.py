@@ -6,7 +6,7 @@ from ..formula.tree import Constant, Formula, Implicit, Symbol
 from ..formula.walk import children, rebuild
 from ..frozen import replace
 from .mechanism import Parameter, Require
-from .result import Case, ClosedLoop, Definition, FrictionResult, Result, Solved
+from .result import Case, ClosedLoop, Definition, Drive, FrictionResult, Result, Solved
 from .targets import Efficiency, LoadForm, LoadRatio, Target, WithFriction
 
 Rename = Callable[[str], str]
@@ -84,8 +84,12 @@ class _Renaming:
         )
         if not isinstance(changed, FrictionResult):
             return changed
-        inside = frozenset(map(self._name, changed.inside))
-        return replace(changed, case=changed.case and self._case(changed.case), inside=inside)
+        return replace(
+            changed,
+            case=changed.case and self._case(changed.case),
+            inside=frozenset(map(self._name, changed.inside)),
+            drive=changed.drive and Drive(*map(self._formula, changed.drive)),
+        )
 
     def _case(self, case: Case) -> Case:
         return Case(

@@ -89,7 +89,9 @@ def pose_values(pose: Pose) -> dict[str, float]:
 
 
 def _chain(pose: Pose) -> Chain:
-    return Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
+    """Return what follows from what is given; a load may rest on formulas of the user's own."""
+    own = {let.name: let.value for let in pose.mechanism.lets}
+    return Chain({**own, **dependent(pose.mechanism), **dict(pose.definitions)})
 
 
 def _given(pose: Pose) -> dict[str, float]:
