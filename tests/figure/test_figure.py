@@ -248,6 +248,15 @@ def test_a_guide_through_a_place_is_no_pivot():
     assert [p.point for p in parts(figure, drawn.Pivot)] == ["O"]
 
 
+def test_the_place_of_a_guide_that_stands_still_is_no_pivot():
+    figure = figure_of(
+        "mechanism m\nslider C along x through (0 mm, 110 mm)\npivot O at (0 mm, 0 mm)\n"
+        "link OB\nlink CB\nB at (-20 mm, 110 mm)\nC at (-120 mm, 110 mm)\n"
+        "force P at C along x\nforce F at B along -x\nfind k = P/F\n"
+    )
+    assert [p.point for p in parts(figure, drawn.Pivot)] == ["O"]
+
+
 CRANK = """
 mechanism crank
 param l = 100 mm
@@ -426,6 +435,15 @@ def test_measures_are_named_by_parameters():
     clamp = compiled("karpenko_fig9_packet_clamp").figure
     beta = next(a for a in parts(clamp, drawn.AngleMark) if a.text == "beta")
     assert (beta.start, beta.sweep) == pytest.approx((-math.pi / 2, math.radians(-7)))
+
+
+def test_a_length_between_varying_intensities_is_a_length():
+    figure = figure_of(
+        "mechanism f\npivot A at (0 mm, 0 mm)\npivot B at (0 mm, -400 mm)\nlink AC\nlink BC\n"
+        "C at (900 mm, 0 mm)\nload Q intensity 2 N/mm to 1 N/mm on AC along -y\nfind N_BC\n"
+    )
+    (to_resultant,) = [d for d in parts(figure, drawn.Dimension) if d.head == "M"]
+    assert (to_resultant.text, to_resultant.value) == ("400 mm", pytest.approx(0.4))
 
 
 def test_it_is_in_the_document():

@@ -23,7 +23,7 @@ from ..model.mechanism import (
     Turn,
 )
 from ..pose.places import Plane
-from ..units import in_unit
+from ..units import LENGTH, in_unit
 from .figure import AngleMark, Dimension, Measure
 from .parts import Half
 
@@ -133,8 +133,9 @@ def _with_unit(term: Formula, mechanism: Mechanism) -> Formula:
 def _unit(formula: Formula, mechanism: Mechanism) -> str:
     """Return the unit in which the numbers of a formula are written, or else lengths are."""
     names = {constant.name for constant in constants([formula])}
-    own = (literal.unit for literal in mechanism.literals if literal.name in names)
-    return next((unit for unit in own if unit), unit_of_drawing(mechanism) or "mm")
+    lengths = (p for p in mechanism.literals if p.name in names and p.dimension == LENGTH)
+    own = (length.unit for length in lengths if length.unit)
+    return next(own, unit_of_drawing(mechanism) or "mm")
 
 
 def _angle(vertex: str, line: Direction, half: Half) -> Iterator[AngleMark]:

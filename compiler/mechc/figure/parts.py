@@ -284,8 +284,12 @@ def _angle(one: Plane, other: Plane) -> float:
 
 
 def joints(mechanism: model.Mechanism) -> Iterator[model.Joint]:
-    """Yield the joints of a mechanism; a place that a guide goes through is no pivot."""
+    """Yield the joints of a mechanism; a place that a guide goes through is no pivot.
+
+    Where a drawn mechanism stands still, the guide no longer names its place: ``C_0`` of slider C.
+    """
     places = {s.through for s in mechanism.each(model.Slider)} - mechanism.spans.keys()
+    places |= {f"{s.point}_0" for s in mechanism.each(model.Slider)}
     for joint in mechanism.joints:
         if not isinstance(joint, model.Pivot) or joint.point not in places:
             yield joint
