@@ -116,8 +116,10 @@ def _failure(check: Check, source: Source) -> Diagnostic:
     match subject:
         case None | Subject("pose"):
             return messages.requirement_fails(span, left, check.condition.operator, right)
-        case Subject("table", name, _):
-            return messages.beyond_the_table(span, name, left, check.condition.operator, right)
+        case Subject("first row", name, _):
+            return messages.beyond_the_table(span, name, f"begins at {left}", right)
+        case Subject("last row", name, _):
+            return messages.beyond_the_table(span, name, f"ends at {right}", left)
         case Subject("list", name, _):
             return messages.beyond_the_list(span, name, left, right)
         case Subject("range", _, _, place):

@@ -30,7 +30,7 @@ _WORDS = {
 
 
 @coded("E552")
-def beyond_the_table(span: Span, table: str, left: str, operator: str, right: str) -> Message:
+def beyond_the_table(span: Span, table: str, end: str, asked: str) -> Message:
     """A table is asked for a value outside its rows.
 
     Between two rows a table is taken in proportion; beyond its ends nothing is known::
@@ -38,9 +38,8 @@ def beyond_the_table(span: Span, table: str, left: str, operator: str, right: st
         table m49 "Table 4.9" = 1: 0.388, 0.5: 0.541, 0.1: 1.180
         let m = m49 at r/R                         # r/R from 0.1 to 1
     """
-    ends = f"it begins at {left}, and {right} is asked" if left[0].isdigit() else ""
-    ends = ends or f"it ends at {right}, and {left} is asked"
-    return Message(span, f"table '{table}' has no such row: {ends}", "change what is given")
+    message = f"table '{table}' has no such row: it {end}, and {asked} is asked"
+    return Message(span, message, "change what is given")
 
 
 @coded("E553")

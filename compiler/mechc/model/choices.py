@@ -118,13 +118,16 @@ def _lookup(lookup: ast.Lookup, let: ast.Let, tables: Tables, scope: Scope) -> C
         return None
     parts = [part.formula for row in rows for part in row]
     formula = Call("interpolate", (at.formula, *parts))
-    subject = Subject("table", name, let.name.text)
+    first, last = (
+        Subject("first row", name, let.name.text),
+        Subject("last row", name, let.name.text),
+    )
     low, high = rows[0][0].formula, rows[-1][0].formula
     return Chosen(
         Quantity(formula, rows[0][1].sort, lookup.span),
         (
-            Require(low, "<=", at.formula, lookup.span, subject, dimension=at.dimension),
-            Require(at.formula, "<=", high, lookup.span, subject, dimension=at.dimension),
+            Require(low, "<=", at.formula, lookup.span, first, dimension=at.dimension),
+            Require(at.formula, "<=", high, lookup.span, last, dimension=at.dimension),
         ),
     )
 
