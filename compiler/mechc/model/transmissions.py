@@ -167,7 +167,7 @@ def _rack(statement: ast.Rack, slides: Iterable[Slide], scope: Scope) -> Rack | 
 def _screw(statement: ast.Screw, slides: Iterable[Slide], scope: Scope) -> Screw | None:
     point = _guided(statement.point, slides, scope)
     link = scope.points.link(statement.link)
-    pitch = radius_of(statement.pitch, scope, signed=True)
+    pitch = radius_of(statement.pitch, scope, signed=True, what="a pitch")
     if not point or not link or not pitch:
         return None
     if scope.points.fixed.isdisjoint(link.points):

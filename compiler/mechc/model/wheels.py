@@ -121,9 +121,11 @@ def _only_link(centre: ast.Name, arm: str, scope: Scope) -> Link | None:
     return None
 
 
-def radius_of(radius: ast.Expr, scope: Scope, signed: bool = False) -> Formula | None:
+def radius_of(
+    radius: ast.Expr, scope: Scope, signed: bool = False, what: str = "a radius"
+) -> Formula | None:
     """Return a radius or a pitch; only one that is ``signed`` may be negative."""
-    formula = Reader(scope, DESCRIPTION).wanted(radius, LENGTH, "a radius")
+    formula = Reader(scope, DESCRIPTION).wanted(radius, LENGTH, what)
     value = value_of(formula, scope) if formula else None
     if value is not None and (value == 0 or (value < 0 and not signed)):
         scope.report.add(messages.radius_not_positive(radius.span, f"{value * 1000:g} mm"))
