@@ -120,7 +120,7 @@ def read_expects(
 ) -> list[Expect]:
     """Return what is expected of results, and how exactly."""
     subjects = _subjects(finds, found, scope)
-    failed = _failed(file, subjects)  # and, as they are met, other names of no result
+    failed = _failed(file, subjects, found)  # and, as they are met, other names of no result
     lets = written_out(found, scope)
     expects: list[Expect] = []
     for statement in every(file, ast.Expect):
@@ -165,12 +165,14 @@ def _subjects(
     return {name: scope.entries[name].dimension for name in known}
 
 
-def _failed(file: ast.File, known: Mapping[str, object]) -> set[str]:
-    """Return the names of results that were reported already: of finds that ask for nothing.
+def _failed(file: ast.File, known: Mapping[str, object], found: Definitions) -> set[str]:
+    """Return the names of results that were reported already.
 
-    Without any result, that is what is reported, and no ``expect``.
+    They are of finds that ask for nothing, and of lets that cannot be read. Without any result,
+    that is what is reported, and no ``expect``.
     """
     names = {s.name.text for s in every(file, ast.Find) if s.name}
+    names |= {s.name.text for s in every(file, ast.Let)} - found.lets.keys()
     if not known:
         names |= {
             e.subject.name for e in every(file, ast.Expect) if isinstance(e.subject, ast.Symbol)
