@@ -245,7 +245,7 @@ PARTS = SIMPLE | {
 """What compounds are made of; behind a number alone, h and l are more likely to be lengths."""
 
 COMPOUNDS = """
-    mm^2 cm^2 m^2 in^2 ft^2 mm^3 cm^3 m^3 in^3 ft^3 mm^4 cm^4 m^4 in^4
+    mm^2 cm^2 dm^2 m^2 in^2 ft^2 mm^3 cm^3 dm^3 m^3 in^3 ft^3 mm^4 cm^4 m^4 in^4
     m^3/s m^3/h cm^3/s l/min
     kg*m^2 kg*cm^2 kg/m^3 g/cm^3
     N*m N*mm N*cm kN*m kN*mm daN*m kgf*m kgf*cm kgf*mm

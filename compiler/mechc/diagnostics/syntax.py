@@ -53,8 +53,10 @@ def unknown_statement(span: Span, word: str, known: Iterable[str], hint: str = "
 
 
 @coded("E103")
-def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") -> Message:
-    """The word behind a number is no unit.
+def unknown_unit(
+    span: Span, unit: str, known: Iterable[str], hint: str = "", where: str = " behind a number"
+) -> Message:
+    """The word behind a number, or behind the ``in`` of a result, is no unit.
 
     A unit follows its number directly or after a space; a compound unit has no spaces
     inside. A product with a parameter is written with ``*``.
@@ -67,8 +69,8 @@ def unknown_unit(span: Span, unit: str, known: Iterable[str], hint: str = "") ->
     """
     product = f"a product is written with '*', as in 2*{unit}" if unit.isalnum() else ""
     spaces = "a compound unit has no spaces, as in 2 m/s^2"
-    hint = hint or near_miss(unit, known) or product or spaces
-    return Message(span, f"'{unit}' behind a number is not a unit", hint)
+    usual = product or spaces if where else "name a unit such as mm, kN, MPa or cm^3"
+    return Message(span, f"'{unit}'{where} is not a unit", hint or near_miss(unit, known) or usual)
 
 
 @coded("E104")

@@ -147,7 +147,7 @@ def unit(spelled: ast.Expr) -> ast.Name:
         plain = [known for known in UNITS if known.isalpha()]
         meant = unit_meant(name)
         hint = f"did you mean {meant!r}?" if meant else ""
-        raise Fault(syntax.unknown_unit(spelled.span, name, plain, hint))
+        raise Fault(syntax.unknown_unit(spelled.span, name, plain, hint, where=""))
     return ast.Name(name, spelled.span)
 
 

@@ -153,6 +153,8 @@ def dotted(before: Token | None, behind: Token | None) -> str:
         return "a value is a number, and finite"
     if before is None or before.type not in ("NUMBER", "NAME"):
         return ""
+    if before.type == "NAME" and behind in ("mech", "yaml", "yml"):
+        return f'a file is named in quotes: "{before}.{behind}"'
     if before.type == "NAME":
         return f"a name has no dot: write {before}_{behind}"
     unit = split_quantity(before)[1]
