@@ -17,8 +17,11 @@ Function = Callable[[Array], Array]
 CELLS = 360
 """Places between which zeros, poles and extrema are looked for."""
 
-PARTS, NARROWINGS = 32, 13
-"""Into how many parts a cell is divided, and how often, until places are neighbours."""
+PARTS, NARROWINGS = 256, 8
+"""Into how many parts a cell is divided, and how often, until places are neighbours.
+
+A function of systems of equations is dear for each time that it is asked, not for each place.
+"""
 
 BENT = 3e-4
 """How far a curve may be off the straight line between two points, against the panel."""
@@ -97,7 +100,7 @@ def _within(low: Array, high: Array) -> Array:
 
 
 def _on(function: Function, places: Array) -> Array:
-    return function(places.ravel()).reshape(places.shape)
+    return function(places.ravel()).reshape(places.shape) if places.size else places
 
 
 def _narrowed(
@@ -157,7 +160,10 @@ def _touched(function: Function, xs: Array, ys: Array) -> Iterator[float]:
 
 
 def _lowest(function: Function, low: Array, high: Array) -> Array:
-    """Return where a function is least between each two places, to half the digits or more."""
+    """Return where a function is least between each two places, to half the digits or more.
+
+    Where it has one value in all places, to the last bits, there is no more to be found.
+    """
     for _ in range(NARROWINGS if low.size else 0):
         places = _within(low, high)
         values = _on(function, places)
@@ -165,6 +171,8 @@ def _lowest(function: Function, low: Array, high: Array) -> Array:
         rows = np.arange(len(places))
         low = places[rows, np.maximum(least - 1, 0)]
         high = places[rows, np.minimum(least + 1, PARTS)]
+        if np.all(np.ptp(values, axis=1) <= EPS * np.abs(values[rows, least])):
+            break
     return (low + high) / 2
 
 

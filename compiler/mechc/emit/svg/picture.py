@@ -8,7 +8,11 @@ from xml.sax.saxutils import escape, quoteattr
 from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
 from ...drawing.lettering import SMALL
 
-FONTS = "STIX Two Text, Times New Roman, Liberation Serif, Latin Modern Roman, serif"
+FONTS = (
+    "STIX Two Text, Times New Roman, Liberation Serif, CMU Serif, FreeSerif, Noto Serif,"
+    " DejaVu Serif, Latin Modern Roman, serif"
+)
+"""Fonts by which text is set, those with Greek and Cyrillic letters first."""
 
 TINT = "#e8edf2"
 """The colour of what is filled lightly."""
