@@ -9,6 +9,9 @@ from .parameters import constant
 from .points import Points
 from .scope import DESCRIPTION, Scope
 
+ORIGIN = "value"
+"""What messages call the text of a value, which stands in no file."""
+
 
 def in_si(name: str, text: str, dimension: Dimension) -> float:
     """Return a value for a name in SI and radians.
@@ -19,7 +22,7 @@ def in_si(name: str, text: str, dimension: Dimension) -> float:
     >>> in_si("a", "2.5 in", LENGTH), in_si("a", "30mm", LENGTH)
     (0.0635, 0.03)
     """
-    _, (value, source) = parse(f"{name}={text}")
+    _, (value, source) = parse(f"{name}={text}", ORIGIN)
     report = Report(source)
     scope = Scope(report, Points(report))
     found = constant(value, scope, "a value")

@@ -35,8 +35,10 @@ _WORD = "param "
 _UNIT = re.compile(r"(?<=[\d.])(?=[a-zA-Z])(?![eE][+-]?\d)")
 
 
-def parse(text: str) -> tuple[str, Setting]:
+def parse(text: str, origin: str = COMMAND_LINE) -> tuple[str, Setting]:
     """Return name and setting of ``NAME=VALUE``; the space before a unit may be left out.
+
+    ``origin`` is what messages call the place where it was written.
 
     Raises :class:`MechcError` where the value is no expression.
 
@@ -46,11 +48,11 @@ def parse(text: str) -> tuple[str, Setting]:
     """
     name, _, value = text.partition("=")
     setting = f"{name.strip()} = {_UNIT.sub(' ', ' '.join(value.split()))}"
-    report = Report(Source(f"-D {text}", f"{_WORD}{setting}\n"))
+    report = Report(Source(f"{origin} {text}", f"{_WORD}{setting}\n"))
     tree = read(report.source, report)
     report.stop_on_errors()
     found = next(s.value for s in params(tree.statements) if s.value)
-    return name.strip(), Setting(moved(found, -len(_WORD)), Source(COMMAND_LINE, setting))
+    return name.strip(), Setting(moved(found, -len(_WORD)), Source(origin, setting))
 
 
 def attached(source: Source, settings: Settings) -> Source:
