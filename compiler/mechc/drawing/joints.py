@@ -89,9 +89,12 @@ def _gears(paper: Paper, part: Gears) -> Iterator[Shape]:
     touch = paper.place(part.touch)
     largest = max(part.first_radius, part.second_radius)
     for point, link, radius in _wheels(part):
+        is_ring = part.inner and radius == largest
+        if link and not is_ring:
+            yield from symbols.sector(paper.at(point), radius * paper.scale, touch)
         yield from symbols.wheel(paper.at(point), radius * paper.scale, touch)
         if not link:
-            side = 1 if part.inner and radius == largest else -1
+            side = 1 if is_ring else -1
             yield from symbols.standing(paper.at(point), radius * paper.scale, touch, side)
 
 
@@ -117,6 +120,7 @@ def _rack(paper: Paper, part: Rack) -> Iterator[Shape]:
     start, end = paper.ends(part.line)
     yield from symbols.teeth(start, end, 1 if part.radius > 0 else -1)
     radius = abs(part.radius) * paper.scale
+    yield from symbols.sector(paper.at(part.pivot), radius, paper.place(part.touch))
     yield from symbols.wheel(paper.at(part.pivot), radius, paper.place(part.touch))
 
 

@@ -3,7 +3,17 @@
 import math
 from fractions import Fraction
 
-from ..figure.figure import Actuator, Force, Slider, SpreadLoad, Spring, Telescope, Torque
+from ..figure.figure import (
+    Actuator,
+    Force,
+    Rack,
+    Screw,
+    Slider,
+    SpreadLoad,
+    Spring,
+    Telescope,
+    Torque,
+)
 from ..pose.places import direction
 from .drawing import FORCE, SYMBOL, Run
 from .labels import Around, Beside
@@ -30,6 +40,9 @@ SPACING, HEIGHT = 7.0, 9.0
 
 LEAST = 3.5
 """How long an arrow of a spread load is at least."""
+
+LENGTHWISE = 0.5
+"""The cosine between a force and a guide above which it is drawn along it."""
 
 DIRECTIONS = 12
 """In how many directions from its middle the arrow of a couple is tried."""
@@ -99,10 +112,18 @@ def _draw_spread(sheet: Sheet, paper: Paper, load: SpreadLoad) -> None:
 
 def _reach(paper: Paper, force: Force) -> float:
     """Return how far what is drawn at a force's point reaches along the force."""
+    reach = PIN + 0.4 * force.weight
     for part in paper.figure.parts:
-        if isinstance(part, Slider) and part.point == force.point:
-            return BLOCK if abs(part.along.dot(force.along)) > 0.5 else PIN + 1.0
-    return PIN + 0.4 * force.weight
+        match part:
+            case Slider() if part.point == force.point:
+                along = abs(part.along.dot(force.along)) > LENGTHWISE
+                reach = max(reach, BLOCK if along else PIN + 1.0)
+            case Rack(line=line) | Screw(axis=line) if part.point == force.point:
+                if abs(part.along.dot(force.along)) > LENGTHWISE:
+                    reach = max(reach, math.dist(*paper.ends(line)) / 2)
+            case _:
+                pass
+    return reach
 
 
 def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:

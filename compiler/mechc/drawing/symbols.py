@@ -180,10 +180,23 @@ def wheel(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
     if radius <= WHOLE:
         yield Arc(centre, radius, AXIS)
     else:
-        half = 0.5 * WHOLE / radius
-        yield Arc(centre, radius, AXIS, touch.minus(centre).angle - half, 2 * half)
+        yield _rim(centre, radius, touch)
     if radius > 3 * PIN:
         yield Arc(centre, 2 * PIN, SYMBOL, fill="white")
+
+
+def sector(centre: Plane, radius: float, touch: Plane) -> Iterator[Shape]:
+    """Yield the sides of a large gear, of which a part is drawn; nothing of one drawn all round."""
+    if radius > WHOLE:
+        rim = _rim(centre, radius, touch)
+        for end in (rim.at(0.0), rim.at(1.0)):
+            yield line(centre, end, SYMBOL)
+
+
+def _rim(centre: Plane, radius: float, touch: Plane) -> Arc:
+    """Return the part of a pitch circle next to its pitch point."""
+    half = 0.5 * WHOLE / radius
+    return Arc(centre, radius, AXIS, touch.minus(centre).angle - half, 2 * half)
 
 
 def standing(centre: Plane, radius: float, touch: Plane, ground: int) -> Iterator[Shape]:
