@@ -52,6 +52,7 @@ from .work import Allowance
 if TYPE_CHECKING:
     from .drawing.drawing import Drawing
     from .drawing.moving import Marks
+    from .equilibrium.equilibrium import Equilibrium
     from .figure.figure import Figure
     from .figure.velocities import Velocities
     from .plot.from_routine import Watch
@@ -80,7 +81,12 @@ STAGES: Mapping[str, str] = {
 }
 """The stages in order, and the attribute of :class:`Compilation` that holds each one's value."""
 
-VIEWS: Mapping[str, str] = {**STAGES, "figure": "figure", "bodies": "free_bodies"}
+VIEWS: Mapping[str, str] = {
+    **STAGES,
+    "equilibrium": "equilibrium",
+    "figure": "figure",
+    "bodies": "free_bodies",
+}
 """The stages, and what is made only when it is asked for: nothing rests on it."""
 
 SECOND_OPINIONS = ("verdict", "constant_efficiency", "findings", "out_of_step", "gaps")
@@ -269,6 +275,23 @@ class Compilation:
         except MechcError:
             return derivation
         return replace(derivation, results=results)
+
+    @Stage
+    @of_linkages
+    def equilibrium(self) -> "tuple[Equilibrium, ...]":
+        """The sums of forces and moments that lead to each load, body by body."""
+        from .equilibrium.from_plan import loads_by_equilibrium
+
+        with within(Allowance(), self.report):
+            return self._sound(loads_by_equilibrium(self.plan, self.report))
+
+    @Stage
+    @of_linkages
+    def by_equilibrium(self) -> "Derivation":
+        """The derivation as a report has it, loads by the equilibrium of free bodies."""
+        from .report.derivation.equilibrium import derive_by_equilibrium
+
+        return derive_by_equilibrium(self.solution, self.equilibrium, self.reported.results)
 
     @Stage
     def routine(self) -> Routine:

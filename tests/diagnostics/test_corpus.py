@@ -38,6 +38,8 @@ ELSEWHERE = {
     "E721": "drawing/test_scheme.py",
     "E722": "drawing/test_bodies.py",
     "E723": "drawing/test_plans.py",
+    "E730": "equilibrium/test_equilibrium.py",
+    "E731": "equilibrium/test_equilibrium.py",
     "E701": "emit/test_c.py",
     "E702": "emit/test_registry.py",
     "E703": "emit/test_hostile_names.py",

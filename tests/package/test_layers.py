@@ -31,6 +31,7 @@ STAGES = [
     "friction",
     "calculation",
     "statics",
+    "equilibrium",
     "study",
     "figure",
 ]

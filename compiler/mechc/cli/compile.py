@@ -14,7 +14,14 @@ from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
 from ..witness import tell
 from .collisions import claim, refuse_collisions
-from .inputs import claim_of, description_argument, path_of, settings_option, stdin_option
+from .inputs import (
+    by_option,
+    claim_of,
+    description_argument,
+    path_of,
+    settings_option,
+    stdin_option,
+)
 from .open import begin
 from .outputs import Output, makefile_rule, outputs, placed
 from .session import Repeatable, session, session_options
@@ -88,6 +95,7 @@ def _formats(ctx: click.Context, parameter: click.Parameter, begun: str) -> list
     default="double",
     help="The type of real numbers in C: float for processors without double.",
 )
+@by_option
 @settings_option
 @click.option(
     "--deps",
@@ -108,6 +116,7 @@ def command(
     language: str,
     gradient: bool,
     c_real: str,
+    method: str,
     settings: Settings,
     deps: str | None,
     stdin_name: str,
@@ -126,7 +135,9 @@ def command(
     wanted = outputs(paths, target)
     compilation = checked(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
-    options = Options("", fragment, language, numbers, brief, pictures, gradient, c_real)
+    options = Options(
+        "", fragment, language, numbers, brief, pictures, gradient, c_real=c_real, by=method
+    )
     made = [(output, _emitted(compilation, output, options)) for output in wanted]
     texts = [file for output, emitted in made for file in placed(output, emitted).items()]
     printed = [emitted[0].text for output, emitted in made if output.path is None]

@@ -6,7 +6,7 @@ from ..driver import complete, warnings
 from ..report.text.derivation import render, render_brief
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
-from .inputs import description_argument, settings_option, stdin_option
+from .inputs import by_option, description_argument, settings_option, stdin_option
 from .open import begin
 from .session import Repeatable, session, session_options
 from .terminal import columns, say, speaks_unicode
@@ -21,11 +21,18 @@ from .words import Word
     "--lang", "language", type=Word(LANGUAGES), default="en", show_default=True,
     help="The language of the derivation.",
 )  # fmt: skip
+@by_option
 @settings_option
 @stdin_option
 @session_options
 def command(
-    file: str, numbers: bool, brief: bool, language: str, settings: Settings, stdin_name: str
+    file: str,
+    numbers: bool,
+    brief: bool,
+    language: str,
+    method: str,
+    settings: Settings,
+    stdin_name: str,
 ) -> None:
     """Print the derivation of k step by step.
 
@@ -35,13 +42,16 @@ def command(
     \b
     mechc derive clamp.mech
     mechc derive clamp.mech --brief --lang uk
+    mechc derive clamp.mech --by equilibrium
     """
     compilation = complete(begin(file, stdin_name, settings))
     session().accept(warnings(compilation), compilation.source)
     shown = render_brief if brief else render
-    reported, mechanism = compilation.reported, compilation.mechanism
+    mechanism = compilation.mechanism
+    by_sums = method == "equilibrium"
+    derivation = compilation.by_equilibrium if by_sums else compilation.reported
     text = shown(
-        reported,
+        derivation,
         mechanism,
         unicode=speaks_unicode(),
         numbers=numbers,

@@ -12,9 +12,10 @@ from ..diagnostics.files import no_descriptions
 from ..files import SUFFIXES, find, read, read_stdin
 from ..source import Source
 from ..syntax.settings import Settings, parse
+from ..syntax.vocabulary import METHODS
 from ..witness import tell
 from .collisions import Claim, claim, refuse_reading, streams
-from .words import descriptions
+from .words import Word, descriptions
 
 F = TypeVar("F", bound=Callable[..., Any])
 
@@ -76,6 +77,14 @@ def _settings(ctx: click.Context, parameter: click.Parameter, given: tuple[str, 
 
 
 description_argument = click.argument("file", metavar="FILE|NAME|-", shell_complete=descriptions)
+by_option = click.option(
+    "--by",
+    "method",
+    type=Word(METHODS),
+    default=METHODS[0],
+    show_default=True,
+    help="How loads are derived: by virtual power, or by the equilibrium of free bodies.",
+)
 stdin_option = click.option(
     "--stdin-filename",
     "stdin_name",

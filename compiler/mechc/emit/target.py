@@ -44,6 +44,11 @@ class Compiled(Protocol):
         ...
 
     @property
+    def by_equilibrium(self) -> Derivation:
+        """Return the same with loads by the equilibrium of free bodies."""
+        ...
+
+    @property
     def routine(self) -> Routine:
         """Return the straight-line program."""
         ...
@@ -113,6 +118,8 @@ class Options(NamedTuple):
     """Whether code has functions of results with their slopes by each input."""
     c_real: str = "double"
     """The type of C's real numbers, of :data:`~mechc.emit.c.real.REALS`."""
+    by: str = "power"
+    """How reports find loads, one of :data:`~mechc.syntax.vocabulary.METHODS`."""
     single: bool = False
     """One self-contained file (for standard output)."""
     named: bool = True

@@ -4,7 +4,7 @@ from fractions import Fraction
 
 from ..algebra.angle import rational
 from ..algebra.from_formula import to_product
-from ..algebra.product import Product
+from ..algebra.product import ONE, Product
 from ..formula.tree import Formula, Number
 from ..formula.walk import substitute, symbols
 from ..kinematics.forms import parting
@@ -49,16 +49,27 @@ def _tie(formula: Formula, names: set[str]) -> tuple[str, Product] | None:
 
 def shares(mechanism: Mechanism, owner: str) -> tuple[tuple[Product, Load], ...]:
     """Return a free load and those tied to it, each by how much of it a unit of the first means."""
-    names = {load.name for load in mechanism.loads}
-    ties = {k.name: _tie(k.tie, names) if k.tie is not None else None for k in mechanism.loads}
+    owned = owners(mechanism)
     found = []
     for load in mechanism.loads:
-        name, part = load.name, Product(rational(load.times * occurrences(mechanism, load)))
+        name, part = owned[load.name]
+        if name == owner:
+            often = Product(rational(load.times * occurrences(mechanism, load)))
+            found.append((often * part, load))
+    return tuple(found)
+
+
+def owners(mechanism: Mechanism) -> dict[str, tuple[str, Product]]:
+    """Return the load that each one is tied to in the end, and how much of it a unit means."""
+    names = {load.name for load in mechanism.loads}
+    ties = {k.name: _tie(k.tie, names) if k.tie is not None else None for k in mechanism.loads}
+    found = {}
+    for load in mechanism.loads:
+        name, part = load.name, ONE
         while (tie := ties[name]) is not None:
             name, part = tie[0], part * tie[1]
-        if name == owner:
-            found.append((part, load))
-    return tuple(found)
+        found[load.name] = name, part
+    return found
 
 
 def occurrences(mechanism: Mechanism, load: Load) -> Fraction:

@@ -7,6 +7,9 @@ GROUND = "ground"
 """What a wheel is fixed to that is fast in the ground."""
 
 
+METHODS = ("power", "equilibrium")
+"""How a derivation finds loads: by virtual power, or by the equilibrium of free bodies."""
+
 LANGUAGES = ("en", "uk", "ru")
 """The languages that texts may be translated into: those of reports."""
 

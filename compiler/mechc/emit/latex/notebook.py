@@ -37,9 +37,8 @@ def derivation(compiled: Compiled) -> str:
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, fragment=True)
         return _markdown(TEMPLATES.get_template("notebook_note.jinja").render(note._asdict()))
-    whole = report(
-        compiled, locale, _style(compiled), Options(compiled.mechanism.name, numbers=False)
-    )
+    options = Options(compiled.mechanism.name, numbers=False)
+    whole = report(compiled, compiled.reported, locale, _style(compiled), options)
     return _markdown(TEMPLATES.get_template("notebook.jinja").render(whole._asdict()))
 
 

@@ -143,10 +143,13 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
         note = note_report(compiled, locale, style, options.fragment)
         return TEMPLATES.get_template("note.jinja").render(note._asdict())
     style = style_of(compiled.mechanism, compiled.derivation.results, style)
+    by_bodies = options.by == "equilibrium"
+    derivation = compiled.by_equilibrium if by_bodies else compiled.reported
+    derivation = chosen(derivation, compiled.mechanism)
     if options.brief:
-        in_brief = brief(compiled, locale, style, options)
+        in_brief = brief(compiled, derivation, locale, style, options)
         return TEMPLATES.get_template("brief.jinja").render(in_brief._asdict())
-    whole = report(compiled, locale, style, options)
+    whole = report(compiled, derivation, locale, style, options)
     return TEMPLATES.get_template("body.jinja").render(whole._asdict())
 
 
@@ -179,9 +182,11 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
     yield from (p for p in compiled.mechanism.literals if p.name not in shown)
 
 
-def report(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Report:
+def report(
+    compiled: Compiled, derivation: Derivation, locale: Locale, style: Notation, options: Options
+) -> Report:
+    """Return all that a report says, with a derivation of what was asked for."""
     mechanism, verdict = compiled.mechanism, compiled.verdict
-    derivation = chosen(compiled.reported, mechanism)
     whole = outline(derivation, mechanism)
     found = tuple(evaluated(whole, mechanism)) if options.numbers else ()
     return Report(
@@ -224,10 +229,11 @@ def _preamble() -> Iterable[str]:
     return preamble()
 
 
-def brief(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> Brief:
+def brief(
+    compiled: Compiled, derivation: Derivation, locale: Locale, style: Notation, options: Options
+) -> Brief:
     """Return the formulas of a report alone: of the position, the speeds, the loads, results."""
     mechanism = compiled.mechanism
-    derivation = chosen(compiled.reported, mechanism)
     whole = outline(derivation, mechanism)
     found = tuple(short(evaluated(whole, mechanism), derivation)) if options.numbers else ()
     bare = [item for item in found if item.numbers is None]

@@ -7,7 +7,7 @@ from ...algebra.angle import Angle
 from ...algebra.product import Product
 from ...algebra.sums import add, canonical
 from ...algebra.trigonometry import cosine, sine
-from ...formula.tree import ZERO, Call, Formula, Sum, Symbol, product, quotient, total
+from ...formula.tree import ZERO, Call, Formula, Symbol, product, quotient, total
 from ...friction.solution import Solution, SolvedWithFriction
 from ...frozen import replace
 from ...model.mechanism import Axial, Force, ForcePair, Load, Normal, Reaction, Torque
@@ -16,6 +16,7 @@ from ...pose.pose import Pose, Vector
 from ...power.balance import Release, Solved, Term
 from ...power.definitions import resting_on
 from ..sentences.wording import positive_first
+from .notation import direction_formula
 from .steps import Equation, Explanation, Paragraph, SentenceKind
 
 HALF_TURN = Angle.constant(180)
@@ -150,7 +151,9 @@ class _Writer:
         found = () if symbol.name in self.names else (Equation(symbol, force),)
         names = {"point": (release.point,), "link": (release.of,)}
         if not working:
-            return Paragraph(SentenceKind.IDLE, found, names, {"direction": _direction(direction)})
+            return Paragraph(
+                SentenceKind.IDLE, found, names, {"direction": direction_formula(direction)}
+            )
         parting = self._parting_of(release)
         ratios = [canonical(t.speed[motion].scaled(way) / here.speed[motion]) for t in working]
         self._said.append((release, ratios))
@@ -165,7 +168,7 @@ class _Writer:
             _BONDS.get(release.kind) or self._on_ground(release.point),
             (*speeds, power, *found),
             names,
-            {"direction": _direction(direction), "speed": parting},
+            {"direction": direction_formula(direction), "speed": parting},
         )
 
     def _on_ground(self, point: str) -> SentenceKind:
@@ -196,14 +199,6 @@ class _Writer:
         """Return 1 if a push at the point of a rod pulls it: away from its other end."""
         link = self._mechanism.link(release.of)
         return 1 if release.point == link.points[-1] else -1
-
-
-def _direction(angle: Angle) -> Formula:
-    """Return a direction, an axis by its letter."""
-    if not angle.terms and angle.degrees % 360 in (0, 90):
-        return Symbol("y" if angle.degrees % 360 else "x")
-    formula = Angle(angle.terms, angle.degrees % 360).formula()
-    return total(positive_first(formula.terms)) if isinstance(formula, Sum) else formula
 
 
 def _speed(load: Load) -> Symbol:

@@ -8,9 +8,10 @@ independent motions, or without default values, they are signed as the unknowns 
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from ...algebra.angle import Angle
 from ...algebra.product import ONE, Product
 from ...algebra.sums import add, canonical
-from ...formula.tree import Formula, Symbol, product, total
+from ...formula.tree import Formula, Sum, Symbol, product, total
 from ...kinematics.graph import Form, Kind, Rule, Unknown
 from ...kinematics.plan import Plan
 from ...power.balance import Balance
@@ -126,3 +127,11 @@ def linear(form: Form, names: Names) -> Formula:
         parts.setdefault(names[u], []).append(p * names[u].factor)
     sums = [(add(ps), named) for named, ps in parts.items()]
     return total(positive_first(times(p, named) for p, named in sums if p))
+
+
+def direction_formula(angle: Angle) -> Formula:
+    """Return a direction, an axis by its letter."""
+    if not angle.terms and angle.degrees % 360 in (0, 90):
+        return Symbol("y" if angle.degrees % 360 else "x")
+    formula = Angle(angle.terms, angle.degrees % 360).formula()
+    return total(positive_first(formula.terms)) if isinstance(formula, Sum) else formula

@@ -1,6 +1,7 @@
 """English."""
 
 from . import pictured
+from .equilibrium import ENGLISH
 from .locale import Locale
 
 LOCALE = Locale(
@@ -132,6 +133,7 @@ LOCALE = Locale(
         "component": "Component of the velocity of {first} in the direction of the load {rest}.",
     },
     sayings={
+        **ENGLISH,
         "released": "Release of constraints: a constraint is taken away, its reaction becomes a "
         "load, and the powers of all loads add up to zero in the motion that is left.{held}",
         "pivot": "Let the pivot {point} move in the direction {direction} with the velocity "

@@ -2,6 +2,7 @@
 
 from . import pictured
 from .eastern import FUNCTIONS, UNITS
+from .equilibrium import RUSSIAN
 from .locale import Locale
 
 LOCALE = Locale(
@@ -132,6 +133,7 @@ LOCALE = Locale(
         "component": "Проекция скорости точки {first} на направление силы {rest}.",
     },
     sayings={
+        **RUSSIAN,
         "released": "Принцип освобождаемости от связей: связь отбрасываем, её реакция становится "
         "нагрузкой, и сумма мощностей всех сил в движении, которое стало возможным, равна "
         "нулю.{held}",

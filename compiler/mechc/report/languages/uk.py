@@ -2,6 +2,7 @@
 
 from . import pictured
 from .eastern import FUNCTIONS, UNITS
+from .equilibrium import UKRAINIAN
 from .locale import Locale
 
 LOCALE = Locale(
@@ -135,6 +136,7 @@ LOCALE = Locale(
         "component": "Проєкція швидкості точки {first} на напрям сили {rest}.",
     },
     sayings={
+        **UKRAINIAN,
         "released": "Принцип звільнення від в’язей: в’язь відкидаємо, її реакція стає "
         "навантаженням, і сума потужностей усіх сил у русі, який став можливим, дорівнює "
         "нулю.{held}",

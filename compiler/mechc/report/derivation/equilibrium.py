@@ -1,0 +1,135 @@
+"""A load from the equilibrium of free bodies, put as a person would write it down."""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+
+from ...equilibrium.equilibrium import Balance, Equilibrium, Found, JointForce, Step, Terms
+from ...formula.layout import has_minus
+from ...formula.tree import ZERO, Formula, Symbol, negative, product, total
+from ...friction.solution import Solution
+from ...frozen import replace
+from ...pose.pose import Pose
+from ...power.definitions import intermediates
+from ...study.analysis import Analysis
+from ..sentences.wording import positive_first
+from .forces import of_forces
+from .friction import of_friction
+from .notation import direction_formula
+from .position import position_steps
+from .steps import Derivation, Equation, Explanation, Paragraph, SentenceKind
+
+Places = tuple[str, ...]
+
+_FORCES: Mapping[str, tuple[SentenceKind, Places]] = {
+    "rod": (SentenceKind.FORCE_IN_ROD, ("link",)),
+    "pivot": (SentenceKind.FORCE_OF_GROUND, ("link", "point")),
+    "pin": (SentenceKind.FORCE_AT_PIN, ("link", "point")),
+    "crank": (SentenceKind.FORCE_ALONG_ARM, ("link", "point", "arm")),
+    "guide": (SentenceKind.FORCE_OF_GUIDE, ("point",)),
+    "touch": (SentenceKind.FORCE_OF_TOUCH, ("point", "link")),
+    "rim": (SentenceKind.FORCE_OF_RIM, ("first", "rest")),
+    "rack": (SentenceKind.FORCE_OF_RACK, ("pivot", "point")),
+    "thread": (SentenceKind.FORCE_OF_THREAD, ("link", "point")),
+    "couple": (SentenceKind.COUPLE_IN_SLOT, ("link", "rest")),
+}
+"""The sentence that says what a force is, and the places of its names in it."""
+
+
+def derive_by_equilibrium(
+    solution: Solution, loads: Iterable[Equilibrium], results: Sequence[Analysis]
+) -> Derivation:
+    """Return the derivation of what was asked for, loads by the equilibrium of free bodies."""
+    pose = solution.plan.graph.pose
+    told = _Told(pose)
+    by_sums = (told.explanation(load) for load in loads)
+    explanations = (*by_sums, *of_forces(solution), *of_friction(solution))
+    derivation = Derivation((), (), (), tuple(results), explanations)
+    return replace(derivation, position=tuple(position_steps(pose, derivation)))
+
+
+class _Told:
+    """Tells of one load after another; what was told of earlier ones is not told again."""
+
+    def __init__(self, pose: Pose) -> None:
+        self._pose = pose
+        self._met: set[str] = set()
+        self._found: dict[str, Terms] = {}
+
+    def explanation(self, equilibrium: Equilibrium) -> Explanation:
+        """Return how a load follows: each force when it is met first, then the sums."""
+        paragraphs = tuple(self._paragraphs(equilibrium))
+        sides = [side for p in paragraphs for equation in p.equations for side in equation]
+        names = (equilibrium.result,)
+        return Explanation(names, paragraphs, tuple(intermediates(self._pose, sides)))
+
+    def _paragraphs(self, equilibrium: Equilibrium) -> Iterator[Paragraph]:
+        if not self._found:
+            yield Paragraph(SentenceKind.EQUILIBRIUM)
+        if equilibrium.parts > 1 and not self._found:
+            yield Paragraph(SentenceKind.EQUAL_PARTS)
+        for step in equilibrium.steps:
+            new = {f.name: f.terms for f in step.found if self._found.get(f.name) != f.terms}
+            if new:
+                self._found |= new
+                yield from self._forces(step, equilibrium.forces)
+                yield from _sums(step, self._pose)
+
+    def _forces(self, step: Step, forces: Iterable[JointForce]) -> Iterator[Paragraph]:
+        """Yield what the forces are that a step meets first."""
+        mentioned = {name for balance in step.balances for name in balance.terms}
+        for force in forces:
+            if mentioned & {*force.names} and not self._met >= {*force.names}:
+                self._met.update(force.names)
+                yield _force(force)
+
+
+def _force(force: JointForce) -> Paragraph:
+    kind = "crank" if force.kind == "pin" and force.subject[-1] else force.kind
+    saying, places = _FORCES[kind]
+    names = {place: (name,) for place, name in zip(places, force.subject, strict=False)}
+    symbols = zip(("force", "other"), map(Symbol, force.names), strict=False)
+    return Paragraph(saying, (), names, dict(symbols))
+
+
+def _sums(step: Step, pose: Pose) -> Iterator[Paragraph]:
+    """Yield the sums of a step, the last with what follows."""
+    *most, last = step.balances
+    found = tuple(map(_solved, step.found))
+    for balance in most:
+        yield _sum(balance, (), pose)
+    yield _sum(last, () if most else found, pose)
+    if most:
+        yield Paragraph(SentenceKind.SOLVED_TOGETHER, found)
+
+
+def _sum(balance: Balance, found: tuple[Equation, ...], pose: Pose) -> Paragraph:
+    equations = (Equation(_left(balance), ZERO), *found)
+    body = "link" if balance.body in pose.frames else "point"
+    names = {"link": (balance.body,), "point": (balance.body,)}
+    if balance.centre:
+        return Paragraph(SentenceKind.MOMENTS, equations, {**names, "point": (balance.centre,)})
+    if balance.is_guide:
+        return Paragraph(SentenceKind.ALONG, equations, names)
+    if balance.across:
+        rod = {"rod": (balance.across,)}
+        saying = SentenceKind.FORCES_ACROSS if body == "link" else SentenceKind.PIN_ACROSS
+        return Paragraph(saying, equations, {**names, **rod})
+    assert balance.along is not None, "a sum of forces has a direction"
+    saying = SentenceKind.FORCES_ALONG if body == "link" else SentenceKind.PIN_ALONG
+    direction = {"direction": direction_formula(balance.along)}
+    return Paragraph(saying, equations, names, direction)
+
+
+def _left(balance: Balance) -> Formula:
+    """Return a sum with most of its terms positive."""
+    terms = _terms(balance.terms)
+    if 2 * sum(map(has_minus, terms)) > len(terms):
+        terms = list(map(negative, terms))
+    return total(positive_first(terms))
+
+
+def _solved(found: Found) -> Equation:
+    return Equation(Symbol(found.name), total(positive_first(_terms(found.terms))))
+
+
+def _terms(terms: Terms) -> list[Formula]:
+    return [product([(part.formula(), 1), (Symbol(name), 1)]) for name, part in terms.items()]

@@ -1,0 +1,182 @@
+"""A load from free bodies, step by step: it is the one that virtual power gives, at any pose."""
+
+from itertools import islice
+
+import pytest
+
+from good_mechanisms import ALL, begun
+from mechc.cli import main
+from mechc.driver import Compilation
+from mechc.equilibrium.equilibrium import Equilibrium
+from mechc.formula.walk import evaluate
+from mechc.model.mechanism import LoadForm, LoadRatio
+from mechc.model.values import completed
+from mechc.power.loads import given_size
+from mechc.source import Source
+from mechc.statics.poses import candidates
+
+EACH_JOINT = (
+    "karpenko_fig9_packet_clamp",  # rods, a lever, halves
+    "three_claw_gripper",  # copies
+    "crank_rocker",  # a closed loop
+    "whitworth",  # a pin in a slot
+    "block_on_rocker",  # a link that slides along another
+    "wedge_drive",  # contacts, halves
+    "d45_14_parallelogram_jaw",  # a rack, lengths that are not given
+    "d45_10_two_screws",
+    "gear_train_teeth",
+    "gear_on_coupler",  # wheels on an arm
+    "arc_slot",
+    "cartesian_rods",  # directions by components
+    "equalising_clamp",  # two freedoms
+    "triad_closed",  # sums that are solved together
+    "tied_chain",
+    "loads_on_links",
+)
+Loads = LoadRatio | LoadForm
+BEYOND = {"roberval_balance", "mirror_beam_torque"}
+"""What bodies that hang together more closely keep from being found so."""
+
+
+def agree(compilation: Compilation, poses: int) -> int:
+    """Compare a mechanism's loads at some poses; return how many were compared."""
+    mechanism, compared = compilation.mechanism, 0
+    results = {s.result.name: s.result for s in compilation.balance.solved}
+    targets = {find.name: find.target for find in mechanism.finds}
+    for equilibrium in compilation.equilibrium:
+        name, target = equilibrium.result, targets[equilibrium.result]
+        for values in islice(candidates(compilation.pose, 3 * poses), poses):
+            loads = sizes(mechanism, target, values)
+            forces = solved(equilibrium, loads, values)
+            formula, where = results[name].formula, results[name].where
+            known = completed({**loads, **values}, where)
+            assert forces[equilibrium.load] == pytest.approx(evaluate(formula, known), rel=1e-7)
+            compared += 1
+    return compared
+
+
+def sizes(mechanism, target, values) -> dict[str, float]:
+    """Return loads: those that are given as they are, others as they come; of a ratio one only."""
+    if isinstance(target, LoadRatio):
+        return dict.fromkeys([k.name for k in mechanism.loads], 0.0) | {target.below: 1.0}
+    given = {k.name: given_size(mechanism, k.name) for k in mechanism.loads}
+    return {n: evaluate(f, values) if f else 1.0 + i for i, (n, f) in enumerate(given.items())}
+
+
+def solved(equilibrium: Equilibrium, loads, values) -> dict[str, float]:
+    """Return the forces of the steps; a sum vanishes, unless it has one that is eliminated."""
+    forces = {n: f for n, f in loads.items() if n != equilibrium.load}
+    for step in equilibrium.steps:
+        for name, terms in step.found:
+            forces[name] = sum(part.evaluate(values) * forces[n] for n, part in terms.items())
+        for balance in (b for b in step.balances if b.terms.keys() <= forces.keys()):
+            parts = [p.evaluate(values) * forces[n] for n, p in balance.terms.items()]
+            assert abs(sum(parts)) <= 1e-9 * max(map(abs, parts)), balance
+    return forces
+
+
+@pytest.mark.parametrize("name", EACH_JOINT)
+def test_the_load_is_that_of_virtual_power(name):
+    assert agree(begun(name), 3) > 0
+
+
+def asks_for_load(name):
+    return any(isinstance(find.target, Loads) for find in begun(name).mechanism.finds)
+
+
+@pytest.mark.slow
+def test_the_load_is_that_of_virtual_power_in_many_mechanisms():
+    """Every third one, as all of them would take too long."""
+    names = sorted({*ALL} - BEYOND - {*EACH_JOINT})[::3]
+    compared = [agree(begun(n), 2) for n in names if asks_for_load(n)]
+    assert sum(map(bool, compared)) > 30
+
+
+def test_the_moment_centre_is_where_most_unknown_forces_pass():
+    (equilibrium,) = begun("karpenko_fig9_packet_clamp").equilibrium
+    assert [(b.body, b.centre, b.is_guide) for s in equilibrium.steps for b in s.balances] == [
+        ("K", "", True),
+        ("OBA", "O", False),
+    ]
+    assert [f.names for f in equilibrium.forces] == [("N_BK",)]
+    assert equilibrium.parts == 2
+
+
+@pytest.mark.parametrize("name", sorted(BEYOND))
+def test_what_hangs_together_more_closely_is_refused(name, capsys):
+    assert main(["derive", str(ALL[name]), "--by", "equilibrium"]) == 1
+    out, err = capsys.readouterr()
+    assert (out, "error[E730]" in err) == ("", True)
+    assert main(["compile", str(ALL[name]), "--emit", "latex", "--by", "equilibrium"]) == 1
+
+
+def test_velocities_do_not_follow_from_equilibrium(tmp_path, capsys):
+    path = tmp_path / "m.mech"
+    path.write_text(
+        "mechanism m\nparam a = 1 m\nparam t = 20 deg\npivot O\nlink OAB\nOA = a @ t\n"
+        "OB = 2*a @ t\nfind V_B/V_A\n"
+    )
+    assert main(["derive", str(path), "--by", "equilibrium"]) == 1
+    assert "error[E731]" in capsys.readouterr().err
+
+
+def test_a_sheet_has_no_bodies(tmp_path, capsys):
+    path = tmp_path / "s.mech"
+    path.write_text("sheet s\nparam a = 1 m\nlet b = 2*a\n")
+    for command in (["derive"], ["compile", "--emit", "latex"]):
+        assert main([*command, str(path), "--by", "equilibrium"]) == 1
+        assert "error[E704]" in capsys.readouterr().err
+
+
+CLAMP = {
+    "en": """
+     Each body is in equilibrium under all that acts on it.
+     By symmetry one of the equal parts is considered; on what they share all of
+     them act.
+     N_BK is the force in the rod BK, positive in tension.
+     Forces on K along its guide:
+        2 · N_BK · cos β + F = 0
+                        N_BK = −F / (2 · cos β)
+     Moments about O of the forces on OBA:
+        a · N_BK · sin(α + β) + bP · cos α = 0
+                                         P = −a · N_BK / b · sin(α + β) / cos α
+     hence
+        k = P/F = a/(2b) · sin(α + β) / (cos α · cos β)
+""",
+    "uk": "     N_BK — зусилля в стрижні BK, додатне при розтягу.\n",
+    "ru": "     N_BK — усилие в стержне BK, положительное при растяжении.\n",
+}
+
+
+@pytest.mark.parametrize("language", CLAMP)
+def test_the_steps_are_written_as_on_paper(language, capsys):
+    path = str(ALL["karpenko_fig9_packet_clamp"])
+    assert main(["derive", path, "--by", "equilibrium", "--lang", language]) == 0
+    assert CLAMP[language] in capsys.readouterr().out
+
+
+def test_a_report_has_sums_and_no_velocities(capsys):
+    path = str(ALL["whitworth"])
+    assert main(["compile", path, "--emit", "latex", "--by", "equilibrium"]) == 0
+    text = capsys.readouterr().out
+    assert r"\section*{Velocities}" not in text
+    assert r"\section*{Position}" in text
+    assert "Moments about $Q$ of the forces on $QCD$:" in text
+
+
+def test_what_is_found_for_one_load_is_not_told_again_for_the_next():
+    text = """
+        mechanism m
+        param a = 1 m
+        pivot O
+        link OAB
+        OA = a @ 0 deg
+        OB = 2*a @ 0 deg
+        force P at A along y
+        force F at B along -y
+        find P
+        find k = P/F
+    """
+    compilation = Compilation(Source("m.mech", text))
+    told = [len(e.paragraphs) for e in compilation.by_equilibrium.explanations]
+    assert told == [2, 0]
