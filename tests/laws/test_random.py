@@ -32,7 +32,7 @@ def compiler_against_velocities(seeds, groups=None):
 
 @pytest.mark.parametrize("part", range(2))
 def test_random_mechanisms(part):
-    compiler_against_velocities(range(part, 400, 2))
+    compiler_against_velocities(range(part, 200, 2))
 
 
 def test_random_mechanisms_through_the_front_of_the_library():
@@ -44,9 +44,9 @@ def test_random_mechanisms_through_the_front_of_the_library():
 
 @pytest.mark.slow
 def test_thousands_of_random_mechanisms():
-    compiler_against_velocities(range(400, 4000))
+    compiler_against_velocities(range(200, 2200))
 
 
 @pytest.mark.slow
 def test_large_random_mechanisms():
-    compiler_against_velocities(range(40), groups=8)
+    compiler_against_velocities(range(20), groups=8)
