@@ -12,6 +12,7 @@ from mechc.report.sentences.wording import as_ratio
 from mechc.report.text.derivation import render
 from mechc.report.text.printer import ASCII, UNICODE, print_formula
 from mechc.report.text.speller import WIDTH
+from mechc.source import Source
 from report_samples import equations, formula, packet_clamp, six_bar
 
 
@@ -154,3 +155,15 @@ def test_lines_are_as_wide_as_asked() -> None:
         shown = render(found.derivation, found.mechanism, width=width)
         prose = [line for line in shown.splitlines() if not set("=·√/(") & set(line)]
         assert width - 15 <= max(map(len, prose)) <= width
+
+
+def test_a_direction_of_a_drawing_is_given_in_degrees() -> None:
+    drawn = compile_source(
+        Source(
+            "lever.mech",
+            "mechanism lever\npivot O at (0 mm, 0 mm)\nlink OAB\nA at (30 mm, 30 mm)\n"
+            "B at (-20 mm, 0 mm)\nforce P at A along x\nforce F at B along y\nfind k = P/F\n",
+        )
+    )
+    given = render(drawn.derivation, drawn.mechanism).split("\n\n")[1]
+    assert "φ_OA = 45°" in given

@@ -10,6 +10,7 @@ from ...formula.walk import evaluate
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
+from ...model.values import is_constant
 from ...units import ANGLE, in_unit, si_unit
 from ..languages.registry import locale
 from ..note import Note, NoteCheck, NoteLine, note
@@ -79,7 +80,7 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
     unit = parameter.unit or si_unit(parameter.dimension)
     if parameter.value is None:
         said = spell.locale.any_value
-    elif parameter.dependent:
+    elif parameter.dependent and not is_constant(parameter):
         said = print_formula(parameter.value, signs, parameter.name in signs.angles)
     else:
         said = in_unit(evaluate(parameter.value, {}), unit, SHOWN)
