@@ -9,6 +9,7 @@ from .plot.query import POINTS, Given, Query, condition
 from .syntax.settings import parse
 
 if TYPE_CHECKING:
+    from .emit.picture import Picture
     from .emit.plot_files import PlotPicture
 
 
@@ -58,6 +59,25 @@ class Plotting:
         )
         found = self._compilation.along(settings).plot(query)
         return PlotPicture(found, picture(found))
+
+    def plans(self, language: str = "en") -> "Picture | None":
+        """Return the plans of velocities and of forces at the pose of the description.
+
+        In a notebook they show themselves; ``save("plans.svg")`` writes them, also .tex, .png and
+        .pdf. None where nothing moves, and no result speaks of a load.
+
+        >>> import mechc
+        >>> mechc.load("crank_rocker").plans().drawing.description
+        'velocities: VA ∠ 150°; VB = 0.915\u2009VA ∠ 155°. k, without friction, ...'
+        """
+        from .drawing.letters import in_letters
+        from .emit.picture import Picture
+        from .report.languages.letters import letters
+        from .report.languages.registry import locale
+
+        words = locale(language)
+        drawing = self._compilation.drawn_plans(words.pictures)
+        return Picture(in_letters(drawing, letters(words))) if drawing else None
 
 
 def _listed(names: str | Sequence[str]) -> tuple[str, ...]:

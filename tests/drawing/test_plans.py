@@ -45,8 +45,8 @@ def test_no_label_is_on_a_line(name):
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("name", ALL)
-def test_nor_in_all_others(name):
+@pytest.mark.parametrize("name", sorted({*ALL} - {*FEW})[::5])
+def test_nor_in_many_others(name):
     assert_readable(begun(name).drawn_plans(EN))
 
 

@@ -6,6 +6,7 @@ import re
 import subprocess
 import sys
 import xml.etree.ElementTree as ET
+from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -18,6 +19,7 @@ from mechc.diagnostics import MechcError
 from mechc.drawing.drawing import COPY, FORCE, HATCH, MEASURE, SYMBOL, Arc, Polyline
 from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import name as lettering_of
+from mechc.drawing.paper import on_paper
 from mechc.driver import Compilation
 from mechc.emit.png.picture import to_png
 from mechc.emit.svg.picture import to_svg
@@ -25,6 +27,7 @@ from mechc.emit.tikz.picture import to_tikz
 from mechc.figure.figure import Actuator, Force, Spring, Torque
 from mechc.files import find, mechanisms, read
 from mechc.formula.names import split_points
+from mechc.model.values import range_of
 from mechc.source import Source
 from readable_drawings import assert_readable, lettering, places
 
@@ -311,3 +314,17 @@ def test_a_picture_saves_itself_and_shows_itself(tmp_path):
     assert picture._repr_svg_() != mechc.load("crank_rocker").draw()._repr_svg_()
     with pytest.raises(ValueError, match=r"none of the suffixes \.svg"):
         picture.save(tmp_path / "k.bmp")
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("name", ["double_crank", "whitworth"])
+def test_along_the_stroke_the_drawing_does_not_jump(name):
+    """Two hundred poses: no point moves by a twentieth of the paper from one to the next."""
+    compilation = begun(name)
+    drive = compilation.pose.mechanism.drive.parameter
+    low, high = range_of(drive, compilation.pose.mechanism)
+    places = [low + (high - low) * i / 200 for i in range(201)]
+    papers = [on_paper(compilation.drawn({drive: place})) for place in places]
+    for before, after in pairwise(papers):
+        moved = [math.dist(before.at(p), after.at(p)) for p in before.figure.points]
+        assert 0 < max(moved) < 6.0

@@ -60,7 +60,7 @@ WRITTEN: Final = {
     "find": "find k = P/F",
     "require": "require 0 deg < alpha < 90 deg",
     "expect": "expect k = 0.353 at alpha = 10 deg",
-    "report": "report scheme, k, plot k over alpha",
+    "report": "report plot k over alpha",
 }
 """A whole line by its first word; by two or three where one word begins several statements."""
 
