@@ -121,6 +121,14 @@ def test_arrows_of_velocities_meet_as_vectors_add():
     assert {tail, tip} == {end for _, end in absolute}
 
 
+@pytest.mark.parametrize(("name", "along"), [("scotch_yoke", 90.0), ("d45_16_wedge_hook", -10.0)])
+def test_what_slides_on_a_slide_moves_along_its_face(name, along):
+    """The pin of a yoke along the slot, the roller of a hook along the face of the wedge."""
+    ((tail, tip),) = arrows(begun(name).drawn_plans(EN), RELATIVE)
+    turn = tip.minus(tail).angle - math.radians(along)
+    assert math.sin(turn) == pytest.approx(0, abs=1e-9)
+
+
 @pytest.mark.parametrize("name", ["crank_slider", "karpenko_fig9_packet_clamp"])
 def test_polygons_of_forces_close(name):
     sides = [tip.minus(tail) for tail, tip in arrows(begun(name).drawn_plans(EN), FORCE)]

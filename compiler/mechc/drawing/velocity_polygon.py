@@ -5,7 +5,7 @@ from collections.abc import Iterator
 from itertools import combinations
 from typing import NamedTuple
 
-from ..figure.figure import Figure, Link, Telescope
+from ..figure.figure import Contact, Figure, Link, Slide, Slot, Telescope
 from ..figure.velocities import Velocities
 from ..formula.names import split_points
 from ..frozen import frozen
@@ -145,15 +145,27 @@ class _Maker:
                 yield Side(start, end, (body, point))
 
     def _pairs(self) -> Iterator[tuple[str, str]]:
-        """Yield the points of bodies between which there is a relative velocity.
+        """Yield the points between which there is a relative velocity.
 
         On a link that turns about a pivot those from the pole say it all.
         """
+        for points in self._bodies():
+            known = [p for p in points if p in self.velocities.points and split_points(p)]
+            if all(self.velocities.speed(p) * self.scale > NEAR for p in known):
+                yield from combinations(known, 2)
+
+    def _bodies(self) -> Iterator[tuple[str, ...]]:
+        """Yield the points of each body, and what is in contact with one that only translates."""
+        slides = {p.name: p.points[0] for p in self.figure.parts if isinstance(p, Slide)}
         for part in self.figure.parts:
-            if isinstance(part, Link | Telescope):
-                known = [p for p in part.points if p in self.velocities.points and split_points(p)]
-                if all(self.velocities.speed(p) * self.scale > NEAR for p in known):
-                    yield from combinations(known, 2)
+            match part:
+                case Link(points=points) | Telescope(points=points):
+                    yield points
+                case Slot(point=point, body=body) | Contact(point=point, body=body):
+                    if body in slides:
+                        yield slides[body], point
+                case _:
+                    pass
 
     def _node(self, nodes: list[Node], point: str) -> Node:
         return next(node for node in nodes if point in node.points)
