@@ -183,8 +183,9 @@ class SolvedMechanism(Plotting):
         """
         from .drawing.from_figure import scheme
         from .emit.picture import Picture
+        from .report.languages.pictured import EN
 
-        return Picture(scheme(self.figure(**values)))
+        return Picture(scheme(self.figure(**values), EN))
 
     def free_bodies(self, **values: float | str) -> "tuple[Diagram, ...]":
         """Return each body with the forces on it, at given values of parameters and loads.

@@ -327,9 +327,9 @@ class Compilation:
     @Stage
     def scheme(self) -> "Drawing | None":
         """The kinematic scheme at the default pose; None where it cannot be assembled."""
-        from .drawing.from_figure import scheme
+        from .report.languages.pictured import EN
 
-        return scheme(self.figure) if self.figure else None
+        return self.drawn_scheme(EN)
 
     @Stage
     @of_linkages
@@ -350,11 +350,14 @@ class Compilation:
         with within(Allowance(), self.report):
             return diagrams(self.pose, self.solution.results, figure.values, figure.points, loads)
 
-    def marked(self, marks: "Marks") -> "Drawing | None":
-        """Return the scheme with marks of how the mechanism moves."""
+    def drawn_scheme(
+        self, words: Mapping[str, str], marks: "Marks | None" = None
+    ) -> "Drawing | None":
+        """Return the scheme in the words of a language, with marks of how the mechanism moves."""
         from .drawing.from_figure import scheme
+        from .drawing.moving import NO_MARKS
 
-        return scheme(self.figure, marks) if self.figure else None
+        return scheme(self.figure, words, marks or NO_MARKS) if self.figure else None
 
     @of_linkages
     def drawn_bodies(self, words: Mapping[str, str]) -> "Drawing | None":

@@ -187,7 +187,7 @@ def test_at_a_dead_centre_there_is_nothing_to_plan(capsys, tmp_path):
 def test_centres_are_where_lines_square_to_velocities_meet():
     """That of the coupler lies on both rockers of a four-bar."""
     double, paper = begun("double_rocker"), on_paper(begun("double_rocker").figure)
-    drawing = double.marked(Marks(centres=double.velocities[0]))
+    drawing = double.drawn_scheme(EN, Marks(centres=double.velocities[0]))
     (cross, _) = (s for s in drawing.shapes if s.pen == SYMBOL and s not in double.scheme.shapes)
     centre = cross.points[0].plus(cross.points[1]).times(0.5)
     for pivot, pin in (("O1", "A"), ("O2", "B")):
@@ -198,8 +198,17 @@ def test_centres_are_where_lines_square_to_velocities_meet():
 def test_friction_circles_are_as_large_as_they_are():
     lever = begun("lever_clamp_with_friction")
     radii, moving = friction_circles(lever.free_bodies), lever.velocities[0]
-    drawing = lever.marked(Marks(moving, moving, radii))
+    drawing = lever.drawn_scheme(EN, Marks(moving, moving, radii))
     assert_readable(drawing)
     circles = [s for s in drawing.shapes if isinstance(s, Arc) and s.pen == FORCE and s.whole]
     expected = [radius * on_paper(lever.figure).scale for radius in radii.values()]
     assert [circle.radius for circle in circles] == pytest.approx(expected)
+
+
+def test_what_a_picture_says_is_in_the_language(capsys):
+    assert main(["draw", "karpenko_fig9_packet_clamp", "--lang", "uk"]) == 0
+    said = capsys.readouterr().out
+    assert "Нерухомі шарніри: O, O'." in said
+    assert "Показано обидві дзеркальні половини." in said
+    assert main(["draw", "crank_rocker", "--lang", "ru", "--centres"]) == 0
+    assert "Мгновенные центры скоростей слишком далеко" in capsys.readouterr().out

@@ -28,6 +28,7 @@ from mechc.figure.figure import Actuator, Force, Spring, Torque
 from mechc.files import find, mechanisms, read
 from mechc.formula.names import split_points
 from mechc.model.values import range_of
+from mechc.report.languages.pictured import EN
 from mechc.source import Source
 from readable_drawings import assert_readable, lettering, places
 
@@ -37,7 +38,7 @@ CLAMP = "karpenko_fig9_packet_clamp"
 
 
 def drawn(name, **values):
-    return scheme(begun(name).drawn(values))
+    return scheme(begun(name).drawn(values), EN)
 
 
 # ------------------------------------------------------------- where labels are

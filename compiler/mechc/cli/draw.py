@@ -120,26 +120,27 @@ def _drawing(
 ) -> Drawing:
     """Return the picture that is asked for; what it says has been checked."""
     if not any(asked.values()):
-        drawing, trouble = compilation.scheme, nothing_to_draw()
+        drawing, trouble = compilation.drawn_scheme(words), nothing_to_draw()
     elif asked["bodies"]:
         drawing, trouble = checked(compilation).drawn_bodies(words), no_free_bodies()
     elif asked["plans"]:
         drawing, trouble = checked(compilation).drawn_plans(words), no_plans()
     else:
-        drawing, trouble = _marked(checked(compilation), asked), nothing_to_draw()
+        drawing, trouble = _marked(checked(compilation), asked, words), nothing_to_draw()
     if drawing is None:
         raise MechcError([trouble if compilation.figure else nothing_to_draw()])
     return drawing
 
 
-def _marked(compilation: Compilation, asked: Mapping[str, bool]) -> Drawing | None:
+def _marked(
+    compilation: Compilation, asked: Mapping[str, bool], words: Mapping[str, str]
+) -> Drawing | None:
     """Return the scheme with the marks that are asked for."""
     moving = compilation.velocities if asked["velocities"] or asked["centres"] else ()
     first = moving[0] if moving else None
-    return compilation.marked(
-        Marks(
-            velocities=first if asked["velocities"] else None,
-            centres=first if asked["centres"] else None,
-            circles=friction_circles(compilation.free_bodies) if asked["friction_circles"] else {},
-        )
+    marks = Marks(
+        velocities=first if asked["velocities"] else None,
+        centres=first if asked["centres"] else None,
+        circles=friction_circles(compilation.free_bodies) if asked["friction_circles"] else {},
     )
+    return compilation.drawn_scheme(words, marks)

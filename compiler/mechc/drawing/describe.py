@@ -1,29 +1,35 @@
 """What a picture shows, in words, for whoever cannot see it."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from ..figure.figure import Figure, Force, Link, Part, Pivot, Slide, Slider, SpreadLoad, Torque
 
+Words = Mapping[str, str]
 
-def describe(figure: Figure) -> str:
+
+def describe(figure: Figure, words: Words) -> str:
     """Return what a scheme shows: bodies, what holds them, loads, and whether it is to scale."""
-    return " ".join(_sentences(figure))
+    return " ".join(_sentences(figure, words))
 
 
-def _sentences(figure: Figure) -> Iterator[str]:
+def _sentences(figure: Figure, words: Words) -> Iterator[str]:
     parts = figure.parts
-    yield f"Kinematic scheme of {figure.title or figure.name}."
-    yield from _listed("Links", ("".join(p.points) for p in parts if isinstance(p, Link)))
-    yield from _listed("Sliding bodies", ("".join(p.points) for p in parts if isinstance(p, Slide)))
-    yield from _listed("Fixed pivots", (p.point for p in parts if isinstance(p, Pivot)))
-    yield from _listed("Guided points", (p.point for p in parts if isinstance(p, Slider)))
-    yield from _listed("Loads", _loads(parts))
+    yield words["scheme_of"].format(name=figure.title or figure.name)
+    yield from _listed(words["links"], _bodies(parts, Link))
+    yield from _listed(words["slides"], _bodies(parts, Slide))
+    yield from _listed(words["pivots"], (p.point for p in parts if isinstance(p, Pivot)))
+    yield from _listed(words["sliders"], (p.point for p in parts if isinstance(p, Slider)))
+    yield from _listed(words["loads"], _loads(parts, words))
     if figure.mirror is not None:
-        yield "Both mirrored halves are shown."
+        yield words["halves"]
     if figure.copies > 1:
-        yield f"It is one of {figure.copies} equal branches."
+        yield words["branches"].format(count=figure.copies)
     if figure.chosen:
-        yield f"Not to scale: nothing gives {', '.join(figure.chosen)}."
+        yield words["open_scale"].format(names=", ".join(figure.chosen))
+
+
+def _bodies(parts: Iterable[Part], kind: type[Link] | type[Slide]) -> Iterator[str]:
+    return ("".join(part.points) for part in parts if isinstance(part, kind))
 
 
 def _listed(what: str, names: Iterable[str]) -> Iterator[str]:
@@ -32,11 +38,11 @@ def _listed(what: str, names: Iterable[str]) -> Iterator[str]:
         yield f"{what}: {', '.join(found)}."
 
 
-def _loads(parts: Iterable[Part]) -> Iterator[str]:
+def _loads(parts: Iterable[Part], words: Words) -> Iterator[str]:
     for part in parts:
         if isinstance(part, Force):
-            yield f"{part.name} at {part.point}"
+            yield words["load_at"].format(load=part.name, point=part.point)
         elif isinstance(part, SpreadLoad):
-            yield f"{part.name} over {part.tail}{part.head}"
+            yield words["load_over"].format(load=part.name, line=part.tail + part.head)
         elif isinstance(part, Torque):
-            yield f"couple {part.name} on {part.link}"
+            yield words["couple_on"].format(load=part.name, link=part.link)

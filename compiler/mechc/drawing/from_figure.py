@@ -1,7 +1,7 @@
 """From a figure to its kinematic scheme."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ..figure.figure import Figure, Link, Pivot, Slide, Slider, Telescope
 from ..formula.names import split_points
@@ -23,8 +23,11 @@ BEYOND = 4.0
 """How far a mirror line goes beyond the mechanism, in millimetres."""
 
 
-def scheme(figure: Figure, marks: Marks = NO_MARKS) -> Drawing:
-    """Return the kinematic scheme of a mechanism, with marks of how it moves if they are asked."""
+def scheme(figure: Figure, words: Mapping[str, str], marks: Marks = NO_MARKS) -> Drawing:
+    """Return the kinematic scheme of a mechanism, with marks of how it moves if they are asked.
+
+    ``words`` are those of a language.
+    """
     paper, sheet = on_paper(figure), Sheet()
     sheet.draw(Layer.COPIES, _copies(paper))
     _draw_bodies(sheet, paper)
@@ -34,9 +37,8 @@ def scheme(figure: Figure, marks: Marks = NO_MARKS) -> Drawing:
     _draw_mirror(sheet, paper)
     draw_measures(sheet, paper)
     _write_points(sheet, paper)
-    return sheet.finished(
-        figure.title or figure.name, " ".join((describe(figure), *say_marks(paper, marks)))
-    )
+    about = " ".join((describe(figure, words), *say_marks(paper, marks, words)))
+    return sheet.finished(figure.title or figure.name, about)
 
 
 def _draw_bodies(sheet: Sheet, paper: Paper) -> None:

@@ -58,12 +58,12 @@ def draw_marks(sheet: Sheet, paper: Paper, marks: Marks) -> None:
         _draw_velocities(sheet, paper, marks.velocities)
 
 
-def say_marks(paper: Paper, marks: Marks) -> Iterator[str]:
+def say_marks(paper: Paper, marks: Marks, words: Mapping[str, str]) -> Iterator[str]:
     """Yield which centres are too far off to be drawn."""
     centres = _centres(paper, marks.centres) if marks.centres else ()
     far = [c.link.name for c in centres if not _is_near(paper, c)]
     if far:
-        yield f"Too far off to be drawn: the instantaneous centres of {', '.join(far)}."
+        yield words["far_centres"].format(links=", ".join(far))
 
 
 def _draw_velocities(sheet: Sheet, paper: Paper, velocities: Velocities) -> None:

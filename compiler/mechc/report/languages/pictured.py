@@ -20,6 +20,19 @@ EN: Words = {
     "plans_of": "Plans of velocities and of forces of {name}",
     "cut": "Every body cut free, with the forces on it: {heads}.",
     "half_cut": "Every body of one mirrored half cut free, with the forces on it: {heads}.",
+    "scheme_of": "Kinematic scheme of {name}.",
+    "links": "Links",
+    "slides": "Sliding bodies",
+    "pivots": "Fixed pivots",
+    "sliders": "Guided points",
+    "loads": "Loads",
+    "load_at": "{load} at {point}",
+    "load_over": "{load} over {line}",
+    "couple_on": "couple {load} on {link}",
+    "halves": "Both mirrored halves are shown.",
+    "branches": "It is one of {count} equal branches.",
+    "open_scale": "Not to scale: nothing gives {names}.",
+    "far_centres": "Too far off to be drawn: the instantaneous centres of {links}.",
 }
 
 UK: Words = {
@@ -39,6 +52,19 @@ UK: Words = {
     "cut": "Кожна ланка звільнена від в’язей, з силами, що діють на неї: {heads}.",
     "half_cut": "Кожна ланка однієї дзеркальної половини звільнена від в’язей, з силами, "
     "що діють на неї: {heads}.",
+    "scheme_of": "Кінематична схема: {name}.",
+    "links": "Ланки",
+    "slides": "Повзуни з кількома точками",
+    "pivots": "Нерухомі шарніри",
+    "sliders": "Точки в напрямних",
+    "loads": "Навантаження",
+    "load_at": "{load} у точці {point}",
+    "load_over": "{load} на відрізку {line}",
+    "couple_on": "момент {load} на ланці {link}",
+    "halves": "Показано обидві дзеркальні половини.",
+    "branches": "Показано одну з {count} однакових гілок.",
+    "open_scale": "Не в масштабі: не задано {names}.",
+    "far_centres": "Миттєві центри швидкостей надто далеко, щоб їх показати: {links}.",
 }
 
 RU: Words = {
@@ -58,4 +84,17 @@ RU: Words = {
     "cut": "Каждое звено освобождено от связей, с силами, действующими на него: {heads}.",
     "half_cut": "Каждое звено одной зеркальной половины освобождено от связей, с силами, "
     "действующими на него: {heads}.",
+    "scheme_of": "Кинематическая схема: {name}.",
+    "links": "Звенья",
+    "slides": "Ползуны с несколькими точками",
+    "pivots": "Неподвижные шарниры",
+    "sliders": "Точки в направляющих",
+    "loads": "Нагрузки",
+    "load_at": "{load} в точке {point}",
+    "load_over": "{load} на отрезке {line}",
+    "couple_on": "момент {load} на звене {link}",
+    "halves": "Показаны обе зеркальные половины.",
+    "branches": "Показана одна из {count} одинаковых ветвей.",
+    "open_scale": "Не в масштабе: не заданы {names}.",
+    "far_centres": "Мгновенные центры скоростей слишком далеко, чтобы их показать: {links}.",
 }
