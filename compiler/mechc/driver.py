@@ -21,11 +21,12 @@ from .friction.solution import Solution
 from .frozen import replace
 from .kinematics.from_pose import plan_velocities
 from .kinematics.plan import Plan
+from .model.brought import Used
 from .model.from_syntax import resolve
 from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .model.sheets import is_sheet
-from .model.uses import Composed, Used, with_used
+from .model.uses import Composed, with_used
 from .pose.from_model import solve_pose
 from .pose.motion import Motion, motion
 from .pose.pose import Pose
@@ -154,11 +155,11 @@ class Compilation:
         """What was written with what it uses, and what was found of mechanisms among that."""
         return with_used(self.tree, self.report, self.users, self._used)
 
-    def _used(self, source: Source) -> Used:
-        """Return what this sheet uses: a sheet, or a mechanism with all that is found of it."""
+    def _used(self, source: Source, is_part: bool) -> Used:
+        """Return what this uses: a sheet, a part, or a mechanism with all that is found of it."""
         used = Compilation(source, users=self.users)
         file, mechanism = used.composed, used.mechanism
-        if is_sheet(mechanism):
+        if is_part or is_sheet(mechanism):
             return Used(file, mechanism, used.source, used._with_used.solved)
         used.verdict  # noqa: B018 - what the free bodies refute is not handed on
         pose = used.pose

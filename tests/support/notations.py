@@ -179,6 +179,15 @@ CONSTRUCTS = [
         "use: {cyl: {name: cylinder, with: {P: 2*F, p: 0.6 MPa}}, bolt: parts/pin.mech}",
     ),
     (
+        "use toggle as T (l = 2*a) at (1 mm, 0 mm) turned 90 deg joining T.C = B, T.D' = S.E"
+        " without F, alpha\nuse lever as L joining L.A = C",
+        "use: {T: {name: toggle, with: {l: 2*a}, at: [1 mm, 0 mm], turned: 90 deg,"
+        " joining: {T.C: B, T.D': S.E}, without: [F, alpha]},"
+        " L: {name: lever, joining: {L.A: C}}}",
+    ),
+    ("force F at T.K on T.KB along -T.OB", "forces: {F: {at: T.K, link: T.KB, along: -T.OB}}"),
+    ("let a = phi_T.OB - R_T.O_x", "let: {a: phi_T.OB - R_T.O_x}"),
+    (
         'translate "arm" en "lever" uk "плече"\ntranslate "on" ru "да"',
         'translate: [{text: arm, en: lever, uk: плече}, {text: "on", ru: да}]',
     ),

@@ -134,15 +134,19 @@ def given_both_loads(span: Span, above: str, below: str, before: Span) -> Messag
 def mechanism_in_a_mechanism(span: Span, heading: Span) -> Message:
     """A mechanism uses another one, or a sheet that does; mechanisms use plain sheets only.
 
-    Put both mechanisms into a calculation sheet, which hands the force of one on to the other::
+    Joined at a point, the other one becomes a part of this one, and both move as one::
+
+        use toggle_clamp as T joining T.H = B
+
+    Or put both mechanisms into a sheet, which hands the force of one on to the other::
 
         sheet press
         use toggle_clamp as first (F = 2 kN)
         use "lever.mech" as second (F = first_P)
     """
     related = (Related(heading, "this is what is used"),)
-    message = "a mechanism uses sheets only, and no mechanism by way of them"
-    return Message(span, message, "use both in a calculation sheet", related)
+    message = "a mechanism that is used here has no part in this one, expected a joint"
+    return Message(span, message, "join it: joining T.C = B; or use both in a sheet", related)
 
 
 @coded("E567")

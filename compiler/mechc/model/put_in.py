@@ -55,11 +55,12 @@ def load(known: Load, use: ast.Use) -> ast.Param:
     return ast.Param(
         known.span,
         ast.Name(known.name, use.prefix.span),
-        dimension=ast.Name(_dimension(known.dimension), known.span),
+        dimension=ast.Name(name_of(known.dimension), known.span),
     )
 
 
-def _dimension(dimension: Dimension) -> str:
+def name_of(dimension: Dimension) -> str:
+    """Return the word for a dimension."""
     return next(name for name, known in DIMENSIONS.items() if known == dimension)
 
 

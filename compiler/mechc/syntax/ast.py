@@ -607,11 +607,17 @@ class Use(Statement):
     """``use cylinder as cyl (P = 2*F)``: another sheet, what is ``given`` to its parameters.
 
     It is one of the library by its name, or a file by its path from this one's folder.
+    ``use clamp as T at (x, y) turned θ joining T.C = B without F``: a mechanism that becomes
+    a part of this one, where its origin lies and how it is turned.
     """
 
     used: Name
     prefix: Name
     given: tuple[tuple[Name, Expr], ...] = ()
+    at: Cartesian | None = None
+    turned: Expr | None = None
+    joining: tuple[tuple[Name, Name], ...] = ()
+    without: tuple[Name, ...] = ()
 
 
 @frozen

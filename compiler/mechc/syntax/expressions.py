@@ -15,7 +15,16 @@ from .fault import Fault
 from .lalr import Token
 from .spans import span_of
 from .unit_words import unit_meant
-from .vocabulary import CONSTANTS, FUNCTIONS, TWINS, apart, counted, points_of, split_quantity
+from .vocabulary import (
+    CONSTANTS,
+    FUNCTIONS,
+    TWINS,
+    apart,
+    counted,
+    of_used,
+    points_of,
+    split_quantity,
+)
 
 Signed = tuple[int, ast.Expr]
 
@@ -170,7 +179,7 @@ def bare_direction(name: str, sign: int, span: Span) -> ast.Direction | None:
     match name:
         case "x" | "y":
             return ast.Axis(name, sign, span)
-    if len(points_of(name)) != 2:
+    if len(points_of(of_used(name)[1])) != 2:
         return None
     start = span.end - len(name)
     return ast.Toward(ast.Name(name, Span(start, span.end)), sign, False, span)
@@ -206,6 +215,9 @@ def new_name(text: str, span: Span) -> ast.Name:
     """Return a name that the user may give; functions and ``pi`` are taken."""
     if text in FUNCTIONS or text in TWINS or text in CONSTANTS:
         raise Fault(syntax.reserved_word(span, text))
+    if "." in text:
+        expected = "a name without a dot"
+        raise Fault(syntax.not_a_name(span, text, expected))
     return ast.Name(text, span)
 
 
@@ -221,7 +233,7 @@ COUNTED = {
 def point_name(kind: str, text: str, span: Span) -> ast.Name:
     """Return a name made of points, as many as its kind wants."""
     least, most, expected = COUNTED[kind]
-    found = len(points_of(text))
+    found = len(points_of(of_used(text)[1]))
     if not found:
         raise Fault(syntax.not_a_point(span, text, expected, apart(text, kind == "point")))
     if found < least or (most and found > most):

@@ -321,12 +321,19 @@ SECTIONS: tuple[Section, ...] = (
     ),
     named(
         "use",
-        "other sheets, by the prefix that their names get here",
+        "other sheets and mechanisms, by the prefix that their names get here",
         Entry(
             ast.Use,
             key("prefix", Kind.NAME),
             plain(Kind.USED, "used"),
-            (key("name", Kind.USED, "used"), optional("with", Kind.GIVEN, "given")),
+            (
+                key("name", Kind.USED, "used"),
+                optional("with", Kind.GIVEN, "given"),
+                optional("at", Kind.CARTESIAN),
+                optional("turned", Kind.EXPRESSION),
+                optional("joining", Kind.JOINTS),
+                optional("without", Kind.NAMES),
+            ),
         ),
     ),
     named(

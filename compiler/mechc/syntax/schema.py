@@ -15,12 +15,16 @@ from .sections import Entry, Key, Kind, Section, Shape
 Schema = dict[str, Any]
 
 POINT = "[A-Z][0-9]*'*"
+OF_USED = r"(?:[A-Za-z][A-Za-z0-9_']*\.)?"
 ANY_NAME = "^[A-Za-z][A-Za-z0-9_']*$"
 
 # YAML readers see numbers where mechc sees text, so both are let in.
 EXPRESSION: Schema = {"type": ["string", "number"], "description": "an expression: 2*a, 40 mm"}
 CARTESIAN: Schema = {"type": "array", "items": EXPRESSION, "minItems": 2, "maxItems": 2}
-END: Schema = {"type": "string", "pattern": f"^{POINT}(?: on (?:{POINT}){{2,}})?$"}
+END: Schema = {
+    "type": "string",
+    "pattern": f"^{OF_USED}{POINT}(?: on {OF_USED}(?:{POINT}){{2,}})?$",
+}
 POLAR: Schema = {
     "type": "object",
     "properties": {"length": EXPRESSION, "angle": EXPRESSION},
@@ -32,7 +36,7 @@ POLAR: Schema = {
 def points(least: int, most: int | None = None) -> Schema:
     """Return the schema of a name made of so many points."""
     times = f"{{{least},{'' if most is None else most}}}"
-    return {"type": "string", "pattern": f"^(?:{POINT}){times}$"}
+    return {"type": "string", "pattern": f"^{OF_USED}(?:{POINT}){times}$"}
 
 
 KINDS: dict[Kind, Schema] = {
@@ -42,7 +46,7 @@ KINDS: dict[Kind, Schema] = {
     Kind.ROD: points(2, 2),
     Kind.CORNER: points(3, 3),
     Kind.BODY: points(1),
-    Kind.PIN: {"type": "string", "pattern": f"^(?:pins|{POINT})$"},
+    Kind.PIN: {"type": "string", "pattern": f"^(?:pins|{OF_USED}{POINT})$"},
     Kind.PAIR: {"type": "array", "items": END, "minItems": 2, "maxItems": 2},
     Kind.RIM: {**EXPRESSION, "description": "a radius: 40 mm, m*z/2, 40 mm on OA"},
     Kind.SHARED: {"anyOf": [points(1, 1), {"type": "array", "items": points(1, 1)}]},
@@ -67,6 +71,18 @@ KINDS: dict[Kind, Schema] = {
         "patternProperties": {ANY_NAME: EXPRESSION},
         "additionalProperties": False,
         "description": "values of parameters: {F: 3 kN, d: d}",
+    },
+    Kind.JOINTS: {
+        "type": "object",
+        "patternProperties": {f"^{OF_USED}{POINT}$": points(1, 1)},
+        "additionalProperties": False,
+        "description": "points that become one: {T.C: B}",
+    },
+    Kind.NAMES: {
+        "anyOf": [
+            {"type": "string", "pattern": ANY_NAME},
+            {"type": "array", "items": {"type": "string", "pattern": ANY_NAME}},
+        ]
     },
     Kind.DIMENSION: {"enum": sorted(DIMENSIONS)},
     Kind.TEXT: {"type": ["string", "number", "null"]},

@@ -41,6 +41,8 @@ class Kind(Enum):
     SIZES = auto()  # [32 mm, 40 mm]
     USED = auto()  # a name of the library, or a path
     GIVEN = auto()  # {F: 3 kN, d: d}
+    JOINTS = auto()  # {T.C: B}
+    NAMES = auto()  # [F, alpha]
     DIMENSION = auto()
     TEXT = auto()
     WORD = auto()

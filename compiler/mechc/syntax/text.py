@@ -193,6 +193,11 @@ def reported(part: ast.Reported) -> str:
     return part.name.text if part.over is None else f"plot {part.name.text} over {part.over.text}"
 
 
+def joints(joined: tuple[tuple[ast.Name, ast.Name], ...]) -> str:
+    """Return ``T.C = B, T.D = E``."""
+    return ", ".join(f"{there.text} = {here.text}" for there, here in joined)
+
+
 def expectation(expected: ast.Expect) -> str:
     """Return ``k = 7.1 at alpha = 35 deg``."""
     at = f" at {settings(expected.at)}" if expected.at else ""

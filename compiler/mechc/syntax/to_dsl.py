@@ -63,7 +63,8 @@ LINES: dict[type[ast.Statement], str] = {
     ast.Efficiency: "efficiency {value}",
     ast.Table: "table {name}[ {source}] = {rows}",
     ast.Sizes: "list {name}[ {source}] = {sizes}",
-    ast.Use: "use {used} as {prefix}[ ({given})]",
+    ast.Use: "use {used} as {prefix}[ ({given})][ at {at}][ turned {turned}]"
+    "[ joining {joining}][ without {without}]",
     ast.Translate: "translate {text}[ en {en}][ uk {uk}][ ru {ru}]",
     ast.Let: "let {name}|= {value}[ in {unit}][ as {label}]",
 }
@@ -195,6 +196,10 @@ def written(field: str, value: Any) -> str:
             return ", ".join(map(text.row, value))
         case tuple() if field == "given":
             return text.settings(value)
+        case tuple() if field == "joining":
+            return text.joints(value)
+        case tuple() if field == "without":
+            return ", ".join(name.text for name in value)
         case tuple() if field == "sizes":
             return ", ".join(map(text.expression, value))
         case tuple():

@@ -226,6 +226,10 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return f"{{{', '.join(_setting(*setting) for setting in given_values)}}}"
         case Kind.REPORTED, [name, over]:
             return scalar(text.reported(ast.Reported(name.span, name, over)), flow)
+        case Kind.JOINTS, [joined]:
+            return f"{{{', '.join(f'{there.text}: {here.text}' for there, here in joined)}}}"
+        case Kind.NAMES, [names]:
+            return f"[{', '.join(scalar(name.text, True) for name in names)}]"
         case Kind.EXPECTATION, [subject, value, at, tolerance]:
             expected = ast.Expect(subject.span, subject, value, at, tolerance)
             return scalar(text.expectation(expected), flow)

@@ -67,16 +67,27 @@ def translate(text: Token, *others: Token | None) -> ast.Translate:
 
 
 def use(
-    used: ast.Name, prefix: ast.Name, given: tuple[tuple[ast.Name, ast.Expr], ...] | None
+    used: ast.Name,
+    prefix: ast.Name,
+    given: tuple[tuple[ast.Name, ast.Expr], ...] | None,
+    at: ast.Cartesian | None,
+    turned: ast.Expr | None,
+    joining: tuple[tuple[ast.Name, ast.Name], ...] | None,
+    without: tuple[ast.Name, ...] | None,
 ) -> ast.Use:
-    """Return ``use cylinder as cyl (P = 2*F)``."""
-    return ast.Use(NOWHERE, used, prefix, given or ())
+    """Return ``use clamp as T (P = 2*F) at (x, y) turned θ joining T.C = B without F``."""
+    return ast.Use(NOWHERE, used, prefix, given or (), at, turned, joining or (), without or ())
 
 
 def used(token: Token) -> ast.Name:
     """Return what is used: a name of the library, or a path in quotes."""
     text = unquoted(token) if token.type == "STRING" else str(token)
     return ast.Name(text, span_of(token))
+
+
+def joint(there: ast.Name, equal: Token, here: ast.Name) -> tuple[ast.Name, ast.Name]:
+    """Return ``T.C = B``."""
+    return there, here
 
 
 def given(*parts: Any) -> tuple[Any, ...]:
@@ -406,6 +417,9 @@ PARTS: Mapping[str, Made] = {
     "setting": tupled,
     "used": used,
     "given": given,
+    "joints": tupled,
+    "joint": joint,
+    "behind": tupled,
     "range": tupled,
     "shared": tupled,
     "end": tupled,

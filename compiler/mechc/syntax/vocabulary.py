@@ -77,6 +77,16 @@ def points_of(text: str) -> tuple[str, ...]:
     return tuple(POINT.findall(text)) if POINTS.fullmatch(text) else ()
 
 
+def of_used(text: str) -> tuple[str, str]:
+    """Return the prefix and the points of what is used, '' and the text of any other name.
+
+    >>> of_used("T.OB"), of_used("OB")
+    (('T', 'OB'), ('', 'OB'))
+    """
+    prefix, dot, points = text.partition(".")
+    return (prefix, points) if dot else ("", text)
+
+
 def split_quantity(text: str) -> tuple[str, str]:
     """Return the digits and the unit of a number as it was read.
 

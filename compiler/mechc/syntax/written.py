@@ -52,6 +52,7 @@ WRITTEN: Final = {
     "table": 'table m "Table 4.9" = 1: 0.388, 0.5: 0.541',
     "list": 'list bores "ISO 15552" = 32 mm, 40 mm, 50 mm',
     "use": "use cylinder as cyl (P = 2 kN)",
+    "use joining": "use toggle_clamp as T joining T.H = B",
     "translate": 'translate "handle" uk "рукоятка" ru "рукоятка"',
     "let": "let F = 2 kN",
     "let at": "let q = m at 2*r/d",

@@ -272,6 +272,20 @@ def given(node: Node, source: Source) -> Fields:
     return (tuple(pairs),)
 
 
+def joints(node: Node, source: Source) -> Fields:
+    """Read ``{T.C: B}``."""
+    if not isinstance(node, Table):
+        expected = "a mapping of points {T.C: B}"
+        raise Fault(syntax_yaml.wrong_shape(node.span, described(node), expected))
+    return (tuple((point_name("point", k), point_name("point", v)) for k, v in node.entries),)
+
+
+def names(node: Node, source: Source) -> Fields:
+    """Read ``[F, alpha]``; a single name needs no brackets."""
+    items = node.items if isinstance(node, Listing) else (node,)
+    return (tuple(part for item in items for part in name(item, source)),)
+
+
 def text_of(node: Node, source: Source) -> Fields:
     """Read a text."""
     if isinstance(node, Scalar):
@@ -340,6 +354,8 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.DIMENSION: dimension,
     Kind.USED: used,
     Kind.GIVEN: given,
+    Kind.JOINTS: joints,
+    Kind.NAMES: names,
     Kind.TEXT: text_of,
     Kind.FLAG: flag,
     Kind.VERSION: version,
