@@ -21,7 +21,7 @@ from .brought import Used, declared, given_to, labels, parameter, translated, wi
 from .carriers import is_held
 from .force_pairs import spring_name
 from .forms import form_of
-from .framed import Frame, between, same
+from .framed import Frame, between, literal, same
 from .joint_points import Joining, Part, Whole, is_a_part, joints, move_alike
 from .part_names import declared_points, numbered, of_a_part, renamed, symbols_in
 
@@ -162,11 +162,16 @@ def _statements(
 def _parameter(
     name: str, there: ast.Param, joining: Joining, given: Mapping[str, ast.Expr]
 ) -> ast.Statement:
-    """Return what a parameter of a part is in the whole: one that a loop gives has no value."""
-    known = joining.used.parameters[name]
-    if name not in joining.freed:
-        return parameter(there, known, given.get(name), joining.use)
+    """Return what a parameter of a part is in the whole.
+
+    One that a loop gives has no value, one that is given a number has that.
+    """
+    known, value = joining.used.parameters[name], given.get(name)
     measures = ast.Name(put_in.name_of(known.dimension), there.span)
+    if value and literal(value):
+        return replace(there, value=value, tolerance=None, dimension=measures)
+    if name not in joining.freed:
+        return parameter(there, known, value, joining.use)
     return replace(there, value=None, low=None, high=None, tolerance=None, dimension=measures)
 
 
