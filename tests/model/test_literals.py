@@ -93,8 +93,29 @@ find k = M/T
 """
 
 
-def test_equal_numbers_are_one_quantity() -> None:
+def test_equal_numbers_are_equal_under_two_names() -> None:
     assert mechc.loads(PARALLELOGRAM).k == -1
+
+
+BENT = """
+param alpha = 20 deg
+param beta = 25 deg
+pivot O
+slider K along y
+link OBC
+link BK
+OB = 200 mm @ 90 deg - alpha
+BC = 200 mm @ 90 deg
+BK = 200 mm @ 90 deg + beta
+force P at C along -x
+force F at K along -y
+find k = P/F
+"""
+
+
+def test_a_formula_names_the_length_that_is_meant_not_one_as_long() -> None:
+    (k,) = mechc.loads(BENT)._compilation.results
+    assert text(k.formula) == "len_OB*sin(alpha + beta)/(cos(beta)*(len_BC + len_OB*cos(alpha)))"
 
 
 THREE_CRANKS = """

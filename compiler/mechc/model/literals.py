@@ -2,8 +2,8 @@
 
 After this every later stage sees a symbol, ``len_AB`` or ``x_O``, so that formulas keep their
 dimensions. The symbol carries its number: forms show the name, and whatever is decided (does
-this vanish, are these relations independent?) is decided by the number. Numbers of one kind and
-size are one quantity under one name, so that a parallelogram stays one.
+this vanish, are these relations independent?) is decided by the number. Each has a name of its
+own: of two links that are as long as each other a formula names the one that is meant.
 """
 
 from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
@@ -11,12 +11,11 @@ from typing import NamedTuple, assert_never
 
 from ..formula.names import another
 from ..formula.tree import ZERO, Constant, Formula, Sum, negative, number
-from ..formula.walk import evaluate, substitute, symbols
+from ..formula.walk import substitute, symbols
 from ..frozen import fields, replace
 from ..source import Span
 from ..syntax import ast
 from ..units import LENGTH, UNITS, Dimension, si_unit
-from .entries import vector_between
 from .mechanism import (
     Arrow,
     Contact,
@@ -38,19 +37,19 @@ from .mechanism import (
 )
 from .scope import Named
 
-Known = Mapping[tuple[str, Formula], Formula]
-"""What stands for a number of metres, by the kind of length and the number."""
+Key = tuple[str, str, Formula]
+"""A number of metres: the kind of length, whose it is, and the number."""
+
+Known = Mapping[Key, Formula]
+"""What stands for a number of metres."""
 
 
-Reaches = Mapping[tuple[str, str], Formula]
+Lengths = Mapping[tuple[str, str], Formula]
 """The lengths of vectors, by their ends."""
 
 
 class Quantity(NamedTuple):
-    """A length of the description under the name that it gets where it is a number.
-
-    Of its ``kind`` are those that it is compared with: links with links, x with x.
-    """
+    """A length of the description under the name that it gets where it is a number."""
 
     kind: str
     of: str
@@ -62,6 +61,11 @@ class Quantity(NamedTuple):
         """Return the name, as it is printed too."""
         return f"{self.kind}_{self.of}"
 
+    @property
+    def key(self) -> Key:
+        """Return what tells it from others: a wheel of two pairs is one wheel."""
+        return self.kind, self.of, self.formula
+
 
 def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -> Mechanism:
     """Return the mechanism with a named quantity for each length that is a number.
@@ -69,16 +73,15 @@ def with_names(mechanism: Mechanism, file: ast.File, named: Collection[Named]) -
     ``named`` are the numbers that have names already, with their places.
     """
     found = [*_lengths(mechanism), *_coordinates(mechanism), *_of_joints(mechanism)]
-    literals = list(_one_for_each_size(item for q in found for item in _numbers(q)))
+    literals = list({item.key: item for q in found for item in _numbers(q)}.values())
     if not literals and not named:
         return mechanism
     taken, written = _names(mechanism) | {n.symbol.name for n in named}, tuple(_written(file))
-    known: dict[tuple[str, Formula], Formula] = {}
+    known: dict[Key, Formula] = {}
     parameters = [_parameter(*one, written) for one in named]
     for literal in literals:
         symbol = Constant(_free(literal.name, taken), literal.formula)
-        known[literal.kind, literal.formula] = symbol
-        known[literal.kind, negative(literal.formula)] = negative(symbol)
+        known[literal.key] = symbol
         parameters.append(_parameter(symbol, LENGTH, literal.span, written))
     return _put(replace(mechanism, literals=tuple(parameters)), known)
 
@@ -100,9 +103,14 @@ def _lengths(mechanism: Mechanism) -> Iterator[Quantity]:
 def _coordinates(mechanism: Mechanism) -> Iterator[Quantity]:
     for entry in mechanism.geometry:
         if isinstance(entry, Offset):
-            vector = f"{entry.tail}{entry.head}".replace("_", "")
+            vector = _vector(entry.tail, entry.head)
             yield Quantity("x", vector, entry.x, entry.span)
             yield Quantity("y", vector, entry.y, entry.span)
+
+
+def _vector(tail: str, head: str) -> str:
+    """Return a vector's name; that of a place is its point's."""
+    return f"{tail}{head}".replace("_", "")
 
 
 def _of_joints(mechanism: Mechanism) -> Iterator[Quantity]:
@@ -133,18 +141,6 @@ def _numbers(quantity: Quantity) -> Iterator[Quantity]:
 
 def _is_number(formula: Formula) -> bool:
     return formula != ZERO and not symbols(formula)
-
-
-def _one_for_each_size(literals: Iterable[Quantity]) -> Iterator[Quantity]:
-    """Yield one literal for all of its kind and size, a positive one where there is one."""
-    found: dict[tuple[str, Formula], Quantity] = {}
-    for literal in literals:
-        size = evaluate(literal.formula, {})
-        key = literal.kind, literal.formula if size > 0 else negative(literal.formula)
-        known = found.setdefault(key, literal)
-        if size > 0 and known.formula != literal.formula:
-            found[key] = literal
-    yield from found.values()
 
 
 # ------------------------------------------------------------------------- what it becomes
@@ -190,78 +186,92 @@ def _written(node: object) -> Iterator[ast.Number]:
 
 def _put(mechanism: Mechanism, known: Known) -> Mechanism:
     """Return the mechanism with numbers replaced by what stands for them."""
-    loads = tuple(_load(load, known, mechanism.geometry) for load in mechanism.loads)
-    reach = _reaches(loads)
+    lengths = {
+        (e.tail, e.head): length
+        for e in mechanism.geometry
+        if isinstance(e, Arrow) and e.length is not None
+        if (length := _named("len", f"{e.tail}{e.head}", e.length, known)) != e.length
+    }
+    loads = tuple(_load(load, lengths) for load in mechanism.loads)
+    reach = {**lengths, **_reaches(loads)}
     return replace(
         mechanism,
         loads=loads,
         geometry=tuple(_entry(entry, known, reach) for entry in mechanism.geometry),
         joints=tuple(_joint(joint, known) for joint in mechanism.joints),
-        links=tuple(_link(link, known) for link in mechanism.links),
+        links=tuple(_link(link, lengths) for link in mechanism.links),
     )
 
 
-def _link(link: Link, known: Known) -> Link:
+def _between(tail: str, head: str, lengths: Lengths) -> Formula | None:
+    """Return the named length that is given of a vector or of its opposite."""
+    return lengths.get((tail, head), lengths.get((head, tail)))
+
+
+def _link(link: Link, lengths: Lengths) -> Link:
     if link.arc is None:
         return link
-    return replace(link, arc=replace(link.arc, radius=_named("len", link.arc.radius, known)))
+    centre, pin = link.points
+    radius = _between(centre, pin, lengths) or link.arc.radius
+    return replace(link, arc=replace(link.arc, radius=radius))
 
 
 def _joint(joint: Joint, known: Known) -> Joint:
     match joint:
-        case WheelPair():
-            first, second = (
-                _named("r", r, known) for r in (joint.first_radius, joint.second_radius)
+        case WheelPair(first=first, second=second):
+            return replace(
+                joint,
+                first_radius=_named("r", first, joint.first_radius, known),
+                second_radius=_named("r", second, joint.second_radius, known),
             )
-            return replace(joint, first_radius=first, second_radius=second)
-        case Rack():
-            return replace(joint, radius=_named("r", joint.radius, known))
-        case Screw():
-            return replace(joint, pitch=_named("p", joint.pitch, known))
+        case Rack(pivot=pivot):
+            return replace(joint, radius=_named("r", pivot, joint.radius, known))
+        case Screw(point=point):
+            return replace(joint, pitch=_named("p", point, joint.pitch, known))
         case Pivot() | Slider() | Slot() | Contact():
             return joint
         case _:
             assert_never(joint)
 
 
-def _reaches(loads: Iterable[Load]) -> Reaches:
+def _reaches(loads: Iterable[Load]) -> Lengths:
     """Return how far along its stretch each spread load acts, by the vector to its point."""
     spread = [(k.point, k.spread) for k in loads if isinstance(k, Force) and k.spread]
     return {(found.tail, point): found.reach for point, found in spread}
 
 
-def _load(load: Load, known: Known, geometry: Sequence[Geometry]) -> Load:
+def _load(load: Load, lengths: Lengths) -> Load:
     """Return a load; one that is spread out over a length that is a number, by its name.
 
     So is a spring between points at a distance that is one.
     """
     if isinstance(load, ForcePair) and load.tie:
-        entry = vector_between((load.first, load.second), geometry)
-        length = entry.length if isinstance(entry, Arrow) else None
-        if length is None or ("len", length) not in known:
+        length = _between(load.first, load.second, lengths)
+        if length is None:
             return load
-        apart = {f"len_{load.first}{load.second}": known["len", length]}
+        apart = {f"len_{load.first}{load.second}": length}
         return replace(load, tie=substitute(load.tie, apart))
     if not isinstance(load, Force) or load.spread is None:
         return load
-    spread = replace(load.spread, length=_named("len", load.spread.length, known))
+    length = _between(load.spread.tail, load.spread.head, lengths)
+    spread = replace(load.spread, length=length or load.spread.length)
     return replace(load, spread=spread, tie=spread.resultant)
 
 
-def _entry(entry: Geometry, known: Known, reach: Reaches) -> Geometry:
+def _entry(entry: Geometry, known: Known, lengths: Lengths) -> Geometry:
     match entry:
-        case Arrow(tail, head) if (tail, head) in reach:
-            return replace(entry, length=reach[tail, head])
-        case Arrow(length=length) if length is not None:
-            return replace(entry, length=_named("len", length, known))
-        case Offset(x=x, y=y):
-            return replace(entry, x=_named("x", x, known), y=_named("y", y, known))
+        case Arrow(tail, head) if (tail, head) in lengths:
+            return replace(entry, length=lengths[tail, head])
+        case Offset(tail, head, x, y):
+            vector = _vector(tail, head)
+            x, y = (_named(*each, known) for each in (("x", vector, x), ("y", vector, y)))
+            return replace(entry, x=x, y=y)
         case _:
             return entry
 
 
-def _named(kind: str, length: Formula, known: Known) -> Formula:
+def _named(kind: str, of: str, length: Formula, known: Known) -> Formula:
     """Return a length with names for the numbers that it is, or that are terms of it."""
-    if isinstance(length, Sum) and (kind, length) not in known:
-        return Sum(tuple(known.get((kind, term), term) for term in length.terms))
-    return known.get((kind, length), length)
+    if isinstance(length, Sum) and (kind, of, length) not in known:
+        return Sum(tuple(known.get((kind, f"{of}_0", term), term) for term in length.terms))
+    return known.get((kind, of, length), length)
