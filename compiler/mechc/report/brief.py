@@ -7,11 +7,16 @@ from ..formula.tree import Formula, Sum, Symbol, product
 from ..model.mechanism import LoadRatio
 from .derivation.steps import Derivation, Equation
 from .evaluated import Evaluated
+from .sections import Outline
 from .sentences.remarks import asked
 from .sentences.wording import Sides, lines
 
 LONG = 24
 """A ratio of more operations than this is not written out a second time."""
+
+
+MANY = 12
+"""With more values than this the numbers put into those of the position would fill a page."""
 
 
 def relations(derivation: Derivation) -> Iterator[Sides]:
@@ -31,6 +36,19 @@ def short(found: Iterable[Evaluated], derivation: Derivation) -> Iterator[Evalua
     results = {asked(result) for result in derivation.results}
     for item in found:
         yield item if item.left in results else item._replace(numbers=None)
+
+
+def at_length(
+    found: Iterable[Evaluated], whole: Outline
+) -> tuple[tuple[Evaluated, ...], tuple[Evaluated, ...]]:
+    """Return values of which the numbers are not shown, and those of which they are.
+
+    Only where they are many are those of the position among the former.
+    """
+    every = tuple(found)
+    position = {Symbol(d.name) for section in whole.position for d in section.where}
+    aside = tuple(e for e in every if len(every) > MANY and e.left in position)
+    return aside, tuple(e for e in every if e not in aside)
 
 
 def needed(derivation: Derivation) -> Iterator[Equation]:

@@ -13,7 +13,7 @@ from ...data import data
 from ...formula.tree import ZERO
 from ...model.mechanism import Parameter
 from ...model.sheets import is_sheet
-from ...report.brief import needed, relations, short
+from ...report.brief import at_length, needed, relations, short
 from ...report.chosen import chosen
 from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import evaluated
@@ -83,6 +83,7 @@ class Report(NamedTuple):
     last: str
     results: tuple[SectionBlock, ...]
     conditions: str
+    of_position: tuple[str, ...]
     values: str
     numbers: tuple[str, ...]
     check: str
@@ -188,7 +189,8 @@ def report(
     """Return all that a report says, with a derivation of what was asked for."""
     mechanism, verdict = compiled.mechanism, compiled.verdict
     whole = outline(derivation, mechanism)
-    found = tuple(evaluated(whole, mechanism)) if options.numbers else ()
+    found = evaluated(whole, mechanism) if options.numbers else ()
+    aside, full = at_length(found, whole)
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
@@ -207,8 +209,9 @@ def report(
         last=_last(derivation.last_steps, locale, style),
         results=tuple(section_block(s, locale, style) for s in whole.results),
         conditions=conditions(mechanism.requires, Speller(style)),
-        values=values(found, locale, style),
-        numbers=numbers(derivation.results, {e.left for e in found}, locale, style),
+        values=values(full, locale, style),
+        of_position=tuple(in_line(item, locale, style) for item in aside),
+        numbers=numbers(derivation.results, {e.left for e in full}, locale, style),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
         pictures=_pictures(compiled, locale, style)

@@ -97,7 +97,8 @@ LOCALE = Locale(
     },
     turns={"cw": "clockwise", "ccw": "counter-clockwise"},
     velocities="Velocities",
-    magnitudes="Velocities are positive as the points and links move in the motion considered.",
+    magnitudes="A velocity is positive as its point or link moves at the values given, the "
+    "component along a load in the direction of the load; a minus means the opposite.",
     signed="Velocities along guides are positive in the guide's direction, angular velocities "
     "counter-clockwise.",
     rules={
@@ -151,13 +152,13 @@ LOCALE = Locale(
         "smooth": "The guide of {point} acts across itself only.",
         "shared": "At {point} the forces of the equal parts across the line of symmetry cancel.",
         "tightening": "The motion is along the arrow of {drive}; friction acts against every slip.",
-        "releasing": "The motion is against the arrow of {drive}; friction acts against every "
-        "slip.",
+        "releasing": "The motion is against the arrow of {drive}, which only just holds it back; "
+        "friction acts against every slip.",
         "pin friction": "The friction of a pin is a couple: the force on the pin times the radius "
         "{radius} of the friction circle.",
         "guide friction": "The friction of a guide is its coefficient times the force across it.",
-        "rod forces": "{force} is the size of the force in a rod, whether in compression or in "
-        "tension.",
+        "rod forces": "{force} is the size of the force in a rod (N without its sign), whether in "
+        "compression or in tension.",
         "part": "By symmetry one of the equal parts is considered.",
         "unit": "Forces are given per unit of {load}.",
         "unit and drive": "Forces are given per unit of {load}, so that {drive} is {ratio}.",

@@ -8,7 +8,7 @@ Within one document a name stands for one sum and a sum has one name: what was n
 earlier display keeps that name and is not defined again.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from ...formula.layout import is_angle
@@ -18,9 +18,14 @@ from .notation import Notation
 from .printer import Box, box, plain, row, signed
 
 LINE = 38.0
-"""Room in a line, in em: A4 with margins of 25 mm at 11 pt, less some air."""
+"""Room in a line, in em: A4 with margins of 25 mm at 11 pt, less some air; reports have more."""
+
+ABREAST = 40.0
+"""Room for two equations in a line; widths are estimated rather too large than too small."""
 
 _INDENT = 2.0
+
+_GAP = 1.0
 
 
 class Line(NamedTuple):
@@ -95,7 +100,52 @@ def _environment(rows: list[tuple[Box, list[Box]]], boxed: bool = False) -> str:
         left, (right,) = rows[0]
         equation = f"{left.tex}={right.tex}"
         return "\\[\n" + (rf"\boxed{{{equation}}}" if boxed else equation) + "\n\\]"
-    text = "\\\\[2pt]\n".join(_aligned(left, parts) for left, parts in rows)
+    lines = [(_aligned(left, parts), _room(left, parts)) for left, parts in rows]
+    return aligned(lines)
+
+
+def _room(left: Box, parts: list[Box]) -> float:
+    """Return how much of a line an equation takes; one of several lines takes all of it."""
+    return left.width + parts[0].width + 1.2 if len(parts) == 1 else ABREAST
+
+
+def aligned(lines: Sequence[tuple[str, float]]) -> str:
+    """Return equations aligned at the equals sign, two in a line where they have the room.
+
+    Each comes with its width. Those that are two abreast stand in columns of their own.
+    """
+    runs: list[list[str]] = []
+    is_paired = False
+    waiting = list(lines)
+    while waiting:
+        pairs = _pairs(waiting)
+        found, number = (_abreast(waiting, pairs), 2 * pairs) if pairs else ([waiting[0][0]], 1)
+        if runs and not pairs and not is_paired:
+            runs[-1] += found
+        else:
+            runs.append(found)
+        is_paired, waiting = bool(pairs), waiting[number:]
+    return "\n".join(map(_align, runs))
+
+
+def _pairs(lines: Sequence[tuple[str, float]]) -> int:
+    """Return how many pairs in a row fit in two columns from the first equation on."""
+    widths = [width for _, width in lines]
+    most = 0
+    for number in range(1, len(lines) // 2 + 1):
+        if max(widths[: 2 * number : 2]) + max(widths[1 : 2 * number : 2]) + _GAP > ABREAST:
+            break
+        most = number
+    return most
+
+
+def _abreast(lines: Sequence[tuple[str, float]], pairs: int) -> list[str]:
+    there = [text for text, _ in lines[: 2 * pairs]]
+    return ["&\n".join(pair) for pair in zip(there[::2], there[1::2], strict=True)]
+
+
+def _align(rows: Iterable[str]) -> str:
+    text = "\\\\[2pt]\n".join(rows)
     return f"\\begin{{align*}}\n{text}\n\\end{{align*}}"
 
 

@@ -9,7 +9,7 @@ from ...study.analysis import Analysis
 from ..evaluated import Evaluated
 from ..languages.locale import Locale
 from ..sentences.remarks import asked
-from .display import LINE, Line, broken
+from .display import LINE, Line, aligned, broken
 from .notation import Notation, name
 from .printer import Box, box, latex, plain
 from .quantity import in_unit, measured
@@ -21,8 +21,7 @@ LONGEST_DERIVATIVE = 60
 def values(found: Iterable[Evaluated], locale: Locale, style: Notation) -> str:
     """Return formulas with the numbers put in, below each other."""
     lines = [_line(item, locale, style) for item in found]
-    rows = " \\\\\n".join(lines)
-    return f"\\begin{{align*}}\n{rows}\n\\end{{align*}}" if lines else ""
+    return aligned(lines) if lines else ""
 
 
 def in_line(item: Evaluated, locale: Locale, style: Notation) -> str:
@@ -31,16 +30,20 @@ def in_line(item: Evaluated, locale: Locale, style: Notation) -> str:
     return f"${latex(item.left, style)}={value}$"
 
 
-def _line(item: Evaluated, locale: Locale, style: Notation) -> str:
-    """Return a formula in numbers and its value, on several lines where one is too short."""
+def _line(item: Evaluated, locale: Locale, style: Notation) -> tuple[str, float]:
+    """Return a formula in numbers and its value, on several lines where one is too short.
+
+    With it comes its width.
+    """
     left, value = box(item.left, style), in_unit(item.value.value, item.value.unit, locale, style)
     parts = broken(Line(left, item.numbers, item.angle), style) if item.numbers else []
     if not parts:
-        return f"{left.tex}&={value}"
-    is_long = left.width + parts[-1].width + plain(value).width + 2.4 > LINE
-    between = r" \\ &=" if is_long else "="
+        return f"{left.tex}&={value}", left.width + plain(value).width + 1.2
+    width = left.width + parts[-1].width + plain(value).width + 2.4
+    between = r" \\ &=" if width > LINE else "="
     numbers = r" \\ &\quad{}".join(part.tex for part in parts)
-    return f"{left.tex}&={numbers}{between}{value}"
+    whole = f"{left.tex}&={numbers}{between}{value}"
+    return whole, width if len(parts) == 1 else LINE
 
 
 def numbers(

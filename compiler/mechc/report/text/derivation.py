@@ -142,7 +142,9 @@ def _where(
 def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
     if not derivation.steps:
         return
-    yield from ("", spell.locale.velocities)
+    several = len(derivation.balances) > 1
+    convention = spell.locale.signed if several else spell.locale.magnitudes
+    yield from ("", spell.locale.velocities, *spell.wrapped(convention, "     "))
     for number, step in enumerate(derivation.steps, 1):
         yield from _step(number, step, spell)
 
