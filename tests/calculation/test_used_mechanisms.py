@@ -185,3 +185,16 @@ def test_what_is_wrong_in_a_mechanism_has_both_places(tmp_path: Path) -> None:
     (message, *_) = refused(written(tmp_path, clamp=CLAMP.replace("OA = b", "OA = c")))
     assert "clamp.mech:13:6: error[" in message
     assert "sheet.mech:4:5: it is used here" in message
+
+
+def test_what_is_expected_of_used_results(tmp_path: Path) -> None:
+    """A formula is proved, a figure at values of the used mechanism compared; both may fail."""
+    right = "sheet s\nuse crank_slider as c (F = 1 kN)\n"
+    right += "expect c_k = c_r*sin(c_phi + c_beta)/cos(c_beta)\n"
+    right += "expect c_k = 48.2236300993 mm at c_phi = 45 deg, c_beta = 20 deg\n"
+    found = mechc.load(written(tmp_path, right))._compilation.findings
+    assert [finding.outcome for finding in found] == ["proved", "agrees"]
+    for sound, wrong in [("48.22", "48.32"), ("cos(c_beta)", "cos(c_phi)")]:
+        (message,) = refused(written(tmp_path, right.replace(sound, wrong)))
+        assert "E581" in message
+        assert "c_k is" in message

@@ -119,7 +119,7 @@ def read_expects(
     file: ast.File, finds: Sequence[Find], found: Definitions, scope: Scope
 ) -> list[Expect]:
     """Return what is expected of results, and how exactly."""
-    subjects = _subjects(finds, found, scope)
+    subjects = _subjects(file, finds, found, scope)
     failed = _failed(file, subjects, found)  # and, as they are met, other names of no result
     lets = written_out(found, scope)
     expects: list[Expect] = []
@@ -158,10 +158,11 @@ def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: 
 
 
 def _subjects(
-    finds: Sequence[Find], found: Definitions, scope: Scope
+    file: ast.File, finds: Sequence[Find], found: Definitions, scope: Scope
 ) -> dict[str, Dimension | None]:
-    """Return what may be expected of something: finds, and lets that are results."""
+    """Return what may be expected of something: finds, lets that are results, used results."""
     known = [find.name for find in finds] + [n for n in found.lets if n not in scope.feeding]
+    known += [taken.name.text for taken in every(file, ast.Taken)]
     return {name: scope.entries[name].dimension for name in known}
 
 

@@ -79,7 +79,8 @@ def still_point(span: Span, point: str) -> Message:
 def unknown_subject(span: Span, known: Collection[str]) -> Message:
     """An ``expect`` speaks of something that nothing asks for.
 
-    Its left side is the name of a ``find`` or ``let``, or the same ratio as a ``find``.
+    Its left side is the name of a ``find`` or ``let``, the same ratio as a ``find``, or in a
+    sheet what a used mechanism finds, ``C_k``.
 
         find k = P / F
         expect q = 2     # wrong
