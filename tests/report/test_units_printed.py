@@ -5,6 +5,7 @@ import pytest
 import mechc
 from mechc.cli.check import report
 from mechc.driver import compile_source
+from mechc.files import find, read
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.units import UNITS, Dimension, si_unit
@@ -85,3 +86,20 @@ def test_lets_that_are_numbers_have_their_unit() -> None:
     tex = mechc.loads(text).emit("latex")
     for shown in (r"d=0.025\,\text{m}", r"s=30^\circ", "n=2"):
         assert rf"\boxed{{{shown}}}" in tex
+
+
+def test_a_let_is_given_in_the_unit_that_it_names() -> None:
+    named = "let F = 2 kN\nlet p = F/a^2 in MPa\nlet w = atan(T/(F*a)) in rad\nfind T\n"
+    found = mechc.loads(LEVER.replace("find k = F/T\n", named), "u.mech")
+    assert "    = 1.25 MPa at the default pose" in report(found._compilation, False)
+    shown = render(found._compilation.derivation, found._compilation.mechanism)
+    assert "p = 1.25 MPa" in shown
+    assert "w = 0.785398 rad" in shown
+    assert r"1{,}25\,\text{МПа}" in found.emit("latex", language="uk")
+
+
+def test_a_stroke_has_a_let_in_the_unit_that_it_names() -> None:
+    rocker = read(find("crank_rocker")).text
+    named = "let s = k*5 N/(3 mm^3) in MPa\n"
+    stroke = compile_source(Source("r.mech", f"{rocker}\n{named}")).stroke(3)
+    assert ("s", "MPa") in [(column.name, column.unit) for column in stroke.columns]

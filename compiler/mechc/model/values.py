@@ -161,6 +161,11 @@ def usual_length(mechanism: Mechanism) -> str:
     return next((p.unit for p in given if p.dimension == LENGTH and p.unit), "m")
 
 
+def own_unit(name: str, mechanism: Mechanism) -> str:
+    """Return the unit that a ``let`` names for its value, '' where it names none."""
+    return next((let.unit for let in mechanism.lets if let.name == name), "")
+
+
 def allowed(mechanism: Mechanism, values: Values) -> bool:
     """Return whether every ``require`` holds; one on what has no value cannot be judged."""
     return all(holds(condition, values) for condition in mechanism.requires)

@@ -10,7 +10,7 @@ from ..formula.tree import Formula, Implicit, Symbol
 from ..formula.walk import constants, evaluate, substitute, symbols, walk
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
-from ..model.values import Chain, defaults, dependent, usual_length
+from ..model.values import Chain, defaults, dependent, own_unit, usual_length
 from ..study.analysis import Analysis
 from ..units import ANGLE, LENGTH, NUMBER, Dimension, si_unit, size_of
 from .put_in import Quantity, put_in
@@ -41,8 +41,10 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
             value = given[name]
             numbers = _numbers(formula, given, value.unit in ("", "deg"))
             yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
+    usual = usual_length(mechanism)
     for result in (r for section in whole.results for r in section.results):
-        yield from _of_result(result, given, usual_length(mechanism))
+        unit = own_unit(result.name, mechanism)
+        yield from _of_result(result, given, unit or _unit_of(result.dimension, usual))
 
 
 def _definitions(whole: Outline) -> Iterator[Definition]:
@@ -53,14 +55,12 @@ def _definitions(whole: Outline) -> Iterator[Definition]:
         yield from result.where
 
 
-def _of_result(result: Analysis, given: Mapping[str, Quantity], usual: str) -> Iterator[Evaluated]:
+def _of_result(result: Analysis, given: Mapping[str, Quantity], unit: str) -> Iterator[Evaluated]:
     if result.default is None or not math.isfinite(result.default) or not symbols(result.formula):
         return
-    angle = result.dimension == ANGLE
-    unit = _unit_of(result.dimension, usual)
-    value = Quantity(result.default, "deg" if angle else unit)
     bare = result.dimension in (ANGLE, NUMBER)
-    yield Evaluated(asked(result), _numbers(result.formula, given, bare), value, angle)
+    numbers = _numbers(result.formula, given, bare)
+    yield Evaluated(asked(result), numbers, Quantity(result.default, unit), unit == "deg")
 
 
 def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
@@ -85,6 +85,8 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
 
 def _unit_of(dimension: Dimension, usual: str) -> str:
     """Return the unit of a value that none is given for; '' for a number."""
+    if dimension == ANGLE:
+        return "deg"
     return usual if dimension == LENGTH else si_unit(dimension)
 
 

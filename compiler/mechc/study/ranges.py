@@ -7,7 +7,7 @@ from ..formula.walk import symbols
 from ..model.locking import Range
 from ..model.mechanism import Mechanism
 from ..model.result import Result
-from ..model.values import range_of, usual_length
+from ..model.values import own_unit, range_of, usual_length
 from ..units import ANGLE, LENGTH, in_unit, si_unit
 from .tolerances import EXACT, NEARLY
 
@@ -71,7 +71,9 @@ def unit_of(name: str, mechanism: Mechanism) -> str:
 
 
 def scale_of(result: Result, mechanism: Mechanism) -> str:
-    """Return the unit in which a person reads a result: degrees, lengths as they are given."""
+    """Return the unit in which a person reads a result: its own, degrees, lengths as given."""
+    if own := own_unit(result.name, mechanism):
+        return own
     if result.dimension == ANGLE:
         return "deg"
     return usual_length(mechanism) if result.dimension == LENGTH else si_unit(result.dimension)

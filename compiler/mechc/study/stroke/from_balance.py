@@ -14,7 +14,7 @@ from ...formula.walk import symbols
 from ...friction.solution import Solution
 from ...model.mechanism import LoadRatio, Mechanism, Parameter
 from ...model.targets import Efficiency, WithFriction
-from ...model.values import range_of
+from ...model.values import own_unit, range_of
 from ...pose.motion import Motion
 from ...pose.pose import Pose
 from ...units import ANGLE, LENGTH, Dimension
@@ -144,7 +144,8 @@ class _Runner:
     def _columns(self) -> Iterator[Filled]:
         """Yield results, their slopes along the drive, velocity ratios, transmission angles."""
         for result in self._results:
-            column = Column(result.name, result.dimension)
+            unit = own_unit(result.name, self._pose.mechanism)
+            column = Column(result.name, result.dimension, unit=unit)
             at = self._values(result.formula, result)
             has_friction = isinstance(result.target, WithFriction | Efficiency)
             yield Filled(column, at, result.formula, result.where, has_friction)
