@@ -150,6 +150,7 @@ def _vanishes(arrow: Arrow, known: Values, parameter: Parameter, where: str) -> 
     assert arrow.length is not None
     size = evaluate(arrow.length, known)
     shown = f"{size * 1000:.6g} mm" if abs(size) < FARTHEST else "infinity"
+    shown = "" if math.isnan(size) else shown
     points = f"{arrow.tail}{arrow.head}"
     return messages.length_vanishes(parameter.span, points, shown, parameter.name, where)
 

@@ -27,12 +27,16 @@ def length_vanishes(span: Span, points: str, length: str, name: str, where: str)
     """A length comes to zero, below it or to infinity within what a parameter may be.
 
     The range, the tolerance or the stroke reaches to where the vector has no length, or
-    points the other way round.
+    points the other way round. What a used sheet gives may have no value there: a list has no
+    size so large, a table no such row.
 
         param s = 500 mm in -400 mm .. 900 mm      # warned of, with AB = s
         param s = 500 mm in 400 mm .. 900 mm       # right
         param l = 20 mm +- 30 mm                   # warned of, with AB = l
     """
+    if not length:
+        message = f"{where} of {name} leaves the length of {points} without a value"
+        return Message(span, message, "keep it to where lists, tables and choices give one")
     message = f"{where} of {name} takes the length of {points} to {length}"
     return Message(span, message, "keep it to where the length is positive")
 
