@@ -75,6 +75,31 @@ def test_an_efficiency_that_is_highest_between_a_jump_and_the_next_place():
     assert hold(closed(70081)) == 1
 
 
+ISLAND = """
+param t1 = 335.15 deg in 310 deg .. 350 deg
+pivot O
+slider A along 153.38 deg
+link OB
+link ABC
+BA = 70.2 mm @ t1
+OB = 133.2 mm @ 123.13 deg
+BC = 84.2 mm @ 204.89 deg
+force P at A along 153.38 deg
+force F at C along 347.32 deg
+friction pins 0.054 diameter 13.7 mm
+friction slider A 0.185
+find k = P/F
+"""
+
+
+def test_between_places_where_nothing_moves_something_may():
+    """F alone moves it from 321.1 to 324.7 degrees, k_hold being 0.0008 at most."""
+    compilation = Compilation(Source("island.mech", ISLAND))
+    assert list(refuted(compilation)) == []
+    (held,) = (r.locking.reaches[0] for r in compilation.results if r.name == "k_hold")
+    assert [s.state for s in held.stretches] == ["locked", "locked"]
+
+
 @pytest.mark.slow
 def test_an_efficiency_that_turns_before_it_jumps():
     """It falls from 0.966 to 0.961 and jumps to 0.962: the cell looked at ends at the jump."""

@@ -2,8 +2,9 @@
 
 Beside a dead centre k is small or large against friction, so that something is stuck
 there, on however short a stretch. Between places where the efficiency is lowest something
-may be stuck, too. Cells in which the ratio without friction is not nearly straight are
-halved, so that no dead centres hide in them, be it a zero and a pole or two zeros.
+may be stuck, too, and between stuck ones something may move where least is missing. Cells in
+which the ratio without friction is not nearly straight are halved, so that no dead centres
+hide in them, be it a zero and a pole or two zeros.
 """
 
 import math
@@ -57,7 +58,8 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     edges = [x for a, b in pairwise(places) for x in _edge(moving, a, b)]
     places = sorted({*places, *edges})
     beside_jumps = _turning_beside_jumps(moving, places)
-    places = sorted({*places, *_bulging(moving, places), *beside_jumps})
+    loose = _loose(moving, places)
+    places = sorted({*places, *_bulging(moving, places), *beside_jumps, *loose})
     return sorted({*places, *_extremes(moving, places)})
 
 
@@ -148,6 +150,17 @@ def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
     if None not in (state, beyond) and state != beyond and moving.driven(b) == driven:
         yield last(lambda x: moving.at(x).state == state, a, b, NEARLY)
         yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY)
+
+
+def _loose(moving: Moving, places: Sequence[float]) -> Iterator[float]:
+    """Yield where something moves among places where nothing does: where least is missing."""
+    sections = FEWER if moving.is_slow else SECTIONS
+    margins = [moving.margin(x) for x in places]
+    for (a, _, c), (before, here, after) in zip(_triples(places), _triples(margins), strict=True):
+        if -math.inf < here <= 0 and max(before, after) <= here:
+            top = lowest(lambda x: -moving.margin(x), a, c, sections)
+            if moving.margin(top) > 0:
+                yield top
 
 
 def _bulging(moving: Moving, places: Sequence[float]) -> Iterator[float]:

@@ -149,10 +149,17 @@ class Moving:
 
     def efficiency(self, place: float) -> float:
         """Return what of the power arrives, 0 where nothing moves, NaN at a dead centre."""
-        state, share, driven = self.at(place)
+        state = self.at(place).state
         if state is None:
             return math.nan
-        return 0.0 if state != "free" else share if driven else 1 / share
+        return self.margin(place) if state == "free" else 0.0
+
+    def margin(self, place: float) -> float:
+        """Return what of the power arrives, below 0 where none does, -inf where none balances."""
+        _, share, driven = self.at(place)
+        if driven is None or math.isnan(share) or not (driven or share):
+            return -math.inf
+        return share if driven else 1 / share
 
 
 def is_sign(formula: Formula) -> bool:

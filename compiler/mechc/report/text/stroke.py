@@ -189,7 +189,7 @@ def _stuck(found: JammedInterval, stroke: Stroke) -> str:
 def _course(name: str, course: EfficiencyRange, stroke: Stroke) -> str:
     parts = " and ".join(f"from {_span(*part, stroke)}" for part in course.usual)
     return (
-        f"{name} runs from {course.least:.3g} to {course.greatest:.3g}; "
+        f"{name} runs from {round(course.least, 3):g} to {round(course.greatest, 3):g}; "
         f"it is between {USUAL[0]} and {USUAL[1]} {parts or 'nowhere'}"
     )
 
