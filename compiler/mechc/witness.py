@@ -20,7 +20,7 @@ def listening(listener: Listener) -> Iterator[None]:
 
 
 def heard() -> bool:
-    """Tell whether anyone listens."""
+    """Return whether anyone listens."""
     return bool(_listeners)
 
 

@@ -46,7 +46,7 @@ def canonical(product: Product) -> Product:
 
 
 def _may_cancel(product: Product) -> bool:
-    """Tell whether there are two sines, cosines or sums in a product."""
+    """Return whether there are two sines, cosines or sums in a product."""
     found = [(f, e) for f, e in product.factors.items() if isinstance(f, (Trig, Sum))]
     return len(found) > 1 or any(abs(e) > 1 and is_constant(f) for f, e in found)
 

@@ -34,7 +34,7 @@ class Relation(NamedTuple):
 
 
 def is_constant(factor: Factor) -> bool:
-    """Tell whether a factor is a sine or cosine of a constant angle."""
+    """Return whether a factor is a sine or cosine of a constant angle."""
     return isinstance(factor, Trig) and not factor.angle.terms
 
 

@@ -47,7 +47,7 @@ def _of_factor(factor: Factor, name: str) -> Product:
 
 
 def depends_openly(product: Product, on: Collection[str] | None = None) -> bool:
-    """Tell whether every factor is one that can be differentiated here, by names or by any."""
+    """Return whether every factor is one that can be differentiated here, by names or by any."""
     return all(
         isinstance(f, Length | Trig)
         or f == CIRCLE

@@ -40,7 +40,7 @@ Definitions = Sequence[tuple[str, Formula]]
 
 
 def equal(left: Formula, right: Formula, definitions: Definitions = ()) -> bool:
-    """Tell whether two formulas are the same function of their symbols.
+    """Return whether two formulas are the same function of their symbols.
 
     Names that ``definitions`` explain are looked into, without writing them out.
 

@@ -32,7 +32,7 @@ def valued(product: Product) -> Product:
 
 
 def is_fine(name: object) -> bool:
-    """Tell whether a symbol stands for a fine constant."""
+    """Return whether a symbol stands for a fine constant."""
     return isinstance(name, str) and name.endswith("°")
 
 

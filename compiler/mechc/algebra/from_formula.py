@@ -125,5 +125,5 @@ def _trigonometric(function: str, argument: Formula) -> Factored:
 
 
 def is_transparent(product: Factored) -> bool:
-    """Tell whether nothing in a product is opaque."""
+    """Return whether nothing in a product is opaque."""
     return not any(isinstance(f, Opaque) for f in product.factors)

@@ -97,7 +97,7 @@ def _sine(low: float, high: float) -> Interval:
 
 
 def _holds(low: float, high: float, peak: float) -> bool:
-    """Tell whether an interval holds ``peak`` plus a whole number of turns (or nearly)."""
+    """Return whether an interval holds ``peak`` plus a whole number of turns (or nearly)."""
     turns = math.ceil((low - peak) / (2 * math.pi) - 1e-12)
     return peak + turns * 2 * math.pi <= high + 1e-12
 

@@ -157,11 +157,11 @@ class Ring:
 
     @property
     def has_constants(self) -> bool:
-        """Tell whether some angle has a constant that is no multiple of 90°."""
+        """Return whether some angle has a constant that is no multiple of 90°."""
         return bool(self._wrap)
 
     def holds(self, angle: Angle) -> bool:
-        """Tell whether the constant of an angle is one of the ring's."""
+        """Return whether the constant of an angle is one of the ring's."""
         return not (angle.degrees % self._part if self._wrap else angle.degrees % 90)
 
     def shifted(self, key: int, value: Gaussian, shift: int, power: int) -> tuple[int, Gaussian]:

@@ -58,7 +58,7 @@ def reduced(ring: Ring, upper: Polynomial, lower: Polynomial) -> Quotient | None
 
 
 def is_searchable(ring: Ring) -> bool:
-    """Tell whether the constants of a ring have few enough conjugates."""
+    """Return whether the constants of a ring have few enough conjugates."""
     return len(conjugates(ring.parts)) <= CONJUGATES
 
 
@@ -202,7 +202,7 @@ def _rational(residue: int) -> Fraction:
 
 
 def _is_proved(ring: Ring, whole: Quotient, parts: Quotient) -> bool:
-    """Tell whether the quotients are equal, multiplied out over one denominator."""
+    """Return whether the quotients are equal, multiplied out over one denominator."""
     (upper, lower), (above, below) = whole, parts
     left = ring.unique(ring.times(upper.terms, below.terms))
     right = ring.unique(ring.times(above.terms, lower.terms))

@@ -80,7 +80,7 @@ def _with_sums(product: Product, written: Callable[[Sum], Product]) -> Product:
 
 
 def is_long(whole: Product) -> bool:
-    """Tell whether a sum in a product has more than two terms."""
+    """Return whether a sum in a product has more than two terms."""
     return any(isinstance(f, Sum) and len(f.terms) > 2 for f in whole.factors)
 
 
@@ -145,7 +145,7 @@ def put(product: Product, values: Mapping[str, Product]) -> Product:
 
 
 def _rests_on_names(product: Product) -> bool:
-    """Tell whether a product has a bound sum in it, about which the name says nothing."""
+    """Return whether a product has a bound sum in it, about which the name says nothing."""
     return any(
         isinstance(f, Bound) or (isinstance(f, Sum) and any(map(_rests_on_names, f.terms)))
         for f in product.factors
@@ -153,7 +153,7 @@ def _rests_on_names(product: Product) -> bool:
 
 
 def _has_constants(product: Product) -> bool:
-    """Tell whether a product has a named number in it, which may cancel another one."""
+    """Return whether a product has a named number in it, which may cancel another one."""
     return any(
         isinstance(f, Constant) or (isinstance(f, Sum) and any(map(_has_constants, f.terms)))
         for f in product.factors

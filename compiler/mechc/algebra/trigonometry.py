@@ -49,7 +49,7 @@ def _trig(angle: Angle, quarter: int) -> Product:
 
 
 def _leads_negative(angle: Angle) -> bool:
-    """Tell whether more coefficients are negative than positive, the first one deciding ties."""
+    """Return whether more coefficients are negative than positive, the first one deciding ties."""
     balance = sum(1 if c > 0 else -1 for _, c in angle.terms)
     if balance:
         return balance < 0

@@ -107,7 +107,7 @@ def checksum(content: bytes) -> bytes:
 
 
 def _holds(events: list[Event]) -> bool:
-    """Tell whether all that was read is the same, and what is written harms nothing."""
+    """Return whether all that was read is the same, and what is written harms nothing."""
     taken = {_number(os.fstat(stream.fileno())) for stream in (sys.stdout, sys.stderr)}
     for what, path, content in events:
         if what == "read":
@@ -121,7 +121,7 @@ def _holds(events: list[Event]) -> bool:
 
 
 def _writable(path: str, taken: set[tuple[int, int]]) -> bool:
-    """Tell whether a path is free, or a plain file that is none of those taken; it is one then."""
+    """Whether a path is free, or a plain file that is none of those taken; it is one then."""
     if not os.path.lexists(path):
         return os.path.isdir(os.path.dirname(path) or ".")
     status = os.stat(path)

@@ -73,6 +73,6 @@ def _number(status: os.stat_result) -> Key | None:
 
 
 def _ignores_case(folder: Path) -> bool:
-    """Tell whether a folder's disk takes ``A`` and ``a`` for one name."""
+    """Return whether a folder's disk takes ``A`` and ``a`` for one name."""
     twin = folder.with_name(folder.name.swapcase())
     return twin != folder and twin.exists() and twin.samefile(folder)

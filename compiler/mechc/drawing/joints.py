@@ -140,7 +140,7 @@ def _body(paper: Paper, name: str) -> Link | Slide:
 
 
 def _on_slide(paper: Paper, point: str) -> bool:
-    """Tell whether a point is one of a slide, whose guide is drawn by itself."""
+    """Return whether a point is one of a slide, whose guide is drawn by itself."""
     return any(isinstance(part, Slide) and point in part.points for part in paper.figure.parts)
 
 

@@ -214,7 +214,7 @@ def decimal(value: Fraction) -> str | None:
 
 
 def is_long(value: Fraction) -> bool:
-    """Tell whether a fraction has more digits than anybody reads, and a float is as near.
+    """Return whether a fraction has more digits than anybody reads, and a float is as near.
 
     >>> is_long(Fraction(9806650, 1)), is_long(Fraction(243549291, 250000000))
     (False, True)

@@ -45,7 +45,7 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
 
 
 def asks_for_loads(mechanism: Mechanism) -> bool:
-    """Tell whether a load or a ratio with friction is asked for, which remarks on pins itself."""
+    """Return whether a load or a ratio with friction is asked for, which remarks on pins itself."""
     targets = (find.target for find in mechanism.finds)
     return any(
         isinstance(t, WithFriction) and isinstance(t.of, LoadRatio | LoadForm) for t in targets
@@ -53,7 +53,7 @@ def asks_for_loads(mechanism: Mechanism) -> bool:
 
 
 def acts_on_pin(load: Load, point: str) -> bool:
-    """Tell whether a load acts on a pin, and on none of the bodies there."""
+    """Return whether a load acts on a pin, and on none of the bodies there."""
     match load:
         case Force(point=at, link=link):
             return at == point and not link
@@ -64,7 +64,7 @@ def acts_on_pin(load: Load, point: str) -> bool:
 
 
 def _alike(pin: PinFriction, pose: Pose, driving: str, given: Given) -> bool:
-    """Tell whether two links press a pin equally hard, whatever the pose."""
+    """Return whether two links press a pin equally hard, whatever the pose."""
     reactions = Reactions(pose, (driving,))
     squares = []
     for body in pose.mechanism.turning_at(pin.point):

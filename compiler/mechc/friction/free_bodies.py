@@ -127,7 +127,7 @@ class Bodies:
             raise EquationsCoupled
 
     def _is_apart(self, load: Load) -> bool:
-        """Tell whether a load acts on a rod itself, or on a lever at its pivot."""
+        """Return whether a load acts on a rod itself, or on a lever at its pivot."""
         match load:
             case Force(point=point, link=link):
                 ends = [(link, point)]
@@ -247,7 +247,7 @@ class Bodies:
         return _surface(others[0])._replace(turn=-1)
 
     def _is_pressed_besides(self, point: str) -> bool:
-        """Tell whether a pin has a guide, or is on a lever and in a slot or contact.
+        """Return whether a pin has a guide, or is on a lever and in a slot or contact.
 
         Then two links press one another at the pin with other forces than it has from them.
         """
@@ -277,7 +277,7 @@ class Bodies:
         return _surface(pressed)._replace(pressed=component.ideal)
 
     def has_friction(self, point: str) -> bool:
-        """Tell whether there is friction at a pin."""
+        """Return whether there is friction at a pin."""
         return any(b.kind == "pin" and b.point == point for b in self._pressed)
 
     # ---------------------------------------------------------------- levers and guides

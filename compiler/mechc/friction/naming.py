@@ -21,7 +21,7 @@ class Meanings:
         self._formulas: dict[str, Formula] = {}
 
     def allow(self, name: str, formula: Formula) -> bool:
-        """Tell whether a name is free, or stands for this formula already."""
+        """Return whether a name is free, or stands for this formula already."""
         return self._formulas.get(name, formula) == formula
 
     def note(self, definitions: Iterable[Definition]) -> None:

@@ -147,7 +147,7 @@ class FrictionResults:
         return iterated
 
     def _stands(self, find: Find, ideal: Result, found: Named) -> bool:
-        """Tell whether a formula has a value at the default pose, as far as that has values.
+        """Return whether a formula has a value at the default pose, as far as that has values.
 
         A closed form has none where friction turns a pressing force round: there it takes
         iteration. Neither has one where the drive jams.

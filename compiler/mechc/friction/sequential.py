@@ -216,7 +216,7 @@ class SequentialSolver:
         return ZERO
 
     def _are_alike(self, body: str) -> bool:
-        """Tell whether both rods at a pin carry the same force, whatever the pose."""
+        """Return whether both rods at a pin carry the same force, whatever the pose."""
         rods = [rod for rod, _ in self._bodies.rods_at(body)]
         if len(rods) != 2:
             return False

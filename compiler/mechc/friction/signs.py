@@ -236,7 +236,7 @@ def _angle_of(tangent: Product) -> Angle | None:
 
 
 def is_root(value: Product) -> bool:
-    """Tell whether a product is a single square root."""
+    """Return whether a product is a single square root."""
     match list(value.factors.items()):
         case [(Opaque(Call("sqrt" | "hypot")), 1)]:
             return True

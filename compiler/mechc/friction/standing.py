@@ -42,7 +42,7 @@ def without_standing(slips: Sequence[Product], plan: Plan) -> list[Product]:
 
 
 def _is_small(slip: Product, values: Mapping[str, float]) -> bool:
-    """Tell whether a slip has no sign at the default pose."""
+    """Return whether a slip has no sign at the default pose."""
     try:
         return abs(slip.evaluate(values)) <= NIL
     except (KeyError, ZeroDivisionError, ValueError, OverflowError):
@@ -66,7 +66,7 @@ def _poses(plan: Plan) -> Iterator[Rounding]:
 
 
 def _vanishes(slip: Product, poses: Sequence[Rounding]) -> bool:
-    """Tell whether a slip is rounding at the default pose and at enough others."""
+    """Return whether a slip is rounding at the default pose and at enough others."""
     formula, zeros = slip.formula(), 0
     for pose in poses:
         try:

@@ -127,7 +127,7 @@ class Builder:
         return rods
 
     def _is_rod(self, link: Link) -> bool:
-        """Tell whether a link is held at both of its two ends, so that its spin is not needed."""
+        """Return whether a link is held at both of its two ends, so that its spin is not needed."""
         held = len(link.points) == 2 and all(self._is_held(link, p) for p in link.points)
         return held and link.name not in self._spinning
 

@@ -97,7 +97,7 @@ def _stretching(plan: Plan, body: str, tail: str, head: str) -> Form:
 
 
 def _moves(plan: Plan, form: Form, point: Point) -> bool:
-    """Tell whether a form in the unknowns is other than zero in some motion of the plan."""
+    """Return whether a form in the unknowns is other than zero in some motion of the plan."""
     return any(_sum(plan, form, drive, point) for drive in range(plan.mobility))
 
 

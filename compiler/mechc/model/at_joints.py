@@ -25,7 +25,7 @@ class AtJoints:
         self._has_pins = any(s.point is None for s in frictions)
 
     def has_friction(self, point: str) -> bool:
-        """Tell whether the whole says what friction the pin at a joined point has."""
+        """Return whether the whole says what friction the pin at a joined point has."""
         own = (ast.PinFriction, self._joined.get(point)) in self._rubbing
         return own or (point in self._joined and self._has_pins)
 

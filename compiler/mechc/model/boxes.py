@@ -17,7 +17,7 @@ def range_box(mechanism: Mechanism) -> Box:
 
 
 def _is_known(parameter: Parameter) -> bool:
-    """Tell whether a parameter follows from no other: a constant of a drawing is known, too."""
+    """Return whether a parameter follows from no other: a constant of a drawing is known, too."""
     return not parameter.dependent or is_constant(parameter)
 
 

@@ -124,7 +124,7 @@ def _there(use: ast.Use, used: Used) -> ast.Use:
 
 
 def _feeds(statement: ast.Statement, used: Used, values: set[str]) -> bool:
-    """Tell whether a mechanism rests on a statement that is one of a sheet, too."""
+    """Return whether a mechanism rests on a statement that is one of a sheet, too."""
     match statement:
         case ast.Param(name=name):
             return name.text in used.parameters

@@ -55,7 +55,7 @@ Edge = tuple[Node, Node, Hashable]
 
 
 def is_held(point: str, mechanism: Mechanism) -> bool:
-    """Tell whether a pin is fast in the ground, a slider, a slide, or stands by symmetry."""
+    """Return whether a pin is fast in the ground, a slider, a slide, or stands by symmetry."""
     return (
         any(isinstance(j, Pivot | Slider) and j.point == point for j in mechanism.joints)
         or bool(mechanism.slides_at(point))

@@ -30,7 +30,7 @@ MANY_TURNS = math.radians(1_000_000)
 
 
 def out_of_reach(value: float, dimension: Dimension) -> bool:
-    """Tell whether a quantity, in SI or radians, is none that a mechanism can have.
+    """Return whether a quantity, in SI or radians, is none that a mechanism can have.
 
     >>> from mechc.units import NUMBER
     >>> out_of_reach(1e70, NUMBER), out_of_reach(1e7, NUMBER), out_of_reach(1e7, ANGLE)
@@ -90,7 +90,7 @@ def leaves(expression: ast.Expr) -> Iterator[ast.Symbol | ast.Number]:
 
 
 def too_large(value: Fraction) -> bool:
-    """Tell whether an exact number is beyond what a double or the memory should hold.
+    """Return whether an exact number is beyond what a double or the memory should hold.
 
     >>> too_large(Fraction(9) ** 64), too_large(Fraction(9) ** 640)
     (False, True)

@@ -142,7 +142,7 @@ def _solved(formula: Formula, scope: Scope) -> bool:
 
 
 def _posed(formula: Formula, scope: Scope) -> bool:
-    """Tell whether a formula mentions ``phi_AB`` or ``len_AB``, itself or through lets."""
+    """Return whether a formula mentions ``phi_AB`` or ``len_AB``, itself or through lets."""
     names = symbols(formula)
     return any(n not in scope.entries or scope.entries[n].posed for n in names)
 

@@ -72,7 +72,7 @@ def check_reach(formula: Formula | None, dimension: Dimension, span: Span, scope
 
 
 def parallel(a: Direction, b: Direction, scope: Scope) -> bool:
-    """Tell whether two directions may lie along one line: False only where surely not."""
+    """Return whether two directions may lie along one line: False only where surely not."""
     if not isinstance(a, Absolute) or not isinstance(b, Absolute):
         return True
     first, second = value_of(a.angle, scope), value_of(b.angle, scope)

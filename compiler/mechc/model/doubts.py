@@ -132,14 +132,14 @@ def _vanishing(mechanism: Mechanism, chain: Chain, values: Values) -> Iterator[D
 
 
 def _fails(arrow: Arrow, known: Values) -> bool:
-    """Tell whether a length that has a value is no positive one, or as good as infinite."""
+    """Return whether a length that has a value is no positive one, or as good as infinite."""
     assert arrow.length is not None
     is_known = symbols(arrow.length) <= known.keys()
     return is_known and not 0 < evaluate(arrow.length, known) < FARTHEST
 
 
 def _is_strange(arrow: Arrow, known: Values, where: str, mechanism: Mechanism) -> bool:
-    """Tell whether a length that fails is no coordinate, and no study of sizes."""
+    """Return whether a length that fails is no coordinate, and no study of sizes."""
     assert arrow.length is not None
     if body_through((arrow.tail, arrow.head), mechanism):
         return where != "the stroke"
@@ -287,7 +287,7 @@ def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
 
 
 def _is_zero(formula: Formula, values: Values) -> bool:
-    """Tell whether a formula is zero whatever the loads and lengths that it rests on."""
+    """Return whether a formula is zero whatever the loads and lengths that it rests on."""
     return evaluate(formula, dict.fromkeys(symbols(formula), SOME) | dict(values)) == 0
 
 
@@ -307,7 +307,7 @@ def _standing_for_friction(mechanism: Mechanism, values: Values) -> Iterator[Dia
 
 
 def _is_across(one: Direction, other: Direction, values: Values) -> bool:
-    """Tell whether two directions are known to be square to one another."""
+    """Return whether two directions are known to be square to one another."""
     match one, other:
         case Absolute(angle), Absolute(against):
             if not symbols(angle) | symbols(against) <= values.keys():

@@ -84,7 +84,7 @@ def _in_range(
 
 
 def _is_given(mechanism: Mechanism, sketch: Sketch) -> bool:
-    """Tell whether more is given of the pose than the places of points."""
+    """Return whether more is given of the pose than the places of points."""
     pairs = (g for g in mechanism.geometry if not isinstance(g, Offset) or g.tail)
     return mechanism.drive is not None or any(map(sketch.has, pairs))
 
@@ -320,7 +320,7 @@ def _of(name: str, parts: Iterable[Geometry]) -> list[Geometry]:
 
 
 def _follows(part: Geometry, held: Independent, sketch: Sketch) -> bool:
-    """Tell whether what an entry gives is held already."""
+    """Return whether what an entry gives is held already."""
     rows = list(rows_of(part, sketch))
     return bool(rows) and not any(map(held.lacks, rows))
 

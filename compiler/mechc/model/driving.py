@@ -79,7 +79,7 @@ def with_value(parameter: Parameter, value: float) -> Parameter:
 
 
 def is_outside(parameter: Parameter) -> bool:
-    """Tell whether the value of a parameter is not in its range."""
+    """Return whether the value of a parameter is not in its range."""
     if parameter.value is None or parameter.range is None or parameter.dependent:
         return False
     low, high = (evaluate(end, {}) for end in parameter.range)

@@ -79,7 +79,7 @@ class Reader:
         return found.formula if found and self.fits(found, dimension, what) else None
 
     def fits(self, found: Quantity, dimension: Dimension, what: str) -> bool:
-        """Tell whether a quantity measures what is wanted; report where it does not."""
+        """Return whether a quantity measures what is wanted; report where it does not."""
         if found.sort.fits(dimension):
             return True
         if found.sort.nature is Nature.BARE:

@@ -108,7 +108,7 @@ def between(here: ast.Cartesian, there: ast.Cartesian, turned: ast.Expr | None) 
 
 
 def same(one: ast.Cartesian, other: ast.Cartesian) -> bool:
-    """Tell whether two places are the same; formulas that may be are taken to be."""
+    """Return whether two places are the same; formulas that may be are taken to be."""
     for a, b in ((one.x, other.x), (one.y, other.y)):
         difference = literal(plus(a, negative(b)))
         if difference is not None and difference[0] != 0:

@@ -274,7 +274,7 @@ def _is_guided(point: ast.Name, built: Mechanism, scope: Scope) -> bool:
 
 
 def _acts_at(point: str, load: Load) -> bool:
-    """Tell whether a load acts at a point."""
+    """Return whether a load acts at a point."""
     match load:
         case Force():
             return load.point == point

@@ -114,7 +114,7 @@ class Train:
         return led, total(parts)
 
     def _is_nil(self, factor: Formula) -> bool:
-        """Tell whether a motion does not count: an arm's, where inner wheels are alike."""
+        """Return whether a motion does not count: an arm's, where inner wheels are alike."""
         return symbols(factor) <= self._values.keys() and math.isclose(
             self._value(factor), 0, abs_tol=1e-12
         )

@@ -103,7 +103,7 @@ def _resting_on(behind: set[str], own: Sequence[ast.Statement]) -> set[str]:
 
 
 def _rests(statement: ast.Statement, behind: set[str] | frozenset[str]) -> bool:
-    """Tell whether a statement names what stays behind, or what is found of a mechanism."""
+    """Return whether a statement names what stays behind, or what is found of a mechanism."""
     forms = ((s.name, form_of(s.name)) for s in symbols_in(statement))
     return any(name in behind or (form and form.prefix in FOUND) for name, form in forms)
 
@@ -192,7 +192,7 @@ def _coming(
 
 
 def _stays(statement: ast.Statement, joining: Joining, behind: frozenset[str]) -> bool:
-    """Tell whether a statement stays behind."""
+    """Return whether a statement stays behind."""
     match statement:
         case ast.Drive():
             return joining.whole.is_driven

@@ -134,7 +134,7 @@ def _outside(
 
 
 def is_a_part(joining: Joining, report: Report) -> bool:
-    """Tell whether a mechanism can be a part; report the first reason why it cannot."""
+    """Return whether a mechanism can be a part; report the first reason why it cannot."""
     place, own = joining.use.used.span, joining.own
     if strange := next((s for s in own if isinstance(s, WHOLE)), None):
         report.add(messages.only_of_a_whole(place, strange.span))
@@ -149,7 +149,7 @@ def is_a_part(joining: Joining, report: Report) -> bool:
 
 
 def move_alike(joining: Joining, report: Report) -> bool:
-    """Tell whether joined points are fixed on both sides or on none, and one of them moves."""
+    """Return whether joined points are fixed on both sides or on none, and one of them moves."""
     there, here = _pivots(joining.own), _pivots(joining.whole.statements)
     place = joining.use.prefix.span
     for inside, outside in joining.joined.items():

@@ -153,7 +153,7 @@ def _length(tail: str, head: str, built: Mechanism) -> Formula | None:
 
 
 def _cancels(intensities: tuple[Formula, ...], scope: Scope) -> bool:
-    """Tell whether a spread load adds up to nothing, as far as its ends have values."""
+    """Return whether a spread load adds up to nothing, as far as its ends have values."""
     mean = total(intensities)
     return symbols(mean) <= scope.values.keys() and evaluate(mean, scope.values) == 0
 

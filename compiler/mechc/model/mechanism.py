@@ -157,7 +157,7 @@ class Mirror:
         return Fraction(2)
 
     def shares(self, points: Iterable[str]) -> bool:
-        """Tell whether both halves have what goes through these points in common."""
+        """Return whether both halves have what goes through these points in common."""
         return set(points) <= set(self.sharing)
 
 
@@ -170,7 +170,7 @@ class Copies:
     span: Span
 
     def shares(self, points: Iterable[str]) -> bool:
-        """Tell whether the branches have what goes through these points in common."""
+        """Return whether the branches have what goes through these points in common."""
         return set(points) <= set(self.sharing)
 
 
@@ -386,7 +386,7 @@ class Mechanism:
         return frozenset(point for group in self.symmetries for point in group.sharing)
 
     def is_on_the_line(self, points: Iterable[str]) -> bool:
-        """Tell whether there is a mirror, and both halves share what goes through these points."""
+        """Whether there is a mirror, and both halves share what goes through these points."""
         return self.mirror is not None and self.mirror.shares(points)
 
     def repeats(self, points: Iterable[str]) -> Fraction:

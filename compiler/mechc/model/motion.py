@@ -130,7 +130,7 @@ def _check_stroke(
 
 
 def _strays(parameter: Parameter, low: float, high: float) -> bool:
-    """Tell whether the value at the default pose is outside a stroke, full turns apart."""
+    """Return whether the value at the default pose is outside a stroke, full turns apart."""
     assert parameter.value is not None
     gap = evaluate(parameter.value, {}) - (low + high) / 2
     if parameter.dimension == ANGLE:

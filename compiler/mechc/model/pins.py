@@ -71,7 +71,7 @@ class Pins:
                 return
 
     def _is_pin(self, point: str) -> bool:
-        """Tell whether bodies turn on one another at a point."""
+        """Return whether bodies turn on one another at a point."""
         bodies = len(self._at(point))
         return bodies > 1 or (bodies == 1 and is_held(point, self._built))
 

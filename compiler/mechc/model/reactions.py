@@ -55,7 +55,7 @@ def _force(symbol: ast.Symbol, point: str, on: ast.Name | None, scope: Scope) ->
 
 
 def _meets_something(symbol: ast.Symbol, point: str, link: Link, scope: Scope) -> bool:
-    """Tell whether a link has the point, and anything else there to press on it."""
+    """Return whether a link has the point, and anything else there to press on it."""
     points = scope.points
     if point not in link.points:
         scope.report.add(messages.point_of_another(symbol.span, point, link.name))

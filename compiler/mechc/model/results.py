@@ -104,7 +104,7 @@ def _outside(require: Require, subject: Subject, values: Values) -> Diagnostic |
 
 
 def _holds(condition: Require, scope: Scope) -> bool:
-    """Tell whether a condition holds at the default pose; True where that has no value."""
+    """Return whether a condition holds at the default pose; True where that has no value."""
     sides = (condition.left, condition.right)
     if not all(symbols(side) <= scope.values.keys() for side in sides):
         return True

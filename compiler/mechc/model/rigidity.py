@@ -34,7 +34,7 @@ class Independent:
         return rest is not None
 
     def lacks(self, row: Row) -> bool:
-        """Tell whether a row does not follow from those so far."""
+        """Return whether a row does not follow from those so far."""
         return self._left(row) is not None
 
     def _left(self, row: Row) -> Row | None:

@@ -172,7 +172,7 @@ class Scope:
         return self.constants[kind, formula].symbol
 
     def first_misfit(self, name: str, wanted: Dimension) -> bool:
-        """Tell whether it is the first time that a name measures something else than is wanted."""
+        """Whether it is the first time that a name measures something else than is wanted."""
         first = (name, wanted) not in self._misfits
         self._misfits.add((name, wanted))
         return first

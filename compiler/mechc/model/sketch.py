@@ -108,11 +108,11 @@ class Sketch:
                 self._place(point, x, y, place.span)
 
     def has_all(self, points: Iterable[str]) -> bool:
-        """Tell whether points are drawn."""
+        """Return whether points are drawn."""
         return self.places.keys() >= set(points)
 
     def has(self, entry: Geometry) -> bool:
-        """Tell whether the points of an entry are drawn; the origin is in every drawing."""
+        """Return whether the points of an entry are drawn; the origin is in every drawing."""
         return self.has_all(set(points_of(entry)) - {""})
 
     def span(self, point: str) -> Span:
@@ -136,7 +136,7 @@ class Sketch:
         return in_unit(gap, self.unit or "m", 3)
 
     def coincide(self, first: str, second: str) -> bool:
-        """Tell whether two points are drawn at one place."""
+        """Return whether two points are drawn at one place."""
         gap = math.dist(self.places[first].at, self.places[second].at)
         return gap <= self.rounding
 
@@ -276,7 +276,7 @@ class Sketch:
         return degrees(quarter if self._value(x or y) > 0 else quarter - 180)
 
     def _along(self, one: Components, other: Components) -> bool:
-        """Tell whether two vectors have one direction but for rounding."""
+        """Return whether two vectors have one direction but for rounding."""
         ahead = add([a * b for a, b in zip(one, other, strict=True)])
         across = add([one[0] * other[1], -(one[1] * other[0])])
         sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
@@ -305,6 +305,6 @@ class Sketch:
         return Symbol(name)
 
     def _means_another(self, name: str, value: Formula) -> bool:
-        """Tell whether a name stands for something else already."""
+        """Return whether a name stands for something else already."""
         known = self.parameters.get(name)
         return name in self._taken if known is None else known.value != value

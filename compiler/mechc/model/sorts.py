@@ -37,7 +37,7 @@ class Sort(NamedTuple):
         return Sort(dimension, Nature.LOOSE if dimension == NUMBER else Nature.FIRM)
 
     def fits(self, wanted: Dimension) -> bool:
-        """Tell whether such a formula may stand where a dimension is wanted.
+        """Return whether such a formula may stand where a dimension is wanted.
 
         >>> Sort(NUMBER, Nature.LOOSE).fits(ANGLE), Sort(NUMBER, Nature.BARE).fits(ANGLE)
         (True, False)

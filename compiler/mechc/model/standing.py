@@ -19,7 +19,7 @@ from .mechanism import (
 
 
 def direction_matters(link: Link, mechanism: Mechanism) -> bool:
-    """Tell whether anything but a couple is at a link, so that its direction tells."""
+    """Return whether anything but a couple is at a link, so that its direction tells."""
     pins = set(link.points) - mechanism.fixed
     return not pins.isdisjoint(_at_work(link, mechanism))
 
@@ -46,7 +46,7 @@ def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
 
 
 def place_matters(point: str, mechanism: Mechanism) -> bool:
-    """Tell whether a guided point, or the body that slides with it, leads any other body."""
+    """Return whether a guided point, or the body that slides with it, leads any other body."""
     slides = mechanism.slides_at(point)
     points = {point}.union(*(slide.points for slide in slides))
     others = (body for body in mechanism.bodies if body not in slides)

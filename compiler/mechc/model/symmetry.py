@@ -81,7 +81,7 @@ def check_shared_vectors(mirror: Mirror | None, geometry: Sequence[Geometry], sc
 
 
 def _symmetric(load: Force, across: Direction, shared: Sequence[str], scope: Scope) -> bool:
-    """Tell whether a force acts on both halves alike: gravity and forces on shared points."""
+    """Return whether a force acts on both halves alike: gravity and forces on shared points."""
     bound = load.weight or load.point in shared
     return not bound or parallel(load.along, across, scope)
 

@@ -120,7 +120,7 @@ def dependent(mechanism: Mechanism) -> dict[str, Formula]:
 
 
 def is_constant(parameter: Parameter) -> bool:
-    """Tell whether a parameter is the name of a number: an angle of a drawing.
+    """Return whether a parameter is the name of a number: an angle of a drawing.
 
     Lengths that are numbers have names, too, as ``literals`` of the mechanism.
     """

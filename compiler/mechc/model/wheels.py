@@ -158,7 +158,7 @@ def _values(formulas: Iterable[Formula], scope: Scope) -> list[float] | None:
 
 
 def _joins_halves(statement: ast.Gear | ast.Belt, scope: Scope) -> bool:
-    """Tell whether a wheel is on the twin of a described point, which is reported."""
+    """Return whether a wheel is on the twin of a described point, which is reported."""
     first, second = statement.first.text, statement.second.text
     for name in (statement.first, statement.second):
         places, described = scope.points.places, name.text.removesuffix("'")

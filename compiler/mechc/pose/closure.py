@@ -68,7 +68,7 @@ class Closure:
         return condition.across
 
     def _holds_by_definition(self, arms: Vector, direction: Angle, poses: Sequence[Values]) -> bool:
-        """Tell whether arms add up to zero because some of their angles were defined so.
+        """Return whether arms add up to zero because some of their angles were defined so.
 
         Algebra takes ``beta = asin(a/l*sin(alpha))`` for one more free symbol; numbers at a
         few poses tell.

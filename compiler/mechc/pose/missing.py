@@ -19,7 +19,7 @@ class Missing:
         return bool(self._asked)
 
     def is_first(self, tail: str, head: str) -> bool:
-        """Tell whether a missing vector would not follow from those missing before; note it."""
+        """Return whether a missing vector would not follow from those missing before; note it."""
         if len(self._asked) < MOST and self._follows(tail, head):
             return False
         self._asked.append((tail, head))

@@ -32,7 +32,7 @@ class Quantity(NamedTuple):
 
     @property
     def is_named(self) -> bool:
-        """Tell whether it is what the pose, or the description, calls by its name."""
+        """Return whether it is what the pose, or the description, calls by its name."""
         return isinstance(self.formula, Symbol) and self.formula.name == self.name
 
 

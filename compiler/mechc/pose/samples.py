@@ -44,7 +44,7 @@ def _size(parameter: Parameter) -> float:
 
 
 def is_behind(length: Product, poses: Iterable[Values]) -> bool:
-    """Tell whether a length that was found, such as a place on a line, is negative."""
+    """Return whether a length that was found, such as a place on a line, is negative."""
     known = (values for values in poses if symbols(length.formula()) <= values.keys())
     values = next(known, None)
     return values is not None and length.evaluate(values) < 0

@@ -75,7 +75,7 @@ def _parts(mechanism: Mechanism) -> Iterable[tuple[str, set[str]]]:
 
 
 def _joined(point: str, link: str, mechanism: Mechanism) -> bool:
-    """Tell whether anything but a load holds a link at a point."""
+    """Return whether anything but a load holds a link at a point."""
     holding = (j for j in mechanism.joints if isinstance(j, Pivot | Slider | Slot | Contact))
     at = {joint.point for joint in holding}
     others = (b for b in mechanism.rigid_bodies if b.name != link)
@@ -84,6 +84,6 @@ def _joined(point: str, link: str, mechanism: Mechanism) -> bool:
 
 
 def _held_otherwise(link: str, mechanism: Mechanism) -> bool:
-    """Tell whether a slot or a face of the link itself, or a wheel, holds it."""
+    """Return whether a slot or a face of the link itself, or a wheel, holds it."""
     holding = (j for j in mechanism.joints if isinstance(j, Slot | Contact | WheelPair))
     return any(link in joint.bodies for joint in holding)

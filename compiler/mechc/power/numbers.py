@@ -148,7 +148,7 @@ def _is_finite(speed: Product, values: Mapping[str, float]) -> bool:
 
 
 def _is_regular(block: Block, rows: Sequence[Mapping[int, float]]) -> bool:
-    """Tell whether a block's unknowns follow from its relations, against the rows' size."""
+    """Return whether a block's unknowns follow from its relations, against the rows' size."""
     scales = [max(map(abs, rows[r].values())) or 1.0 for r in block.relations]
     inner = [
         {u: rows[r].get(u, 0.0) / scale for u in block.unknowns}
@@ -205,7 +205,7 @@ class Arrows:
         return messages.turn_round(forces if touching else forces[:1])
 
     def _turns(self, result: Result) -> bool:
-        """Tell whether a result that is negative by default is positive along the stroke."""
+        """Return whether a result that is negative by default is positive along the stroke."""
         drive = self._pose.mechanism.drive
         if drive is None or not (ends := range_of(drive.parameter, self._pose.mechanism)):
             return False

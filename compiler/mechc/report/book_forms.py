@@ -127,7 +127,7 @@ def _root(square: Formula, side: Formula, positive: Set[str]) -> Product | None:
 
 
 def _stays(factor: Factor, positive: Set[str]) -> bool:
-    """Tell whether a factor is positive, by what it is made of."""
+    """Return whether a factor is positive, by what it is made of."""
     match factor:
         case Constant(_, value):
             return evaluate(value, {}) > 0

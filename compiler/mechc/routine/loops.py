@@ -34,12 +34,12 @@ def _defined(result: Result, formulas: Sequence[Formula], scope: Scope) -> set[s
 
 
 def _concerns(loop: ClosedLoop, names: set[str]) -> bool:
-    """Tell whether a loop is the mechanism's own, or one of a used mechanism that has the names."""
+    """Whether a loop is the mechanism's own, or one of a used mechanism that has the names."""
     return not loop.of or any(name.startswith(f"{loop.of}_") for name in names)
 
 
 def _rests_on_a_pose(known: set[str], scope: Scope, loops: Sequence[ClosedLoop]) -> bool:
-    """Tell whether a formula of the user's own uses what a loop or virtual power gives."""
+    """Return whether a formula of the user's own uses what a loop or virtual power gives."""
     finds = {name for name, result in scope.results.items() if result.target is not None}
     return not known.isdisjoint(finds.union(*(loop.names for loop in loops)))
 

@@ -22,7 +22,7 @@ class Halves:
         return None if axis is None else direction(axis.evaluate(self.values))
 
     def is_shared(self, name: str) -> bool:
-        """Tell whether both halves have a link, a slide or a point in common."""
+        """Return whether both halves have a link, a slide or a point in common."""
         mirror = self.pose.mechanism.mirror
         return mirror is None or name == GROUND or self.points(name) <= set(mirror.sharing)
 
@@ -58,7 +58,7 @@ class Halves:
         return f"{whole}'{at}{self.twin(point) if point else ''}"
 
     def acts_on_shared(self, action: Action) -> bool:
-        """Tell whether an action is on what both halves share."""
+        """Return whether an action is on what both halves share."""
         return self.is_shared(action.point if isinstance(action, Push) else action.body)
 
     def mirrored(self, action: Action) -> Action:

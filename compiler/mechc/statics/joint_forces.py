@@ -48,7 +48,7 @@ def wanted_of(target: Target, unfolding: Unfolding, system: System) -> tuple[Wei
 
 
 def _is_loaded(link: str, point: str, unfolding: Unfolding) -> bool:
-    """Tell whether a load acts on a link itself at a point, so that a pin gives not all of it."""
+    """Return whether a load acts on a link itself at a point, so that a pin gives not all of it."""
     for load in unfolding.pose.mechanism.loads:
         match load:
             case Force(point=at, link=on):

@@ -58,7 +58,7 @@ class Unfolding(Halves):
         return (there,) if self.axis is None else ()
 
     def turns(self, body: str) -> bool:
-        """Tell whether a body can turn: what both halves share is kept still by symmetry."""
+        """Return whether a body can turn: what both halves share is kept still by symmetry."""
         return self.axis is None or not self.is_shared(body.removesuffix("'"))
 
     def turning_on(self, point: str) -> Iterator[str]:

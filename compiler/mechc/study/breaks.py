@@ -44,7 +44,7 @@ def may_vanish(factor: Factor, near: Mapping[str, float]) -> bool:
 
 
 def _all_positive(formula: Formula, near: Mapping[str, float]) -> bool:
-    """Tell whether a sum has no functions and no term that is negative by default."""
+    """Return whether a sum has no functions and no term that is negative by default."""
     if not isinstance(formula, Terms) or any(isinstance(f, Call) for f in walk(formula)):
         return False
     known = symbols(formula) <= near.keys()

@@ -132,7 +132,7 @@ class _Slope:
         self._places, self._ideal, self._scale = places, ideal, scale
 
     def is_steep(self, place: float) -> bool:
-        """Tell whether the ratio changes fast, passes zero or has no value."""
+        """Return whether the ratio changes fast, passes zero or has no value."""
         step, here = DIFFERENCE * self._scale, self._places.of(self._ideal, place)
         before, after = (self._places.of(self._ideal, place + s) for s in (-step, step))
         first, last = (v if math.isfinite(v) else here for v in (before, after))

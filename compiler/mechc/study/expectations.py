@@ -198,7 +198,7 @@ def _is_assembled(values: Values, definitions: Sequence[Definition]) -> bool:
 
 
 def _differ(found: Rounded, expected: Rounded) -> bool:
-    """Tell whether two values differ by more than a relative part, and by more than rounding."""
+    """Return whether two values differ by more than a relative part, and by more than rounding."""
     if math.isinf(found.error) or math.isinf(expected.error):
         return False
     if math.isnan(found.value) or math.isnan(expected.value):

@@ -58,7 +58,7 @@ def _used(mechanism: Mechanism, results: Sequence[Result]) -> set[str]:
 
 
 def turns(name: str, mechanism: Mechanism) -> bool:
-    """Tell whether a parameter is an angle."""
+    """Return whether a parameter is an angle."""
     return any(p.name == name and p.dimension == ANGLE for p in mechanism.parameters)
 
 

@@ -50,12 +50,12 @@ class Moving:
 
     @cached_property
     def is_iterated(self) -> bool:
-        """Tell whether friction is found by iteration."""
+        """Return whether friction is found by iteration."""
         return any(solutions(self.real))
 
     @cached_property
     def is_slow(self) -> bool:
-        """Tell whether friction or the pose is found by iteration."""
+        """Return whether friction or the pose is found by iteration."""
         return any(isinstance(f, Implicit) for d in self.real.where for f in walk(d.formula))
 
     def at(self, place: float) -> Found:
@@ -69,7 +69,7 @@ class Moving:
         return None if self.is_dead_centre(place) else self._sign * self.without(place) < 0
 
     def is_dead_centre(self, place: float) -> bool:
-        """Tell whether the ratio without friction is 0 or infinite, but for rounding, or none.
+        """Return whether the ratio without friction is 0 or infinite, but for rounding, or none.
 
         Rounding is looked at only where the ratio is far from what it is by default.
         """
@@ -163,7 +163,7 @@ class Moving:
 
 
 def is_sign(formula: Formula) -> bool:
-    """Tell whether a formula is the sign of another."""
+    """Return whether a formula is the sign of another."""
     return isinstance(formula, Call) and formula.function == "sign"
 
 

@@ -72,7 +72,7 @@ def _corner(box: Box, name: str, end: int) -> Box:
 
 
 def _keeps_sign(slope: Product, box: Box) -> bool:
-    """Tell whether no factor that could change sign does so in the box."""
+    """Return whether no factor that could change sign does so in the box."""
     return all(is_free_of_zeros(Product(1, {f: 1}), box) for f, e in slope.factors.items() if e % 2)
 
 

@@ -140,7 +140,7 @@ def _has_order(
 def _is_refuted(
     item: Solved, root: Root, near: Mapping[str, float], side: int, chain: Chain
 ) -> bool:
-    """Tell whether a value does something else where lengths are just as they are given.
+    """Return whether a value does something else where lengths are just as they are given.
 
     With a = b, sin α/(a − b cos α) is infinite where it would vanish. And what is found by
     closing loops may itself be infinite there, such as a pin's distance along a slot that is
@@ -204,7 +204,7 @@ def _across_the_line(factor: Factor, value: Product) -> list[Trig]:
 
 
 def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
-    """Tell whether a sum is zero at a root for the values given, against its size elsewhere."""
+    """Return whether a sum is zero at a root for the values given, against its size elsewhere."""
     if not isinstance(factor, Sum) or not {root.name, *root.value.names} <= near.keys():
         return False
     if not symbols(factor.formula()) <= near.keys():
@@ -231,7 +231,7 @@ def _kind(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, si
 
 
 def _vanishes(ratio: Product, factor: Factor, at: Sequence[Root]) -> bool:
-    """Tell whether a ratio is zero with a factor: by its order where that has roots."""
+    """Return whether a ratio is zero with a factor: by its order where that has roots."""
     if at:
         return all((order(ratio, root.name, root.value) or 0) > 0 for root in at)
     return ratio.factors.get(factor, 0) > 0

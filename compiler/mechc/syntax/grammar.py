@@ -95,7 +95,7 @@ def with_names(line: Sequence[Token], start: Start) -> list[Token]:
 
 
 def _stands(word: str, place: int, begun: Sequence[str], line: Sequence[Token]) -> bool:
-    """Tell whether a soft word at a place of a statement is a word of the language there."""
+    """Return whether a soft word at a place of a statement is a word of the language there."""
     if any((first, at) in SOFT[word] for first in begun for at in (place, EACH)):
         return True
     anywhere = any((first, ANYWHERE) in SOFT[word] for first in begun)

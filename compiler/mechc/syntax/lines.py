@@ -51,7 +51,7 @@ class Gathered:
         self.open_brackets += (token.type == "LEFT") - (token.type == "RIGHT")
 
     def complete(self) -> bool:
-        """Tell whether the end of the line ends the statement."""
+        """Return whether the end of the line ends the statement."""
         return self.open_brackets <= 0 and self.tokens[-1].type not in GOES_ON
 
     def line(self) -> Line:
@@ -60,7 +60,7 @@ class Gathered:
 
 
 def begins(before: Token, token: Token, following: Token | None) -> bool:
-    """Tell whether a line that begins so is a statement whatever stands above it.
+    """Return whether a line that begins so is a statement whatever stands above it.
 
     Behind a comma a list goes on, in which names have values, too.
     """

@@ -78,7 +78,7 @@ def parse(line: Sequence[Token], start: Start, end: int) -> object:
 
 
 def may_begin(line: Sequence[Token]) -> bool:
-    """Tell whether a line may begin with this name: a point's at its place, or a vector's."""
+    """Return whether a line may begin with this name: a point's at its place, or a vector's."""
     points = points_of(line[0])
     return len(points) > 1 or (len(points) == 1 and line[1:2] != ["="])
 
@@ -138,7 +138,7 @@ def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: S
 
 
 def begins_wrongly(line: Sequence[Token], position: int) -> bool:
-    """Tell whether the line begins with a word that is neither a statement's nor a vector."""
+    """Return whether the line begins with a word that is neither a statement's nor a vector."""
     return position == 0 or (position == 1 and line[0].type == "NAME")
 
 

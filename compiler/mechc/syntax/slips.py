@@ -77,7 +77,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
 
 
 def lacks_name(line: Sequence[Token], position: int) -> bool:
-    """Tell whether a statement goes on where its name is missing: ``force at K along y``."""
+    """Return whether a statement goes on where its name is missing: ``force at K along y``."""
     following = line[position + 1] if position + 1 < len(line) else ""
     return str(line[position]) in words_behind(line) and following != "="
 
@@ -117,7 +117,7 @@ def _of_decimals(line: Sequence[Token], position: int) -> str:
 
 
 def _is_decimal_comma(whole: Token, comma: Token, part: Token) -> bool:
-    """Tell whether a comma without a space stands in a number: ``8,25 in``."""
+    """Return whether a comma without a space stands in a number: ``8,25 in``."""
     glued = span_of(whole).end == span_of(comma).start < span_of(comma).end == span_of(part).start
     return glued and comma == "," and whole.isdecimal() and part[:1].isdecimal()
 

@@ -181,7 +181,7 @@ def filled(template: str, statement: ast.Statement) -> str:
 
 
 def given(value: object) -> bool:
-    """Tell whether a field was written: not None, '', () or False."""
+    """Return whether a field was written: not None, '', () or False."""
     return value is not None and value != "" and value != () and value is not False
 
 

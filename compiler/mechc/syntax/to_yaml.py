@@ -61,7 +61,7 @@ def named(section: Section, found: Statements) -> list[list[ast.Statement]]:
 
 
 def keeps_doubles(section: Section) -> bool:
-    """Tell whether a list would mean coordinates, so that doubles stay two (wrong) keys."""
+    """Return whether a list would mean coordinates, so that doubles stay two (wrong) keys."""
     short = section.entries[0].short
     return short is not None and short.kind in (Kind.VECTOR, Kind.CARTESIAN, Kind.ROWS, Kind.SIZES)
 
@@ -170,7 +170,7 @@ def fields_of(statement: ast.Statement, key: Key) -> list[Any]:
 
 
 def has_value(statement: ast.Statement) -> bool:
-    """Tell whether a statement says more than its name."""
+    """Return whether a statement says more than its name."""
     short = entry_of(statement).short
     return short is not None and any(map(given, fields_of(statement, short)))
 

@@ -108,7 +108,7 @@ def unit_behind(text: str, at: int) -> re.Match[str] | None:
 
 
 def is_word(found: Sequence[Token], formula: bool) -> bool:
-    """Tell whether the word ``in``, the first of these, is no inch.
+    """Return whether the word ``in``, the first of these, is no inch.
 
     It begins a range or, in a formula of one's own, stands before a unit or a list:
     ``F/d^2 in MPa``.
@@ -118,7 +118,7 @@ def is_word(found: Sequence[Token], formula: bool) -> bool:
 
 
 def begins_range(found: Sequence[Token]) -> bool:
-    """Tell whether the word ``in``, the first of these, begins a range and is no inch.
+    """Return whether the word ``in``, the first of these, begins a range and is no inch.
 
     In ``8 in - 2 in in 1 in .. 9 in`` that is the last one before the dots that an end follows.
     """

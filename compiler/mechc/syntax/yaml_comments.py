@@ -83,6 +83,6 @@ def with_comments(
 
 
 def same_line(statement: ast.Statement, comment: Comment, source: Source) -> bool:
-    """Tell whether a comment stands on the line where a statement ends."""
+    """Return whether a comment stands on the line where a statement ends."""
     ends = source.position(max(statement.span.start, statement.span.end - 1)).line
     return ends == source.position(comment.at).line

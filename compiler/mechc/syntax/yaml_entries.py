@@ -113,17 +113,17 @@ def plain_fields(entry: Entry, value: Node, source: Source) -> dict[str, Any]:
 
 
 def needs_keys(entry: Entry) -> bool:
-    """Tell whether an entry means nothing without its mapping form."""
+    """Return whether an entry means nothing without its mapping form."""
     return bool(entry.others) or any(key.required for key in entry.keys)
 
 
 def optional_field(entry: Entry, name: str) -> bool:
-    """Tell whether the node can do without a field."""
+    """Return whether the node can do without a field."""
     return any(f.name == name and f.default in (None, "") for f in fields(entry.node))
 
 
 def empty(value: Node) -> bool:
-    """Tell whether nothing was written."""
+    """Return whether nothing was written."""
     return isinstance(value, Scalar) and value.empty
 
 

@@ -26,7 +26,7 @@ class Scalar:
 
     @property
     def empty(self) -> bool:
-        """Tell whether nothing was written."""
+        """Return whether nothing was written."""
         return not self.quoted and self.text in ("", "~", "null")
 
 
@@ -157,7 +157,7 @@ def closed(opened: Open, event: yaml.Event, report: Report) -> Node:
 
 
 def glued(name: Scalar, value: Node) -> bool:
-    """Tell whether a key has swallowed its value: YAML wants a space behind the colon."""
+    """Return whether a key has swallowed its value: YAML wants a space behind the colon."""
     return ":" in name.text and not name.quoted and isinstance(value, Scalar) and value.empty
 
 

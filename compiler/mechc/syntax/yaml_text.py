@@ -36,7 +36,7 @@ def text(value: str, flow: bool = False) -> str:
 
 
 def is_plain(value: str, flow: bool) -> bool:
-    """Tell whether a text can stand without quotes."""
+    """Return whether a text can stand without quotes."""
     return bool(
         PLAIN.fullmatch(value)
         and PRINTABLE.fullmatch(value)

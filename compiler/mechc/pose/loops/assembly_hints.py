@@ -76,7 +76,7 @@ class AssemblyHints:
         return messages.the_closures(list(found)) if refuted else messages.one_of(list(found))
 
     def _is_one(self, poses: Sequence[Values]) -> bool:
-        """Tell whether poses are one, so that it is no matter of lines."""
+        """Return whether poses are one, so that it is no matter of lines."""
         names = sorted(self._group.unknown)
         return all(
             abs(math.remainder(p.get(n, 0.0) - poses[0].get(n, 0.0), 2 * math.pi)) < SAME_DIRECTION
@@ -143,7 +143,7 @@ class AssemblyHints:
 
 
 def is_ahead(place: float, places: Sequence[float]) -> bool:
-    """Tell whether a place is the farthest along the guide; several closures may share it."""
+    """Return whether a place is the farthest along the guide; several closures may share it."""
     known = [p for p in places if not math.isnan(p)]
     return place > max(known) - SAME_PLACE * max(map(abs, known))
 

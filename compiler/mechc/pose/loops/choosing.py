@@ -72,7 +72,7 @@ class Choice:
     def _separates(
         self, assembly: Assembly, poses: Sequence[Values], possible: Sequence[int]
     ) -> bool:
-        """Tell whether a line holds in some closures and not in others."""
+        """Return whether a line holds in some closures and not in others."""
         return len({self._holds(assembly, poses, i) for i in possible}) > 1
 
     @property
@@ -100,7 +100,7 @@ class Choice:
         return [i for i, sizes in enumerate(lengths) if sizes and min(sizes) >= 0]
 
     def _decides(self, assembly: Assembly, poses: Sequence[Values], before: Values) -> bool:
-        """Tell whether this group is what places the points named."""
+        """Return whether this group is what places the points named."""
         if self._measure(assembly, before) is not None:
             return False
         return all(self._measure(assembly, p) is not None for p in poses)

@@ -88,7 +88,7 @@ class _Reach:
         return self._chain.complete({**self._given, self._drive: place})
 
     def closes(self, place: float) -> bool:
-        """Tell whether everything has a value."""
+        """Return whether everything has a value."""
         return all(map(math.isfinite, self._values(place).values()))
 
     def ends(self, margins: Iterable[Product], low: float, high: float) -> list[End]:

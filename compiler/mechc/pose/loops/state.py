@@ -80,7 +80,7 @@ class State:
 
     @property
     def is_open(self) -> bool:
-        """Tell whether a direction, a place on a line or what the user named is still sought."""
+        """Return whether a direction, a place on a line or what the user named is still sought."""
         driven = self.mechanism.drive is not None or not (self.angles or self.named)
         places = {line.length for line in self.guide_lines if driven}
         return bool(self.graph.sought & (self.angles | self.named | places))
@@ -213,7 +213,7 @@ class State:
 
 
 def _turns_whole(name: str, arm: Arm) -> bool:
-    """Tell whether a vector is the same where an angle is a full turn greater."""
+    """Return whether a vector is the same where an angle is a full turn greater."""
     factor = dict(arm.angle.terms).get(name, Fraction(0))
     return factor.denominator == 1 and name not in symbols(arm.length.formula())
 

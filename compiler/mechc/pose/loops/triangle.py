@@ -34,5 +34,5 @@ def heron(d: Product, p: Product, q: Product) -> Call:
 
 
 def is_of_vector(formula: Formula) -> bool:
-    """Tell whether something is the length or the direction of a vector between two points."""
+    """Return whether something is the length or the direction of a vector between two points."""
     return isinstance(formula, Call) and formula.function in ("hypot", "atan2")

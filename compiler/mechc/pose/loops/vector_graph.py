@@ -255,7 +255,7 @@ def _mentioning(wanted: Names, by_names: _ByNames) -> list[Edge]:
 
 
 def _closes(edges: Iterable[Edge], clusters: Mapping[str, int]) -> bool:
-    """Tell whether edges between clusters make a cycle."""
+    """Return whether edges between clusters make a cycle."""
     joined: dict[int, int] = {}
     for edge in edges:
         first, second = clusters[edge.tail], clusters[edge.head]

@@ -96,7 +96,7 @@ class _Writer:
         yield from found
 
     def _is_rod(self) -> bool:
-        """Tell whether all forces on a link act at its two pins."""
+        """Return whether all forces on a link act at its two pins."""
         of = self._releases[0].of if self._releases else ""
         link = next((k for k in self._mechanism.links if k.name == of), None)
         return (
@@ -106,7 +106,7 @@ class _Writer:
         )
 
     def _is_slanting(self) -> bool:
-        """Tell whether a rod's vector is a sum, so that no release is along the rod itself."""
+        """Return whether a rod's vector is a sum, so that no release is along the rod itself."""
         return len(self._releases) > 1 and len(self._rod(self._releases[0])) > 1
 
     def _rod(self, release: Release) -> Vector:

@@ -29,7 +29,7 @@ def last_steps(derivation: Derivation) -> Iterator[LastStep]:
 
 
 def _has_other_sign(chain: SpeedChain, derivation: Derivation) -> bool:
-    """Tell whether a ratio of speeds that was asked for has a sign of its own.
+    """Return whether a ratio of speeds that was asked for has a sign of its own.
 
     It is signed along a guide or counter-clockwise, those of the steps as points move.
     """

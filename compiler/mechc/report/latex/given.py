@@ -134,7 +134,7 @@ def _length(
 
 
 def _is_own(entry: Arrow) -> bool:
-    """Tell whether a length is a number that has its name from this very vector."""
+    """Return whether a length is a number that has its name from this very vector."""
     name = f"len_{entry.tail}{entry.head}"
     return isinstance(entry.length, Constant) and entry.length.name == name
 

@@ -215,7 +215,7 @@ class _Latex(Typesetter[Box]):
 
 
 def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
-    """Tell whether factors side by side would be read as one: figures, ``df``, a vector's name."""
+    """Whether factors side by side would be read as one: figures, ``df``, a vector's name."""
     is_function = isinstance(formula, Call) and not after.tex.startswith(("(", r"\left"))
     raised = isinstance(formula, Power) and isinstance(formula.base, Call)
     is_letter = isinstance(formula, Symbol)
@@ -227,7 +227,7 @@ def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
 
 
 def _are_words(before: Box, after: Box) -> bool:
-    """Tell whether a name of several letters would be read as one with the next letter."""
+    """Return whether a name of several letters would be read as one with the next letter."""
     locale = (re.match(r"\\math(rm|it)", box.tex) for box in (before, after))
     return any(locale) and before.tex[-1] not in ")]" and after.tex[0] not in "(["
 

@@ -161,6 +161,6 @@ def _turned_round(terms: Iterable[Formula]) -> Formula:
 
 
 def _led_by(terms: Iterable[Formula], turns: Set[str]) -> bool:
-    """Tell whether all that is added are turns, and something else is taken away."""
+    """Return whether all that is added are turns, and something else is taken away."""
     signed = [(has_minus(term), symbols(term) <= turns) for term in terms]
     return all(turned for minus, turned in signed if not minus) and (True, False) in signed

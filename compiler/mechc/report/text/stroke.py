@@ -30,7 +30,7 @@ def held(row: Row, stroke: Stroke) -> str:
 
 
 def _is_in(place: float, found: JammedInterval, near: float) -> bool:
-    """Tell whether a place is in an interval, or so near to an end that it is that end."""
+    """Return whether a place is in an interval, or so near to an end that it is that end."""
     below, above = (-near if left_out else near for left_out in found.left_out)
     return found.low - below <= place <= found.high + above
 

@@ -93,7 +93,7 @@ def _turning(pose: Pose, link: Link, along: Along, place: float) -> float:
 
 
 def _is_bent(pose: Pose, link: Link, along: Along, place: float, fastest: float) -> bool:
-    """Tell whether pins of a link turn at different rates, so that it would have to bend.
+    """Return whether pins of a link turn at different rates, so that it would have to bend.
 
     A point that has a load alone may stand for what the link touches just now.
     """
