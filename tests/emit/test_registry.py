@@ -12,9 +12,9 @@ from jinja2 import meta, nodes
 from mechc.diagnostics import MechcError, Report
 from mechc.emit import registry
 from mechc.emit.c import reserved, to_c
+from mechc.emit.make_templates import EMIT, MADE, TARGETS, environment, written
 from mechc.emit.names import Names, mangle, transliterate
 from mechc.emit.python import to_python
-from mechc.emit.render import TEMPLATES, environment
 from mechc.source import Source
 
 STRANGERS = [
@@ -100,11 +100,19 @@ def test_a_template_mentions_exactly_its_context(
 
 def mentioned(template: str) -> set[str]:
     """Return the variables of a template and of those that it includes, its loops' own apart."""
-    tree = environment().parse((TEMPLATES / template).read_text(encoding="utf-8"))
-    included = [str(node.template.as_const()) for node in tree.find_all(nodes.Include)]
+    reader = environment(template.partition("/")[0])
+    tree = reader.parse((EMIT / template).read_text(encoding="utf-8"))
+    includes = [node.template for node in tree.find_all(nodes.Include)]
+    included = [str(node.as_const()) for node in includes if isinstance(node, nodes.Const)]
     loops = {name.name for loop in tree.find_all(nodes.For) for name in _targets(loop)}
     inner = set[str]().union(*map(mentioned, included)) - loops
     return meta.find_undeclared_variables(tree) | inner
+
+
+@pytest.mark.parametrize("target", TARGETS)
+def test_the_functions_are_those_of_the_templates(target: str) -> None:
+    """``python -m mechc.emit.make_templates`` writes them anew."""
+    assert (EMIT / target / MADE).read_text("utf-8") == written(target)
 
 
 def _targets(loop: nodes.For) -> list[nodes.Name]:

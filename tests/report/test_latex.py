@@ -10,7 +10,8 @@ import pytest
 from jinja2 import meta
 
 import mechc
-from mechc.emit.latex.to_latex import TARGET, TEMPLATES, Report
+from mechc.emit.latex.to_latex import TARGET, Report
+from mechc.emit.make_templates import EMIT, environment
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Sum, Symbol
 from mechc.pose.pose import LoopKind
@@ -64,14 +65,14 @@ def test_output_depends_on_the_input_only() -> None:
 
 
 def test_template_uses_every_field_of_the_report() -> None:
-    used = meta.find_undeclared_variables(TEMPLATES.parse(template("body.jinja")))
+    tree = environment("latex").parse(template("latex/body.jinja"))
+    used = meta.find_undeclared_variables(tree)
     assert used == set(Report._fields)
 
 
 def template(name: str) -> str:
     """Return a template with those that it includes put in."""
-    assert TEMPLATES.loader is not None
-    source, _, _ = TEMPLATES.loader.get_source(TEMPLATES, name)
+    source = (EMIT / name).read_text("utf-8")
     return re.sub(r'<% include "(.*?)" %>', lambda match: template(match[1]), source)
 
 

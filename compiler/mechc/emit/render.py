@@ -1,13 +1,7 @@
 """Templates: the shape of a file, beside its target, filled from a frozen context."""
 
-from functools import cache
+from importlib import import_module
 from typing import NamedTuple, Protocol
-
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
-from ..data import data
-
-TEMPLATES = data("emit")
 
 
 class Context(Protocol):
@@ -16,22 +10,19 @@ class Context(Protocol):
     def _asdict(self) -> dict[str, object]: ...
 
 
-@cache
-def environment() -> Environment:
-    """Return the templates' environment; a name that the context lacks is an error."""
-    return Environment(
-        loader=FileSystemLoader(TEMPLATES),
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        keep_trailing_newline=True,
-        autoescape=False,
-    )
+class Nothing(NamedTuple):
+    """The context of a template that mentions nothing."""
 
 
 def render(template: str, context: Context) -> str:
-    """Return a file's text from a template (``c/header.jinja``) and its context."""
-    return environment().get_template(template).render(context._asdict())
+    """Return a file's text from a template (``c/header.jinja``) and its context.
+
+    What the template mentions and the context lacks is an error.
+    """
+    folder = template.partition("/")[0]
+    made = import_module(f".{folder}.templates", __package__)
+    text: str = made.TEMPLATES[template](context._asdict())
+    return text
 
 
 class Line(NamedTuple):

@@ -16,10 +16,11 @@ from ...report.latex.document_style import style_of
 from ...report.latex.notation import Notation, notation, translated
 from ...report.latex.results import section_block, width
 from ...report.sections import Section, outline
+from ..render import Nothing, render
 from ..target import Compiled
 from ..tikz.picture import tikzpicture
 from .pictures import preamble
-from .to_latex import TEMPLATES, document
+from .to_latex import document
 
 _SHARE = 0.44
 """The part of a line that each of the two columns has."""
@@ -52,7 +53,7 @@ class Compared:
 def to_table(mechanisms: Sequence[Compared], language: str, fragment: bool) -> str:
     """Return a table in a language, as a document or to be put into one."""
     locale = registry.locale(language)
-    letters = TEMPLATES.get_template("letters.jinja").render()
+    letters = render("latex/letters.jinja", Nothing())
     body = letters + "\n".join(_table(mechanisms, locale, language)) + "\n"
     return body if fragment else document(body, locale, preamble())
 

@@ -11,9 +11,10 @@ from ...report.latex.notation import Notation, notation
 from ...report.latex.results import section_block
 from ...report.sections import outline
 from ...study.analysis import Analysis
+from ..render import render
 from ..target import Compiled, Options
 from .note import note_report
-from .to_latex import TEMPLATES, report
+from .to_latex import report
 
 _LANGUAGE = "en"
 
@@ -36,10 +37,10 @@ def derivation(compiled: Compiled) -> str:
     locale, style = registry.locale(_LANGUAGE), notation(_LANGUAGE)
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, fragment=True)
-        return _markdown(TEMPLATES.get_template("notebook_note.jinja").render(note._asdict()))
+        return _markdown(render("latex/notebook_note.jinja", note))
     options = Options(compiled.mechanism.name, numbers=False)
     whole = report(compiled, compiled.reported, locale, _style(compiled), options)
-    return _markdown(TEMPLATES.get_template("notebook.jinja").render(whole._asdict()))
+    return _markdown(render("latex/notebook.jinja", whole))
 
 
 def _style(compiled: Compiled) -> Notation:

@@ -7,9 +7,6 @@ also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
-from jinja2 import Environment, FileSystemLoader, StrictUndefined
-
-from ...data import data
 from ...formula.tree import ZERO
 from ...model.mechanism import Parameter
 from ...model.sheets import is_sheet
@@ -43,6 +40,7 @@ from ...report.latex.text import escape, has_cyrillic
 from ...report.sections import PositionSection, outline
 from ...report.sentences.remarks import conditions
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
+from ..render import render
 from ..target import Compiled, Emitted, Options
 from .note import note_report
 from .picture_lines import NONE, Pictures
@@ -104,6 +102,16 @@ class Brief(NamedTuple):
     values: str
 
 
+class Document(NamedTuple):
+    """All that the template of a whole document prints."""
+
+    body: str
+    babel: str
+    eastern: bool
+    cyrillic: bool
+    pictures: tuple[str, ...]
+
+
 class Latex:
     """The target ``latex``."""
 
@@ -122,36 +130,21 @@ class Latex:
 
 TARGET = Latex()
 
-TEMPLATES = Environment(
-    loader=FileSystemLoader(data("emit/latex")),
-    undefined=StrictUndefined,
-    block_start_string="<%",
-    block_end_string="%>",
-    variable_start_string="<<",
-    variable_end_string=">>",
-    comment_start_string="<#",
-    comment_end_string="#>",
-    trim_blocks=True,
-    lstrip_blocks=True,
-    keep_trailing_newline=True,
-    autoescape=False,
-)
-
 
 def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> str:
     """Return the report of a mechanism, or the calculation note of a sheet."""
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, options.fragment)
-        return TEMPLATES.get_template("note.jinja").render(note._asdict())
+        return render("latex/note.jinja", note)
     style = style_of(compiled.mechanism, compiled.derivation.results, style)
     by_bodies = options.by == "equilibrium"
     derivation = compiled.by_equilibrium if by_bodies else compiled.reported
     derivation = chosen(derivation, compiled.mechanism)
     if options.brief:
         in_brief = brief(compiled, derivation, locale, style, options)
-        return TEMPLATES.get_template("brief.jinja").render(in_brief._asdict())
+        return render("latex/brief.jinja", in_brief)
     whole = report(compiled, derivation, locale, style, options)
-    return TEMPLATES.get_template("body.jinja").render(whole._asdict())
+    return render("latex/body.jinja", whole)
 
 
 def document(body: str, locale: Locale, pictures: Iterable[str] = ()) -> str:
@@ -160,13 +153,9 @@ def document(body: str, locale: Locale, pictures: Iterable[str] = ()) -> str:
     ``pictures`` are the lines by which it knows how pictures are drawn.
     """
     eastern = locale.cyrillic
-    return TEMPLATES.get_template("report.jinja").render(
-        body=body,
-        babel=locale.babel,
-        eastern=eastern,
-        cyrillic=eastern or has_cyrillic(body),
-        pictures=tuple(pictures),
-    )
+    cyrillic = eastern or has_cyrillic(body)
+    whole = Document(body, locale.babel, eastern, cyrillic, tuple(pictures))
+    return render("latex/report.jinja", whole)
 
 
 def _given(compiled: Compiled) -> Iterator[Parameter]:

@@ -1,0 +1,290 @@
+"""The templates of this folder as functions, made by ``mechc.emit.make_templates``."""
+
+from collections.abc import Mapping
+from typing import Any
+
+from ..turns import turns
+
+
+def _checks(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\n', str(_known["checks"].single), '\n{\n']
+    for line in _known["checks"].body:
+        _parts += ['    ', str(line), '\n']
+    for loop, condition in turns(_known["checks"].conditions):
+        _parts += ['    if (!(', str(condition), ')) {\n        return ', str(loop.index), ';\n    }\n']
+    _parts += ['    return 0;\n}\n\n', str(_known["checks"].batch), '\n{\n    for (size_t ', str(_known["checks"].loop), ' = 0; ', str(_known["checks"].loop), ' < ', str(_known["checks"].number), '; ++', str(_known["checks"].loop), ') {\n        ', str(_known["checks"].status), '[', str(_known["checks"].loop), '] = ', str(_known["checks"].call), ';\n    }\n}\n']
+    return "".join(_parts)
+
+
+def _circular(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    if ('sin' in _known["helpers"]):
+        _parts += ['\nstatic inline double mechc_sin(double x)\n{\n    return mechc_circular(x, 0u);\n}\n']
+    if ('cos' in _known["helpers"]):
+        _parts += ['\nstatic inline double mechc_cos(double x)\n{\n    return mechc_circular(x, 1u);\n}\n']
+    if ('tan' in _known["helpers"]):
+        _parts += ['\nstatic inline double mechc_tan(double x)\n{\n    return mechc_circular(x, 0u)/mechc_circular(x, 1u);\n}\n']
+    return "".join(_parts)
+
+
+def _circular_double(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ["\n/*\n * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:\n * Cody and Waite's reduction in four parts and the polynomials of fdlibm (Sun\n * Microsystems, 1993), within 2.5 ulp. NaN beyond 2^20 rad, where the caller asks libm.\n */\nstatic inline double mechc_circular(double x, uint64_t quarter)\n{\n    const double shifter = 6755399441055744.0; /* 1.5*2^52: the sum's last bits count quarters */\n    const double shifted = x*6.36619772367581382433e-01 + shifter;\n    const double turns = shifted - shifter;\n    const double beyond = x*1.71e302; /* infinite beyond 2^20, and infinity less itself is NaN */\n    const double r = x - turns*1.57079632673412561417e+00 - turns*6.07710050630396597660e-11\n        - (turns*2.02226624871116645580e-21 + (turns*8.47842766036889956997e-32 + (beyond - beyond)));\n    const double z = r*r, zz = z*z;\n    const double s = r + z*r*(-1.66666666666666324348e-01 + z*8.33333333332248946124e-03\n        + zz*(-1.98412698298579493134e-04 + z*2.75573137070700676789e-06\n        + zz*(-2.50507602534068634195e-08 + z*1.58969099521155010221e-10)));\n    const double c = 1.0 - 0.5*z + zz*(4.16666666666666019037e-02\n        - z*1.38888888888741095749e-03 + zz*(2.48015872894767294178e-05\n        - z*2.75573143513906633035e-07 + zz*(2.08757232129817482790e-09\n        - z*1.13596475577881948265e-11)));\n    uint64_t count, sine, cosine, chosen;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&sine, &s, sizeof sine);\n    memcpy(&cosine, &c, sizeof cosine);\n    chosen = quarter ? cosine : sine; /* the other one in odd quarters */\n    chosen ^= (sine ^ cosine) & (0u - (count & 1u));\n    chosen ^= ((count + quarter) & 2u) << 62;\n    memcpy(&result, &chosen, sizeof result);\n    return result;\n}\n"]
+    return "".join(_parts)
+
+
+def _circular_float(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ["\n/*\n * sin(x + quarter*pi/2) without a branch, so that loops over it become vector code:\n * Cody and Waite's reduction in three parts and the polynomials of Cephes (S. Moshier,\n * 1989). NaN beyond 2^13 rad, where the caller asks libm.\n */\nstatic inline double mechc_circular(double x, uint32_t quarter)\n{\n    const double shifter = 12582912.0; /* 1.5*2^23: the sum's last bits count quarters */\n    const double shifted = x*0.636619772 + shifter;\n    const double turns = shifted - shifter;\n    const double beyond = x*4.15e34; /* infinite beyond 2^13, and infinity less itself is NaN */\n    const double r = x - turns*1.5703125 - turns*4.837512969970703125e-4\n        - (turns*7.54978995489188216e-8 + (beyond - beyond));\n    const double z = r*r;\n    const double s = r + z*r*(-1.6666654611e-1 + z*(8.3321608736e-3 - z*1.9515295891e-4));\n    const double c = 1.0 - 0.5*z + z*z*(4.166664568298827e-2\n        - z*(1.388731625493765e-3 - z*2.443315711809948e-5));\n    uint32_t count, sine, cosine, chosen;\n    double result;\n    memcpy(&count, &shifted, sizeof count);\n    memcpy(&sine, &s, sizeof sine);\n    memcpy(&cosine, &c, sizeof cosine);\n    chosen = quarter ? cosine : sine; /* the other one in odd quarters */\n    chosen ^= (sine ^ cosine) & (0u - (count & 1u));\n    chosen ^= ((count + quarter) & 2u) << 30;\n    memcpy(&result, &chosen, sizeof result);\n    return result;\n}\n"]
+    return "".join(_parts)
+
+
+def _common(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    for c in _known["commons"]:
+        _parts += ['\n/* Fills in what many of the functions below have in common. */\n', str(c.head), '\n{\n']
+        for line in c.body:
+            _parts += ['    ', str(line), '\n']
+        _parts += ['}\n']
+    return "".join(_parts)
+
+
+def macro_remark(lines: Any) -> str:
+    _parts: list[str] = []
+    _parts += ['/*\n']
+    for line in lines:
+        _parts += [' *', str((' ' if line else '')), str(line), '\n']
+    _parts += [' */\n']
+    return "".join(_parts)
+
+
+def macro_restrict() -> str:
+    _parts: list[str] = []
+    _parts += ['#ifndef MECHC_RESTRICT\n#if defined(__GNUC__) || defined(_MSC_VER)\n#define MECHC_RESTRICT __restrict\n#elif !defined(__cplusplus) && defined(__STDC_VERSION__) && __STDC_VERSION__ >= 199901L\n#define MECHC_RESTRICT restrict\n#else\n#define MECHC_RESTRICT\n#endif\n#endif\n']
+    return "".join(_parts)
+
+
+def macro_declarations(functions: Any) -> str:
+    _parts: list[str] = []
+    for f in functions:
+        _parts += ['\n', macro_remark(f.remarks), str(f.single), ';\n', str(f.batch), ';\n']
+    return "".join(_parts)
+
+
+def _declarations(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    return "".join(_parts)
+
+
+def _eliminate(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\n#if defined(__OPTIMIZE_SIZE__) || !defined(__OPTIMIZE__)\n#define MECHC_UNROLL\n#elif defined(__clang__)\n#define MECHC_UNROLL _Pragma("unroll")\n#elif defined(__GNUC__) && __GNUC__ >= 8\n#define MECHC_UNROLL _Pragma("GCC unroll 4")\n#else\n#define MECHC_UNROLL\n#endif\n\n/*\n * Solves matrix*x = right for n unknowns in place, rows exchanged for the largest pivot:\n * right becomes x. Returns the sign of the determinant, 0 where there is no solution.\n * Unrolled, a small matrix stays in registers.\n */\nstatic inline int mechc_eliminate(size_t n, double *matrix, double *right)\n{\n    size_t i, j, k;\n    int sign = 1;\n    MECHC_UNROLL\n    for (k = 0; k < n; ++k) {\n        double inverse;\n        MECHC_UNROLL\n        for (i = k + 1; i < n; ++i) {\n            if (fabs(matrix[i*n + k]) > fabs(matrix[k*n + k])) {\n                const double moved = right[k];\n                right[k] = right[i];\n                right[i] = moved;\n                MECHC_UNROLL\n                for (j = k; j < n; ++j) {\n                    const double element = matrix[k*n + j];\n                    matrix[k*n + j] = matrix[i*n + j];\n                    matrix[i*n + j] = element;\n                }\n                sign = -sign;\n            }\n        }\n        if (!(fabs(matrix[k*n + k]) > 0.0 && fabs(matrix[k*n + k]) < HUGE_VAL)) {\n            return 0;\n        }\n        sign = matrix[k*n + k] < 0.0 ? -sign : sign;\n        inverse = 1.0/matrix[k*n + k];\n        MECHC_UNROLL\n        for (j = k + 1; j < n; ++j) {\n            matrix[k*n + j] *= inverse;\n        }\n        right[k] *= inverse;\n        MECHC_UNROLL\n        for (i = k + 1; i < n; ++i) {\n            MECHC_UNROLL\n            for (j = k + 1; j < n; ++j) {\n                matrix[i*n + j] -= matrix[i*n + k]*matrix[k*n + j];\n            }\n            right[i] -= matrix[i*n + k]*right[k];\n        }\n    }\n    for (k = n; k-- > 0;) {\n        MECHC_UNROLL\n        for (j = k + 1; j < n; ++j) {\n            right[k] -= matrix[k*n + j]*right[j];\n        }\n    }\n    return sign;\n}\n']
+    return "".join(_parts)
+
+
+def _functions(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    for s in _known["solvers"]:
+        _parts += [TEMPLATES['c/solver.jinja']({**_known, "s": s})]
+    if _known["commons"]:
+        _parts += [TEMPLATES['c/common.jinja'](_known)]
+    for f in _known["functions"]:
+        _parts += ['\n', str(f.single), '\n{\n']
+        for line in f.plain.body:
+            _parts += ['    ', str(line), '\n']
+        if f.otherwise:
+            _parts += ['    const double ', str(f.result), ' = ', str(f.plain.output), ';\n    if (', str(f.result), ' != ', str(f.result)]
+            for c in f.plain.conditions:
+                _parts += [' || !(', str(c), ')']
+            _parts += [') {\n        return ', str(f.otherwise), ';\n    }\n    return ', str(f.result), ';\n}\n']
+        else:
+            if f.plain.conditions:
+                _parts += ['    if (!(', str(' && '.join(map(str, f.plain.conditions))), ')) {\n        return NAN;\n    }\n']
+            _parts += ['    return ', str(f.plain.output), ';\n}\n']
+        if f.quick:
+            _parts += ['\nstatic inline ', str(f.kernel), '\n{\n']
+            for line in f.quick.body:
+                _parts += ['    ', str(line), '\n']
+            _parts += ['    return ', str(f.quick.output), ';\n}\n']
+        _parts += ['\n', str(f.batch), '\n{\n']
+        if f.quick:
+            _parts += ['    size_t ', str(f.start), ', ', str(f.stop), ', ', str(f.loop), ';\n    for (', str(f.start), ' = 0; ', str(f.start), ' < ', str(f.number), '; ', str(f.start), ' = ', str(f.stop), ') {\n        ', str(f.stop), ' = ', str(f.number), ' - ', str(f.start), ' > 512 ? ', str(f.start), ' + 512 : ', str(f.number), ';\n        ', str(_known["real"].bits), ' ', str(f.missing), ' = 0;\n        for (', str(f.loop), ' = ', str(f.start), '; ', str(f.loop), ' < ', str(f.stop), '; ++', str(f.loop), ') {\n            const double ', str(f.value), ' = ', str(f.quick_call), ';\n            ', str(f.missing), ' |= mechc_nan(', str(f.value), ');\n            ', str(f.element), ' = ', str(f.value), ';\n        }\n        for (', str(f.loop), ' = ', str(f.missing), ' >> ', str(_known["real"].top), ' ? ', str(f.start), ' : ', str(f.stop), '; ', str(f.loop), ' < ', str(f.stop), '; ++', str(f.loop), ') {\n            if (', str(f.element), ' != ', str(f.element), ') {\n                ', str(f.element), ' = ', str(f.call), ';\n            }\n        }\n    }\n']
+        else:
+            _parts += ['    for (size_t ', str(f.loop), ' = 0; ', str(f.loop), ' < ', str(f.number), '; ++', str(f.loop), ') {\n        ', str(f.element), ' = ', str(f.call), ';\n    }\n']
+        _parts += ['}\n']
+        for s in [s for s in [f.status] if s]:
+            _parts += [TEMPLATES['c/status.jinja']({**_known, "f": f, "s": s})]
+    if _known["checks"]:
+        _parts += [TEMPLATES['c/checks.jinja'](_known)]
+    for pose in _known["poses"]:
+        _parts += [TEMPLATES['c/pose.jinja']({**_known, "pose": pose})]
+    if _known["gradients"]:
+        _parts += [TEMPLATES['c/gradient.jinja'](_known)]
+    return "".join(_parts)
+
+
+def _gradient(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    for g in _known["gradients"]:
+        _parts += ['\n', str(g.single), '\n{\n']
+        for line in g.plain:
+            _parts += ['    ', str(line), '\n']
+        _parts += ['}\n']
+        if g.kernel:
+            _parts += ['\nstatic inline ', str(g.kernel), '\n{\n']
+            for line in g.quick:
+                _parts += ['    ', str(line), '\n']
+            _parts += ['}\n']
+        _parts += ['\n', str(g.batch), '\n{\n']
+        if g.kernel:
+            _parts += ['    ', str(_known["real"].bits), ' ', str(g.missing), ' = 0;\n    size_t ', str(g.loop), ';\n    for (', str(g.loop), ' = 0; ', str(g.loop), ' < ', str(g.number), '; ++', str(g.loop), ') {\n        ', str(g.quick_call), ';\n        ', str(g.missing), ' |= mechc_nan(', str(g.value), ');\n    }\n    for (', str(g.loop), ' = ', str(g.missing), ' >> ', str(_known["real"].top), ' ? 0 : ', str(g.number), '; ', str(g.loop), ' < ', str(g.number), '; ++', str(g.loop), ') {\n        if (', str(g.value), ' != ', str(g.value), ') {\n            ', str(g.call), ';\n        }\n    }\n']
+        else:
+            _parts += ['    for (size_t ', str(g.loop), ' = 0; ', str(g.loop), ' < ', str(g.number), '; ++', str(g.loop), ') {\n        ', str(g.call), ';\n    }\n']
+        _parts += ['}\n']
+    return "".join(_parts)
+
+
+def _guards(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    if ('nan' in _known["helpers"]):
+        _parts += ['\n/* A number whose first bit is 1 where the value is NaN: without a comparison, for vector code. */\nstatic inline ', str(_known["real"].bits), ' mechc_nan(double value)\n{\n    ', str(_known["real"].bits), ' bits;\n    memcpy(&bits, &value, sizeof bits);\n    return ', str(_known["real"].infinity), ' - (bits & ', str(_known["real"].size), ');\n}\n']
+    if ('if_less' in _known["helpers"]):
+        _parts += ['\n/* The value where left < right, else NaN (all bits ones): by the sign, without a branch. */\nstatic inline double mechc_if_less(double left, double right, double value)\n{\n    const double gap = left - right + 0.0; /* no zero is negative */\n    ', str(_known["real"].bits), ' sign, bits;\n    memcpy(&sign, &gap, sizeof sign);\n    memcpy(&bits, &value, sizeof bits);\n    bits |= (sign >> ', str(_known["real"].top), ') - 1u;\n    memcpy(&value, &bits, sizeof value);\n    return value + (gap - gap);\n}\n']
+    if ('if_no_more' in _known["helpers"]):
+        _parts += ['\n/* The value where left <= right, else NaN. */\nstatic inline double mechc_if_no_more(double left, double right, double value)\n{\n    const double gap = right - left + 0.0;\n    ', str(_known["real"].bits), ' sign, bits;\n    memcpy(&sign, &gap, sizeof sign);\n    memcpy(&bits, &value, sizeof bits);\n    bits |= 0u - (sign >> ', str(_known["real"].top), ');\n    memcpy(&value, &bits, sizeof value);\n    return value + (gap - gap);\n}\n']
+    if ('if_apart' in _known["helpers"]):
+        _parts += ['\n/* The value where left != right, else NaN. */\nstatic inline double mechc_if_apart(double left, double right, double value)\n{\n    return left != right ? value : NAN;\n}\n']
+    return "".join(_parts)
+
+
+def _header(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += [macro_remark(_known["preface"]), '#ifndef ', str(_known["guard"]), '\n#define ', str(_known["guard"]), '\n\n#include <stddef.h>\n\n', macro_restrict(), '\n#ifdef __cplusplus\nextern "C" {\n#endif\n', macro_declarations(_known["functions"]), '\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n']
+    return "".join(_parts)
+
+
+def _pose(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\n', str(_known["pose"].single), '\n{\n    int ', str(_known["pose"].status), ' = 0;\n']
+    for line in _known["pose"].body:
+        _parts += ['    ', str(line), '\n']
+    for line in _known["pose"].results:
+        _parts += ['    ', str(line), '\n']
+    _parts += ['    if (', str(_known["pose"].missing), ') {\n        ', str(_known["pose"].status), ' = 1;\n    }\n']
+    for name in _known["pose"].statuses:
+        _parts += ['    ', str(_known["pose"].status), ' = ', str(name), ' > ', str(_known["pose"].status), ' ? ', str(name), ' : ', str(_known["pose"].status), ';\n']
+    _parts += ['    return ', str(_known["pose"].status), ';\n}\n\n', str(_known["pose"].batch), '\n{\n    for (size_t ', str(_known["pose"].loop), ' = 0; ', str(_known["pose"].loop), ' < ', str(_known["pose"].number), '; ++', str(_known["pose"].loop), ') {\n        ', str(_known["pose"].status), '[', str(_known["pose"].loop), '] = ', str(_known["pose"].call), ';\n    }\n}\n']
+    return "".join(_parts)
+
+
+def _solver(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\n/*\n * ', str(_known["s"].title), ':\n']
+    for line in _known["s"].zeros:
+        _parts += [' *   ', str(line), '\n']
+    _parts += [" * by Newton's method on the straight way from a solution that is known. A step is halved where\n * corrections are long or do not shrink to ", str(_known["newton"].CONTRACTION), ', or where the determinant changes its\n * sign, so that no branch is left. Returns 0, or 1 where the branch ends on the way, 2\n * where ', str(_known["s"].corrections), ' corrections do not suffice; the unknowns are NaN then.\n */\n', str(_known["s"].head), '\n{\n    double base[', str(_known["s"].size), '] = ', str(_known["s"].start), ';\n    const double far = sqrt(', str((_known["s"].far or '0.0')), ');\n    double reached = 0.0, longest = 1.0, step;\n    int count, i;\n    for (i = 0; i < ', str(_known["s"].size), '; ++i) {\n        found[i] = base[i];\n    }\n    while (longest*far > ', str(_known["newton"].WIDEST), ' && far <= ', str(_known["newton"].FARTHEST), ') {\n        longest = 0.5*longest;\n    }\n    step = longest;\n    for (count = far <= ', str(_known["newton"].FARTHEST), ' ? 0 : ', str(_known["s"].corrections), '; count < ', str(_known["s"].corrections), '; ++count) {\n        const double aim = reached + step, rest = 1.0 - aim;\n']
+    for line in _known["s"].fixed:
+        _parts += ['        const double ', str(line.name), ' = ', str(line.code), ';\n']
+    _parts += ['        double last = 0.0;\n        int good, there;\n']
+    if _known["s"].opening:
+        _parts += ['        if (reached <= 0.0) { /* with the slopes of the default pose */\n            const double residual[', str(_known["s"].size), '] = {\n']
+        for loop, entry in turns(_known["s"].opening.residuals):
+            _parts += ['                ', str(entry), str((',' if (not loop.last) else '')), '\n']
+        _parts += ['            };\n            const double change[', str(_known["s"].size), '] = {\n']
+        for loop, entry in turns(_known["s"].opening.change):
+            _parts += ['                ', str(entry), str((',' if (not loop.last) else '')), '\n']
+        _parts += ['            };\n            last = sqrt(', str(_known["s"].norm), ');\n            if (!(last <= ', str(_known["newton"].LONGEST), ')) {\n                step = 0.5*step;\n                continue;\n            }\n            for (i = 0; i < ', str(_known["s"].size), '; ++i) {\n                found[i] -= change[i];\n            }\n            ++count;\n        }\n']
+    _parts += ['        do {\n']
+    for line in _known["s"].body:
+        _parts += ['            const double ', str(line.name), ' = ', str(line.code), ';\n']
+    _parts += ['            const double residual[', str(_known["s"].size), '] = {\n']
+    for loop, entry in turns(_known["s"].residuals):
+        _parts += ['                ', str(entry), str((',' if (not loop.last) else '')), '\n']
+    _parts += ['            };\n            const double slope[', str((_known["s"].size * _known["s"].size)), '] = {\n']
+    for loop, row in turns(_known["s"].jacobian):
+        _parts += ['                ', str(', '.join(map(str, row))), str((',' if (not loop.last) else '')), '\n']
+    _parts += ['            };\n            double right[', str(len(_known["s"].left.right)), '] = {\n']
+    for loop, entry in turns(_known["s"].left.right):
+        _parts += ['                ', str(entry), str((',' if (not loop.last) else '')), '\n']
+    _parts += ['            };\n            double matrix[', str((len(_known["s"].left.right) * len(_known["s"].left.right))), '] = {\n']
+    for loop, row in turns(_known["s"].left.matrix):
+        _parts += ['                ', str(', '.join(map(str, row))), str((',' if (not loop.last) else '')), '\n']
+    _parts += ['            };\n            const int sign = mechc_eliminate(', str(len(_known["s"].left.right)), ', matrix, right);\n            const double change[', str(_known["s"].size), '] = {\n']
+    for loop, entry in turns(_known["s"].left.change):
+        _parts += ['                ', str(entry), str((',' if (not loop.last) else '')), '\n']
+    _parts += ['            };\n            const double size = sqrt(', str(_known["s"].norm), ');\n            good = sign == ', str(_known["s"].side), ' && (size <= ', str(_known["real"].tiny), ' || size <= (last > 0.0 ? ', str(_known["newton"].CONTRACTION), '*last : ', str(_known["newton"].LONGEST), '));\n            there = good && (size <= ', str(_known["real"].tiny), ' || size*size*size <= ', str(_known["real"].rounding), '*last*last\n                || (aim < 1.0 && size <= ', str(_known["newton"].ROUGH), '));\n            for (i = 0; good && i < ', str(_known["s"].size), '; ++i) {\n                found[i] -= change[i];\n            }\n            last = size;\n        } while (good && !there && ++count < ', str(_known["s"].corrections), ');\n        if (there && aim >= 1.0) {\n            return 0;\n        }\n        if (there) {\n            for (i = 0; i < ', str(_known["s"].size), '; ++i) {\n                base[i] = found[i];\n            }\n            reached = aim;\n            step = 2.0*step < longest ? 2.0*step : longest;\n            step = step < rest ? step : rest;\n        } else if (!good) {\n            for (i = 0; i < ', str(_known["s"].size), '; ++i) {\n                found[i] = base[i];\n            }\n            step = 0.5*step;\n        }\n    }\n    for (i = 0; i < ', str(_known["s"].size), '; ++i) {\n        found[i] = NAN;\n    }\n    return step < ', str(_known["newton"].SHORTEST), ' ? 1 : 2;\n}\n']
+    return "".join(_parts)
+
+
+def _source(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += [macro_remark(_known["preface"])]
+    if _known["header"]:
+        _parts += ['#include "', str(_known["header"]), '"\n\n#include <math.h>\n']
+    else:
+        _parts += ['#include <math.h>\n#include <stddef.h>\n']
+    if _known["bits"]:
+        _parts += ['#include <stdint.h>\n#include <string.h>\n']
+    _parts += ['\n#if defined(__FAST_MATH__) || defined(_M_FP_FAST) || __FINITE_MATH_ONLY__ + 0\n#ifndef MECHC_ALLOW_FAST_MATH\n#error "NaN says where there is no pose: leave out -ffast-math, or define MECHC_ALLOW_FAST_MATH"\n#endif\n#endif\n']
+    if _known["roots"]:
+        _parts += ['\n/* A root that leaves no trace of its failure but NaN: loops over it become vector code. */\n#ifdef __GNUC__\n#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "-Wredundant-decls"\n#ifndef __cplusplus\ndouble sqrt(double) __attribute__((const));\n#elif defined(__GLIBC__)\nextern "C" double sqrt(double) __THROW __attribute__((const));\n#endif\n#pragma GCC diagnostic pop\n#endif\n']
+    if (not _known["header"]):
+        _parts += ['\n', macro_restrict(), macro_declarations(_known["public"]), '\n']
+    if _known["pi"]:
+        _parts += ['\n#define MECHC_PI 3.14159265358979323846\n']
+    for choice in _known["choices"]:
+        _parts += ['\n/* Unlike f', str(choice.name), ', keeps a NaN of either side. */\nstatic inline double mechc_', str(choice.name), '(double x, double y)\n{\n    return x ', str(choice.code), ' y || x != x ? x : y;\n}\n']
+    if ('sign' in _known["helpers"]):
+        _parts += ['\n/* 1, -1, or what x is where it has no sign: 0 or NaN. */\nstatic inline double mechc_sign(double x)\n{\n    return x > 0.0 ? 1.0 : x < 0.0 ? -1.0 : x;\n}\n']
+    for condition in _known["conditions"]:
+        _parts += ['\n/* 1 where it holds, 0 where it does not, NaN where a side is NaN. */\nstatic inline double mechc_', str(condition.name), '(double x, double y)\n{\n    return x != x || y != y ? NAN : x ', str(condition.code), ' y ? 1.0 : 0.0;\n}\n']
+    if ('choose' in _known["helpers"]):
+        _parts += ['\n/* x where the condition is 1, y where it is 0, NaN where it is NaN. */\nstatic inline double mechc_choose(double condition, double x, double y)\n{\n    return condition > 0.0 ? x : condition <= 0.0 ? y : NAN;\n}\n']
+    if (('circular' in _known["helpers"]) and (_known["real"].name == 'float')):
+        _parts += [TEMPLATES['c/circular_float.jinja'](_known)]
+    elif ('circular' in _known["helpers"]):
+        _parts += [TEMPLATES['c/circular_double.jinja'](_known)]
+    _parts += [TEMPLATES['c/circular.jinja'](_known)]
+    _parts += [TEMPLATES['c/guards.jinja'](_known)]
+    if ('eliminate' in _known["helpers"]):
+        _parts += ['\n']
+        _parts += [TEMPLATES['c/eliminate.jinja'](_known)]
+    _parts += [str(_known["code"])]
+    return "".join(_parts)
+
+
+def _status(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\n', str(_known["s"].single), '\n{\n    const double value = ', str(_known["s"].value), ';\n']
+    for line in _known["s"].before:
+        _parts += ['    ', str(line), '\n']
+    _parts += ['    const double ideal = ', str(_known["s"].ideal), ';\n    const double load = ', str(_known["s"].load), ';\n    const int is_ahead = ideal >= 0.0;\n    if (fabs(value) < HUGE_VAL && (is_ahead ? load > 0.0 : load < 0.0)) {\n        return 0;\n    }\n    if (value != value) {\n']
+    for line in _known["s"].body:
+        _parts += ['        ', str(line), '\n']
+    for status in _known["s"].loops:
+        _parts += ['        if (', str(status), ' == 2) {\n            return 2;\n        }\n']
+    _parts += ['        if (ideal != ideal']
+    for condition in _known["s"].conditions:
+        _parts += [' || !(', str(condition), ')']
+    _parts += [') {\n            return 1;\n        }\n        if (', str(_known["s"].friction), ' == 2) {\n            return 2;\n        }\n    }\n    return is_ahead ? ', str(_known["s"].stuck[0]), ' : ', str(_known["s"].stuck[1]), ';\n}\n\n', str(_known["s"].batch), '\n{\n    for (size_t ', str(_known["s"].loop), ' = 0; ', str(_known["s"].loop), ' < ', str(_known["s"].number), '; ++', str(_known["s"].loop), ') {\n        status[', str(_known["s"].loop), '] = ', str(_known["s"].call), ';\n    }\n}\n']
+    return "".join(_parts)
+
+
+TEMPLATES = {
+    "c/checks.jinja": _checks,
+    "c/circular.jinja": _circular,
+    "c/circular_double.jinja": _circular_double,
+    "c/circular_float.jinja": _circular_float,
+    "c/common.jinja": _common,
+    "c/declarations.jinja": _declarations,
+    "c/eliminate.jinja": _eliminate,
+    "c/functions.jinja": _functions,
+    "c/gradient.jinja": _gradient,
+    "c/guards.jinja": _guards,
+    "c/header.jinja": _header,
+    "c/pose.jinja": _pose,
+    "c/solver.jinja": _solver,
+    "c/source.jinja": _source,
+    "c/status.jinja": _status,
+}
