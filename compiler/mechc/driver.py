@@ -9,9 +9,6 @@ from collections.abc import Callable, Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Concatenate, ParamSpec, TypeVar
 
-from .calculation.calculation import Calculation
-from .calculation.from_pose import calculate
-from .calculation.from_solution import solved
 from .diagnostics import Diagnostic, MechcError, Report
 from .diagnostics.sheets import sheet_has_no_links
 from .emit.target import Emitted, Options, Target
@@ -28,11 +25,9 @@ from .model.result import Definition, Result
 from .model.sheets import is_sheet
 from .model.uses import Composed, with_used
 from .pose.from_model import solve_pose
-from .pose.motion import Motion, motion
 from .pose.pose import Pose
 from .power.balance import Balance
 from .power.from_plan import balance
-from .report.derivation.steps import calculated
 from .routine.from_results import program
 from .routine.steps import Routine
 from .source import Source
@@ -43,7 +38,6 @@ from .study.analysis import as_printed
 from .study.expectations import Finding, compare
 from .study.stroke.gaps import remark as look_for_gaps
 from .study.stroke.in_step import remark
-from .study.stroke.points_in_step import astray
 from .syntax import ast
 from .syntax.notation import read
 from .syntax.settings import Settings, attached, driven_by, put_in
@@ -51,6 +45,7 @@ from .version import VERSION
 from .work import Allowance
 
 if TYPE_CHECKING:
+    from .calculation.calculation import Calculation
     from .drawing.drawing import Drawing
     from .drawing.moving import Marks
     from .equilibrium.equilibrium import Equilibrium
@@ -59,6 +54,7 @@ if TYPE_CHECKING:
     from .plot.from_routine import Watch
     from .plot.plot import Plot
     from .plot.query import Query
+    from .pose.motion import Motion
     from .report.derivation.steps import Derivation
     from .statics.diagram import Diagram
     from .study.analysis import Analysis
@@ -157,6 +153,8 @@ class Compilation:
 
     def _used(self, source: Source, is_part: bool) -> Used:
         """Return what this uses: a sheet, a part, or a mechanism with all that is found of it."""
+        from .calculation.from_solution import solved
+
         used = Compilation(source, users=self.users)
         file, mechanism = used.composed, used.mechanism
         if is_part or is_sheet(mechanism):
@@ -196,10 +194,12 @@ class Compilation:
         return self._sound(solve(self.balance, self.report))
 
     @Stage
-    def calculation(self) -> Calculation | None:
+    def calculation(self) -> "Calculation | None":
         """The formulas of a calculation sheet with their values; None for a mechanism."""
         if not is_sheet(self.mechanism):
             return None
+        from .calculation.from_pose import calculate
+
         return self._sound(calculate(self.pose, self._with_used.solved, self.report))
 
     @property
@@ -254,6 +254,8 @@ class Compilation:
     def derivation(self) -> "Derivation":
         """The derivation in steps, as on paper; a sheet has none, its results alone."""
         if self.calculation:
+            from .report.derivation.steps import calculated
+
             return calculated(self.results)
         from .report.derivation.from_solution import derive
 
@@ -306,10 +308,14 @@ class Compilation:
         return program(mechanism, results, dict(pose.definitions), pose.loops, self.motion)
 
     @Stage
-    def motion(self) -> Motion | None:
+    def motion(self) -> "Motion | None":
         """Coordinates of points and directions of links along the drive; None without one."""
-        driven = self.pose.mechanism.drive is not None
-        return motion(self.pose, astray(self.plan)) if driven else None
+        if self.pose.mechanism.drive is None:
+            return None
+        from .pose.motion import motion
+        from .study.stroke.points_in_step import astray
+
+        return motion(self.pose, astray(self.plan))
 
     @Stage
     @of_linkages

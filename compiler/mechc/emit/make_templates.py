@@ -208,7 +208,7 @@ def _code(node: nodes.Node | None, local: Local) -> str:
             return f"({code(left)} {OPERATORS[name]} {code(right)})"
         case nodes.Not(node=part):
             return f"(not {code(part)})"
-        case nodes.And() | nodes.Or() | nodes.Add() | nodes.Mul():
+        case nodes.And() | nodes.Or() | nodes.Add() | nodes.Mul() | nodes.FloorDiv():
             return f"({code(node.left)} {node.operator} {code(node.right)})"
         case _:
             raise NotImplementedError(f"{node}")

@@ -8,8 +8,6 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ..model.mechanism import Mechanism
-from ..pose.motion import Motion
-from ..report.derivation.steps import Derivation
 from ..routine.steps import Routine
 from ..statics.verdict import Verdict
 
@@ -18,6 +16,8 @@ if TYPE_CHECKING:
     from ..figure.figure import Figure
     from ..plot.plot import Plot
     from ..plot.query import Query
+    from ..pose.motion import Motion
+    from ..report.derivation.steps import Derivation
     from ..statics.diagram import Diagram
     from ..study.stroke.stroke import Stroke
 
@@ -34,17 +34,17 @@ class Compiled(Protocol):
         ...
 
     @property
-    def derivation(self) -> Derivation:
+    def derivation(self) -> "Derivation":
         """Return the derivation in steps, with all that follows from the results."""
         ...
 
     @property
-    def reported(self) -> Derivation:
+    def reported(self) -> "Derivation":
         """Return the derivation with what ratios come to along the stroke, for people."""
         ...
 
     @property
-    def by_equilibrium(self) -> Derivation:
+    def by_equilibrium(self) -> "Derivation":
         """Return the same with loads by the equilibrium of free bodies."""
         ...
 
@@ -54,7 +54,7 @@ class Compiled(Protocol):
         ...
 
     @property
-    def motion(self) -> Motion | None:
+    def motion(self) -> "Motion | None":
         """Return where points are along the drive; None without one."""
         ...
 

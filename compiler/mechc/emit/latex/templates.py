@@ -23,10 +23,14 @@ def _body(_known: Mapping[str, Any]) -> str:
     if _known["parameters"]:
         _parts += [TEMPLATES['latex/given.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
     if _known["vectors"]:
-        _parts += ['\\noindent ', str(_known["conventions"]), '\n\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.17\\linewidth}>{\\raggedright\\arraybackslash}p{0.37\\linewidth}>{\\raggedright\\arraybackslash}p{\\dimexpr0.36\\linewidth+2\\tabcolsep}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
-        for row in _known["vectors"]:
-            _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction), ' \\\\\n']
-        _parts += ['\\bottomrule\n\\end{longtable}\n']
+        _parts += ['\\noindent ', str(_known["conventions"]), '\n']
+        if (len(_known["vectors"]) > 6):
+            _parts += [TEMPLATES['vectors_abreast.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
+        else:
+            _parts += ['\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.17\\linewidth}>{\\raggedright\\arraybackslash}p{0.37\\linewidth}>{\\raggedright\\arraybackslash}p{\\dimexpr0.36\\linewidth+2\\tabcolsep}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
+            for row in _known["vectors"]:
+                _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction), ' \\\\\n']
+            _parts += ['\\bottomrule\n\\end{longtable}\n']
     if _known["position"]:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].position), '}\n\\begin{enumerate}\n']
         for step in _known["position"]:
@@ -78,6 +82,8 @@ def _body(_known: Mapping[str, Any]) -> str:
         _parts += ['\\noindent ', str(_known["locale"].requirements), ' ', str(_known["conditions"]), '.\n']
     if (_known["values"] or _known["numbers"]):
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].numbers), '}\n', str(_known["locale"].at_default), ':\n']
+        if _known["of_position"]:
+            _parts += [str(', '.join(map(str, _known["of_position"]))), ';\n']
         if _known["values"]:
             _parts += [str(_known["values"]), '\n']
         if _known["numbers"]:
@@ -233,7 +239,7 @@ def _notebook_note(_known: Mapping[str, Any]) -> str:
 
 def _report(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
-    _parts += ['\\documentclass[11pt,a4paper]{article}\n\\usepackage{iftex}\n\\ifPDFTeX\n']
+    _parts += ['\\documentclass[10pt,a4paper]{article}\n\\usepackage{iftex}\n\\ifPDFTeX\n']
     if _known["eastern"]:
         _parts += ['  \\usepackage[T1,T2A]{fontenc}\n']
     elif _known["cyrillic"]:
@@ -249,10 +255,22 @@ def _report(_known: Mapping[str, Any]) -> str:
     _parts += ['\\fi\n']
     if _known["eastern"]:
         _parts += ['\\IfFileExists{', str(_known["babel"]), '.ldf}{\\usepackage[', str(_known["babel"]), ']{babel}}{}\n']
-    _parts += ['\\usepackage[margin=25mm]{geometry}\n\\usepackage{amsmath}\n\\usepackage{array}\n\\usepackage{booktabs}\n\\usepackage{longtable}\n']
+    _parts += ['\\usepackage[margin=22mm]{geometry}\n\\usepackage{amsmath}\n\\usepackage{array}\n\\usepackage{booktabs}\n\\usepackage{longtable}\n']
     for line in _known["pictures"]:
         _parts += [str(line), '\n']
     _parts += ['\\allowdisplaybreaks\n\\tolerance=2000\n\\setlength{\\emergencystretch}{3em}\n\\begin{document}\n', str(_known["body"]), '\\end{document}\n']
+    return "".join(_parts)
+
+
+def _vectors_abreast(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\\begin{longtable}[l]{@{}*{2}{>{\\raggedright\\arraybackslash}p{0.07\\linewidth}>{\\raggedright\\arraybackslash}p{0.18\\linewidth}>{\\raggedright\\arraybackslash}p{0.13\\linewidth}}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' & ', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
+    for loop, row in turns(_known["vectors"][:((len(_known["vectors"]) + 1) // 2)]):
+        _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction), '\n']
+        for loop, other in turns(_known["vectors"][(loop.length + loop.index0):(loop.length + loop.index)]):
+            _parts += [' & ', str(other.vector), ' & ', str(other.length), ' & ', str(other.direction), '\n']
+        _parts += ['\\\\\n']
+    _parts += ['\\bottomrule\n\\end{longtable}\n']
     return "".join(_parts)
 
 
@@ -266,4 +284,5 @@ TEMPLATES = {
     "latex/notebook.jinja": _notebook,
     "latex/notebook_note.jinja": _notebook_note,
     "latex/report.jinja": _report,
+    "latex/vectors_abreast.jinja": _vectors_abreast,
 }
