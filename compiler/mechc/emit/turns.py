@@ -10,11 +10,20 @@ T = TypeVar("T")
 
 @frozen
 class Turn:
-    """One turn of a loop: its number, how many are left with it, whether it is the last."""
+    """One turn of a loop: its number, how many are left with it, whether it is the last; of all.
+
+    The names are those of Jinja's loops.
+    """
 
     index: int
     revindex: int
     last: bool
+    length: int
+
+    @property
+    def index0(self) -> int:
+        """How many turns were before it."""
+        return self.index - 1
 
 
 def turns(values: Iterable[T]) -> Iterator[tuple[Turn, T]]:
@@ -26,4 +35,4 @@ def turns(values: Iterable[T]) -> Iterator[tuple[Turn, T]]:
     every = list(values)
     for done, value in enumerate(every):
         left = len(every) - done
-        yield Turn(done + 1, left, left == 1), value
+        yield Turn(done + 1, left, left == 1, len(every)), value

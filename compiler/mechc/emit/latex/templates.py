@@ -25,7 +25,7 @@ def _body(_known: Mapping[str, Any]) -> str:
     if _known["vectors"]:
         _parts += ['\\noindent ', str(_known["conventions"]), '\n']
         if (len(_known["vectors"]) > 6):
-            _parts += [TEMPLATES['vectors_abreast.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
+            _parts += [TEMPLATES['latex/vectors_abreast.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
         else:
             _parts += ['\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.17\\linewidth}>{\\raggedright\\arraybackslash}p{0.37\\linewidth}>{\\raggedright\\arraybackslash}p{\\dimexpr0.36\\linewidth+2\\tabcolsep}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
             for row in _known["vectors"]:
