@@ -1,6 +1,5 @@
 """Conditions of use, and what books and colleagues expect of results."""
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
@@ -24,15 +23,6 @@ from .sorts import Nature
 from .statements import every
 from .values import Chain, Values, holds
 
-HOLDS = {
-    "<": float.__lt__,
-    "<=": float.__le__,
-    ">": float.__gt__,
-    ">=": float.__ge__,
-    "=": math.isclose,
-    "!=": float.__ne__,
-}
-
 
 def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -> Formula:
     """Return the formula with every let that is no parameter written out.
@@ -53,6 +43,7 @@ def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -
 def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Require]:
     """Return every condition; a chain is split into its links."""
     lets = written_out(found, scope)
+    values = Chain({let.name: let.value for let in found.lets.values()}).complete(scope.values)
     requires: list[Require] = []
     for statement in every(file, ast.Require):
         reader = Reader(scope, CONDITION)
@@ -65,18 +56,19 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
         pairs = zip(formulas, statement.operators, formulas[1:], strict=False)
         place, dimension = statement.span, sort.dimension
         conditions = [Require(*pair, place, dimension=dimension) for pair in pairs]
-        if not scope.sheet and any(not _holds(condition, scope) for condition in conditions):
+        if not scope.sheet and not all(holds(condition, values) for condition in conditions):
             scope.report.add(quantities.condition_broken(statement.span))
         requires += conditions
     if not scope.sheet:
-        return [*_ranges(found, lets, scope), *requires]
+        return [*_ranges(found, lets, values, scope), *requires]
     return [*sorted(found.requires, key=lambda r: r.span), *requires]
 
 
-def _ranges(found: Definitions, lets: Mapping[str, Formula], scope: Scope) -> Iterator[Require]:
+def _ranges(
+    found: Definitions, lets: Mapping[str, Formula], values: Values, scope: Scope
+) -> Iterator[Require]:
     """Yield that what a mechanism gives to sheets is in the ranges that these have for it."""
     refused = set[str]()
-    values = Chain({let.name: let.value for let in found.lets.values()}).complete(scope.values)
     for require in found.requires:
         subject = require.subject
         if subject is None or subject.kind != "range":
@@ -101,15 +93,6 @@ def _outside(require: Require, subject: Subject, values: Values) -> Diagnostic |
     left, right = (in_unit(value, unit, 6) for value in (values[subject.let], end))
     said = f"{subject.let} = {left}", require.operator, right
     return outside_used_range(require.span, *said, subject.place)
-
-
-def _holds(condition: Require, scope: Scope) -> bool:
-    """Return whether a condition holds at the default pose; True where that has no value."""
-    sides = (condition.left, condition.right)
-    if not all(symbols(side) <= scope.values.keys() for side in sides):
-        return True
-    left, right = (float(evaluate(side, scope.values)) for side in sides)
-    return bool(HOLDS[condition.operator](left, right))
 
 
 # -------------------------------------------------------------------- expectations
