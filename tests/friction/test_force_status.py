@@ -72,7 +72,7 @@ def test_python_and_c_say_the_same(knee, tmp_path):
     command = "gcc -std=c99 -Wall -Wextra -Werror -fPIC -shared knee.c -o knee.so -lm"
     subprocess.run(command.split(), cwd=tmp_path, check=True)
     single = ctypes.CDLL(str(tmp_path / "knee.so")).knee_R_O_f_status
-    single.argtypes = [ctypes.c_double] * 5
+    single.argtypes = [ctypes.c_double] * 4
     of_python = code(knee)["R_O_f_status"]
     for alpha, load in POSES:
         given = (0.2, alpha, 0.1, load)

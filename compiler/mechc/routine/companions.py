@@ -72,7 +72,8 @@ class Companions:
         steps, (ideal, load) = steps_to(known.formulas, loads, guards, self._taken)
         ends = [ideal, load, *_sides(guards)]
         steps = _needed(steps, ends)
-        used = mentioned(steps, ends).union(i.name for i in function.inputs)
+        used = mentioned(steps, ends).difference(*map(names_of, steps))
+        used |= {i.name for i in function.inputs}
         name = self._fresh(f"{function.name}_status")
         drive = Drive(ideal, load)
         return Status(name, drive, SIGNS[sense], self._in_order(used), steps, guards)
