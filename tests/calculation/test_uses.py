@@ -84,6 +84,17 @@ def test_what_is_wrong_in_a_used_sheet_has_both_places(tmp_path: Path) -> None:
     assert "joint.mech:4:5: it is used here" in message
 
 
+def test_what_fails_with_what_is_given_has_both_places_too(tmp_path: Path) -> None:
+    """It is found when the whole is put together, not when the used sheet is read."""
+    path = written(tmp_path, {"joint.mech": USER, "parts/pin.mech": PIN.replace("< 80", "< 8")})
+    with pytest.raises(MechcError) as raised:
+        _ = mechc.load(path).evaluate()
+    first, second = raised.value.diagnostics
+    assert (first.code, second.code) == ("E550", "E550")
+    text = USER.index('"parts'), USER.rindex('"parts')
+    assert [d.related[-1].span.start for d in (first, second)] == list(text)
+
+
 def test_a_sheet_of_sheets_of_sheets(tmp_path: Path) -> None:
     outer = 'sheet all\nuse "joint.mech" as j (Q = 1 kN)\nlet x = 2*j_one_tau\n'
     path = written(tmp_path, {"all.mech": outer, "joint.mech": USER, "parts/pin.mech": PIN})

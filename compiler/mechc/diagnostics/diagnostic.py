@@ -13,7 +13,7 @@ from functools import wraps
 from inspect import cleandoc
 from typing import NamedTuple, ParamSpec
 
-from ..frozen import frozen
+from ..frozen import frozen, replace
 from ..source import Source, Span
 
 
@@ -123,16 +123,26 @@ class Report:
         self.source = source
         self.diagnostics: list[Diagnostic] = []
         self._known: set[Diagnostic] = set()
+        self._uses: list[tuple[Span, Span]] = []
 
     def add(self, diagnostic: Diagnostic) -> None:
-        """Note a diagnostic, once."""
+        """Note a diagnostic, once; of one in an attached text also where that is used."""
+        diagnostic = self._with_use(diagnostic)
         if diagnostic not in self._known:
             self._known.add(diagnostic)
             self.diagnostics.append(diagnostic)
 
-    def attach(self, source: Source) -> int:
-        """Attach another text, in which places may lie, and return where it begins."""
+    def _with_use(self, diagnostic: Diagnostic) -> Diagnostic:
+        at = diagnostic.span.start if diagnostic.span else -1
+        uses = (use for text, use in self._uses if text.start <= at < text.end)
+        here = tuple(Related(use, "it is used here") for use in uses)
+        return replace(diagnostic, related=(*diagnostic.related, *here)) if here else diagnostic
+
+    def attach(self, source: Source, use: Span) -> int:
+        """Attach a text that is used, in which places may lie, and return where it begins."""
         self.source, start = self.source.with_attached(source)
+        end, last = max(self.source.parts(), key=lambda part: part[0])
+        self._uses.append((Span(start, end + len(last.text) + 1), use))
         return start
 
     def fail(self, diagnostic: Diagnostic) -> MechcError:

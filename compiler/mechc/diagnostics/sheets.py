@@ -12,7 +12,7 @@ def requirement_fails(span: Span, left: str, operator: str, right: str) -> Messa
     condition::
 
         param d = 8 mm                             # 10 mm hold
-        let tau [MPa] = 4*F/(pi*d^2)
+        let tau = 4*F/(pi*d^2) in MPa
         require tau <= tau_allowed
     """
     wanted = f"{left}, expected {_WORDS[operator]} {right}"

@@ -15,7 +15,6 @@ from .. import files
 from ..diagnostics import Diagnostic, MechcError, Report, Severity
 from ..diagnostics import joining as join_messages
 from ..diagnostics import uses as messages
-from ..diagnostics.diagnostic import Related
 from ..frozen import replace
 from ..source import Source
 from ..syntax import ast
@@ -185,7 +184,7 @@ def _read(
     if len(texts) > MOST or sum(len(part.text) for part in texts) > files.LARGEST:
         report.add(messages.too_much_used(use.used.span, MOST))
         return None
-    return used._replace(start=report.attach(used.source))
+    return used._replace(start=report.attach(used.source, use.used.span))
 
 
 def _text(use: ast.Use, folder: Path | None, users: Users) -> Source:
@@ -204,7 +203,7 @@ def _text(use: ast.Use, folder: Path | None, users: Users) -> Source:
 
 def _pass_on(error: MechcError, use: ast.Use, report: Report) -> None:
     """Report what is wrong in a used sheet, with the place where it is used."""
-    start = report.attach(error.source) if error.source else 0
+    start = report.attach(error.source, use.used.span) if error.source else 0
     for diagnostic in error.diagnostics:
         if diagnostic.severity is Severity.ERROR:
             inside = error.source is not None
@@ -212,7 +211,6 @@ def _pass_on(error: MechcError, use: ast.Use, report: Report) -> None:
 
 
 def _placed(diagnostic: Diagnostic, start: int, use: ast.Use) -> Diagnostic:
-    here = Related(use.used.span, "it is used here")
-    related = (r._replace(span=r.span.moved(start)) for r in diagnostic.related)
+    related = tuple(r._replace(span=r.span.moved(start)) for r in diagnostic.related)
     span = diagnostic.span.moved(start) if diagnostic.span else use.used.span
-    return replace(diagnostic, span=span, related=(*related, here))
+    return replace(diagnostic, span=span, related=related)
