@@ -1,12 +1,13 @@
 """What a report of a mechanism holds: ``report scheme, k, plot k over alpha``."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from ..diagnostics import near_miss
 from ..diagnostics.model import reported as messages
 from ..syntax import ast
 from .mechanism import Mechanism, Reported
 from .scope import Scope
+from .sheets import is_sheet
 from .statements import every
 from .values import range_of
 
@@ -16,13 +17,19 @@ PICTURES = ("scheme", "bodies", "plans", "stroke")
 
 def read_reported(file: ast.File, mechanism: Mechanism, scope: Scope) -> tuple[Reported, ...]:
     """Return what the report holds, in order; report what is none of the mechanism's."""
-    return tuple(_checked(file, mechanism, scope))
+    parts = every(file, ast.Reported)
+    if parts and is_sheet(mechanism):
+        scope.report.add(messages.parts_of_a_sheet(parts[0].span))
+        return ()
+    return tuple(_checked(parts, mechanism, scope))
 
 
-def _checked(file: ast.File, mechanism: Mechanism, scope: Scope) -> Iterator[Reported]:
+def _checked(
+    parts: Sequence[ast.Reported], mechanism: Mechanism, scope: Scope
+) -> Iterator[Reported]:
     results = [name for name, entry in scope.entries.items() if entry.kind in ("result", "let")]
     ranged = [p.name for p in mechanism.parameters if range_of(p.name, mechanism)]
-    for part in every(file, ast.Reported):
+    for part in parts:
         name, over = part.name, part.over
         known = results if over else [*PICTURES, *results]
         if name.text not in known:

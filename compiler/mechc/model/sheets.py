@@ -16,7 +16,7 @@ from .statements import every, only
 WRITTEN_IN_SHEETS = (
     *(ast.Version, ast.Heading, ast.SourceNote),
     *(ast.Param, ast.Table, ast.Sizes, ast.Let, ast.Taken, ast.Require, ast.Expect),
-    ast.Translate,
+    *(ast.Translate, ast.Reported),
 )
 """The statements of a sheet: a description that has others describes a mechanism."""
 

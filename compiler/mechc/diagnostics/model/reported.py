@@ -49,3 +49,18 @@ def stroke_without_drive(span: Span) -> Message:
         "there is no stroke: expected a drive, found none",
         "name what moves, as in drive phi from 10 deg to 80 deg",
     )
+
+
+@coded("E339")
+def parts_of_a_sheet(span: Span) -> Message:
+    """Parts of a report are asked of a calculation sheet, which is reported line by line.
+
+    sheet pin
+    let tau = 4*F/(pi*d^2)
+    report tau                          # wrong: leave it out
+    """
+    return Message(
+        span,
+        "a calculation sheet is reported line by line: there are no parts to choose",
+        "leave this out",
+    )

@@ -123,7 +123,7 @@ class Latex:
         locale = registry.locale(options.language)
         body = _body(compiled, locale, notation(options.language), options)
         pictured = options.pictures or compiled.mechanism.reported
-        drawn = _preamble() if pictured else ()
+        drawn = _preamble() if pictured and not options.brief else ()
         text = body if options.fragment else document(body, locale, drawn)
         return (Emitted(f"{options.stem}.tex", text),)
 
