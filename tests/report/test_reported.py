@@ -70,6 +70,13 @@ def test_the_table_along_the_stroke_has_every_column(language, head):
     assert r"$\mu_B$" in text
 
 
+def test_a_plot_over_something_else_keeps_its_table():
+    wide = ROCKER.replace("param c = 80 mm", "param c = 80 mm in 70 mm .. 90 mm")
+    text = mechc.loads(f"{wide}report plot i over c, stroke\n", "rocker.mech").emit("latex")
+    assert "$dk/d\\phi$" in text
+    assert r"$c$, $\text{mm}$ & $i$" in text
+
+
 def test_units_and_decimals_of_pictures_are_those_of_the_language():
     plans = report("report plans", "ru")
     assert r"{,}" in plans

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterable, Iterator
 
+from ...diagnostics import MechcError
 from ...drawing.drawing import Drawing
 from ...drawing.letters import in_letters
 from ...model.mechanism import Reported
@@ -11,6 +12,7 @@ from ...plot.usual import ROWS, usual
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
 from ...report.latex.notation import Notation, name
+from ...study.stroke.stroke import Stroke
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
 from ..tikz.picture import definitions, tikzpicture
@@ -38,7 +40,8 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     """
     named = {part.name for part in _wanted(compiled) if not part.over}
     words, plots = locale.pictures, [compiled.plot(query) for query in _queries(compiled)]
-    along = compiled.stroke(ROWS) if "stroke" in named else None
+    along = _stroke(compiled)
+    others = [plot for plot in plots if along is None or plot.x.name != along.drive]
     drawings = {
         "scheme": compiled.scheme if "scheme" in named else None,
         "bodies": compiled.drawn_bodies(words) if "bodies" in named else None,
@@ -48,14 +51,27 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     return Pictures(
         **drawn,
         plot=tuple(line for plot in plots for line in _plotted(plot, locale, style)),
-        table=tuple(along_stroke(along, locale, style) if along else _tables(plots, locale, style)),
+        table=(
+            *(along_stroke(along, locale, style) if along else ()),
+            *_tables(others, locale, style),
+        ),
     )
 
 
 def _wanted(compiled: Compiled) -> tuple[Reported, ...]:
     """Return what the report holds."""
-    usual_ones = ("scheme", "bodies", *(["stroke"] if compiled.mechanism.drive else []))
-    return compiled.mechanism.reported or tuple(map(Reported, usual_ones))
+    return compiled.mechanism.reported or (Reported("scheme"), Reported("bodies"))
+
+
+def _stroke(compiled: Compiled) -> Stroke | None:
+    """Return the stroke if it is wanted; by itself it is, as far as it is not too much work."""
+    reported = compiled.mechanism.reported
+    if reported:
+        return compiled.stroke(ROWS) if Reported("stroke") in reported else None
+    try:
+        return compiled.stroke(ROWS) if compiled.mechanism.drive else None
+    except MechcError:
+        return None
 
 
 def _queries(compiled: Compiled) -> Iterator[Query]:
