@@ -95,6 +95,7 @@ CONSTRUCTS = [
         "gears: [{O: r1 + 2*r2 on ground, A: r2, inner: true}]",
     ),
     ("belt O1 r1 on O1B, O2 r2 on O2C", "belts: [{O1: r1 on O1B, O2: r2 on O2C}]"),
+    ("rope A, K along -y, B", "ropes: ['A, K along -y, B']"),
     ("rack A on O r", "racks: [{A: O, radius: r}]"),
     ("contact A on BC normal 30 deg", "contacts: {A: {with: BC, normal: 30 deg}}"),
     ("belt O1 r1, O2 20 mm crossed", "belts: [{O1: r1, O2: 20 mm, crossed: true}]"),

@@ -108,6 +108,8 @@ class Forces:
         for pin, body, normal, place in whole.touches:
             effect = self.on_point(pin, normal) - self.on_body(body, normal, place)
             yield ("touch", pin, body), effect
+        for i, pulls in enumerate(whole.ropes):
+            yield ("rope", str(i)), sum(self.on_point(p, pull) for p, pull in pulls.items())
         led = self._led()
         for i, (first, at, second, there, along, _) in enumerate(whole.rollings):
             point = led[i] if i < len(led) else ""

@@ -229,6 +229,7 @@ class Assembly:
     slides: dict[str, complex]
     touches: list[PointContact]
     rollings: list[Rolling]
+    ropes: list[dict[str, complex]]
     actions: list[Action]
     lengths: dict[tuple[str, str], float]
 
@@ -299,9 +300,24 @@ def _as_described(file: ast.File, values: Values, seed: int, arms: Arms | None =
             *rollings(file, links, guides | slides, lambda e: evaluate(e, values)),
             *_blocks(file, arms, links, touches),
         ],
+        [_rope(s, values, arms) for s in every(file, ast.Rope)],
         _actions(file, values, arms),
         arms.lengths,
     )
+
+
+def _rope(rope: ast.Rope, values: Values, arms: Arms) -> dict[str, complex]:
+    """Return what a tension of 1 pulls each point with that the rope runs over."""
+    pulls: dict[str, complex] = {}
+    tail = rope.start.text
+    for point, along in rope.falls:
+        head = point.text
+        toward = along or ast.Toward(ast.Name(tail + head, point.span), 1, False, point.span)
+        way = cmath.rect(1, angle_of(toward, values, arms))
+        pulls[tail] = pulls.get(tail, 0) + way
+        pulls[head] = pulls.get(head, 0) - way
+        tail = head
+    return pulls
 
 
 def cylinders(file: ast.File) -> Iterator[tuple[str, str, str]]:
@@ -422,6 +438,9 @@ def _unfold(half: Assembly, axis: complex, shared: set[str]) -> None:
         ]
         twins = Rolling(names[0], reflect(at), names[1], reflect(there), reflect(along), names[2])
         half.rollings.extend([twins] if names[:2] != [first, second] else [])
+    for pulls in list(half.ropes):
+        if not set(pulls) <= shared:
+            half.ropes.append({twin(p): reflect(pull) for p, pull in pulls.items()})
     for name, along in list(half.slides.items()):
         if name + "'" in half.links:
             half.slides[name + "'"] = reflect(along)

@@ -84,6 +84,11 @@ class Motion:
         for first, at, second, there, along in (pair[:5] for pair in self.assembly.rollings):
             gap = self._velocity_at(first, at) - self._velocity_at(second, there)
             yield np.array([along.real, along.imag]) @ gap
+        for pulls in self.assembly.ropes:
+            moved = pulls.keys() - self.assembly.pivots
+            yield sum(
+                np.array([pulls[p].real, pulls[p].imag]) @ self.velocity(p) for p in sorted(moved)
+            )
 
     def power(self, load: Action) -> Array:
         """Return the power of one unit of a load in each basic motion."""

@@ -198,6 +198,12 @@ ONCE = [
     drives(),
 ]
 
+
+def ropes():
+    falls = st.lists(st.tuples(points, st.none() | directions), min_size=1, max_size=3)
+    return statement(ast.Rope, points, falls.map(tuple))
+
+
 MANY = [
     params(),
     statement(ast.Pivot, points, st.none() | cartesians),
@@ -208,6 +214,7 @@ MANY = [
     statement(ast.Telescope, rods),
     wheels(ast.Gear),
     racks(),
+    ropes(),
     statement(ast.Contact, points, rods, directions),
     wheels(ast.Belt),
     statement(ast.Screw, points, expressions, bodies),

@@ -134,6 +134,33 @@ def contact_would_pull(
     )
 
 
+@coded("E343")
+def rope_would_push(
+    span: Span,
+    rope: str,
+    load: str,
+    force: float,
+    pose: Mapping[str, tuple[float, Dimension]],
+) -> Message:
+    """A rope would have to push for the loads to balance, and a rope only pulls.
+
+    Its tension pulls both ends of each fall towards each other. Where equilibrium asks for the
+    opposite, the rope is slack and nothing is transmitted::
+
+        rope A, K along -y, H along y
+        force F at K along y              # wrong: F lifts the pulley out of the rope
+        force F at K along -y             # right
+
+    Turn the fall that was drawn the wrong way, or the load.
+    """
+    return Message(
+        span,
+        f"the {rope} would have to push with {-force:.4g} times {load}{_placed(pose)}, "
+        "but a rope can only pull",
+        "turn the direction of a fall round if it points the wrong way, or else the load",
+    )
+
+
 def _placed(pose: Mapping[str, tuple[float, Dimension]]) -> str:
     """Return `` at alpha = 30 deg``, nothing of a pose without parameters."""
     place = ", ".join(f"{name} = {_measured(*value)}" for name, value in pose.items())

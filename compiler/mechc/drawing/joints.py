@@ -15,6 +15,7 @@ from ..figure.figure import (
     Part,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slide,
     Slider,
@@ -64,6 +65,8 @@ def joint(paper: Paper, part: Part) -> Layered:
             yield from _in(Layer.WHEELS, _rack(paper, part))
         case Screw():
             yield from _screw(paper, part)
+        case Rope():
+            yield from _in(Layer.WHEELS, _rope(paper, part))
         case _:
             pass
 
@@ -122,6 +125,13 @@ def _rack(paper: Paper, part: Rack) -> Iterator[Shape]:
     radius = abs(part.radius) * paper.scale
     yield from symbols.sector(paper.at(part.pivot), radius, paper.place(part.touch))
     yield from symbols.wheel(paper.at(part.pivot), radius, paper.place(part.touch))
+
+
+def _rope(paper: Paper, part: Rope) -> Iterator[Shape]:
+    for point in dict.fromkeys(part.points[1:-1]):
+        yield Arc(paper.at(point), part.pulley * paper.scale, SYMBOL)
+    for run in part.runs:
+        yield line(*paper.ends(run), SYMBOL)
 
 
 def _screw(paper: Paper, part: Screw) -> Layered:

@@ -177,6 +177,18 @@ class Screw:
 
 
 @frozen
+class Rope:
+    """A rope through ``points``, over a pulley at each but the first and the last one.
+
+    ``runs`` are its straight stretches, ``pulley`` the radius at which pulleys are drawn.
+    """
+
+    points: tuple[str, ...]
+    runs: tuple[Segment, ...]
+    pulley: float
+
+
+@frozen
 class Force:
     """A force on a point, or a weight; it counts ``times`` over.
 
@@ -268,7 +280,7 @@ class AngleMark:
 
 Joint = (
     Link | Slide | Telescope
-    | Pivot | Slider | Slot | ArcSlot | Contact | Gears | Belt | Rack | Screw
+    | Pivot | Slider | Slot | ArcSlot | Contact | Gears | Belt | Rack | Screw | Rope
 )  # fmt: skip
 Load = Force | SpreadLoad | Torque | Actuator | Spring
 Measure = Dimension | AngleMark

@@ -14,6 +14,7 @@ from ..pose.pose import PointContact
 from . import figure as drawn
 from .figure import MirrorLine, Part, Segment
 from .outline import outline, rods
+from .ropes import rope_runs
 from .ways import Ways
 from .wheels import Circle, pitch_point, runs
 
@@ -23,6 +24,9 @@ GROUNDS = (DOWN, UP, LEFT, RIGHT, *(direction(math.radians(45 + 90 * i)) for i i
 
 APART = math.radians(50)
 """The angle between the ground of a pivot and the bars that leave it, where there is room."""
+
+PULLEY = 0.07
+"""The radius at which a pulley is drawn, in usual lengths."""
 
 REACH = 0.4
 """How far a guide or a face is drawn to either side of its pin, in usual lengths."""
@@ -134,8 +138,15 @@ class Half:
                 return drawn.Screw(
                     self.point(point), self.link(link), turn, along, self._line(along, point)
                 )
+            case model.Rope():
+                return self._rope(joint)
             case _:
                 assert_never(joint)
+
+    def _rope(self, rope: model.Rope) -> drawn.Rope:
+        radius = PULLEY * self.size
+        runs = tuple(rope_runs([self.at(point) for point in rope.route], radius))
+        return drawn.Rope(tuple(map(self.point, rope.route)), runs, radius)
 
     def _ground(self, point: str) -> Plane:
         """Return where the ground of a pivot is: down, where no bar of the described half is."""

@@ -6,12 +6,13 @@ guide. Firm ways must hold; loose ones only say where to draw what nothing else 
 
 import math
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
 from ..formula.walk import symbols
 from ..frozen import frozen
-from ..model.mechanism import Contact, Pivot, Rack, Screw, Slider, Slot, WheelPair
+from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..pose.places import NOWHERE, Plane, direction
 from ..pose.pose import PointContact, Pose, Vector, evaluate_vector
 
@@ -92,6 +93,9 @@ class Ways:
                     yield Way(pivot, point, Linear(self.right(joint)))
                 case Screw():
                     yield self._beside_screw(joint)
+                case Rope(route):
+                    ways = zip(pairwise(route), self.pose.falls[joint.id], strict=True)
+                    yield from (along(tail, head, self.unit(way)) for (tail, head), way in ways)
                 case Pivot() | Slider() | Slot() | Contact():
                     pass
                 case _:

@@ -119,7 +119,7 @@ class Bodies:
         afloat = any(t.body not in held for t in self._pose.touches)
         named = {t.point for t in self._pose.touches}
         twice = len(named) < len(self._pose.touches)
-        if bodies or afloat or twice or m.meshes:
+        if bodies or afloat or twice or m.meshes or m.ropes:
             raise EquationsCoupled
         turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
         carried = [*turning, *(p for s in m.slides for p in s.points)]

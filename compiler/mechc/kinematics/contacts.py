@@ -1,6 +1,7 @@
 """What slots, contacts, wheels and screws demand of velocities that others carry."""
 
 from collections.abc import Iterator, Mapping
+from itertools import pairwise
 from typing import assert_never
 
 from ..algebra.angle import Angle
@@ -8,9 +9,9 @@ from ..algebra.from_formula import to_product
 from ..algebra.product import ONE, Product
 from ..algebra.sums import add
 from ..formula.tree import PI
-from ..model.mechanism import Contact, Pivot, Rack, Screw, Slider, Slot, WheelPair
+from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
 from ..pose.pose import PointContact, Pose
-from .forms import projection, scaled, subtract, turned
+from .forms import combined, projection, scaled, subtract, turned
 from .graph import Form, Relation, Rule, Velocity
 from .meshes import rims
 
@@ -30,6 +31,8 @@ def relations(pose: Pose, velocities: Velocities, spins: Spins) -> Iterator[Rela
                 yield _rack(joint, pose, velocities, spins)
             case Screw():
                 yield _screw(joint, pose, velocities, spins)
+            case Rope():
+                yield _rope(joint, pose, velocities)
             case Slot(guided=guided) if guided:
                 yield _turning_together(joint, spins)
             case Pivot() | Slider() | Slot() | Contact():
@@ -86,6 +89,16 @@ def _screw(screw: Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Re
     form = _driven(screw.point, spins[screw.link], lead, pose, velocities)
     along = _guide(screw.point, pose)
     return Relation(Rule.SCREW, screw.link, (screw.point,), along, form, screw.span)
+
+
+def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:
+    """Σ (V_head − V_tail) · way = 0."""
+    ends = zip(pairwise(rope.route), pose.falls[rope.id], strict=True)
+    growth = [
+        (ONE, subtract(projection(velocities[head], way), projection(velocities[tail], way)))
+        for (tail, head), way in ends
+    ]
+    return Relation(Rule.ROPE, "", rope.points, Angle(), combined(growth), rope.span)
 
 
 def _driven(point: str, spin: int, reach: Product, pose: Pose, velocities: Velocities) -> Form:

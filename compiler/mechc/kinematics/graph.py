@@ -79,6 +79,8 @@ class Rule(StrEnum):
     """A rack moves with the rim of its gear: V = ωr."""
     SCREW = "screw"
     """A screw moves its nut by the pitch for each turn: V = ωp/2π."""
+    ROPE = "rope"
+    """A rope keeps its length: its falls together grow by nothing."""
     HELD = "held"
     """Nothing moves that way while a joint is released."""
 

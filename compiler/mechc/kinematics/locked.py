@@ -68,5 +68,7 @@ def described(relation: Relation) -> str:
             return f"the rack at {relation.points[-1]}"
         case Rule.SCREW:
             return f"the screw that moves {point}"
+        case Rule.ROPE:
+            return f"the rope over {', '.join(relation.points)}"
         case _:
             return f"link {body}" if body else f"the guide of {point}"

@@ -26,6 +26,7 @@ from ..model.mechanism import (
     Mechanism,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -84,7 +85,7 @@ def _held(mechanism: Mechanism) -> Iterator[str]:
         match joint:
             case Pivot(point) | Slider(point) | Slot(point) | Contact(point):
                 yield point
-            case WheelPair() | Rack() | Screw():
+            case WheelPair() | Rack() | Screw() | Rope():
                 pass
             case _:
                 assert_never(joint)

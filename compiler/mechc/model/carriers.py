@@ -16,6 +16,7 @@ So a load at the end of a crank acts on the crank, and the coupler stays a rod.
 import math
 from collections import Counter
 from collections.abc import Hashable, Iterable, Iterator, Mapping, Sequence
+from itertools import pairwise
 from typing import Any, assert_never
 
 from ..formula.tree import Call
@@ -34,6 +35,7 @@ from .mechanism import (
     Offset,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -154,6 +156,8 @@ class Carriers:
                     yield ("point", point), ("body", link), "rack"
                 case Screw(point, link=link):
                     yield ("point", point), ("body", link), "screw"
+                case Rope(route):
+                    yield from ((("point", a), ("point", b), "rope") for a, b in pairwise(route))
                 case _:
                     assert_never(joint)
         for load in m.loads:

@@ -99,11 +99,12 @@ def _beyond(span: Span, what: str, angles: Iterable[Formula | None]) -> Iterator
 
 
 def directions(mechanism: Mechanism) -> Iterator[Direction]:
-    """Yield every direction that is written down, of vectors, guides, faces and forces."""
+    """Yield every direction that is written down, of vectors, guides, faces, ropes and forces."""
     yield from (g.direction for g in mechanism.geometry if isinstance(g, Arrow) and g.direction)
     yield from (s.along for s in mechanism.each(Slider))
     yield from (s.along for s in mechanism.slides)
     yield from (c.normal for c in mechanism.each(Contact))
+    yield from (way for rope in mechanism.ropes for way in rope.ways)
     yield from (k.along for k in mechanism.loads if isinstance(k, Force) and not k.weight)
 
 

@@ -12,6 +12,7 @@ given holds, and of several closures the one nearest to the drawn places is mean
 import math
 from collections import Counter
 from collections.abc import Collection, Iterable, Iterator
+from itertools import pairwise
 
 from ..diagnostics import Report
 from ..diagnostics import drawn as messages
@@ -122,12 +123,13 @@ def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
 
 
 def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
-    """Yield two points between which a pair of forces acts, or which give a direction.
+    """Yield two points between which a pair of forces or a rope acts, or which give a direction.
 
     A slot has the direction of its pin where it is drawn by that only.
     """
     yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
     yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
+    yield from (ends for rope in mechanism.ropes for ends in pairwise(rope.route))
     drawn = {d.point for d in mechanism.drawn}
     yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.head not in drawn)
 

@@ -30,6 +30,7 @@ from .mechanism import (
     Parameter,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -123,7 +124,7 @@ def _of_joints(mechanism: Mechanism) -> Iterator[Quantity]:
                 yield Quantity("r", pivot, radius, span)
             case Screw(point, pitch, span=span):
                 yield Quantity("p", point, pitch, span)
-            case Pivot() | Slider() | Slot() | Contact():
+            case Pivot() | Slider() | Slot() | Contact() | Rope():
                 pass
             case _:
                 assert_never(joint)
@@ -228,7 +229,7 @@ def _joint(joint: Joint, known: Known) -> Joint:
             return replace(joint, radius=_named("r", pivot, joint.radius, known))
         case Screw(point=point):
             return replace(joint, pitch=_named("p", point, joint.pitch, known))
-        case Pivot() | Slider() | Slot() | Contact():
+        case Pivot() | Slider() | Slot() | Contact() | Rope():
             return joint
         case _:
             assert_never(joint)

@@ -43,6 +43,7 @@ from .parts import Link as Link
 from .parts import Mesh as Mesh
 from .parts import Pivot as Pivot
 from .parts import Rack as Rack
+from .parts import Rope as Rope
 from .parts import Screw as Screw
 from .parts import Slide as Slide
 from .parts import Slider as Slider
@@ -343,6 +344,11 @@ class Mechanism:
     def meshes(self) -> tuple[Mesh, ...]:
         """Return the wheels, racks and screws."""
         return tuple(j for j in self.joints if isinstance(j, WheelPair | Rack | Screw))
+
+    @property
+    def ropes(self) -> tuple[Rope, ...]:
+        """Return the ropes."""
+        return self.each(Rope)
 
     @property
     def rigid_links(self) -> tuple[Link, ...]:

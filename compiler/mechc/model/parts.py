@@ -258,9 +258,37 @@ class Screw(OnePoint, OnLink):
         return f"screw {self.point} on {self.link}"
 
 
+@frozen
+class Rope:
+    """A rope from its first point over pulleys on the axles between to its last one.
+
+    ``ways`` are the directions of its falls. Its length stays the same, whatever the radii of
+    the pulleys: Σ (V of a fall's end − V of its beginning) · way = 0.
+    """
+
+    route: tuple[str, ...]
+    ways: tuple[Direction, ...]
+    span: Span
+
+    @property
+    def id(self) -> str:
+        """Return the joint's name among all joints."""
+        return f"rope {'-'.join(self.route)}"
+
+    @property
+    def points(self) -> tuple[str, ...]:
+        """Return the points that it holds."""
+        return tuple(dict.fromkeys(self.route))
+
+    @property
+    def bodies(self) -> tuple[str, ...]:
+        """Return the bodies that it names: none, as it acts on pins."""
+        return ()
+
+
 Body = Link | Slide | Telescope
 Mesh = WheelPair | Rack | Screw
-Joint = Pivot | Slider | Slot | Contact | WheelPair | Rack | Screw
+Joint = Pivot | Slider | Slot | Contact | WheelPair | Rack | Screw | Rope
 """A pass over joints matches all of them and ends in ``assert_never``: mypy names what is left."""
 
 

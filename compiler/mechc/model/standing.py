@@ -11,6 +11,7 @@ from .mechanism import (
     Mechanism,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -34,6 +35,8 @@ def _at_work(link: Link, mechanism: Mechanism) -> Iterator[str]:
                 yield point
             case Slot(point, _, tail, head) | Contact(point, _, tail, head):
                 yield from (point, tail, head)
+            case Rope():
+                yield from joint.points
             case Pivot() | WheelPair() | Rack() | Screw():
                 pass
             case _:

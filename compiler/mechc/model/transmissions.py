@@ -20,6 +20,7 @@ from .mechanism import (
     Slot,
     Telescope,
 )
+from .ropes import read_ropes
 from .scope import Scope
 from .statements import every
 from .wheels import radius_of, read_wheels, wheel_on
@@ -44,6 +45,7 @@ def read_joints(file: ast.File, slides: Sequence[Slide], scope: Scope) -> tuple[
         *read_wheels(file, scope),
         *found(_rack(s, slides, scope) for s in every(file, ast.Rack)),
         *found(_screw(s, slides, scope) for s in every(file, ast.Screw)),
+        *read_ropes(file, scope),
     )
 
 

@@ -131,7 +131,15 @@ class _Survey:
             put_in=tuple(d for d in self._terms.definitions if d.name in closed.put_in),
             vectors=self._vectors.given(),
             solved=closed.solved,
+            falls=self.falls(),
         )
+
+    def falls(self) -> Mapping[str, tuple[Angle, ...]]:
+        """Return the directions of the falls of every rope."""
+        return {rope.id: tuple(self._fall(w) for w in rope.ways) for rope in self._mechanism.ropes}
+
+    def _fall(self, way: Direction) -> Angle:
+        return self.direction(way, "theta_rope", "a fall of the rope")
 
     def frames(self) -> Mapping[str, Mapping[str, Vector]]:
         """Return the frames of links and slides."""

@@ -132,7 +132,7 @@ class Pose:
     may mention names that only ``closing`` defines.
     ``left[point]`` is the direction of a guide that was released, along which a rack or a nut
     is still led. ``solved`` tells how the definitions follow from the loops, each loop after those
-    that it rests on.
+    that it rests on. ``falls[rope]`` are the directions of a rope's falls, by its id.
     """
 
     mechanism: Mechanism
@@ -154,6 +154,7 @@ class Pose:
     vectors: Mapping[tuple[str, str], Vector] = MappingProxyType({})
     left: Mapping[str, Angle] = MappingProxyType({})
     solved: tuple[SolvedLoop, ...] = ()
+    falls: Mapping[str, tuple[Angle, ...]] = MappingProxyType({})
 
     def vector(self, link: str, tail: str, head: str) -> Vector:
         """Return the vector between two points of one link."""

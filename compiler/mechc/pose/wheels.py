@@ -11,6 +11,7 @@ from ..model.mechanism import (
     Mechanism,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -42,7 +43,7 @@ def radii(mechanism: Mechanism) -> Iterator[Formula]:
                 yield from (first, second)
             case Rack(radius=size) | Screw(pitch=size):
                 yield size
-            case Pivot() | Slider() | Slot() | Contact():
+            case Pivot() | Slider() | Slot() | Contact() | Rope():
                 pass
             case _:
                 assert_never(joint)

@@ -9,6 +9,7 @@ from ..model.mechanism import (
     Mechanism,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -70,6 +71,8 @@ def _parts(mechanism: Mechanism) -> Iterable[tuple[str, set[str]]]:
                 yield "", {f"link {name}" for name in joint.bodies}
             case Rack(point, link=link) | Screw(point, link=link):
                 yield "", {point, f"link {link}"}
+            case Rope():
+                yield "", {*joint.points} - mechanism.fixed
             case _:
                 assert_never(joint)
 

@@ -55,8 +55,7 @@ class Acts:
                 self._pin(component, by, on, normal, size)
                 self._body(by, _acting(component, on, on, normal.times(-1), size))
             case "transfer":
-                kind: Kind = _TRANSMISSIONS[by.split()[0]]
-                self._exchange(kind, self.transfers[by], size)
+                self._transfer(_TRANSMISSIONS[by.split()[0]], by, size)
             case "couple":
                 first = self._first(on)
                 self._body(on, _acting("guide", "ground", first, NOWHERE, size, 1.0))
@@ -103,7 +102,15 @@ class Acts:
         on = on if on in self.frames[body].points else f"{on}'"
         self._pin("pin", body, on, NOWHERE, 0.0, -action.moment)
 
-    def _exchange(self, kind: Kind, actions: tuple[Action, Action], size: float | None) -> None:
+    def _transfer(self, kind: Kind, by: str, size: float | None) -> None:
+        """Let two things act on each other, or a rope on all that it runs over."""
+        if kind != "rope":
+            self._exchange(kind, self.transfers[by], size)
+            return
+        for action in self.transfers[by]:
+            self._alone(kind, by.removeprefix("rope "), action, size)
+
+    def _exchange(self, kind: Kind, actions: tuple[Action, ...], size: float | None) -> None:
         """Let two things act on each other."""
         first, second = actions
         for action, other in (first, second), (second, first):
@@ -184,6 +191,7 @@ _TRANSMISSIONS: Mapping[str, Kind] = {
     "belt": "belt",
     "rack": "rack",
     "screw": "screw",
+    "rope": "rope",
     "slot": "slot",
 }
 

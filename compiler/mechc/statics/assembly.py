@@ -67,7 +67,7 @@ class PinOnBody(NamedTuple):
 
 
 class Transfer(NamedTuple):
-    """One force that wheels, a rack or a screw pass on, and what a unit of it does to both.
+    """One force that wheels, a rack, a screw or a rope pass on, and what a unit of it does.
 
     Where nothing tells its direction, the bearings' part in it is left out: it loads the
     ground alone, and forces on such bearings are never asked for. On an arm that carries
@@ -75,7 +75,7 @@ class Transfer(NamedTuple):
     """
 
     name: str
-    actions: tuple["Action", "Action"]
+    actions: tuple["Action", ...]
     bearings: tuple["Action", ...] = ()
 
 

@@ -1,55 +1,66 @@
-"""Contacts that would have to pull: two bodies that only touch can't.
+"""Contacts that would have to pull, ropes that would have to push: neither can.
 
 Each load that a result takes as given acts by itself, as directed: a contact is refused
-that pulls under one of them and pushes under none.
+that pulls under one of them and pushes under none, a rope the other way round.
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 
 from ..diagnostics import Diagnostic
-from ..diagnostics.statics import contact_would_pull
+from ..diagnostics.statics import contact_would_pull, rope_would_push
 from ..model.mechanism import LoadForm, LoadRatio
 from ..model.result import Result
-from ..pose.pose import PointContact
 from .answers import pushes
 from .balanced import Balanced
 from .poses import free_values
 from .tolerances import PULL
 
 Forces = Mapping[tuple[str, str], float]
-"""What each body does to a pin, by pin and body; a pull is negative."""
+"""What each body does to a pin, by pin and body; a pull is negative. A rope's is its tension."""
 
 
-def pulling(results: Iterable[Result], at: Balanced) -> Iterator[Diagnostic]:
+def pulling(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:
     """Yield an error for each contact that pulls where the given loads act as drawn."""
-    contacts = [t for t in at.pose.touches if t.kind == "contact"]
-    refused: set[PointContact] = set()
-    for result in results if contacts else ():
-        forces = dict(_forces(result, at))
-        for touch in contacts:
-            found = {load: f.get((touch.point, touch.body), 0.0) for load, f in forces.items()}
+    contacts = {(t.point, t.body): t for t in at.pose.touches if t.kind == "contact"}
+    for key, load, force in _wrong(results, at, contacts, "contact"):
+        touch, place = contacts[key], free_values(at.pose, at.values)
+        yield contact_would_pull(touch.span, touch.point, touch.body, load, force, place)
+
+
+def slack(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:
+    """Yield an error for each rope that pushes where the given loads act as drawn."""
+    ropes = {("", rope.id): rope for rope in at.pose.mechanism.ropes}
+    for key, load, force in _wrong(results, at, ropes, "transfer"):
+        rope, place = ropes[key], free_values(at.pose, at.values)
+        yield rope_would_push(rope.span, rope.id, load, force, place)
+
+
+def _wrong(
+    results: Iterable[Result], at: Balanced, joints: Collection[tuple[str, str]], kind: str
+) -> Iterator[tuple[tuple[str, str], str, float]]:
+    """Yield each joint whose force has the wrong sign, the load that asks for it, and its size."""
+    refused: set[tuple[str, str]] = set()
+    for result in results if joints else ():
+        forces = dict(_forces(result, at, kind))
+        for key in joints:
+            found = {load: f.get(key, 0.0) for load, f in forces.items()}
             worst = min(found, key=lambda load: found[load], default="")
             if worst and found[worst] < -PULL and max(found.values()) < PULL:
-                if touch not in refused:
-                    yield _refused(touch, worst, found[worst], at)
-                refused.add(touch)
+                if key not in refused:
+                    yield key, worst, found[worst]
+                refused.add(key)
 
 
-def _forces(result: Result, at: Balanced) -> Iterator[tuple[str, Forces]]:
-    """Yield what each load that a result takes as given does in the contacts."""
+def _forces(result: Result, at: Balanced, kind: str) -> Iterator[tuple[str, Forces]]:
+    """Yield what each load that a result takes as given does in the joints of one kind."""
     mechanism = at.pose.mechanism
     given = {load.name for load in mechanism.loads if load.tie is not None}
     given |= {let.name for let in mechanism.lets}
     match result.target:
         case LoadRatio(above, below):
-            yield below, pushes(at, above, below, given, "contact")
+            yield below, pushes(at, above, below, given, kind)
         case LoadForm(load):
             coefficients = result.coefficients or {}
             for other in coefficients:
                 known = given | coefficients.keys()
-                yield other, pushes(at, load, other, known, "contact")
-
-
-def _refused(touch: PointContact, load: str, force: float, at: Balanced) -> Diagnostic:
-    place = free_values(at.pose, at.values)
-    return contact_would_pull(touch.span, touch.point, touch.body, load, force, place)
+                yield other, pushes(at, load, other, known, kind)

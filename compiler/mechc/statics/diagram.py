@@ -11,8 +11,9 @@ from typing import Literal, NamedTuple
 from ..pose.places import Plane as Plane
 
 Kind = Literal[
-    "load", "pin", "ground", "guide", "slot", "contact", "gear", "belt", "rack", "screw", "friction"
-]
+    "load", "pin", "ground", "guide", "slot", "contact",
+    "gear", "belt", "rack", "screw", "rope", "friction",
+]  # fmt: skip
 """What an action comes from: a load, a joint, or the friction there."""
 
 Gap = Literal["", "indeterminate", "transmission"]

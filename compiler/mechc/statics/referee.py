@@ -41,7 +41,7 @@ from ..source import Span
 from .answers import STANDS, UNSETTLED, Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 from .closure import worst_gap
-from .contacts import pulling
+from .contacts import pulling, slack
 from .counted import uncounted
 from .poses import Replay, Values, candidates, free_values
 from .speeds import speed_ratio
@@ -104,7 +104,7 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     _measure(pose, poses, report)
     balanced = Replay(Balanced(pose, values) for values in poses)
     for at in islice(balanced, 1):
-        for fault in pulling(results, at):
+        for fault in (*pulling(results, at), *slack(results, at)):
             report.add(fault)
         if pose.mechanism.friction.everywhere:
             _count_pins(at, report)

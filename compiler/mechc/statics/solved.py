@@ -9,6 +9,7 @@ from ..model.mechanism import (
     Mechanism,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -138,7 +139,7 @@ def _pressed(mechanism: Mechanism) -> Iterator[Bearing]:
             case Screw(link=link):
                 for pivot in mechanism.fixed.intersection(mechanism.link(link).points):
                     yield from ((pivot, link), (pivot, "ground"))
-            case Pivot() | Slider() | Slot() | Contact():
+            case Pivot() | Slider() | Slot() | Contact() | Rope():
                 pass
             case _:
                 assert_never(joint)

@@ -2,11 +2,12 @@
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import assert_never
 
 from ..formula.walk import evaluate
-from ..model.mechanism import Contact, Pivot, Rack, Screw, Slider, Slot, WheelPair
-from .assembly import GROUND, Action, Couple, Push, Transfer, Wrench
+from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, WheelPair
+from .assembly import GROUND, Action, Couple, Push, Transfer, Wrench, direction
 from .halves import Halves
 
 
@@ -20,6 +21,8 @@ def transfers(halves: Halves) -> Iterator[Transfer]:
                 yield from _both(halves, Transfer(joint.id, _teeth(halves, joint)))
             case Screw():
                 yield from _both(halves, Transfer(joint.id, _thread(halves, joint)))
+            case Rope():
+                yield from _both(halves, Transfer(joint.id, tuple(_pulls(halves, joint))))
             case Slot(link=link, guided=guided) if guided:
                 couples = Couple(guided, 1.0), Couple(link, -1.0)
                 yield from _both(halves, Transfer(joint.id, couples))
@@ -65,9 +68,22 @@ def _teeth(halves: Halves, rack: Rack) -> tuple[Action, Action]:
     return Push(rack.point, along), back
 
 
+def _pulls(halves: Halves, rope: Rope) -> Iterator[Action]:
+    """Yield what a tension of 1 does: each fall draws its ends towards each other.
+
+    A pulley turns freely on its axle, so that the tension is the same on both its sides.
+    """
+    ways = [direction(way.evaluate(halves.values)) for way in halves.pose.falls[rope.id]]
+    for (tail, head), way in zip(pairwise(rope.route), ways, strict=True):
+        yield Push(tail, way)
+        yield Push(head, way.times(-1))
+
+
 def _both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:
     """Yield a transfer and its twin in the other half."""
     yield transfer
     if halves.axis is not None and not all(map(halves.acts_on_shared, transfer.actions)):
-        first, second, *bearings = map(halves.mirrored, (*transfer.actions, *transfer.bearings))
-        yield Transfer(f"{transfer.name}'", (first, second), tuple(bearings))
+        actions, bearings = (
+            tuple(map(halves.mirrored, part)) for part in (transfer.actions, transfer.bearings)
+        )
+        yield Transfer(f"{transfer.name}'", actions, bearings)

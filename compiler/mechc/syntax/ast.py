@@ -282,6 +282,18 @@ class Belt(Statement):
     second_link: Name | None = None
 
 
+Fall = tuple[Name, Direction | None]
+"""Where a fall of a rope leads to, and its direction where it is written."""
+
+
+@frozen
+class Rope(Statement):
+    """``rope A, K along -y, B along y``: from a point over pulleys to another one."""
+
+    start: Name
+    falls: tuple[Fall, ...]
+
+
 @frozen
 class Screw(Statement):
     """``screw A pitch p on OB``: turning OB moves slider A by p per turn."""

@@ -49,6 +49,7 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "intensity": frozenset({("load", 2)}),
     "radius": frozenset({("slot", 6)}),
     "speed": frozenset({("drive", ANYWHERE)}),
+    "rope": frozenset({("rope", 0)}),
     "pin": frozenset({("friction", 1)}),
     "pins": frozenset({("friction", 1)}),
     "collar": frozenset({("friction", 1)}),

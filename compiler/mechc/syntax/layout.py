@@ -191,6 +191,11 @@ SECTIONS: tuple[Section, ...] = (
             keys=(key("pitch", Kind.EXPRESSION), key("link", Kind.POINTS)),
         ),
     ),
+    listed(
+        "ropes",
+        "ropes: from a point over pulleys to another one",
+        Entry(ast.Rope, short=plain(Kind.ROUTE, "start", "falls")),
+    ),
     named(
         "points",
         "where points are drawn, at the default pose",

@@ -49,6 +49,7 @@ KINDS: dict[Kind, Schema] = {
     Kind.PIN: {"type": "string", "pattern": f"^(?:pins|{OF_USED}{POINT})$"},
     Kind.PAIR: {"type": "array", "items": END, "minItems": 2, "maxItems": 2},
     Kind.RIM: {**EXPRESSION, "description": "a radius: 40 mm, m*z/2, 40 mm on OA"},
+    Kind.ROUTE: {"type": "string", "description": "a rope: A, K along -y, B along y"},
     Kind.SHARED: {"anyOf": [points(1, 1), {"type": "array", "items": points(1, 1)}]},
     Kind.EXPRESSION: EXPRESSION,
     Kind.DIRECTION: {**EXPRESSION, "description": "a direction: 90 deg, x, -y, AB, perp AB"},

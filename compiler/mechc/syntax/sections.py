@@ -23,6 +23,7 @@ class Kind(Enum):
     PIN = auto()  # a point, or the word 'pins' for all of them
     PAIR = auto()  # [A, B on BC]
     RIM = auto()  # 40 mm on OA
+    ROUTE = auto()  # A, K along -y, B along y
     SHARED = auto()  # [K, L]
     EXPRESSION = auto()
     DIRECTION = auto()

@@ -24,6 +24,7 @@ Start = Literal[
     "reported",
     "end",
     "rim",
+    "route",
     "measure",
     "worth",
     "row",

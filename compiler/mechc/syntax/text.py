@@ -1,5 +1,6 @@
 """Expressions, directions and vectors as text, with no bracket that is not needed."""
 
+from collections.abc import Iterable
 from enum import IntEnum
 from typing import assert_never
 
@@ -157,6 +158,15 @@ def condition(required: ast.Require | ast.Condition) -> str:
     first, *rest = map(expression, required.operands)
     pairs = zip(required.operators, rest, strict=True)
     return " ".join([first, *(f"{operator} {operand}" for operator, operand in pairs)])
+
+
+def route(start: ast.Name, falls: Iterable[ast.Fall]) -> str:
+    """Return ``A, K along -y, B along y``."""
+    return ", ".join([start.text, *(_fall(*fall) for fall in falls)])
+
+
+def _fall(point: ast.Name, along: ast.Direction | None) -> str:
+    return point.text if along is None else f"{point.text} along {direction(along)}"
 
 
 def worth(value: ast.Worth) -> str:

@@ -74,7 +74,7 @@ ONE_PIN = "friction pin {point} {coefficient} diameter {diameter}[ {law}][ on {l
 
 QUOTED = frozenset({"title", "text", "label", "about", "source", "en", "uk", "ru"})
 
-TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw)
+TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw, ast.Rope)
 FRICTIONS = (
     *(ast.PinFriction, ast.GuideFriction, ast.RollerFriction, ast.ContactFriction),
     *(ast.GearFriction, ast.BeltFriction, ast.RackFriction, ast.ScrewFriction, ast.CollarFriction),
@@ -157,6 +157,8 @@ def line(statement: ast.Statement) -> str:
             return f"find {text.result(statement)}"
         case ast.Reported():
             return f"report {text.reported(statement)}"
+        case ast.Rope(start=start, falls=falls):
+            return f"rope {text.route(start, falls)}"
         case ast.Require():
             return f"require {text.condition(statement)}"
         case ast.Expect():

@@ -205,6 +205,8 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return f"[{text.end(first, first_link)}, {text.end(second, second_link)}]"
         case Kind.RIM, [radius, link]:
             return scalar(text.rim(radius, link), flow)
+        case Kind.ROUTE, [start, falls]:
+            return scalar(text.route(start, falls), flow)
         case Kind.SHARED, [points]:
             return f"[{', '.join(point.text for point in points)}]"
         case Kind.RESULT, [target, name, on]:

@@ -145,6 +145,16 @@ def belt(
     return ast.Belt(NOWHERE, first, radius, second, second_radius, is_crossed, link, second_link)
 
 
+def route(start: ast.Name, *falls: ast.Fall) -> tuple[ast.Name, tuple[ast.Fall, ...]]:
+    """Return where a rope begins, and its falls."""
+    return start, falls
+
+
+def rope(route: tuple[ast.Name, tuple[ast.Fall, ...]]) -> ast.Rope:
+    """Return ``rope A, K along -y, B along y``."""
+    return ast.Rope(NOWHERE, *route)
+
+
 def assembly(points: ast.Name, mode: Token) -> ast.Assembly:
     """Return ``assembly ABC ccw``."""
     return ast.Assembly(NOWHERE, points, cast(Any, str(mode)))
@@ -380,6 +390,7 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "slot": slot,
     "gear": gear,
     "belt": belt,
+    "rope": rope,
     "assembly": assembly,
     "mirror": mirror,
     "copies": copies,
@@ -424,6 +435,8 @@ PARTS: Mapping[str, Made] = {
     "shared": tupled,
     "end": tupled,
     "rim": tupled,
+    "route": route,
+    "fall": tupled,
     "carrier": carrier,
     "name": name,
     "dimension": dimension,

@@ -24,6 +24,7 @@ WRITTEN: Final = {
     "contact": "contact A on WX normal 80 deg",
     "belt": "belt O1 20 mm, O2 30 mm",
     "screw": "screw A pitch 5 mm on OB",
+    "rope": "rope A, K along -y, B along y",
     "angle": "angle ABC = 30 deg",
     "assembly": "assembly ABC ccw",
     "mirror": "mirror across 90 deg sharing K",

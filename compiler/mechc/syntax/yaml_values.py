@@ -207,6 +207,12 @@ def condition(node: Node, source: Source) -> Fields:
     return operands, operators
 
 
+def route(node: Node, source: Source) -> Fields:
+    """Read ``A, K along -y, B along y``."""
+    start, falls = parsed("route", "the points of a rope such as A, K, B", node, source)
+    return start, falls
+
+
 def expectation(node: Node, source: Source) -> Fields:
     """Read ``k = 7.1 at alpha = 35 deg``."""
     found = parsed("expectation", "an expectation such as k = 7.1", node, source)
@@ -335,6 +341,7 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.PIN: pin,
     Kind.PAIR: pair,
     Kind.RIM: rim,
+    Kind.ROUTE: route,
     Kind.SHARED: shared,
     Kind.EXPRESSION: expression,
     Kind.DIRECTION: direction,

@@ -233,6 +233,32 @@ def slide_does_not_turn(at: Span, slide: str, first: Span) -> Message:
     )
 
 
+@coded("E341")
+def rope_with_drive(at: Span, drive: Span) -> Message:
+    """A rope stands in a mechanism that has a drive.
+
+    The length of a rope is not given, so that where the points that it leads are does not
+    follow from the drive. Forces and ratios of velocities need no drive::
+
+        drive phi from 10 deg to 80 deg
+        rope A, K along -y, B along y, H along -y     # wrong: leave the drive out
+    """
+    related = (Related(drive, "the drive"),)
+    message = "a rope leads points whose places do not follow from the drive"
+    return Message(at, message, "leave the drive out and describe one pose", related)
+
+
+@coded("E342")
+def fall_to_itself(at: Span, point: str) -> Message:
+    """A fall of a rope ends at the point that it begins at.
+
+    rope A, A along y, B along -y     # wrong
+    rope A, B along -y                # right
+    """
+    message = f"a fall of the rope leads from {point} to itself, expected another point"
+    return Message(at, message, f"name {point} once")
+
+
 @coded("W241")
 def guided_twice(at: Span, slide: str, point: str) -> Message:
     """A point of a slide is a slider as well.

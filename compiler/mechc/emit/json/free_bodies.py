@@ -7,7 +7,7 @@ from .figure import PLANE
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
 
 KINDS = (
-    *("load", "pin", "ground", "guide", "slot", "contact", "gear", "belt", "rack", "screw"),
+    *("load", "pin", "ground", "guide", "slot", "contact", "gear", "belt", "rack", "screw", "rope"),
     "friction",
 )
 

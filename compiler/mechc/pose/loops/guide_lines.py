@@ -14,6 +14,7 @@ from ...model.mechanism import (
     Mechanism,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -53,7 +54,7 @@ def guide_lines(mechanism: Mechanism, directions: Directions) -> Iterator[GuideL
                 angle, start = directions.resolve(along, f"theta_{pin}"), through
             case Slot(pin, _, start, head, span):
                 angle = directions.of(start, head)
-            case Pivot() | Contact() | WheelPair() | Rack() | Screw():
+            case Pivot() | Contact() | WheelPair() | Rack() | Screw() | Rope():
                 continue
             case _:
                 assert_never(joint)

@@ -171,6 +171,8 @@ class _Writer:
                 return Rule(relation.rule.value), relation.points
             case Law.SCREW:
                 return Rule.SCREW, (relation.link, *relation.points)
+            case Law.ROPE:
+                return Rule.ROPE, relation.points
             case Law.HELD:
                 raise ValueError("only a released joint is held, and no step of a motion")
             case _:

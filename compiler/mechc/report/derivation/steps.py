@@ -55,6 +55,8 @@ class Rule(StrEnum):
     """A rack that moves with the rim of its gear."""
     SCREW = "screw"
     """A nut that moves by the pitch for each turn."""
+    ROPE = "rope"
+    """A rope that keeps its length."""
     PARTING = "parting"
     """The rate at which the distance of two points grows."""
     COMPONENT = "component"

@@ -52,6 +52,7 @@ LOCALE = Locale(
         "arm": "the link {link} carries the centres of the wheels on {points}",
         "rack": "the rack at {point} meshes with the gear on {pivot} (radius {radius})",
         "screw": "the screw {link} moves {point} by {pitch} for each turn",
+        "rope": "a rope runs through {points}, over a pulley at each point between its ends",
         "on link": "{point} on the link {link}",
         "actuator": "the actuator {load} pushes {first} and {second} apart",
         "spring": "the spring {load} acts between {first} and {second}",
@@ -129,6 +130,8 @@ LOCALE = Locale(
         "wheels have equal speeds.",
         "rack": "The rack {rest} moves with the pitch circle of the gear on {first}.",
         "screw": "The screw moves {rest} by its pitch for each turn.",
+        "rope": "The rope through {all} keeps its length: what its falls gain and lose adds "
+        "up to zero.",
         "parting": "Rate of the distance between {all}: the difference of their velocities"
         " along the line through them.",
         "component": "Component of the velocity of {first} in the direction of the load {rest}.",

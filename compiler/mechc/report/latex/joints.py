@@ -11,6 +11,7 @@ from ...model.mechanism import (
     Mechanism,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -74,6 +75,8 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
             yield say["screw"].format(
                 link=body, point=on, pitch=math(length_of(size, locale, style))
             )
+        case Rope(route):
+            yield say["rope"].format(points=", ".join(math(points(point)) for point in route))
         case _:
             assert_never(joint)
 
