@@ -16,6 +16,7 @@ def read_ropes(file: ast.File, scope: Scope) -> Iterator[Rope]:
     for statement in every(file, ast.Rope):
         rope = _rope(statement, scope)
         if rope:
+            _warn_of_friction(rope, file, scope)
             yield rope
         for drive in every(file, ast.Drive):
             scope.report.add(messages.rope_with_drive(statement.span, drive.span))
@@ -32,6 +33,15 @@ def _rope(statement: ast.Rope, scope: Scope) -> Rope | None:
             scope.report.add(messages.fall_to_itself(name.span, head))
             return None
     return Rope(tuple(route), tuple(way for way in ways if way), statement.span)
+
+
+def _warn_of_friction(rope: Rope, file: ast.File, scope: Scope) -> None:
+    """Warn of friction that is given for pins on which pulleys turn."""
+    axles = list(dict.fromkeys(rope.route[1:-1]))
+    for friction in every(file, ast.PinFriction):
+        meant = [p for p in axles if friction.point is None or p == friction.point.text]
+        if meant:
+            scope.report.add(messages.pulleys_without_friction(friction.span, meant))
 
 
 def _falls(statement: ast.Rope) -> Iterator[tuple[ast.Name, ast.Fall]]:

@@ -1,7 +1,10 @@
 """Messages for links, joints and geometry (E24x)."""
 
+from collections.abc import Sequence
+
 from ...source import Span
 from ..diagnostic import Message, Related, coded
+from ..syntax import listed
 
 
 @coded("E240")
@@ -257,6 +260,23 @@ def fall_to_itself(at: Span, point: str) -> Message:
     """
     message = f"a fall of the rope leads from {point} to itself, expected another point"
     return Message(at, message, f"name {point} once")
+
+
+@coded("W207")
+def pulleys_without_friction(at: Span, axles: Sequence[str]) -> Message:
+    """Friction is given for pins on which the pulleys of a rope turn, and is not counted there.
+
+    A rope has one tension in all its falls, so that its pulleys turn without resistance. Links
+    on the same pins have their friction::
+
+        rope A, K along -y, B along y, H along -y
+        friction pins 0.1 diameter 20 mm          # not of the pulleys on K and B
+    """
+    return Message(
+        at,
+        f"the friction of pins leaves out the pulleys on {listed(axles, 'and')}",
+        "results with friction are then those of links and guides alone",
+    )
 
 
 @coded("W241")
