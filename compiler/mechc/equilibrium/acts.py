@@ -14,6 +14,7 @@ from ..model.mechanism import (
     ForcePair,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slider,
     Slot,
@@ -93,7 +94,7 @@ def bent(pose: Pose) -> Iterator[str]:
                 yield from joint.bodies
             case Slot(guided=guided):
                 yield guided
-            case Pivot() | Slider() | Contact():
+            case Pivot() | Slider() | Contact() | Rope():
                 pass
             case _:
                 assert_never(joint)

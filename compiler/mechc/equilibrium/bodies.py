@@ -8,6 +8,7 @@ there are such parts.
 """
 
 from collections.abc import Iterable, Iterator, Mapping
+from itertools import pairwise
 from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle, rational
@@ -23,6 +24,7 @@ from ..model.mechanism import (
     Load,
     Pivot,
     Rack,
+    Rope,
     Screw,
     Slide,
     Slider,
@@ -161,6 +163,8 @@ class _Cutting:
                 lead = self._pose.radii[pitch] / to_product(PI).scaled(2)
                 self._on_pin(name, point, self._guide(point), self._points(link))
                 self._couple(name, link, -lead)
+            case Rope():
+                self._rope(joint)
             case Slot(point=point, link=link, guided=guided) if guided:
                 name = self._force("couple", (f"M_{point}",), (guided, link))
                 self._couple(name, guided, ONE)
@@ -187,6 +191,13 @@ class _Cutting:
         self._on_pin(name, rack.point, along, self._points(rack.link))
         at = (*self._pose.frames[rack.link][rack.pivot], down)
         self._on_body(name, rack.link, along, at, Product(-1))
+
+    def _rope(self, rope: Rope) -> None:
+        """Let one tension draw the ends of each fall together."""
+        name = self._force("rope", (f"S_{rope.route[0]}",), rope.route[:1])
+        for (tail, head), way in zip(pairwise(rope.route), self._pose.falls[rope.id], strict=True):
+            self._on_pin(name, tail, way, rope.points)
+            self._on_pin(name, head, way, rope.points, Product(-1))
 
     def _load(self, load: Load) -> None:
         """Let a load act, under the name of the one that it is tied to."""

@@ -12,7 +12,7 @@ from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..frozen import frozen
 
-Kind = Literal["rod", "pivot", "pin", "guide", "touch", "rim", "rack", "thread", "couple"]
+Kind = Literal["rod", "pivot", "pin", "guide", "touch", "rim", "rack", "thread", "rope", "couple"]
 """What passes a force on. A ``couple`` is that of a link in a slot that turns with it."""
 
 Terms = Mapping[str, Product]

@@ -29,6 +29,7 @@ _FORCES: Mapping[str, tuple[SentenceKind, Places]] = {
     "rim": (SentenceKind.FORCE_OF_RIM, ("first", "rest")),
     "rack": (SentenceKind.FORCE_OF_RACK, ("pivot", "point")),
     "thread": (SentenceKind.FORCE_OF_THREAD, ("link", "point")),
+    "rope": (SentenceKind.FORCE_OF_ROPE, ("first",)),
     "couple": (SentenceKind.COUPLE_IN_SLOT, ("link", "rest")),
 }
 """The sentence that says what a force is, and the places of its names in it."""

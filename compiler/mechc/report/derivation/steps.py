@@ -214,6 +214,8 @@ class SentenceKind(StrEnum):
     """What the force between a wheel and a rack is called."""
     FORCE_OF_THREAD = "force of thread"
     """What the force of a screw on its nut is called."""
+    FORCE_OF_ROPE = "force of rope"
+    """What the tension of a rope is called."""
     COUPLE_IN_SLOT = "couple in slot"
     """What the couple between a link in a slot and the one that has it is called."""
     FORCES_ALONG = "forces along"

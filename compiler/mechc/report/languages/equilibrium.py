@@ -20,6 +20,7 @@ ENGLISH = {
     "in the direction of the guide.",
     "force of thread": "{force} is the axial force of the screw {link} on {point}, positive in the "
     "direction of the guide.",
+    "force of rope": "{force} is the tension of the rope from {first}.",
     "couple in slot": "{force} is the couple of {rest} on {link}, positive counter-clockwise.",
     "forces along": "Forces on {link} in the direction {direction}:",
     "forces across": "Forces on {link} perpendicular to the rod {rod}:",
@@ -48,6 +49,7 @@ UKRAINIAN = {
     "додатна за напрямом напрямної.",
     "force of thread": "{force} — осьова сила, з якою гвинт {link} діє на {point}, додатна за "
     "напрямом напрямної.",
+    "force of rope": "{force} — натяг каната, що йде від {first}.",
     "couple in slot": "{force} — момент, з яким {rest} діє на {link}, додатний проти "
     "годинникової стрілки.",
     "forces along": "Рівняння рівноваги ланки {link} у проєкції на напрям {direction}:",
@@ -80,6 +82,7 @@ RUSSIAN = {
     "{point}, положительная по направлению направляющей.",
     "force of thread": "{force} — осевая сила, с которой винт {link} действует на {point}, "
     "положительная по направлению направляющей.",
+    "force of rope": "{force} — натяжение каната, идущего от {first}.",
     "couple in slot": "{force} — момент, с которым {rest} действует на {link}, положительный "
     "против часовой стрелки.",
     "forces along": "Уравнение равновесия звена {link} в проекции на направление {direction}:",
