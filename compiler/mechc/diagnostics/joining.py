@@ -149,7 +149,9 @@ def only_of_a_whole(span: Span, found: Span) -> Message:
 
 @coded("E579")
 def guides_differ(span: Span, point: str, other: Span) -> Message:
-    """Both mechanisms guide a joined point, along different lines.
+    """Both mechanisms guide a joined point, in directions that are not written alike.
+
+    The direction of a guide says which way is forward, so that x and -x are two.
 
     The guide of this file holds, and that of what is used stays behind where they are the same::
 
@@ -157,7 +159,9 @@ def guides_differ(span: Span, point: str, other: Span) -> Message:
         use "press.mech" as T joining T.K = B      # slider K along y: wrong
     """
     related = (Related(other, "what is used guides it here"),)
-    return Message(span, f"{point} is guided along two lines", "turn one of them", related)
+    return Message(
+        span, f"the guides of {point} are directed differently", "turn one of them", related
+    )
 
 
 @coded("E909")

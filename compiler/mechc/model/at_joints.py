@@ -5,6 +5,7 @@ from collections.abc import Iterable, Iterator, Mapping
 from ..diagnostics import Report
 from ..diagnostics import joining as messages
 from ..syntax import ast
+from .framed import angle_of
 
 FRICTIONS = (ast.PinFriction, ast.GuideFriction, ast.RollerFriction)
 """Friction of which a point has one of a kind."""
@@ -45,7 +46,7 @@ class AtJoints:
                     yield there
             case ast.Slider(point=point), ast.Slider(point=name) if name.text in self._guides:
                 own = self._guides[name.text]
-                if own.along != there.along:
+                if _angle(own.along) != _angle(there.along):
                     report.add(messages.guides_differ(own.span, name.text, statement.span))
             case _ if isinstance(there, FRICTIONS) and self._is_said(there):
                 pass
@@ -58,3 +59,7 @@ class AtJoints:
 
     def _is_joined(self, point: ast.Name) -> bool:
         return point.text in self._joined
+
+
+def _angle(towards: ast.Direction) -> ast.Direction:
+    return angle_of(towards) if isinstance(towards, ast.Axis) else towards

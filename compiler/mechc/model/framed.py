@@ -69,9 +69,9 @@ class Frame(NamedTuple):
             return towards
         if not isinstance(towards, ast.Axis):
             return plus(towards, self.turned)
-        quarters = AXES.index((towards.axis, towards.sign))
         if (more := _quarters(self.turned)) is None:
-            return plus(number(Fraction(quarters * QUARTER), "deg", towards.span), self.turned)
+            return plus(angle_of(towards), self.turned)
+        quarters = AXES.index((towards.axis, towards.sign))
         axis, sign = AXES[(quarters + more) % len(AXES)]
         return ast.Axis("x" if axis == "x" else "y", sign, towards.span)
 
@@ -114,6 +114,12 @@ def same(one: ast.Cartesian, other: ast.Cartesian) -> bool:
         if difference is not None and difference[0] != 0:
             return False
     return True
+
+
+def angle_of(axis: ast.Axis) -> ast.Expr:
+    """Return the angle of an axis: y is 90 deg."""
+    quarters = AXES.index((axis.axis, axis.sign))
+    return number(Fraction(quarters * QUARTER), "deg", axis.span)
 
 
 def plus(one: ast.Expr, other: ast.Expr) -> ast.Expr:

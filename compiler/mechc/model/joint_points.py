@@ -52,10 +52,13 @@ class Joining(NamedTuple):
 
     @property
     def freed(self) -> set[str]:
-        """The parameters whose values stay behind: of a drive, and those that are named."""
+        """The parameters whose values stay behind: of what moves it, and those that are named.
+
+        Where it has several drives the first one moves it, and the others keep their values.
+        """
         found = {name.text for name in self.use.without}
         if self.whole.is_driven:
-            found |= {s.name.text for s in self.own if isinstance(s, ast.Drive)}
+            found |= set([s.name.text for s in self.own if isinstance(s, ast.Drive)][:1])
         return found - {name.text for name, _ in self.use.given}
 
 

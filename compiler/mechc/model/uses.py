@@ -7,7 +7,7 @@ mechanisms that it is joined to: these become parts of it (:mod:`.joining`).
 """
 
 import re
-from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
@@ -51,7 +51,6 @@ class Composed(NamedTuple):
 
     file: ast.File
     solved: Solved = Solved()
-    parts: Mapping[str, Part] = {}
 
 
 def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) -> Composed:
@@ -99,7 +98,7 @@ class _Composing:
         for at, found in reversed(brought):
             statements[at:at] = found
         file = replace(self._file, statements=tuple(statements))
-        return Composed(file, self._solved, self._parts)
+        return Composed(file, self._solved)
 
     def _brought(self, use: ast.Use) -> Sequence[ast.Statement] | None:
         """Return what a line brings in; None where something is wrong, which is reported."""
