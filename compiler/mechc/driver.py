@@ -167,8 +167,10 @@ class Compilation:
     def mechanism(self) -> Mechanism:
         """Names resolved, quantities in SI, dimensions checked."""
         found = self._sound(resolve(self.composed, self.report))
-        literals = self._with_used.solved.literals
-        return replace(found, literals=(*found.literals, *literals)) if literals else found
+        literals, parts = self._with_used.solved.literals, self._with_used.parts
+        if not literals and not parts:
+            return found
+        return replace(found, literals=(*found.literals, *literals), subassemblies=parts)
 
     @Stage
     def pose(self) -> Pose:

@@ -11,6 +11,9 @@ from mechc import files
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
 from mechc.driver import Compilation
+from mechc.report.languages.registry import locale
+from mechc.report.latex.given import scheme
+from mechc.report.latex.notation import notation
 from paths import ROOT
 
 TOGGLE = """
@@ -169,6 +172,19 @@ def test_it_is_the_mechanism_written_by_hand() -> None:
     joined, hand = mechc.load(path), mechc.loads(PRESS)
     assert joined.k == hand.k
     assert_same(joined, hand)
+
+
+@pytest.mark.parametrize(
+    ("language", "said"),
+    [
+        ("en", "$T$ is the mechanism toggle; its points $C$, $K$ and $B$ are $C_{1}$, $K_{1}$ and"),
+        ("uk", "$T$ — механізм toggle; його точки $C$, $K$ та $B$ тут позначено $C_{1}$"),
+        ("ru", "$T$ — механизм toggle; его точки $C$, $K$ и $B$ здесь обозначены $C_{1}$"),
+    ],
+)
+def test_a_report_says_what_parts_are(language: str, said: str) -> None:
+    mechanism = Compilation(files.read(ROOT / "examples" / "press" / "press.mech")).mechanism
+    assert said in scheme(mechanism, locale(language), notation(language))[0]
 
 
 @pytest.mark.slow

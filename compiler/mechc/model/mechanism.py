@@ -280,14 +280,26 @@ class Reported(NamedTuple):
 
 
 @frozen
+class Subassembly:
+    """A mechanism that is a part of this one: its name, its prefix, and its points.
+
+    ``points`` are pairs of a point's name there and here.
+    """
+
+    prefix: str
+    name: str
+    points: tuple[tuple[str, str], ...]
+
+
+@frozen
 class Mechanism:
     """A whole description, resolved and checked.
 
     ``literals`` are the lengths that it gives by numbers, each once, under names that it does
     not use: formulas have a :class:`~..formula.tree.Constant` for each. ``held`` are the drives
     that stay at their values while ``drive`` moves. ``reported`` is what a report holds, all where
-    nothing says so. A calculation sheet may have results
-    ``taken`` from mechanisms that it uses.
+    nothing says so. A calculation sheet may have results ``taken`` from mechanisms that it uses;
+    ``subassemblies`` are mechanisms that are parts of it.
     """
 
     name: str
@@ -318,6 +330,7 @@ class Mechanism:
     translations: Mapping[str, Mapping[str, str]] = MappingProxyType({})
     """By language, what texts of the description are in it."""
     taken: tuple[Taken, ...] = ()
+    subassemblies: tuple[Subassembly, ...] = ()
     spans: Mapping[str, Span] = MappingProxyType({})
     """Where each point was first named."""
 

@@ -23,6 +23,7 @@ from .brought import Used, brought_in, declared, without_given
 from .forms import FORMS, form_of
 from .joining import part_of
 from .joint_points import Part, Whole, points_of_parts, structural
+from .mechanism import Subassembly
 from .part_names import Names, spelled_out
 from .renamed import renamed
 from .result import Solved
@@ -51,6 +52,7 @@ class Composed(NamedTuple):
 
     file: ast.File
     solved: Solved = Solved()
+    parts: tuple[Subassembly, ...] = ()
 
 
 def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) -> Composed:
@@ -98,7 +100,11 @@ class _Composing:
         for at, found in reversed(brought):
             statements[at:at] = found
         file = replace(self._file, statements=tuple(statements))
-        return Composed(file, self._solved)
+        parts = tuple(
+            Subassembly(prefix, part.used.mechanism.name, tuple(part.points.items()))
+            for prefix, part in self._parts.items()
+        )
+        return Composed(file, self._solved, parts)
 
     def _brought(self, use: ast.Use) -> Sequence[ast.Statement] | None:
         """Return what a line brings in; None where something is wrong, which is reported."""

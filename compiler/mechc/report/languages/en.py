@@ -32,6 +32,7 @@ LOCALE = Locale(
     "one half is described, both halves share {points}",
     copies="the mechanism has {number} identical branches that share {points}",
     joints={
+        "part": "{part} is the mechanism {name}; its points {there} are {here} here",
         "slide": "the body {body} only translates, in the direction {direction}",
         "telescope": "telescopic links: {links}",
         "slot": "the pin {point} slides along the line {line} of {body}",

@@ -34,6 +34,7 @@ LOCALE = Locale(
     "половину, спільні точки: {points}",
     copies="механізм має однакові вітки, їх кількість {number}, спільні точки: {points}",
     joints={
+        "part": "{part} — механізм {name}; його точки {there} тут позначено {here}",
         "slide": "тіло {body} рухається поступально в напрямі {direction}",
         "telescope": "телескопічні ланки: {links}",
         "slot": "палець {point} ковзає вздовж прямої {line} ланки {body}",

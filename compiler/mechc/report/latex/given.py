@@ -33,6 +33,7 @@ from .joints import joint_sentences
 from .notation import Notation, name, points, translated
 from .printer import latex
 from .quantity import length_of, quantity, usual_unit
+from .text import escape
 from .unit_symbols import unit_symbol
 
 
@@ -151,13 +152,22 @@ def _vector(tail: str, head: str) -> str:
 
 def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, ...]:
     """Return the mechanism in sentences: joints, links, loads, symmetry."""
-    sentences = [*_joints(mechanism, locale, style), *_links(mechanism, locale)]
+    sentences = [*_parts(mechanism, locale, style), *_joints(mechanism, locale, style)]
+    sentences += _links(mechanism, locale)
     sentences += joint_sentences(mechanism, locale, style)
     links = {link.name for link in mechanism.links}
     sentences += (_load(load, links, locale, style) for load in mechanism.loads)
     sentences += friction_sentences(mechanism, locale, style)
     sentences += _symmetry(mechanism, locale, style)
     return tuple(f"{s[0].upper()}{s[1:]}." for s in dict.fromkeys(sentences))
+
+
+def _parts(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield what each mechanism is that this one is joined of, and what its points are here."""
+    for part in mechanism.subassemblies:
+        there, here = (_listed(names, locale) for names in zip(*part.points, strict=True))
+        symbol, title = math(name(part.prefix, style)), escape(part.name)
+        yield locale.joints["part"].format(part=symbol, name=title, there=there, here=here)
 
 
 def _joints(mechanism: Mechanism, locale: Locale, style: Notation) -> list[str]:
