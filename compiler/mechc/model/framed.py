@@ -52,7 +52,7 @@ class Frame(NamedTuple):
             case ast.Vector(value=ast.Polar(direction=towards) as value) if towards is not None:
                 turned = replace(value, direction=self.direction(towards))
                 return replace(statement, value=turned)
-            case ast.Drive(name=name, low=low, high=high) if points_of(name.text):
+            case ast.Drive(name=name, low=low, high=high) if len(points_of(name.text)) == 2:
                 return replace(statement, low=self._angle(low), high=self._angle(high))
         return statement
 

@@ -15,7 +15,7 @@ from ..diagnostics import joining as messages
 from ..frozen import replace
 from ..syntax import ast
 from ..syntax.moved import moved
-from . import put_in
+from ..units import DIMENSIONS
 from .at_joints import AtJoints
 from .brought import Used, declared, given_to, labels, parameter, translated, with_origin
 from .carriers import is_held
@@ -167,8 +167,9 @@ def _parameter(
     One that a loop gives has no value, one that is given a number has that.
     """
     known, value = joining.used.parameters[name], given.get(name)
-    measures = ast.Name(put_in.name_of(known.dimension), there.span)
-    if value and literal(value):
+    word = next((w for w, kind in DIMENSIONS.items() if kind == known.dimension), None)
+    measures = ast.Name(word, there.span) if word else None
+    if value and word and literal(value):
         return replace(there, value=value, tolerance=None, dimension=measures)
     if name not in joining.freed:
         return parameter(there, known, value, joining.use)

@@ -45,13 +45,13 @@ def renamed(node: T, names: Names, field: str = "") -> T:
             changed = names.points(changed)
         case ast.Symbol():
             changed = names.symbol(changed)
-        case ast.Drive(name=name) if points_of(name.text):
-            changed = replace(changed, name=names.points(name))
         case tuple() if type(changed) is tuple:
             changed = tuple(renamed(part, names, field) for part in changed)
         case _ if not isinstance(changed, ast.Name | Span) and (own := fields(type(changed))):
             parts = {f.name: renamed(getattr(changed, f.name), names, f.name) for f in own}
             changed = replace(changed, **parts)
+            if isinstance(node, ast.Drive) and len(points_of(node.name.text)) == 2:
+                changed = replace(changed, name=names.points(node.name))
     return changed  # type: ignore[no-any-return]
 
 

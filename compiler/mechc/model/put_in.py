@@ -55,12 +55,11 @@ def load(known: Load, use: ast.Use) -> ast.Param:
     return ast.Param(
         known.span,
         ast.Name(known.name, use.prefix.span),
-        dimension=ast.Name(name_of(known.dimension), known.span),
+        dimension=ast.Name(_dimension(known.dimension), known.span),
     )
 
 
-def name_of(dimension: Dimension) -> str:
-    """Return the word for a dimension."""
+def _dimension(dimension: Dimension) -> str:
     return next(name for name, known in DIMENSIONS.items() if known == dimension)
 
 
