@@ -12,7 +12,8 @@ from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent, own_unit, usual_length
 from ..study.analysis import Analysis
-from ..units import ANGLE, LENGTH, NUMBER, Dimension, si_unit, size_of
+from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, si_unit, size_of
+from .homogeneous import is_homogeneous
 from .put_in import Quantity, put_in
 from .sections import Outline
 from .sentences.remarks import asked
@@ -108,10 +109,21 @@ def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> For
         return None
     if any(isinstance(part, Implicit) for part in walk(formula)):
         return None
+    if _hides_units(formula, {name: given[name] for name in names}):
+        return None
     units = {given[n].unit for n in names} - {"deg"}
     if bare and len(units) == 1:
         return put_in(_as_symbols(formula), {n: _bare(q) for n, q in given.items()})
     return put_in(_as_symbols(formula), given)
+
+
+def _hides_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
+    """Return whether a number of the formula has a unit: others must not be put in beside it."""
+    units = {name: UNITS.get(q.unit) for name, q in given.items()}
+    dimensions = {name: unit.dimension if unit else NUMBER for name, unit in units.items()}
+    known = all(units[name] for name, q in given.items() if q.unit)
+    values = {name: q.value for name, q in given.items()}
+    return known and not is_homogeneous(formula, values, dimensions)
 
 
 def _bare(quantity: Quantity) -> Quantity:

@@ -1,0 +1,48 @@
+"""No other units are put in beside a number that stands for some of its own."""
+
+import pytest
+
+from mechc.driver import compile_source
+from mechc.formula.tree import Call, Symbol, number, product, quotient, total
+from mechc.report.homogeneous import is_homogeneous
+from mechc.report.text.derivation import render
+from mechc.source import Source
+from mechc.units import FORCE, LENGTH, NUMBER
+
+A, B, P, ALPHA = (Symbol(name) for name in ("a", "b", "P", "alpha"))
+VALUES = {"a": 0.3, "b": 0.2, "P": 500.0, "alpha": 0.4}
+DIMENSIONS = {"a": LENGTH, "b": LENGTH, "P": FORCE, "alpha": NUMBER}
+
+LEVER = """
+    param w = 38 mm
+    pivot O at (0 mm, 0 mm)
+    link OAB
+    A at (w - 8 mm, 20 mm)
+    B at (w, 70 mm)
+    force P at A along y
+    force F at B along -x
+    find k = P/F
+"""
+
+
+@pytest.mark.parametrize(
+    ("formula", "same"),
+    [
+        (quotient(product([(A, 1), (P, 1)]), B), True),
+        (Call("hypot", (A, B)), True),
+        (Call("atan2", (A, B)), True),
+        (product([(number(3), 1), (Call("cos", (ALPHA,)), 1)]), True),
+        (total([A, number(-8)]), False),
+        (Call("atan2", (total([A, number(1)]), B)), False),
+        (product([(number(625), 1), (P, 1)]), True),
+    ],
+)
+def test_a_formula_that_means_the_same_in_all_units(formula, same):
+    assert is_homogeneous(formula, VALUES, DIMENSIONS) == same
+
+
+def test_numbers_are_not_put_in_beside_numbers_of_other_units():
+    compilation = compile_source(Source("lever.mech", LEVER))
+    note = render(compilation.derivation, compilation.mechanism)
+    lines = [line for line in note.splitlines() if "38 mm" in line]
+    assert [line.strip() for line in lines] == ["w = 38 mm"]
