@@ -35,7 +35,7 @@ def remark(plan: Plan, report: Report) -> tuple[Link, ...]:
 def out_of_step(plan: Plan) -> tuple[Link, ...]:
     """Return the links that do not follow the drive at its default, whether it matters or not."""
     found = at_default(plan)
-    return tuple(_out_of_step(plan, *found)) if found else ()
+    return tuple(links_astray(plan, *found)) if found else ()
 
 
 def at_default(plan: Plan) -> tuple[Along, float] | None:
@@ -52,7 +52,8 @@ def at_default(plan: Plan) -> tuple[Along, float] | None:
     return (along, place) if stands else None
 
 
-def _out_of_step(plan: Plan, along: Along, place: float) -> Iterator[Link]:
+def links_astray(plan: Plan, along: Along, place: float) -> Iterator[Link]:
+    """Yield the links that do not follow the drive at a place of it."""
     pose = plan.graph.pose
     drawn = {link.name: _turning(pose, link, along, place) for link in pose.mechanism.links}
     demanded, doubled = (_demanded(plan, along.values(place), size) for size in (1.0, 2.0))

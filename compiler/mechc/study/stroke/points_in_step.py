@@ -1,16 +1,17 @@
 """Whether points stand where the drive takes them: only then is their place a path."""
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Collection, Iterator, Mapping
 
 from ...algebra.angle import Angle
 from ...kinematics.plan import Plan
+from ...model.mechanism import Link
 from ...model.values import Chain, Values
 from ...pose.paths import paths
 from ...pose.pose import Vector, evaluate_vector
 from ..tolerances import DIFFERENCE, SAME_RATE
 from .along import Along
-from .in_step import at_default, out_of_step
+from .in_step import at_default, links_astray
 
 Velocities = Mapping[str, complex]
 """How fast points move, x and y as a complex number."""
@@ -22,16 +23,17 @@ def astray(plan: Plan) -> frozenset[str]:
     A rack drawn in one place stays there, whatever the gear does. Where the drive does not
     move all by itself, everything is where it is said to be.
     """
-    links = out_of_step(plan)
     found = at_default(plan)
-    points = _points(plan, *found) if found else ()
-    return frozenset((*(link.name for link in links), *points))
+    if found is None:
+        return frozenset()
+    links = tuple(links_astray(plan, *found))
+    return frozenset((*(link.name for link in links), *_points(plan, links, *found)))
 
 
-def _points(plan: Plan, along: Along, place: float) -> Iterator[str]:
+def _points(plan: Plan, lost: Collection[Link], along: Along, place: float) -> Iterator[str]:
     """Yield the points whose places do not change as the joints demand."""
     pose = plan.graph.pose
-    places = paths(pose, out_of_step(plan))
+    places = paths(pose, lost)
     closing = Chain(dict(pose.closing))
     before, here, after = (
         closing.complete(along.values(place + step)) for step in (-DIFFERENCE, 0, DIFFERENCE)
