@@ -66,7 +66,7 @@ def _turning_together(slot: Slot, spins: Spins) -> Relation:
     form = {spins[slot.guided]: ONE}
     if slot.link in spins:
         form[spins[slot.link]] = Product(-1)
-    return Relation(Rule.TURNING, slot.guided, (slot.point,), Angle(), form, slot.span)
+    return Relation(Rule.TURNING, slot.guided, (slot.point,), Angle(), form, slot.span, slot.id)
 
 
 def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
@@ -74,21 +74,22 @@ def _mesh(mesh: WheelPair, pose: Pose, spins: Spins) -> Relation:
     sizes = (mesh.first_link, first), (mesh.second_link, second), (mesh.arm, -add((first, second)))
     form = {spins[link]: size for link, size in sizes if link and size}
     rule = Rule.GEAR if mesh.kind == "gear" else Rule.BELT
-    return Relation(rule, mesh.bodies[0], mesh.points, Angle(), form, mesh.span)
+    return Relation(rule, mesh.bodies[0], mesh.points, Angle(), form, mesh.span, mesh.id)
 
 
 def _rack(rack: Rack, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
     along = _guide(rack.point, pose)
     form = _driven(rack.point, spins[rack.link], pose.radii[rack.radius], pose, velocities)
     form = subtract(form, projection(velocities[rack.pivot], along))
-    return Relation(Rule.RACK, rack.link, (rack.pivot, rack.point), along, form, rack.span)
+    points = (rack.pivot, rack.point)
+    return Relation(Rule.RACK, rack.link, points, along, form, rack.span, rack.id)
 
 
 def _screw(screw: Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Relation:
     lead = pose.radii[screw.pitch] / to_product(PI).scaled(2)
     form = _driven(screw.point, spins[screw.link], lead, pose, velocities)
     along = _guide(screw.point, pose)
-    return Relation(Rule.SCREW, screw.link, (screw.point,), along, form, screw.span)
+    return Relation(Rule.SCREW, screw.link, (screw.point,), along, form, screw.span, screw.id)
 
 
 def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:

@@ -88,7 +88,8 @@ class Rule(StrEnum):
 class Relation(NamedTuple):
     """``Σ form[u] · u = 0``, from a rule applied to points of a link.
 
-    ``along`` is the direction on which velocities were projected.
+    ``along`` is the direction on which velocities were projected, ``joint`` the ``id`` of the
+    wheels, the rack, the screw or the guided slot that demands it.
     """
 
     rule: Rule
@@ -97,6 +98,7 @@ class Relation(NamedTuple):
     along: Angle
     form: Form
     span: Span
+    joint: str = ""
 
 
 @frozen

@@ -186,7 +186,7 @@ class _Writer:
 
     def _joint_of(self, relation: Relation) -> Joint:
         """Return the joint that demands a relation."""
-        return next(j for j in self._graph.pose.mechanism.joints if j.span == relation.span)
+        return self._graph.pose.mechanism.joint(relation.joint)
 
     # ------------------------------------------------------------------------- levers
 
