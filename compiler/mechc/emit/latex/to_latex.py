@@ -133,12 +133,11 @@ TARGET = Latex()
 
 def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options) -> str:
     """Return the report of a mechanism, or the calculation note of a sheet."""
+    derivation = compiled.by_equilibrium if options.by == "equilibrium" else compiled.reported
     if is_sheet(compiled.mechanism):
         note = note_report(compiled, locale, style, options.fragment)
         return render("latex/note.jinja", note)
     style = style_of(compiled.mechanism, compiled.derivation.results, style)
-    by_bodies = options.by == "equilibrium"
-    derivation = compiled.by_equilibrium if by_bodies else compiled.reported
     derivation = chosen(derivation, compiled.mechanism)
     if options.brief:
         in_brief = brief(compiled, derivation, locale, style, options)
