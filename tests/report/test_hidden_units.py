@@ -3,8 +3,11 @@
 import pytest
 
 from mechc.driver import compile_source
+from mechc.emit.latex.to_latex import TARGET
+from mechc.emit.target import Options
 from mechc.formula.tree import Call, Symbol, number, product, quotient, total
 from mechc.report.homogeneous import is_homogeneous
+from mechc.report.languages import registry
 from mechc.report.text.derivation import render
 from mechc.source import Source
 from mechc.units import FORCE, LENGTH, NUMBER
@@ -39,6 +42,23 @@ LEVER = """
 )
 def test_a_formula_that_means_the_same_in_all_units(formula, same):
     assert is_homogeneous(formula, VALUES, DIMENSIONS) == same
+
+
+@pytest.mark.parametrize("language", ["en", "uk", "ru"])
+def test_a_report_says_what_such_numbers_are_in(language):
+    compilation = compile_source(Source("lever.mech", LEVER))
+    (document,) = TARGET.emit(compilation, Options("lever", language=language))
+    note = render(compilation.derivation, compilation.mechanism, language=language)
+    said = registry.locale(language).plain_numbers
+    assert said in document.text
+    assert said in " ".join(note.split())
+
+
+def test_numbers_with_names_of_their_own_have_their_units():
+    compilation = compile_source(Source("lever.mech", LEVER.replace("w - 8 mm", "30 mm")))
+    note = render(compilation.derivation, compilation.mechanism)
+    assert registry.locale("en").plain_numbers not in " ".join(note.split())
+    assert "k = −70 / (36.06 · cos(33.69°)) = −2.33333" in note
 
 
 def test_numbers_are_not_put_in_beside_numbers_of_other_units():

@@ -48,6 +48,15 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
         yield from _of_result(result, given, unit or _unit_of(result.dimension, usual))
 
 
+def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
+    """Return whether a number that stands for units of the SI is in a formula of the report."""
+    given = _given(whole, mechanism)
+    results = (result for section in whole.results for result in section.results)
+    formulas = [*(d.formula for d in _definitions(whole)), *(r.formula for r in results)]
+    known = (f for f in formulas if _names(f) <= given.keys() and not _is_solved(f))
+    return any(_has_units(formula, {n: given[n] for n in _names(formula)}) for formula in known)
+
+
 def _definitions(whole: Outline) -> Iterator[Definition]:
     for section in whole.position:
         yield from section.where
@@ -104,12 +113,12 @@ def _found_unit(definition: Definition, usual: str, angles: Iterable[str]) -> st
 
 def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> Formula | None:
     """Return a formula with its numbers put in, if it is short and all of them are known."""
-    names = symbols(formula) | {c.name for c in constants([formula])}
+    names = _names(formula)
     if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
         return None
-    if any(isinstance(part, Implicit) for part in walk(formula)):
+    if _is_solved(formula):
         return None
-    if _hides_units(formula, {name: given[name] for name in names}):
+    if _has_units(formula, {name: given[name] for name in names}):
         return None
     units = {given[n].unit for n in names} - {"deg"}
     if bare and len(units) == 1:
@@ -117,13 +126,23 @@ def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> For
     return put_in(_as_symbols(formula), given)
 
 
-def _hides_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
+def _is_solved(formula: Formula) -> bool:
+    """Return whether the solution of a system is in a formula."""
+    return any(isinstance(part, Implicit) for part in walk(formula))
+
+
+def _names(formula: Formula) -> frozenset[str]:
+    """Return all names of a formula, those of numbers too."""
+    return symbols(formula) | {c.name for c in constants([formula])}
+
+
+def _has_units(formula: Formula, given: Mapping[str, Quantity]) -> bool:
     """Return whether a number of the formula has a unit: others must not be put in beside it."""
     units = {name: UNITS.get(q.unit) for name, q in given.items()}
     dimensions = {name: unit.dimension if unit else NUMBER for name, unit in units.items()}
     known = all(units[name] for name, q in given.items() if q.unit)
     values = {name: q.value for name, q in given.items()}
-    return known and not is_homogeneous(formula, values, dimensions)
+    return known and not is_homogeneous(_as_symbols(formula), values, dimensions)
 
 
 def _bare(quantity: Quantity) -> Quantity:

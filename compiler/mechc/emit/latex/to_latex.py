@@ -8,12 +8,12 @@ from collections.abc import Iterable, Iterator
 from typing import NamedTuple
 
 from ...formula.tree import ZERO
-from ...model.mechanism import Parameter
+from ...model.mechanism import Mechanism, Parameter
 from ...model.sheets import is_sheet
 from ...report.brief import at_length, needed, relations, short
 from ...report.chosen import chosen
 from ...report.derivation.steps import Derivation, LastStep, Step
-from ...report.evaluated import evaluated
+from ...report.evaluated import evaluated, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
@@ -37,7 +37,7 @@ from ...report.latex.results import (
     section_block,
 )
 from ...report.latex.text import escape, has_cyrillic
-from ...report.sections import PositionSection, outline
+from ...report.sections import Outline, PositionSection, outline
 from ...report.sentences.remarks import conditions
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
 from ..render import render
@@ -182,7 +182,7 @@ def report(
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
-        conventions=locale.conventions.format(x="$x$"),
+        conventions=_conventions(whole, mechanism, locale),
         convention_of_speeds=_convention(derivation, locale),
         section="subsection" if options.fragment else "section",
         title=translated(mechanism.title or mechanism.name, style),
@@ -206,6 +206,11 @@ def report(
         if options.pictures or mechanism.reported
         else NONE,
     )
+
+
+def _conventions(whole: Outline, mechanism: Mechanism, locale: Locale) -> str:
+    directions = locale.conventions.format(x="$x$")
+    return f"{directions} {locale.plain_numbers}" if hides_units(whole, mechanism) else directions
 
 
 def _pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:

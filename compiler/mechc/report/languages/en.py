@@ -15,6 +15,7 @@ LOCALE = Locale(
     made_by="Derived by mechc {version}",
     given="Given",
     conventions="Directions are angles counter-clockwise from the {x} axis.",
+    plain_numbers="Numbers without a unit inside formulas are in units of the SI.",
     symbol="Symbol",
     quantity="Quantity",
     value="Value",

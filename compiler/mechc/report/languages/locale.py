@@ -34,6 +34,7 @@ class Locale(NamedTuple):
 
     given: str
     conventions: str
+    plain_numbers: str
     symbol: str
     quantity: str
     value: str

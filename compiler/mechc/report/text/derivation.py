@@ -12,8 +12,8 @@ from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..definitions import Solved, grouped
 from ..derivation.steps import Derivation, LastStep, Step
-from ..evaluated import Evaluated, evaluated
-from ..sections import PositionSection, Section, outline
+from ..evaluated import Evaluated, evaluated, hides_units
+from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
 from ..sentences.wording import Sides, lines, position_sentence, sentence
 from . import note
@@ -43,6 +43,7 @@ def render(
     lines = [
         *_title(mechanism, spell),
         *_given(mechanism, spell),
+        *_conventions(whole, mechanism, spell),
         *_position(whole.position, spell),
     ]
     lines += [*_velocities(derivation, spell), *_power(derivation, spell)]
@@ -116,6 +117,11 @@ def _given(mechanism: Mechanism, spell: Speller) -> list[str]:
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
     lines = note.given((*free, *mechanism.literals), spell)
     return ["", *lines] if lines else []
+
+
+def _conventions(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
+    if hides_units(whole, mechanism):
+        yield from spell.wrapped(spell.locale.plain_numbers, "  ")
 
 
 def _position(position: Iterable[PositionSection], spell: Speller) -> Iterator[str]:
