@@ -139,7 +139,7 @@ class Sum:
     Made by ``sums.add`` only, which takes out whatever is common to the terms.
     """
 
-    __slots__ = ("_formula", "_hash", "terms", "weight")
+    __slots__ = ("_formula", "_hash", "_text", "terms", "weight")
 
     def __init__(self, terms: tuple[Product, ...]) -> None:
         self.terms = terms
@@ -147,6 +147,7 @@ class Sum:
         """How many terms there are, those of inner sums included."""
         self._hash = hash(terms)
         self._formula: Formula | None = None
+        self._text = ""
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Sum) and self._hash == other._hash and self.terms == other.terms
@@ -155,7 +156,7 @@ class Sum:
         return self._hash
 
     def __repr__(self) -> str:
-        return f"Sum({self.terms!r})"
+        return f"Sum({self.order()[1]})"
 
     def evaluate(self, values: Mapping[str, float]) -> float:
         """Return the value on floats."""
@@ -173,7 +174,9 @@ class Sum:
 
     def order(self) -> tuple[int, str]:
         """Return the place in reading order."""
-        return (3, repr(self.terms))
+        if not self._text:
+            self._text = repr(self.terms)
+        return (3, self._text)
 
 
 def _weight(term: Product) -> int:

@@ -1,5 +1,6 @@
 """The plan: in which order the speeds follow from the drives, and what they are."""
 
+import math
 from collections.abc import Mapping
 from types import MappingProxyType
 from typing import NamedTuple
@@ -68,3 +69,16 @@ class Plan:
     def spin(self, link: str) -> Speeds:
         """Return a link's angular velocity, counter-clockwise."""
         return self.value(spin(self.graph, link))
+
+    def spins_at(self, values: Mapping[str, float]) -> Mapping[str, float]:
+        """Return every link's angular velocity per unit of the only drive, at a pose.
+
+        May raise ZeroDivisionError where a speed has a pole.
+        """
+        speeds = {unknown: speed.evaluate(values) for unknown, (speed,) in self.speeds.items()}
+        links = self.graph.pose.mechanism.links
+        forms = {link.name: spin(self.graph, link.name) for link in links}
+        return {
+            name: math.fsum(size.evaluate(values) * speeds[u] for u, size in form.items())
+            for name, form in forms.items()
+        }

@@ -39,7 +39,7 @@ Their number grows with the square of the parameters', and nobody reads them the
 """
 
 
-DEEP = 64
+DEEP = 24
 """A result in which more angles of loops than this move is given without its slope.
 
 Each loop's rate rests on the one before, so that the formula of the slope nests as deep.

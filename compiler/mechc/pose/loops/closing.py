@@ -195,14 +195,17 @@ class _Closing:
 
     def _check_values(self, cycle: Cycle) -> None:
         """Stop at a loop with a length that has no value: how it closes is not known."""
-        used = {name for edge in cycle for name in mentioned(edge.arms)}
-        chain = Chain({**dependent(self._state.mechanism), **dict(self._state.definitions)})
-        used |= chain.needed_by(used)
-        missing = [
+        mechanism, named = self._state.mechanism, self._state.named
+        open_ = [
             p
-            for p in self._state.mechanism.parameters
-            if p.value is None and p.dimension == LENGTH and p.name in used - self._state.named
+            for p in mechanism.parameters
+            if p.value is None and p.dimension == LENGTH and p.name not in named
         ]
+        if not open_:
+            return
+        used = {name for edge in cycle for name in mentioned(edge.arms)}
+        used |= Chain({**dependent(mechanism), **dict(self._state.definitions)}).needed_by(used)
+        missing = [p for p in open_ if p.name in used]
         for parameter in missing:
             fault = open_words.length_without_value(parameter.span, parameter.name)
             self._report.add(fault)

@@ -63,7 +63,7 @@ def links_astray(plan: Plan, along: Along, place: float) -> Iterator[Link]:
     pace = drawn[leader] / demanded[leader]
     for link in pose.mechanism.links:
         here, there = drawn[link.name], demanded[link.name] * pace
-        if demanded[link.name] != doubled[link.name]:
+        if not math.isclose(demanded[link.name], doubled[link.name], rel_tol=SAME_RATE):
             # Its length is open: only whether it turns is known.
             here, there = float(abs(here) > SAME_RATE), float(abs(there) > SAME_RATE)
         fastest = max(abs(there), *map(abs, drawn.values()))
@@ -119,8 +119,7 @@ def _demanded(plan: Plan, known: Mapping[str, float], size: float) -> Rates:
     try:
         for name, value in plan.bindings:
             values[name] = value.evaluate(values)
-        links = plan.graph.pose.mechanism.links
-        return {link.name: plan.spin(link.name)[0].evaluate(values) for link in links}
+        return plan.spins_at(values)
     except (KeyError, ZeroDivisionError):
         return {}
 
