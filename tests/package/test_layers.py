@@ -43,9 +43,8 @@ VIEWS = ("driver.py", "plotting.py", "evaluation.py", "api.py")
 
 LATE = {
     ("formula/to_sympy.py", "sympy"),
-    ("power/from_plan.py", "kinematics.release"),
-    ("power/from_plan.py", "power.joint_forces"),
-    ("power/from_plan.py", "power.reactions"),
+    ("power/from_plan.py", "power.force_results"),
+    ("power/problem.py", "power.reactions"),
     ("friction/from_balance.py", "friction.results"),
     ("statics/referee.py", "statics.friction"),
     ("statics/referee.py", "statics.joint_forces"),

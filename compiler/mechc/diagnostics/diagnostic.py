@@ -132,6 +132,12 @@ class Report:
             self._known.add(diagnostic)
             self.diagnostics.append(diagnostic)
 
+    def add_first(self, diagnostic: Diagnostic) -> None:
+        """Note a diagnostic unless one of its code is noted at its place."""
+        at = diagnostic.code, diagnostic.span
+        if all((known.code, known.span) != at for known in self.diagnostics):
+            self.add(diagnostic)
+
     def _with_use(self, diagnostic: Diagnostic) -> Diagnostic:
         at = diagnostic.span.start if diagnostic.span else -1
         uses = (use for text, use in self._uses if text.start <= at < text.end)

@@ -1,0 +1,66 @@
+"""Forces at joints that are asked for: reactions, forces along rods, normal forces."""
+
+from ..diagnostics import Diagnostic
+from ..diagnostics import power as messages
+from ..formula.walk import symbols
+from ..kinematics.release import unclear
+from ..model.mechanism import Axial, Find, Normal, Reaction
+from ..model.result import Definition, Result
+from ..source import Span
+from ..units import ANGLE, FORCE
+from .balance import Solved
+from .definitions import intermediates, resting_on
+from .joint_forces import Found, called, find_force, joint_of
+from .problem import Problem
+
+
+def joint_force(problem: Problem, find: Find, asked: Reaction | Axial | Normal) -> Solved | None:
+    """Return a force at a joint; None, with an error reported, where it is open."""
+    pose, report = problem.plan.graph.pose, problem.report
+    point = joint_of(asked, pose).point
+    if not isinstance(asked, Normal) and point in unclear(problem.mechanism):
+        report.add(messages.transmission_presses(find.span, point, has_friction=False))
+        return None
+    if undecided := problem.undecided:
+        shown = called(asked), undecided, problem.equations.number
+        report.add_first(messages.which_load_follows(find.span, *shown))
+        return None
+    found = find_force(asked, pose, problem.reactions())
+    if found is None:
+        report.add(_open(problem, find.span, called(asked)))
+        return None
+    return Solved(_result(problem, find, asked, found), releases=found.releases)
+
+
+def _result(problem: Problem, find: Find, asked: Reaction | Axial | Normal, found: Found) -> Result:
+    where = [d for p in found.plans for d in resting_on(p, found.formula, found.values)]
+    problem.check_lengths(find, [found.formula, *(d.formula for d in where)])
+    given = _given_loads(problem, found)
+    before = intermediates(problem.plan.graph.pose, [*(g.formula for g in given), found.formula])
+    coefficients = found.coefficients
+    return Result(
+        find.name,
+        asked,
+        ANGLE if isinstance(asked, Reaction) and asked.part == "direction" else FORCE,
+        found.formula,
+        tuple(dict.fromkeys((*before, *where, *given))),
+        None if coefficients is None else {n: c.formula() for n, c in coefficients.items()},
+    )
+
+
+def _given_loads(problem: Problem, found: Found) -> list[Definition]:
+    """Return the loads in a force whose size the description gives."""
+    loads, used = (
+        (*problem.equations.columns, *problem.equations.idle_loads),
+        symbols(found.formula),
+    )
+    given = ((name, problem.given(name)) for name in loads if name in used)
+    return [Definition(name, size) for name, size in given if size]
+
+
+def _open(problem: Problem, at: Span, force: str) -> Diagnostic:
+    """Return why a force at a joint is open: no load holds the mechanism, or too much does."""
+    needed, holding = problem.equations.number, len(problem.driving)
+    if holding < needed:
+        return messages.nothing_holds(at, force, needed, holding)
+    return messages.reaction_undetermined(at, force)

@@ -1,0 +1,99 @@
+"""Loads that are asked for: as a ratio of two, or as a linear form in all that are known."""
+
+from collections.abc import Mapping
+
+from ..algebra.product import ZERO, Product
+from ..algebra.sums import canonical
+from ..diagnostics import power as messages
+from ..formula.tree import Symbol, product, total
+from ..frozen import replace
+from ..model.mechanism import Find, LoadForm, LoadRatio
+from ..model.result import Definition, Result
+from .balance import Solved
+from .definitions import intermediates
+from .loose import looseness
+from .problem import Problem
+
+
+def load_ratio(problem: Problem, find: Find, asked: LoadRatio) -> Solved | None:
+    """Return a load per unit of another, others being absent; None where that is not fixed.
+
+    Reports E501 … E503 there.
+    """
+    equations = problem.equations
+    (upper, factor), (lower, divisor) = map(equations.owner, (asked.above, asked.below))
+    factor = factor / divisor
+    if upper == lower:
+        return _ratio(problem, find, asked, factor)
+    others = [n for n in equations.columns if n not in (upper, lower)]
+    unknown = [upper, *others]
+    if not _is_determined(problem, find, asked, unknown):
+        return None
+    if lower not in equations.columns:
+        return _ratio(problem, find, asked, ZERO)
+    value = canonical(factor * equations.solve(upper, unknown, lower))
+    shown = problem.reading.of(value, lambda e: factor * e.solve(upper, unknown, lower))
+    return _ratio(problem, find, asked, value, shown)
+
+
+def _is_determined(problem: Problem, find: Find, asked: LoadRatio, unknown: list[str]) -> bool:
+    """Return whether the equations give the unknown loads, the one asked for first."""
+    equations, report, (upper, *others) = problem.equations, problem.report, unknown
+    above, below = asked.above, asked.below
+    if upper not in equations.columns:
+        report.add(messages.load_not_balanced(find.span, below, above, problem.held_drives))
+        return False
+    if len(unknown) < equations.number:
+        _report_too_few(problem, find, unknown)
+        return False
+    if len(unknown) > equations.number or not equations.determines(unknown):
+        tied = others or [equations.owner(below)[0]]
+        weights = {name for name in problem.loads if problem.given(name) is not None}
+        report.add(messages.ratio_not_determined(find.span, above, below, tied, weights))
+        return False
+    return True
+
+
+def _report_too_few(problem: Problem, find: Find, unknown: list[str]) -> None:
+    number, loose = problem.equations.number, looseness(problem.mechanism)
+    problem.report.add(messages.unknown_loads_do_not_match(find.span, unknown, number, loose))
+
+
+def _ratio(
+    problem: Problem, find: Find, asked: LoadRatio, value: Product, shown: Product | None = None
+) -> Solved:
+    above, below = problem.dimension(asked.above), problem.dimension(asked.below)
+    shown = value if shown is None else shown
+    result = problem.result(find, shown.formula(), above.over(below), [shown])
+    return Solved(result, value, asked.above, asked.below)
+
+
+def load_form(problem: Problem, find: Find, load: str) -> Solved | None:
+    """Return a load as a linear form in those known; None where the equations do not give it.
+
+    Reports E501 … E503 there.
+    """
+    equations = problem.equations
+    asked = [f.target.load for f in problem.mechanism.finds if isinstance(f.target, LoadForm)]
+    unknown = asked if len(asked) == equations.number else [load]
+    if len(unknown) != equations.number:
+        _report_too_few(problem, find, asked)
+        return None
+    if not equations.determines(unknown):
+        problem.report.add(
+            messages.load_not_balanced(find.span, "the other loads", load, problem.held_drives)
+        )
+        return None
+    known = [n for n in equations.columns if n not in unknown]
+    values = {n: equations.solve(load, unknown, n) for n in known}
+    return Solved(_linear(problem, find, load, values), None, load)
+
+
+def _linear(problem: Problem, find: Find, load: str, values: Mapping[str, Product]) -> Result:
+    coefficients = {n: v.formula() for n, v in values.items() if v}
+    formula = total(product([(c, 1), (Symbol(n), 1)]) for n, c in coefficients.items())
+    result = problem.result(find, formula, problem.dimension(load), list(values.values()))
+    given = [Definition(n, f) for n in values if (f := problem.given(n)) is not None]
+    found = intermediates(problem.plan.graph.pose, [*(g.formula for g in given), formula])
+    where = dict.fromkeys((*found, *result.where, *given))
+    return replace(result, where=tuple(where), coefficients=coefficients)

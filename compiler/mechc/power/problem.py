@@ -1,0 +1,116 @@
+"""What every find is answered from: the power equations, and which loads follow from which."""
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import cache
+from typing import TYPE_CHECKING
+
+from ..algebra.product import Product
+from ..diagnostics import Report
+from ..diagnostics import power as messages
+from ..formula.tree import Formula
+from ..frozen import frozen
+from ..kinematics.plan import Plan
+from ..model.mechanism import Find, Load, LoadForm, LoadRatio, Mechanism
+from ..model.result import Result
+from ..units import Dimension
+from .balance import Equations, Term
+from .definitions import open_lengths, resting_on
+from .equations import equations_of
+from .loads import given_size, terms
+from .reading import Reading
+
+if TYPE_CHECKING:
+    from .reactions import Reactions
+
+
+@frozen
+class Problem:
+    """The power equations of a plan, and the loads in them.
+
+    ``asked_for`` are the loads that do work and are asked for, ``left`` those that work, have
+    no size and are not asked for. ``reactions`` gives the forces at joints, found once.
+    """
+
+    plan: Plan
+    terms: tuple[Term, ...]
+    equations: Equations
+    reading: Reading
+    report: Report
+    loads: Mapping[str, Load]
+    asked_for: tuple[str, ...]
+    left: tuple[str, ...]
+    reactions: "Callable[[], Reactions]"
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """Return the mechanism whose loads they are."""
+        return self.plan.graph.pose.mechanism
+
+    @property
+    def driving(self) -> tuple[str, ...]:
+        """Return the loads that follow from the others: those asked for, else those left."""
+        return (*self.asked_for, *self.left)[: self.equations.number]
+
+    @property
+    def undecided(self) -> tuple[str, ...]:
+        """Return the loads of which nothing says which ones follow from the others."""
+        open_ = self.equations.number - len(self.asked_for)
+        if open_ < 0:
+            return self.asked_for
+        return self.left if 0 < open_ < len(self.left) else ()
+
+    @property
+    def held_drives(self) -> str:
+        """Return the drives that are held, as a message names them; '' where there are none."""
+        held = self.mechanism.held
+        return ", ".join("".join(d.ends) if d.ends else d.parameter for d in held)
+
+    def given(self, load: str) -> Formula | None:
+        """Return the size that the description gives a load."""
+        return given_size(self.mechanism, load)
+
+    def dimension(self, load: str) -> Dimension:
+        """Return whether a load is a force or a moment."""
+        return self.loads[load].dimension
+
+    def result(
+        self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
+    ) -> Result:
+        """Return what was found, with the definitions that its formula rests on."""
+        where = resting_on(self.reading.plan, formula, values)
+        self.check_lengths(find, [formula, *(d.formula for d in where)])
+        return Result(find.name, find.target, dimension, formula, where)
+
+    def check_lengths(self, find: Find, formulas: Sequence[Formula]) -> None:
+        """Report what is asked for where a length has no value that its formulas need."""
+        if missing := open_lengths(self.plan, formulas):
+            self.report.add_first(messages.length_not_given(find.span, find.name, missing))
+
+
+def problem_of(plan: Plan, report: Report) -> Problem:
+    """Return the power equations of a plan, and what is known of their loads."""
+    mechanism, parts = plan.graph.pose.mechanism, terms(plan)
+    equations = equations_of(parts)
+    asked = _asked_for(mechanism, equations)
+    works = equations.columns
+    left = tuple(n for n in works if not given_size(mechanism, n) and n not in asked)
+    loads = {load.name: load for load in mechanism.loads}
+
+    @cache
+    def reactions() -> "Reactions":
+        from .reactions import Reactions
+
+        return Reactions(plan.graph.pose, problem.driving, known=(plan,))
+
+    reading = Reading(plan)
+    problem = Problem(plan, parts, equations, reading, report, loads, asked, left, reactions)
+    return problem
+
+
+def _asked_for(mechanism: Mechanism, equations: Equations) -> tuple[str, ...]:
+    """Return the loads that are asked for, and do work."""
+    targets = [f.target for f in mechanism.finds]
+    asked = [t.above for t in targets if isinstance(t, LoadRatio)]
+    asked += [t.load for t in targets if isinstance(t, LoadForm)]
+    owners = dict.fromkeys(equations.owner(name)[0] for name in asked)
+    return tuple(name for name in owners if name in equations.columns)
