@@ -10,8 +10,9 @@ from ...units import ANGLE
 from ..analysis import Analysis, Extent, Extreme
 from ..ranges import scale_of
 from .along import Along
-from .from_balance import plain_lets, run
+from .from_balance import run
 from .rounded import is_nil
+from .run import plain_lets
 from .stroke import Stretch, Stroke
 
 

@@ -2,15 +2,80 @@
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import product
 from typing import Literal
 
 from ...formula.roots import lowest, roots
+from ...model.mechanism import LoadRatio
 from ..analysis import Analysis
-from ..tolerances import CONSTANT
+from ..tolerances import BRANCH_POINT, CONSTANT
 from .along import Along
-from .stroke import Extremum
+from .friction import is_told, some
+from .places import SAMPLES
+from .rounded import is_nil, rounded
+from .run import Run
+from .singular import order_of, places_of
+from .stroke import Branch, Extremum, Singular, Stretch
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
+
+
+def extrema_along(
+    run: Run,
+    stretches: Sequence[Stretch],
+    singular: Sequence[Singular],
+    crossings: Sequence[Branch],
+) -> tuple[Extremum, ...]:
+    """Return the extrema along a stroke; next to a branch that iteration finds digits are lost.
+
+    ``crossings`` are such branches.
+    """
+    found = [
+        one
+        for stretch, result in product(stretches, run.results)
+        if not is_nil(result, run.along, stretch)
+        for one in _on_stretch(run, result, stretch, singular)
+    ]
+    near = BRANCH_POINT * run.range
+    others = [b.drive for b in crossings] + [s.drive for s in singular if s.sides]
+    apart = [e for e in found if all(abs(e.drive - other) > near for other in others)]
+    return tuple(sorted(apart, key=lambda e: e.drive))
+
+
+def _on_stretch(
+    run: Run, result: Analysis, stretch: Stretch, singular: Sequence[Singular]
+) -> Iterator[Extremum]:
+    """Yield the extrema of a result on a stretch.
+
+    Where a place that is looked at is a pole, what is next to it may be none.
+    """
+    along, within = run.along, run.within(stretch)
+    poles = [*_poles(run, result, singular), *_own_poles(run, result, stretch)]
+    for one in extrema(result, run.drive.name, along, some(within, result)):
+        if not is_told(one, result) or order_of(run, result, one.drive) == "infinite":
+            continue
+        near_by = [p for p in poles if abs(one.drive - p) <= 2 * run.range / SAMPLES]
+        if not near_by or turns_between(one, near_by, result, along):
+            yield from rounded(one, result, along, run.places)
+
+
+def _poles(run: Run, result: Analysis, singular: Sequence[Singular]) -> list[float]:
+    """Return where a result is infinite, or what it is with friction."""
+    ideal = getattr(result.target, "of", result.target)
+    names = {ratio.name for ratio in run.ratios if ratio.target == ideal}
+    return [s.drive for s in singular if s.result in names and s.value == "infinite"]
+
+
+def _own_poles(run: Run, result: Analysis, stretch: Stretch) -> list[float]:
+    """Return where a result that is no ratio of loads is infinite on a stretch."""
+    if isinstance(result.target, LoadRatio):
+        return []
+    places = run.within(stretch)
+    return [
+        root.place
+        for pole in result.poles
+        for root in places_of(result, pole, run.along, stretch, places)
+    ]
 
 
 def extrema(

@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from functools import cache
+from functools import cache, partial
 from itertools import pairwise
 from typing import Literal
 
@@ -12,6 +12,8 @@ from ...formula.walk import evaluate, symbols
 from ..analysis import Analysis, Break, Vanishing
 from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_PLACE, STEADY
 from .along import Along
+from .rounded import is_nil
+from .run import Run
 from .stroke import Branch, Kind, Singular, Stretch
 
 Value = Literal["0", "infinite"]
@@ -24,6 +26,27 @@ ALIKE, VARIES = 0.1, 0.3
 
 GROWS = 5.0
 """How much larger what is infinite at a place is ten times nearer to it, at least."""
+
+
+def singular_along(
+    run: Run, stretches: Sequence[Stretch], branches: Sequence[Branch]
+) -> tuple[Singular, ...]:
+    """Return the singular poses of every ratio of loads along a stroke."""
+    ratios = run.ratios
+    found = [
+        pose
+        for stretch in stretches
+        for result in ratios
+        if not is_nil(result, run.along, stretch)
+        for pose in singular_poses(result, run.drive.name, run.along, stretch, run.within(stretch))
+    ]
+    orders = {r.name: partial(order_of, run, r) for r in ratios}
+    return told_apart(found, branches, run.range, orders)
+
+
+def order_of(run: Run, result: Analysis, place: float) -> Order | None:
+    """Return what a result does at a place of the stroke."""
+    return order_at(run.values(result.formula, result), place, run.range)
 
 
 def singular_poses(

@@ -1,0 +1,94 @@
+"""The table along a stroke: its columns and its rows."""
+
+import math
+from collections.abc import Iterator, Sequence
+from functools import partial
+
+from ...formula.rounding import Rounding, Size, beyond_rounding, without_value
+from ...model.mechanism import Mechanism
+from ...model.targets import Efficiency, WithFriction
+from ...model.values import own_unit
+from ...units import ANGLE, LENGTH, Dimension
+from ..tolerances import STRAIGHT
+from .along import NO_POSE, Along
+from .columns import Filled
+from .points import Asked, path_columns
+from .run import Run
+from .sides import from_both_sides, is_on_a_side
+from .stretches import beyond, trouble
+from .stroke import Column, Row, Stretch
+from .transmission import Transmission, named, transmissions
+from .velocities import velocities
+
+
+def columns(run: Run, asked: Asked) -> Iterator[Filled]:
+    """Yield results, slopes, velocity ratios, transmission angles, then the paths asked for."""
+    yield from _results(run)
+    yield from _slopes(run)
+    unit_of = partial(_unit, run.pose.mechanism)
+    for velocity in velocities(run.solution.balance):
+        unit = unit_of(velocity.dimension)
+        column = Column(velocity.name, velocity.dimension, "velocity", unit)
+        yield Filled(column, partial(run.along.inside, velocity.value), velocity.value.formula())
+    for name, angle in named(transmissions(run.pose)):
+        yield Filled(Column(name, ANGLE, "angle"), partial(_angle, run.along, angle))
+    yield from path_columns(asked, run.along, unit_of)
+
+
+def _results(run: Run) -> Iterator[Filled]:
+    for result in run.results:
+        unit = own_unit(result.name, run.pose.mechanism)
+        column = Column(result.name, result.dimension, unit=unit)
+        at = run.values(result.formula, result)
+        has_friction = isinstance(result.target, WithFriction | Efficiency)
+        yield Filled(column, at, result.formula, result.where, has_friction)
+
+
+def _slopes(run: Run) -> Iterator[Filled]:
+    for result in run.ratios:
+        slope = (result.derivatives or {}).get(run.drive.name)
+        if slope is not None:
+            name = f"d{result.name}/d{run.drive.name}"
+            column = Column(name, result.dimension.over(run.drive.dimension), "slope")
+            yield Filled(column, run.values(slope, result), slope, result.where)
+
+
+def _angle(along: Along, angle: Transmission, place: float) -> float:
+    size = angle.at(along.values(place))
+    return 0.0 if abs(size) < STRAIGHT else size
+
+
+def _unit(mechanism: Mechanism, dimension: Dimension) -> str:
+    """Return the unit in which the user writes lengths, '' for anything else."""
+    if dimension != LENGTH:
+        return ""
+    listed = (*mechanism.parameters, *mechanism.literals)
+    return next((p.unit for p in listed if p.dimension == LENGTH and p.unit), "")
+
+
+def row(run: Run, place: float, filled: Sequence[Filled], stretches: Sequence[Stretch]) -> Row:
+    """Return what stands at a place: values, or why there are none."""
+    why = trouble(run, place)
+    if run.along.trouble(place):
+        why = (beyond(place, stretches) if why in NO_POSE else "") or why
+        return Row(place, (math.nan,) * len(filled), why)
+    rounding = run.along.rounding(place)
+    sizes = [_size(run, f, place, rounding) for f in filled]
+    values = tuple(math.nan if s.number is None else s.number for s in sizes)
+    open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
+    return Row(place, values, why, tuple(open_))
+
+
+def _size(run: Run, filled: Filled, place: float, rounding: Rounding) -> Size:
+    """Return a column's value at a place without what is nothing but rounding."""
+    number, formula = filled.at(place), filled.formula
+    size = beyond_rounding(number, formula, filled.where, rounding)
+    if formula and math.isnan(number) and not filled.has_friction:
+        return without_value(formula, filled.where, rounding)
+    if filled.has_friction and is_on_a_side(size, filled.where, rounding):
+        return from_both_sides(filled.at, partial(_is_pose, run), place, run.range)
+    return size
+
+
+def _is_pose(run: Run, place: float) -> bool:
+    return not run.along.trouble(place)

@@ -1,0 +1,87 @@
+"""What is run along: a stroke, the results that have values on it, where they are looked at."""
+
+from collections.abc import Callable, Mapping, Sequence
+
+from ...formula.roots import spaced
+from ...formula.tree import Formula
+from ...formula.walk import symbols
+from ...friction.solution import Solution
+from ...frozen import frozen
+from ...model.mechanism import LoadRatio, Mechanism, Parameter
+from ...pose.pose import Pose
+from ..analysis import Analysis
+from .along import Along
+from .branches import branch_points
+from .friction import in_code
+from .places import SAMPLES, looked_at
+from .stroke import Branch, Stretch
+
+
+@frozen
+class Run:
+    """A stroke from ``low`` to ``high`` of the drive, and the ``results`` that have values on it.
+
+    ``open`` names the others, with the loads whose size nobody gives. ``places`` lie evenly
+    along it; at the ``branches`` a loop lies flat.
+    """
+
+    solution: Solution
+    drive: Parameter
+    low: float
+    high: float
+    along: Along
+    results: tuple[Analysis, ...]
+    open: tuple[tuple[str, tuple[str, ...]], ...]
+    places: tuple[float, ...]
+    branches: tuple[Branch, ...]
+
+    @property
+    def pose(self) -> Pose:
+        """Return the pose, as it depends on the drive."""
+        return self.solution.plan.graph.pose
+
+    @property
+    def range(self) -> float:
+        """Return how far the drive moves."""
+        return self.high - self.low
+
+    @property
+    def ratios(self) -> list[Analysis]:
+        """Return the results that are ratios of loads."""
+        return [result for result in self.results if isinstance(result.target, LoadRatio)]
+
+    def values(self, formula: Formula, of: Analysis) -> Callable[[float], float]:
+        """Return a formula of a result as a function of the drive."""
+        return lambda place: self.along.of(formula, of, place)
+
+    def within(self, stretch: Stretch) -> list[float]:
+        """Return the places at which a stretch is looked at."""
+        return looked_at(stretch, self.places)
+
+
+def run_of(
+    solution: Solution, results: Sequence[Analysis], drive: Parameter, low: float, high: float
+) -> Run:
+    """Return what there is to run along between two ends of the drive."""
+    pose = solution.plan.graph.pose
+    along = Along(solution.plan, plain_lets(pose.mechanism), (low, high))
+    shown = [r for r in results if r.default is not None or r.target is not None]
+    shown = [in_code(r, solution) for r in shown]
+    without = {r.name: _loads_without_size(r, pose.mechanism) for r in shown}
+    valued = tuple(r for r in shown if not without[r.name])
+    open_ = tuple((r.name, without[r.name]) for r in shown if without[r.name])
+    places = tuple(spaced(low, high, SAMPLES))
+    branches = tuple(branch_points(pose, along, places))
+    return Run(solution, drive, low, high, along, valued, open_, places, branches)
+
+
+def plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:
+    """Return the user's formulas; those that rest on loads stay without a value."""
+    return {let.name: let.value for let in mechanism.lets}
+
+
+def _loads_without_size(result: Analysis, mechanism: Mechanism) -> tuple[str, ...]:
+    """Return the loads that a result rests on and whose size nobody gives."""
+    loads = {load.name for load in mechanism.loads}
+    defined = {d.name for d in result.where}
+    return tuple(sorted((symbols(result.formula) & loads) - defined))
