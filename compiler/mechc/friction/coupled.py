@@ -13,7 +13,7 @@ passes zero the drive would need to be infinitely strong, and behind it the load
 round: nothing balances. Nor does anything where the branch of solutions ends on the way.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping, Sequence, Set
 from fractions import Fraction
 from typing import NamedTuple
 
@@ -64,7 +64,7 @@ class Sizes:
         return frozenset(definition.name for definition in self.definitions)
 
 
-def true_sizes(pressed: Sequence[LoadedPair], sense: int, taken: set[str]) -> Sizes:
+def true_sizes(pressed: Sequence[LoadedPair], sense: int, taken: Set[str]) -> Sizes:
     """Return the sizes of the pressing forces that solve the coupled equations."""
     coupled = _Coupled(pressed, sense, taken)
     definitions = tuple(coupled.definitions())
@@ -82,8 +82,8 @@ class Row(NamedTuple):
 class _Coupled:
     """Names what the system is made of, and the system."""
 
-    def __init__(self, pressed: Sequence[LoadedPair], sense: int, taken: set[str]) -> None:
-        self._pressed, self._sense, self._taken = pressed, sense, taken
+    def __init__(self, pressed: Sequence[LoadedPair], sense: int, taken: Set[str]) -> None:
+        self._pressed, self._sense, self._taken = pressed, sense, set(taken)
         self._places = {p.pair.name: i for i, p in enumerate(pressed)}
         self.sizes = self._each("n")
         self._unknowns, self._added = self._each("x"), self._each("q")

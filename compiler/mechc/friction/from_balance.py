@@ -2,19 +2,32 @@
 
 import math
 from collections.abc import Iterator
+from typing import TYPE_CHECKING, assert_never
 
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..diagnostics.power import length_not_given
 from ..formula.rounding import Size
 from ..frozen import replace
-from ..model.mechanism import Efficiency, Find, LoadForm, LoadRatio, WithFriction
+from ..model.mechanism import (
+    Axial,
+    Efficiency,
+    Find,
+    LoadForm,
+    LoadRatio,
+    Normal,
+    Reaction,
+    WithFriction,
+)
 from ..model.result import Result
 from ..model.targets import SIGNS
 from ..power.balance import Balance, Solved
 from ..power.definitions import let_results, open_lengths
 from ..power.numbers import DefaultNumbers, with_default
 from .solution import Solution, SolvedWithFriction
+
+if TYPE_CHECKING:
+    from .problem import Problem
 
 
 def solve(balance: Balance, report: Report) -> Solution:
@@ -42,17 +55,37 @@ def _with_friction(
     asked = [f for f in finds if isinstance(f.target, WithFriction | Efficiency)]
     if not asked:
         return
-    from .results import FrictionResults
+    from .problem import Problem
 
-    results = FrictionResults(balance, report)
+    problem = Problem(balance, report)
     ideal = {r.target: r for r in balance.results}
     for find in asked:
         assert isinstance(find.target, WithFriction | Efficiency)
         without = ideal[find.target.of]
-        if (found := results.find(find, without)) is not None:
+        if (found := _answer(problem, find, find.target, without)) is not None:
             _check_lengths(find, found.result, balance, report)
             result = _with_default(find, found.result, without, numbers, report)
             yield replace(found, result=result)
+
+
+def _answer(
+    problem: "Problem", find: Find, target: WithFriction | Efficiency, ideal: Result
+) -> SolvedWithFriction | None:
+    """Return the result with friction; None where an error was reported."""
+    from . import load_results
+
+    if isinstance(target, Efficiency):
+        return load_results.efficiency(problem, find, ideal, target)
+    sense, order = target.sense, target.order
+    match target.of:
+        case LoadRatio() | LoadForm() as of:
+            return load_results.load_with_friction(problem, find, ideal, of, sense, order)
+        case Reaction() | Axial() | Normal() as force:
+            from .force_results import force_with_friction
+
+            return force_with_friction(problem, find, ideal, force, sense)
+        case _:
+            assert_never(target.of)
 
 
 def _check_lengths(find: Find, result: Result, balance: Balance, report: Report) -> None:

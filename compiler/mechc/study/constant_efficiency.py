@@ -11,9 +11,10 @@ from ..diagnostics import Report
 from ..diagnostics import friction as messages
 from ..formula.roots import spaced
 from ..formula.walk import evaluate, symbols
-from ..friction.results import FrictionResults
+from ..friction.load_results import by_coefficients
+from ..friction.problem import Problem
 from ..friction.solution import Solution
-from ..model.mechanism import Find, WithFriction
+from ..model.mechanism import Find, LoadForm, LoadRatio, WithFriction
 from ..model.result import FrictionResult, Result
 from ..model.values import range_of
 from .ranges import moved, shown, spans, turns
@@ -36,19 +37,25 @@ PLACES = 48
 
 def remark_on_constant(solution: Solution, report: Report) -> None:
     """Warn where an efficiency given as one number is far from the truth."""
-    friction = FrictionResults(solution.balance, Report(report.source))
-    for find in solution.plan.graph.pose.mechanism.finds:
+    problem = Problem(solution.balance, Report(report.source))
+    for find in problem.mechanism.finds:
         if isinstance(find.target, WithFriction):
             ideal = next(r for r in solution.results if r.target == find.target.of)
-            real = friction.by_coefficients(find, ideal) if _pairs(solution) else None
+            real = _by_coefficients(problem, find, find.target, ideal)
             if real is not None:
                 _Beside(solution, find, ideal, real).remark(report)
             elif where := list(_steep(solution, ideal)):
                 report.add(messages.efficiency_near_dead_centre(find.span, ideal.name, where))
 
 
-def _pairs(solution: Solution) -> bool:
-    return bool(solution.plan.graph.pose.mechanism.friction.joints)
+def _by_coefficients(
+    problem: Problem, find: Find, target: WithFriction, ideal: Result
+) -> FrictionResult | None:
+    """Return the result that the joints' friction makes; None where they have none, or forces."""
+    if not problem.mechanism.friction.joints or not isinstance(target.of, LoadRatio | LoadForm):
+        return None
+    found = by_coefficients(problem, find, ideal, target.of, target.sense)
+    return found.result if found else None
 
 
 # --------------------------------------------------------------------- beside friction

@@ -1,0 +1,151 @@
+"""What friction acts on: the loads of a balance, the pairs with friction, how hard they press."""
+
+from collections.abc import Iterator, Mapping, Sequence
+
+from ..algebra.product import ONE, Product
+from ..algebra.sums import add, canonical
+from ..diagnostics import Report
+from ..diagnostics import friction as messages
+from ..diagnostics.power import transmission_presses
+from ..formula.tree import Formula
+from ..kinematics.release import unclear
+from ..model.mechanism import Find, LoadForm, LoadRatio, Mechanism
+from ..model.result import Result
+from ..power.balance import Balance
+from ..power.loads import given_size
+from .assumptions import assumptions
+from .case import Case
+from .coupled import Sizes, true_sizes
+from .default import DefaultPose
+from .free_bodies import Task
+from .naming import Endings, Meanings, with_one_meaning
+from .normal_forces import Idle, LoadedByAnother, LoadedPair, Undetermined, loaded_pairs
+from .pairs import pairs
+
+Loaded = tuple[LoadedPair, ...]
+
+
+class Problem:
+    """A balance with friction in it; what several results rest on is found once.
+
+    ``driving`` is the load that follows from all others, ``valued`` are those of known size.
+    ``in_code`` says what names stand for there, ``endings`` what they end in.
+    """
+
+    def __init__(self, balance: Balance, report: Report) -> None:
+        self.plan, self.equations, self.report = balance.plan, balance.equations, report
+        self.driving = next(iter(balance.driving), "")
+        self.valued: Mapping[str, Formula] = dict(self._weights())
+        self.taken = _names_in(balance)
+        self.in_code, self.endings = Meanings(), Endings()
+        self.default = DefaultPose(balance.plan, self.valued, self.taken)
+        self._pairs = pairs(balance.plan.graph.pose)
+        self._loaded: dict[object, Loaded | None] = {}
+        self._sizes: dict[tuple[int, int], Sizes] = {}
+
+    @property
+    def mechanism(self) -> Mechanism:
+        """Return the mechanism whose joints have friction."""
+        return self.plan.graph.pose.mechanism
+
+    def _weights(self) -> Iterator[tuple[str, Formula]]:
+        """Yield the loads of known size, such as weights."""
+        for load in self.mechanism.loads:
+            size = given_size(self.mechanism, load.name)
+            if size is not None and self.equations.owner(load.name)[0] == load.name:
+                yield load.name, size
+
+    # ------------------------------------------------------------------------- cases
+
+    def case(self, of: LoadRatio | LoadForm, ideal: Result) -> Case:
+        """Return the loads under which a ratio or a form of loads is looked at."""
+        match of:
+            case LoadRatio(above, below):
+                upper, factor = self.equations.owner(above)
+                lower, share = self.equations.owner(below)
+                return Case(ideal, upper, factor, {lower: ONE / share})
+            case LoadForm(load):
+                return Case(ideal, load, ONE, self._others(load))
+
+    def case_of_force(self, ideal: Result) -> Case:
+        """Return the loads under which a force at a joint is looked at: all of them."""
+        return Case(ideal, self.driving, ONE, self._others(self.driving))
+
+    def _others(self, driving: str) -> Mapping[str, Product]:
+        """Return all other free loads as they stand: one that does no work presses, too."""
+        names = (*self.equations.columns, *self.equations.idle_loads)
+        return {n: Product.symbol(n) for n in names if n != driving}
+
+    def without_friction(self, case: Case) -> Product:
+        """Return the driving load that balances those given."""
+        columns = self.equations.columns
+        works = (columns[n][0] * size for n, size in case.given.items() if n in columns)
+        return canonical(-(add(works) / columns[case.driving][0]))
+
+    # ---------------------------------------------------------------- how hard pairs press
+
+    def loaded(self, find: Find, case: Case) -> Loaded | None:
+        """Return how pairs are pressed under the loads of a case; None where that is open.
+
+        Reports E510 … E514 there.
+        """
+        key = case.driving, tuple(case.given.items())
+        if key not in self._loaded:
+            self._loaded[key] = self._found(find, case) if self._is_clear(find) else None
+        return self._loaded[key]
+
+    def _is_clear(self, find: Find) -> bool:
+        """Return whether there is one motion, and no gear or belt presses a pin with friction."""
+        if self.equations.number != 1:
+            self.report.add(messages.several_degrees_of_freedom(find.span, self.equations.number))
+            return False
+        unclear_at = unclear(self.mechanism)
+        pins = (pair.joint.point for pair in self._pairs if pair.joint.kind == "pin")
+        point = next((pin for pin in pins if pin in unclear_at), None)
+        if point is not None:
+            self.report.add(transmission_presses(find.span, point, has_friction=True))
+        return point is None
+
+    def _found(self, find: Find, case: Case) -> Loaded | None:
+        try:
+            return loaded_pairs(self.plan, self.equations, case.driving, self._pairs, case.given)
+        except Undetermined as found:
+            self.report.add(messages.pressed_how_hard(find.span, found.pair.joint.point))
+        except LoadedByAnother as found:
+            self.report.add(messages.another_load_presses(find.span, found.load, find.name))
+        except Idle as found:
+            self.report.add(messages.slips_either_way(find.span, found.pair.joint.point))
+        return None
+
+    def sizes(self, loaded: Loaded, sense: int, endings: Sequence[str]) -> Sizes:
+        """Return the true sizes of pressing forces, once for all results that rest on them."""
+        key = id(loaded), sense
+        if key not in self._sizes:
+            found = true_sizes(loaded, sense, self.taken)
+            meanings = self.in_code, self.default.meanings
+            self._sizes[key] = with_one_meaning(found, meanings, endings)
+        return self._sizes[key]
+
+    def task(self, case: Case, loaded: Loaded) -> Task:
+        """Return what the free bodies are to be solved for."""
+        owners = {load.name: self.equations.owner(load.name) for load in self.mechanism.loads}
+        return Task(self.plan.graph.pose, case.driving, case.given, owners, loaded)
+
+    def remark_on_pins(self, case: Case, *, exact: bool) -> None:
+        """Remark on pins whose friction depends on the link that they are fast in."""
+        for remark in assumptions(self.plan.graph.pose, case.driving, case.given, exact=exact):
+            self.report.add(remark)
+
+
+def _names_in(balance: Balance) -> frozenset[str]:
+    pose = balance.plan.graph.pose
+    mechanism = pose.mechanism
+    named = (
+        *mechanism.parameters,
+        *mechanism.literals,
+        *mechanism.loads,
+        *mechanism.finds,
+        *mechanism.lets,
+        *pose.definitions,
+    )
+    return frozenset(item.name for item in named)
