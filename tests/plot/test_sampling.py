@@ -1,11 +1,13 @@
 """Curves by hand: where they are broken, zero, or turn, and that nothing leads across a break."""
 
 import math
+from itertools import pairwise
 
 import numpy as np
 import pytest
 
-from mechc.plot.sampling import limits, pieces, smooth, traced
+from mechc.plot.fitting import limits, pieces, smooth
+from mechc.plot.sampling import traced
 
 
 def whole(function, low, high):
@@ -41,6 +43,43 @@ def test_a_jump_is_neither_zero_nor_pole(shift):
     assert trace.jumps == pytest.approx([1 / 3], abs=1e-12)
     assert (trace.zeros, trace.poles) == ((), ())
     assert [set(ys) for _, ys in pieces(trace)] == [{shift - 1}, {shift + 1}]
+
+
+SIZES = np.array([32.0, 40.0, 50.0, 63.0, 80.0])
+
+
+def taken(x):
+    """Return the next size; conditions that meet at a size may leave out the size itself."""
+    found = SIZES[np.minimum(np.searchsorted(SIZES, x), 4)]
+    return np.where(np.abs(x - 50.0) < 1e-12, np.nan, found)
+
+
+def test_a_staircase_has_jumps_alone_which_stand_upright():
+    trace = whole(taken, 30.0, 80.0)
+    assert trace.jumps == pytest.approx(SIZES[:-1], abs=1e-6)
+    assert (trace.zeros, trace.poles, trace.turns) == ((), (), ())
+    parts = list(pieces(trace))
+    assert [set(ys) for _, ys in parts] == [{size} for size in SIZES]
+    ends = [(before[-1], after[0]) for (before, _), (after, _) in pairwise(parts)]
+    assert all(after - before < 1e-5 for before, after in ends)
+
+
+def test_a_choice_is_neither_least_nor_greatest_where_it_jumps():
+    trace = whole(lambda x: np.where(x < 1.0, x, 0.2), 0.0, 2.0)
+    assert trace.jumps == pytest.approx([1.0])
+    assert (trace.turns, trace.poles) == ((), ())
+
+
+def test_a_stretch_of_zeros_is_no_place():
+    trace = whole(lambda x: np.where(x < 1.0, 0.0, np.where(x < 1.3, 3.0, 0.0)), 0.0, 2.0)
+    assert trace.jumps == pytest.approx([1.0, 1.3])
+    assert (trace.zeros, trace.turns) == ((), ())
+
+
+def test_a_level_stretch_turns_where_the_curve_goes_back():
+    assert whole(lambda x: np.minimum(x, 0.5), 0.0, 1.0).turns == ()
+    (top,) = whole(lambda x: np.minimum(np.minimum(x, 0.5), 1.2 - x), 0.0, 1.0).turns
+    assert (top.sense, top.y) == (-1, pytest.approx(0.5))
 
 
 def test_a_curve_runs_to_the_last_place_at_which_it_has_a_value():

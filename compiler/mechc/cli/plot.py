@@ -13,8 +13,8 @@ from ..driver import checked, warnings
 from ..emit.plot_files import FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
+from ..plot.narrowing import Function
 from ..plot.query import POINTS, Condition, Query, condition
-from ..plot.sampling import Function
 from ..report.languages.letters import letters
 from ..report.languages.registry import locale
 from ..syntax.settings import Settings, parse

@@ -11,20 +11,27 @@ from .drawing import AXIS, Arc, Fill, Label, Pen, Polyline, Run
 from .labels import Around
 from .lettering import SIZE, box
 from .occupied import Box, Occupied
-from .panels import Layout, values_at, ways
+from .panels import Layout, steps, values_at, ways
 
 NAMED = 6
 """How many marks of a panel have their values written beside them; more are only dots."""
 
-DOT = 0.9
-"""The radius of a mark."""
+DOT, THIN = 0.9, 0.3
+"""The radius of a mark, and how wide the lines of marks and jumps are."""
 
 
 def curves(layout: Layout) -> Iterator[Polyline]:
-    """Yield the curves as lines on paper."""
+    """Yield the curves as lines on paper, thin ones where they jump."""
     for curve, pen in layout.pens.items():
+        for step in steps(curve, layout):
+            yield Polyline(tuple(map(layout.frame.at, step)), thin(pen))
         for way in ways(curve, layout):
             yield Polyline(tuple(map(layout.frame.at, way)), pen)
+
+
+def thin(pen: Pen) -> Pen:
+    """Return the pen of a curve for what is drawn of it beside its line."""
+    return pen._replace(width=THIN, dashes=())
 
 
 def poles(layout: Layout) -> Iterator[Polyline]:
@@ -43,8 +50,7 @@ def dots(layout: Layout) -> Iterator[tuple[Arc, Mark]]:
         for mark in curve.marks:
             if frame.least.y <= layout.value(mark.at).y <= frame.most.y:
                 fill: Fill = "solid" if mark.kind in ("default", "station") else "white"
-                thin = pen._replace(width=0.35, dashes=())
-                yield Arc(layout.at(mark.at), DOT, thin, fill=fill), mark
+                yield Arc(layout.at(mark.at), DOT, thin(pen), fill=fill), mark
 
 
 def values_beside(layout: Layout) -> tuple[Label, ...]:

@@ -135,6 +135,13 @@ def ways(curve: Curve, layout: Layout) -> Iterator[tuple[Plane, ...]]:
             yield tuple(inside[i] for i in kept(on_paper))
 
 
+def steps(curve: Curve, layout: Layout) -> Iterator[tuple[Plane, ...]]:
+    """Yield the jumps of a curve as far as they lie inside the panel, in the units shown."""
+    frame = layout.frame
+    for ends in curve.steps:
+        yield from map(tuple, cut([*map(layout.value, ends)], frame.least.y, frame.most.y))
+
+
 def cut(places: Sequence[Plane], low: float, high: float) -> Iterator[list[Plane]]:
     """Yield the parts of a curve between two heights.
 

@@ -1,5 +1,7 @@
 """A plot as data: curves in panels above one another, what is marked on them, the table."""
 
+from collections.abc import Iterator
+from itertools import pairwise
 from typing import Literal, NamedTuple
 
 from ..frozen import frozen
@@ -58,6 +60,14 @@ class Curve:
     marks: tuple[Mark, ...] = ()
     poles: tuple[float, ...] = ()
     jumps: tuple[float, ...] = ()
+
+    @property
+    def steps(self) -> Iterator[tuple[Plane, Plane]]:
+        """Yield from where to where it jumps."""
+        for before, after in pairwise(self.pieces):
+            start, end = before[-1], after[0]
+            if any(start.x <= jump <= end.x for jump in self.jumps):
+                yield start, end
 
 
 @frozen

@@ -5,7 +5,8 @@ from itertools import pairwise
 
 import numpy as np
 
-from .sampling import Function, traced
+from .narrowing import Array, Function, narrowed, on
+from .sampling import traced
 
 Stretch = tuple[float, float]
 
@@ -19,19 +20,20 @@ def stretches(functions: Sequence[Function], low: float, high: float) -> tuple[S
     edges = {low, high}
     with np.errstate(all="ignore"):
         for function in functions:
-            trace = traced(function, low, high)
-            edges |= {*trace.zeros, *trace.poles, *trace.jumps, *_ends(trace.xs, trace.ys)}
+            edges |= set(_edges(function, traced(function, low, high).xs))
         places = sorted(edges)
         middles = np.array([(a + b) / 2 for a, b in pairwise(places)])
         holds = np.all([f(middles) >= 0 for f in functions], axis=0)
     return tuple(_joined([pair for pair, so in zip(pairwise(places), holds, strict=True) if so]))
 
 
-def _ends(xs: np.ndarray, ys: np.ndarray) -> list[float]:
-    """Return the places beside which a function has no value."""
-    there = np.isfinite(ys)
-    cells = np.flatnonzero(there[:-1] != there[1:])
-    return [float(x) for x in np.where(there[cells], xs[cells], xs[cells + 1])]
+def _edges(function: Function, xs: Array) -> list[float]:
+    """Return the last places at which a function is not negative, before and behind it is."""
+    holds = function(xs) >= 0
+    cells = np.flatnonzero(holds[:-1] != holds[1:])
+    good = np.where(holds[cells], xs[cells], xs[cells + 1])
+    bad = np.where(holds[cells], xs[cells + 1], xs[cells])
+    return list(map(float, narrowed(lambda x: on(function, x) >= 0, good, bad)[0]))
 
 
 def _joined(found: Sequence[Stretch]) -> list[Stretch]:

@@ -6,8 +6,8 @@ from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
 from ...drawing.drawing import Pen, Run
 from ...drawing.letters import LATIN, Letters, spelled
-from ...drawing.marks import DOT, dots, values_beside
-from ...drawing.panels import Layout, common_entry, entry, laid_out, ways
+from ...drawing.marks import DOT, THIN, dots, values_beside
+from ...drawing.panels import Layout, common_entry, entry, laid_out, steps, ways
 from ...drawing.ticks import Scale
 from ...plot.plot import Curve, Plot
 from ...pose.places import Plane
@@ -102,13 +102,19 @@ def _poles(layout: Layout) -> Iterator[str]:
 
 
 def _curve(curve: Curve, pen: Pen, layout: Layout, letters: Letters) -> Iterator[str]:
+    for step in steps(curve, layout):
+        look = f"mechc{pen.name}, line width={THIN:g}mm"
+        yield rf"\addplot[{look}, no markers, forget plot] coordinates {{{_listed(step)}}};"
     look = f"mechc{pen.name}, line width={pen.width:g}mm" + (", dashed" if pen.dashes else "")
     for i, way in enumerate(ways(curve, layout)):
         told = "" if layout.has_legend and not i else ", forget plot"
-        places = " ".join(f"({p.x:.8g},{p.y:.8g})" for p in way)
-        yield rf"\addplot[{look}, no markers{told}] coordinates {{{places}}};"
+        yield rf"\addplot[{look}, no markers{told}] coordinates {{{_listed(way)}}};"
         if not i and layout.has_legend:
             yield rf"\addlegendentry{{{_set(entry(curve, layout), letters)}}}"
+
+
+def _listed(places: Iterable[Plane]) -> str:
+    return " ".join(f"({p.x:.8g},{p.y:.8g})" for p in places)
 
 
 def _marks(layout: Layout, letters: Letters) -> Iterator[str]:

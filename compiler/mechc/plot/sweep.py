@@ -1,0 +1,173 @@
+"""What a plot runs over: a parameter between two ends, in settings of a family."""
+
+from collections.abc import Callable, Iterator, Mapping, Sequence
+from functools import partial
+from itertools import product
+
+import numpy as np
+
+from ..diagnostics import MechcError, near_miss
+from ..diagnostics import plot as messages
+from ..frozen import frozen
+from ..model.mechanism import Mechanism
+from ..model.typed import in_si
+from ..model.values import defaults, range_of
+from ..routine.steps import Input
+from ..units import USUAL_UNITS, Dimension
+from .narrowing import Function
+from .plot import Axis, Column, Panel, Plot, Value
+from .quantities import Array, Quantity, unit_of
+from .query import Given, Query
+
+MOST = 12
+"""How many curves a person can tell apart."""
+
+
+@frozen
+class Sweep:
+    """What varies and between which ends, in which settings; values of all else."""
+
+    mechanism: Mechanism
+    known: Mapping[str, Quantity]
+    x: Axis
+    low: float
+    high: float
+    settings: tuple[tuple[Value, ...], ...]
+    values: Mapping[str, float]
+
+    def function(self, quantity: Quantity, setting: Sequence[Value]) -> Function:
+        """Return the values of a quantity at places, with one setting of the family."""
+        given = {**self.values, **{value.axis.name: value.value for value in setting}}
+        lacking = [i.name for i in quantity.inputs if i.name not in (*given, self.x.name)]
+        if lacking:
+            raise MechcError([messages.no_value(quantity.name, lacking)])
+
+        def at(places: Array) -> Array:
+            found = quantity.at({**given, self.x.name: places})
+            return np.broadcast_to(np.asarray(found, dtype=np.float64), places.shape).copy()
+
+        return at
+
+    def axis(self, quantity: Quantity) -> Axis:
+        """Return a quantity's axis."""
+        unit = unit_of(quantity.dimension, self.mechanism, quantity.unit)
+        return Axis(quantity.name, quantity.dimension, unit)
+
+    @property
+    def places(self) -> Callable[[int], Array]:
+        """Return so many places from one end to the other."""
+        return partial(np.linspace, self.low, self.high)
+
+
+# ------------------------------------------------------------------------ what is asked
+
+
+def sweep_of(mechanism: Mechanism, known: Mapping[str, Quantity], query: Query) -> Sweep:
+    """Return what varies in a query, and in which settings."""
+    inputs = {i.name: i for q in known.values() for i in q.inputs}
+    inputs |= {p.name: _input(p.name, mechanism) for p in mechanism.parameters if not p.dependent}
+    name = query.x or _driving(mechanism)
+    x = _axis(name, inputs, mechanism)
+    low, high = _ends(x, mechanism, query.ends)
+    settings = tuple(product(*_family(query, x, inputs, mechanism)))
+    return Sweep(mechanism, known, x, low, high, settings, defaults(mechanism))
+
+
+def _input(name: str, mechanism: Mechanism) -> Input:
+    parameter = mechanism.parameter(name)
+    return Input(name, parameter.dimension, parameter.unit)
+
+
+def _driving(mechanism: Mechanism) -> str:
+    """Return the drive; E587 where there is none."""
+    if mechanism.drive is None:
+        able = [p.name for p in mechanism.parameters if p.range and not p.dependent]
+        raise MechcError([messages.nothing_to_vary(able)])
+    return mechanism.drive.parameter
+
+
+def _axis(name: str, inputs: Mapping[str, Input], mechanism: Mechanism) -> Axis:
+    """Return the axis of a parameter; E584 where there is none that can be set."""
+    if name not in inputs:
+        near = near_miss(name, inputs)
+        raise MechcError([messages.no_such_parameter(name, list(inputs), near)])
+    found = inputs[name]
+    return Axis(name, found.dimension, unit_of(found.dimension, mechanism, found.unit))
+
+
+def _ends(
+    x: Axis, mechanism: Mechanism, written: tuple[Given, Given] | None
+) -> tuple[float, float]:
+    """Return the ends of the range; E585 where there are none."""
+    parameters = {p.name for p in mechanism.parameters}
+    found = range_of(x.name, mechanism) if x.name in parameters else None
+    if written is not None:
+        low, high = sorted(in_units(x.name, end, x.dimension) for end in written)
+        found = low, high
+    if found is None or not found[0] < found[1]:
+        unit = f" {USUAL_UNITS.get(x.dimension, '')}".rstrip()
+        raise MechcError([messages.no_range(x.name, f"10{unit} .. 80{unit}")])
+    return found
+
+
+def _family(
+    query: Query, x: Axis, inputs: Mapping[str, Input], mechanism: Mechanism
+) -> Iterator[list[Value]]:
+    """Yield the values of each parameter of the family; E584 for what is along the axis."""
+    for name, given in query.family:
+        if name == x.name:
+            others = [other for other in inputs if other != name]
+            raise MechcError([messages.no_such_parameter(name, others, "it is along the axis")])
+        axis = _axis(name, inputs, mechanism)
+        yield [Value(axis, in_units(name, value, axis.dimension)) for value in given]
+
+
+def in_units(name: str, given: Given, dimension: Dimension) -> float:
+    """Return a value in SI that may be text with its unit."""
+    return in_si(name, given, dimension) if isinstance(given, str) else float(given)
+
+
+def known(sweep: Sweep, names: Sequence[str]) -> list[Quantity]:
+    """Return quantities by name; E583 where there is none."""
+    strange = [name for name in names if name not in sweep.known]
+    if strange:
+        able = list(sweep.known)
+        found = [messages.nothing_of_this_name(n, able, near_miss(n, able)) for n in strange]
+        raise MechcError(found)
+    return [sweep.known[name] for name in names]
+
+
+def columns(sweep: Sweep, asked: Sequence[Quantity], points: int) -> tuple[Column, ...]:
+    """Return the table: what varies, then every quantity in every setting."""
+    places = sweep.places(points)
+    columns = [Column(sweep.x, (), tuple(map(float, places)))]
+    with np.errstate(all="ignore"):
+        for quantity, setting in product(asked, sweep.settings):
+            values = sweep.function(quantity, setting)(places)
+            columns.append(Column(sweep.axis(quantity), setting, tuple(map(float, values))))
+    return tuple(columns)
+
+
+def refuse_many(number: int) -> None:
+    """Raise E589 where there are more curves than a person can tell apart."""
+    if number > MOST:
+        raise MechcError([messages.too_many_curves(number, MOST)])
+
+
+def plot_of(sweep: Sweep, x: Axis, panels: tuple[Panel, ...], columns: tuple[Column, ...]) -> Plot:
+    """Return a plot of a sweep; its axis is another quantity where paths are shown."""
+    mechanism = sweep.mechanism
+    parameters = {p.name for p in mechanism.parameters}
+    given = range_of(sweep.x.name, mechanism) if sweep.x.name in parameters else None
+    inside = given is None or (given[0] <= sweep.low and sweep.high <= given[1])
+    return Plot(
+        mechanism.title or mechanism.name,
+        x,
+        sweep.x,
+        sweep.low,
+        sweep.high,
+        panels,
+        columns,
+        None if inside else given,
+        equal=x is not sweep.x,
+    )
