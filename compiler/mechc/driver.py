@@ -336,9 +336,7 @@ class Compilation:
     @Stage
     def scheme(self) -> "Drawing | None":
         """The kinematic scheme at the default pose; None where it cannot be assembled."""
-        from .report.languages.pictured import EN
-
-        return self.drawn_scheme(EN)
+        return self.drawn_scheme("en")
 
     @Stage
     @of_linkages
@@ -359,21 +357,34 @@ class Compilation:
         with within(Allowance(), self.report):
             return diagrams(self.pose, self.solution.results, figure.values, figure.points, loads)
 
-    def drawn_scheme(
-        self, words: Mapping[str, str], marks: "Marks | None" = None
-    ) -> "Drawing | None":
+    def titled(self, language: str) -> str:
+        """Return the title in a language, if it is translated; the name where there is none."""
+        mechanism = self.mechanism
+        texts = mechanism.translations.get(language, {})
+        return texts.get(mechanism.title, mechanism.title or mechanism.name)
+
+    def drawn_scheme(self, language: str, marks: "Marks | None" = None) -> "Drawing | None":
         """Return the scheme in the words of a language, with marks of how the mechanism moves."""
         from .drawing.from_figure import scheme
         from .drawing.moving import NO_MARKS
 
-        return scheme(self.figure, words, marks or NO_MARKS) if self.figure else None
+        figure, words = self._pictured(language)
+        return scheme(figure, words, marks or NO_MARKS) if figure else None
 
     @of_linkages
-    def drawn_bodies(self, words: Mapping[str, str]) -> "Drawing | None":
+    def drawn_bodies(self, language: str) -> "Drawing | None":
         """Return the free bodies drawn, in the words of a language; None where there are none."""
         from .drawing.from_diagrams import free_bodies
 
-        return free_bodies(self.figure, self.free_bodies, words) if self.figure else None
+        figure, words = self._pictured(language)
+        return free_bodies(figure, self.free_bodies, words) if figure else None
+
+    def _pictured(self, language: str) -> "tuple[Figure | None, Mapping[str, str]]":
+        """Return the figure with its title in a language, and the words of its pictures."""
+        from .report.languages.registry import locale
+
+        figure = self.figure and replace(self.figure, title=self.titled(language))
+        return figure, locale(language).pictures
 
     @Stage
     @of_linkages
@@ -384,13 +395,12 @@ class Compilation:
         return velocities(self.balance, self.figure, self.motion) if self.figure else ()
 
     @of_linkages
-    def drawn_plans(self, words: Mapping[str, str]) -> "Drawing | None":
+    def drawn_plans(self, language: str) -> "Drawing | None":
         """Return the plans of velocities and forces, in the words of a language, if any."""
         from .drawing.from_plans import plans
 
-        if self.figure is None:
-            return None
-        return plans(self.figure, self.velocities, self.free_bodies, words)
+        figure, words = self._pictured(language)
+        return plans(figure, self.velocities, self.free_bodies, words) if figure else None
 
     @of_linkages
     def stroke(self, points: int, paths: Sequence[str] = ()) -> "Stroke":

@@ -76,7 +76,7 @@ class Plotting:
         from .report.languages.registry import locale
 
         words = locale(language)
-        drawing = self._compilation.drawn_plans(words.pictures)
+        drawing = self._compilation.drawn_plans(language)
         return Picture(in_letters(drawing, letters(words))) if drawing else None
 
 

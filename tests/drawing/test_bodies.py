@@ -9,7 +9,15 @@ from good_mechanisms import ALL, begun
 from mechc.cli import main
 from mechc.drawing.drawing import AXIS, FORCE, Arc, Polyline
 from mechc.drawing.from_diagrams import LARGEST, SHORTEST
-from mechc.report.languages.pictured import EN
+from mechc.drawing.letters import in_letters
+from mechc.driver import Compilation
+from mechc.report.languages.letters import letters
+from mechc.report.languages.pictured import EN, UK
+from mechc.report.languages.registry import locale
+from mechc.source import Source
+from mechc.statics.answers import STANDS, UNBALANCED, UNSETTLED
+from mechc.statics.diagrams import CONSTANT, MIXED
+from mechc.statics.solved import SEVERAL
 from readable_drawings import assert_readable, lettering
 
 FEW = [
@@ -29,13 +37,13 @@ FEW = [
 
 @pytest.mark.parametrize("name", FEW)
 def test_no_label_is_on_a_line(name):
-    assert_readable(begun(name).drawn_bodies(EN))
+    assert_readable(begun(name).drawn_bodies("en"))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", ALL)
 def test_nor_in_all_others(name):
-    drawing = begun(name).drawn_bodies(EN)
+    drawing = begun(name).drawn_bodies("en")
     assert drawing is not None or name == "speeds"
     if drawing is not None:
         assert_readable(drawing)
@@ -58,21 +66,21 @@ def test_forces_are_to_scale_and_point_as_they_act():
         (round(force.angle, 6), max(SHORTEST, LARGEST * math.hypot(*force) / largest))
         for force in forces
     ]
-    found = [tip.minus(tail) for tail, tip in arrows(begun(name).drawn_bodies(EN))]
+    found = [tip.minus(tail) for tail, tip in arrows(begun(name).drawn_bodies("en"))]
     drawn = [(round(arrow.angle, 6), math.hypot(*arrow)) for arrow in found]
     for one, other in zip(sorted(drawn), sorted(expected), strict=True):
         assert one == pytest.approx(other)
 
 
 def test_forces_have_names_and_sizes():
-    found = lettering(begun("karpenko_fig9_packet_clamp").drawn_bodies(EN))
+    found = lettering(begun("karpenko_fig9_packet_clamp").drawn_bodies("en"))
     assert {"F", "P = 0.0671\u2009F", "RO = 0.5\u2009F"} <= set(found)
     assert "k, without friction, forces per unit of F" in found
 
 
 def test_friction_circles_are_as_large_as_they_are():
     figure, scale = begun("lever_clamp_with_friction").figure, None
-    drawing = begun("lever_clamp_with_friction").drawn_bodies(EN)
+    drawing = begun("lever_clamp_with_friction").drawn_bodies("en")
     plain, rubbing = begun("lever_clamp_with_friction").free_bodies
     (offset,) = {abs(a.offset) for b in rubbing.bodies for a in b.forces if a.offset}
     (circle,) = [s for s in drawing.shapes if isinstance(s, Arc) and s.pen == AXIS]
@@ -84,7 +92,7 @@ def test_friction_circles_are_as_large_as_they_are():
 
 
 def test_of_halves_one_is_drawn():
-    drawing = begun("karpenko_fig9_packet_clamp").drawn_bodies(EN)
+    drawing = begun("karpenko_fig9_packet_clamp").drawn_bodies("en")
     assert "Every body of one mirrored half" in drawing.description
     assert lettering(drawing).count("A") == 1
     assert "A'" not in lettering(drawing)
@@ -98,3 +106,46 @@ def test_without_loads_there_are_no_bodies(capsys, tmp_path):
     assert not target.exists()
     assert main(["draw", "crank_rocker", "--bodies", "-o", str(target)]) == 0
     assert "Free bodies of" in target.read_text("utf-8")
+
+
+BENCH = """mechanism bench "Crank"
+translate "Crank" uk "Кривошип" ru "Кривошип"
+param phi = 60 deg
+pivot O
+slider B along 0 deg through (0 mm, 0 mm)
+link OA
+link AB
+OA = 100 mm @ phi
+AB = @ -17 deg
+torque M on OA
+force F at B along 180 deg
+let F = 26.8 kN
+find M/F
+"""
+
+
+def bench(language):
+    compilation = Compilation(Source("bench.mech", BENCH))
+    return compilation, in_letters(compilation.drawn_bodies(language), letters(locale(language)))
+
+
+def test_names_and_units_are_as_they_are_written():
+    compilation, drawing = bench("uk")
+    found = lettering(drawing)
+    assert "M/F, без тертя" in found
+    assert "F = 26,8\u2009кН" in found
+    assert drawing.title == "Ланки, звільнені від в’язей: Кривошип"
+    assert "M/F" in drawing.description
+    (diagram,) = compilation.free_bodies
+    assert [body.name for body in diagram.bodies] == ["OA", "AB", "B"]
+
+
+def test_why_there_are_no_forces_is_said_in_three_languages():
+    reasons = {CONSTANT, MIXED, SEVERAL, STANDS, UNBALANCED, UNSETTLED}
+    assert reasons == UK.keys() - EN.keys()
+
+
+def test_what_equals_a_load_has_no_number():
+    found = lettering(begun("block_and_tackle").drawn_bodies("uk"))
+    assert "RK = F" in found
+    assert any(text.startswith("RA,стояк") for text in found)

@@ -38,7 +38,7 @@ def test_each_picture_is_at_its_place(language, clamp):
 @pytest.mark.parametrize("language", CAPTIONS)
 def test_free_bodies_are_headed_in_the_language(language):
     words = registry.locale(language).pictures
-    drawing = begun("karpenko_fig9_with_friction").drawn_bodies(words)
+    drawing = begun("karpenko_fig9_with_friction").drawn_bodies(language)
     heads = [text for text in lettering(drawing) if text.startswith("k, ")]
     per = words["per"].format(load="F")
     assert heads == [f"k, {words['without']}, {per}", f"k, {words['tightening']}, {per}"]

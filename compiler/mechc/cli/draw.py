@@ -80,12 +80,12 @@ def command(
     picture goes to standard output as SVG. PNG needs `pip install 'mechc[png]'`, PDF `mechc[pdf]`.
 
     With --bodies each link is drawn by itself, without friction and then with it, with the
-    forces on it to one scale: in newtons, or in units of a load whose size nothing gives. Of
-    a mirrored mechanism one half is shown.
+    forces on it to one scale: in newtons or kilonewtons, or in units of a load whose size
+    nothing gives. Of a mirrored mechanism one half is shown.
 
     With --plans the velocities go out from a pole p to the points a, b, c, with those relative
     to other points between them, and the forces on each body follow head to tail: in metres a
-    second and newtons, or in units of a speed and a load whose size nothing gives.
+    second and newtons or kilonewtons, or in units of a speed and a load whose size nothing gives.
 
     \b
     mechc draw clamp.mech -o clamp.svg
@@ -95,8 +95,7 @@ def command(
     """
     _refuse_several(asked)
     compilation = begin(file, stdin_name, settings)
-    words = locale(language)
-    drawing = in_letters(_drawing(compilation, asked, words.pictures), letters(words))
+    drawing = in_letters(_drawing(compilation, asked, language), letters(locale(language)))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in paths if path != STANDARD_OUTPUT]
     pictures = {path: in_format_of(path, drawing) for path in files}
@@ -115,26 +114,22 @@ def _refuse_several(asked: Mapping[str, bool]) -> None:
         raise click.UsageError(f"{given[0]} and {given[1]} are two pictures; draw one at a time")
 
 
-def _drawing(
-    compilation: Compilation, asked: Mapping[str, bool], words: Mapping[str, str]
-) -> Drawing:
+def _drawing(compilation: Compilation, asked: Mapping[str, bool], language: str) -> Drawing:
     """Return the picture that is asked for; what it says has been checked."""
     if not any(asked.values()):
-        drawing, trouble = compilation.drawn_scheme(words), nothing_to_draw()
+        drawing, trouble = compilation.drawn_scheme(language), nothing_to_draw()
     elif asked["bodies"]:
-        drawing, trouble = checked(compilation).drawn_bodies(words), no_free_bodies()
+        drawing, trouble = checked(compilation).drawn_bodies(language), no_free_bodies()
     elif asked["plans"]:
-        drawing, trouble = checked(compilation).drawn_plans(words), no_plans()
+        drawing, trouble = checked(compilation).drawn_plans(language), no_plans()
     else:
-        drawing, trouble = _marked(checked(compilation), asked, words), nothing_to_draw()
+        drawing, trouble = _marked(checked(compilation), asked, language), nothing_to_draw()
     if drawing is None:
         raise MechcError([trouble if compilation.figure else nothing_to_draw()])
     return drawing
 
 
-def _marked(
-    compilation: Compilation, asked: Mapping[str, bool], words: Mapping[str, str]
-) -> Drawing | None:
+def _marked(compilation: Compilation, asked: Mapping[str, bool], language: str) -> Drawing | None:
     """Return the scheme with the marks that are asked for."""
     moving = compilation.velocities if asked["velocities"] or asked["centres"] else ()
     first = moving[0] if moving else None
@@ -143,4 +138,4 @@ def _marked(
         centres=first if asked["centres"] else None,
         circles=friction_circles(compilation.free_bodies) if asked["friction_circles"] else {},
     )
-    return compilation.drawn_scheme(words, marks)
+    return compilation.drawn_scheme(language, marks)

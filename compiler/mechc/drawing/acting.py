@@ -8,7 +8,7 @@ from ..figure.figure import Figure, Link, Slide, Torque
 from ..frozen import frozen
 from ..statics.diagram import Acting, Diagram, FreeBody
 from .drawing import Run
-from .lettering import figures, name
+from .lettering import measured, name
 
 LEAST = 0.004
 """A force below this part of the largest is nothing."""
@@ -17,20 +17,36 @@ LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "T"}
 """What forces of joints are called by their kind; others are R."""
 
 
-def heading(diagram: Diagram, words: Mapping[str, str]) -> str:
+FIXED = {"ground": "ground", "branches": "other"}
+"""What is no body of the mechanism, and the word that it is called by."""
+
+KILO, MEGA = 1e4, 1e7
+"""From which largest force on they are in kilonewtons, and in meganewtons."""
+
+
+def heading(diagram: Diagram, words: Mapping[str, str]) -> tuple[Run, ...]:
     """Return under which loads the bodies are, in the words of a language."""
-    friction = words[diagram.motion or "without"]
-    per = f", {words['per'].format(load=diagram.per)}" if diagram.per else ""
-    trouble = f": none, {diagram.trouble}" if diagram.trouble else ""
-    return f"{diagram.result}, {friction}{per}{trouble}"
+    runs = (*name(diagram.result), Run(f", {words[diagram.motion or 'without']}"))
+    if diagram.per:
+        before, behind = words["per"].split("{load}")
+        runs += (Run(f", {before}"), *name(diagram.per), *([Run(behind)] if behind else []))
+    if not diagram.trouble:
+        return runs
+    return (*runs, Run(f": {words.get(diagram.trouble, diagram.trouble)}"))
+
+
+def in_words(runs: tuple[Run, ...]) -> str:
+    """Return what is lettered as plain text."""
+    return "".join(run.text for run in runs)
 
 
 @frozen
 class Forces:
-    """The forces of one diagram."""
+    """The forces of one diagram, in the words of a language."""
 
     figure: Figure
     diagram: Diagram
+    words: Mapping[str, str]
 
     @property
     def largest(self) -> float:
@@ -48,10 +64,12 @@ class Forces:
 
     def called(self, body: str) -> str:
         """Return a body's name by its points, with their primes: B'K is the twin of BK."""
+        if body in FIXED:
+            return self.words[FIXED[body]]
         for part in self.figure.parts:
             if isinstance(part, Link | Slide) and part.name == body:
                 return "".join(part.points)
-        return body
+        return body.replace("-", "")
 
     def name(self, body: FreeBody, acting: Acting, couple: bool = False) -> tuple[Run, ...]:
         """Return what a force or couple is called: a load by its name, others by their point."""
@@ -59,7 +77,7 @@ class Forces:
             return name(acting.by)
         letter = LETTERS.get(acting.kind, "R")
         same = Counter((LETTERS.get(a.kind, "R"), a.point) for a in body.forces if a.kind != "load")
-        index = "".join(run.text for run in name(acting.point))
+        index = in_words(name(acting.point))
         if same[letter, acting.point] > 1:
             index = f"{index},{self.called(acting.by)}"
         shown = "M" if couple else letter
@@ -67,18 +85,30 @@ class Forces:
 
     @property
     def unit(self) -> tuple[Run, ...]:
-        """Return in what forces are measured: newtons, or the load that they are per."""
+        """Return in what forces are measured: newtons or more, or the load that they are per."""
         if not self.diagram.per:
-            return (Run("N", unit=True),)
+            return (Run(self._newtons[0], unit=True),)
         return (*name(self.diagram.per), *([Run("/m", unit=True)] if self._turning else []))
 
+    @property
+    def _newtons(self) -> tuple[str, float]:
+        """Return the unit of forces in newtons, and its size."""
+        if self.largest < KILO:
+            return "N", 1.0
+        return ("kN", 1e3) if self.largest < MEGA else ("MN", 1e6)
+
+    @property
+    def measure(self) -> float:
+        """Return the size of what forces are measured in."""
+        return 1.0 if self.diagram.per else self._newtons[1]
+
     def size(self, acting: Acting) -> tuple[Run, ...]:
-        """Return how large a force is, in newtons or in units of the load that it is per."""
-        return self._value(acting, math.hypot(*(acting.force or ())), self._turning, "N", -1)
+        """Return how large a force is, in newtons or more, or in the load that it is per."""
+        return self._value(acting, math.hypot(*(acting.force or ())), self._turning, "", -1)
 
     def turning(self, acting: Acting) -> tuple[Run, ...]:
         """Return how large a couple is."""
-        return self._value(acting, abs(acting.moment), not self._turning, "N\u2009m", 1)
+        return self._value(acting, abs(acting.moment), not self._turning, "\u2009m", 1)
 
     @property
     def _turning(self) -> bool:
@@ -87,17 +117,18 @@ class Forces:
         return any(isinstance(p, Torque) and p.name == self.diagram.per for p in parts)
 
     def _value(
-        self, acting: Acting, size: float, scaled: bool, unit: str, metres: int
+        self, acting: Acting, size: float, scaled: bool, by: str, metres: int
     ) -> tuple[Run, ...]:
-        """Return a size in newtons or newton metres, or in units of the load that it is per.
+        """Return a size in newtons, or that ``by`` a length, or in units of a load.
 
         That load itself has none, nor has what depends on lengths that were chosen.
         ``scaled`` tells that the quotient of both has a dimension, of so many ``metres``.
         """
         if acting.chosen or (acting.kind == "load" and acting.by == self.diagram.per):
             return ()
-        number = f" = {figures(size)}\u2009"
         if not self.diagram.per:
-            return (Run(number), Run(unit, unit=True))
+            unit, worth = self._newtons
+            return (*measured(size / worth), Run(f"{unit}{by}", unit=True))
         length = {(True, -1): "/m", (True, 1): "\u2009m"}.get((scaled, metres), "")
-        return (Run(number), *name(self.diagram.per), *([Run(length, unit=True)] if length else []))
+        number = measured(size, of_another=True)
+        return (*number, *name(self.diagram.per), *([Run(length, unit=True)] if length else []))

@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 
 from ..formula.names import split_points
 from ..pose.places import Plane
-from .acting import Forces, heading
+from .acting import Forces, heading, in_words
 from .drawing import Run
 from .force_polygon import visible
 from .lettering import figures
@@ -26,10 +26,10 @@ def _velocities(speeds: Speeds) -> Iterator[str]:
             yield _towards((*speeds.name(point), *size), velocity)
 
 
-def say_forces(forces: Forces, words: Mapping[str, str]) -> str:
+def say_forces(forces: Forces) -> str:
     """Return the forces on every body in the order of its polygon."""
     said = "; ".join(_bodies(forces))
-    return f"{heading(forces.diagram, words)}: {said}." if said else ""
+    return f"{in_words(heading(forces.diagram, forces.words))}: {said}." if said else ""
 
 
 def _bodies(forces: Forces) -> Iterator[str]:
@@ -46,4 +46,4 @@ def _bodies(forces: Forces) -> Iterator[str]:
 
 def _towards(runs: tuple[Run, ...], vector: Plane) -> str:
     angle = round(math.degrees(vector.angle) % 360, 1) % 360
-    return f"{''.join(run.text for run in runs)} ∠ {figures(angle)}°"
+    return f"{in_words(runs)} ∠ {figures(angle)}°"

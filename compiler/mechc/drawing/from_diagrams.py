@@ -8,7 +8,7 @@ from ..frozen import frozen, replace
 from ..pose.places import NOWHERE, Plane
 from ..statics.diagram import AT_PINS, Acting, Diagram, FreeBody
 from . import symbols
-from .acting import LEAST, Forces, heading
+from .acting import LEAST, Forces, heading, in_words
 from .arrange import below_each_other, in_rows, line_of_text
 from .bodies import link, slide
 from .drawing import AXIS, FORCE, SYMBOL, Arc, Drawing, Run, Shape
@@ -38,14 +38,14 @@ def free_bodies(
     if not diagrams:
         return None
     paper = on_paper(figure)
-    drawn = [_Maker(paper, Forces(figure, d), heading(d, words)).drawing() for d in diagrams]
+    drawn = [_Maker(paper, Forces(figure, d, words)).drawing() for d in diagrams]
     title = words["bodies_of"].format(name=figure.title or figure.name)
     about = _description(diagrams, words, figure.mirror is not None)
     return replace(below_each_other(drawn), title=title, description=about)
 
 
 def _description(diagrams: Sequence[Diagram], words: Mapping[str, str], halves: bool) -> str:
-    heads = "; ".join(heading(diagram, words) for diagram in diagrams)
+    heads = "; ".join(in_words(heading(diagram, words)) for diagram in diagrams)
     return words["half_cut" if halves else "cut"].format(heads=heads)
 
 
@@ -55,11 +55,10 @@ class _Maker:
 
     paper: Paper
     forces: Forces
-    heading: str
 
     def drawing(self) -> Drawing:
         """Return a heading over all bodies."""
-        head = line_of_text((Run(self.heading),))
+        head = line_of_text(heading(self.forces.diagram, self.forces.words))
         bodies = [self._body(body) for body in self.forces.described]
         return below_each_other([head, in_rows(bodies)]) if bodies else head
 

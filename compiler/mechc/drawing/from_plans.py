@@ -34,12 +34,12 @@ def plans(
     ``words`` are those of a language.
     """
     motions = [_of_velocities(figure, velocities, i, words) for i in range(len(velocities))]
-    forces = [_of_forces(Forces(figure, diagram), words) for diagram in diagrams]
+    forces = [_of_forces(Forces(figure, diagram, words)) for diagram in diagrams]
     if not motions and not forces:
         return None
     title = words["plans_of"].format(name=figure.title or figure.name)
     about = [say_velocities(Speeds(v), words) for v in velocities]
-    about += [say_forces(Forces(figure, diagram), words) for diagram in diagrams]
+    about += [say_forces(Forces(figure, diagram, words)) for diagram in diagrams]
     return replace(
         below_each_other([*motions, *forces]),
         title=title,
@@ -75,14 +75,15 @@ def _rows(parts: Sequence[tuple[Run, ...]]) -> Iterator[Drawing]:
         yield line_of_text(tuple(said)[1:])
 
 
-def _of_forces(forces: Forces, words: Mapping[str, str]) -> Drawing:
+def _of_forces(forces: Forces) -> Drawing:
     """Return the polygons of all bodies under one set of loads, to one scale."""
     scale = LARGEST / forces.largest
     found = [_polygon(forces, body, scale) for body in _drawn(forces)]
-    polygons = [in_rows(found, "top"), scale_bar(scale, forces.unit)] if found else []
+    bar = scale_bar(scale * forces.measure, forces.unit)
+    polygons = [in_rows(found, "top"), bar] if found else []
     open_ = ", ".join(forces.called(b.name) for b in forces.described if not is_known(b))
-    left_out = [line_of_text((Run(words["open"].format(bodies=open_)),))] if open_ else []
-    head = line_of_text((Run(heading(forces.diagram, words)),))
+    left_out = [line_of_text((Run(forces.words["open"].format(bodies=open_)),))] if open_ else []
+    head = line_of_text(heading(forces.diagram, forces.words))
     return below_each_other([head, *polygons, *left_out])
 
 

@@ -4,7 +4,7 @@ import math
 import re
 from collections.abc import Iterator
 
-from ..formula.names import GREEK, split_name, split_points
+from ..formula.names import GREEK, split_name, split_points, split_ratio
 from ..units import LENGTH, UNITS
 from .drawing import Run
 
@@ -48,8 +48,11 @@ def name(written: str) -> tuple[Run, ...]:
 
     >>> [run.text for run in name("O1'")], [run.text for run in name("alpha_max")]
     (["O'", '1'], ['α', 'max'])
+    >>> [run.text for run in name("M_over_F")]
+    ['M', '/', 'F']
     """
-    return tuple(_points(written)) or tuple(_quantity(written))
+    above, *below = (tuple(_points(n)) or tuple(_quantity(n)) for n in split_ratio(written))
+    return (*above, *(run for part in below for run in (Run("/"), *part)))
 
 
 def _points(written: str) -> Iterator[Run]:
@@ -76,6 +79,23 @@ def figures(value: float) -> str:
     if 1e3 <= abs(value) < 1e6:
         written = f"{round(value, 2 - math.floor(math.log10(abs(value)))):.0f}"
     return written.replace("-", "−")
+
+
+def measured(value: float, of_another: bool = False) -> tuple[Run, ...]:
+    """Return that something is a number, to three figures, as it stands before a unit.
+
+    Before the name of another quantity, 1 is not written.
+
+    >>> [run.text for run in measured(2.5e-7)], [run.text for run in measured(1.0, of_another=True)]
+    ([' = 2.5 · 10', '−7', ' '], [' = '])
+    """
+    if of_another and math.isclose(value, 1.0, rel_tol=1e-9):
+        return (Run(" = "),)
+    digits, _, power = figures(value).partition("e")
+    if not power:
+        return (Run(f" = {digits}{_THIN}"),)
+    exponent = str(int(power.replace(_MINUS, "-"))).replace("-", _MINUS)
+    return Run(f" = {digits}{_THIN}·{_THIN}10"), Run(exponent, level=1), Run(_THIN)
 
 
 def formula(text: str) -> tuple[Run, ...]:

@@ -23,11 +23,16 @@ LATIN = Letters({}, ".")
 
 
 def in_letters(drawing: Drawing, letters: Letters) -> Drawing:
-    """Return a drawing with its numbers and units in the letters of a language."""
+    """Return a drawing with its numbers and units in the letters of a language.
+
+    A title is text of the description, and stays as it is.
+    """
     if letters == LATIN:
         return drawing
     labels = (label._replace(runs=spelled(label.runs, letters)) for label in drawing.labels)
-    return replace(drawing, labels=tuple(labels))
+    about = drawing.description.split(drawing.title)
+    description = drawing.title.join(_lettered(part, letters) for part in about)
+    return replace(drawing, labels=tuple(labels), description=description)
 
 
 def spelled(runs: Iterable[Run], letters: Letters) -> tuple[Run, ...]:
@@ -41,8 +46,14 @@ def spelled(runs: Iterable[Run], letters: Letters) -> tuple[Run, ...]:
 
 
 def _spelled(run: Run, letters: Letters) -> str:
-    def words(unit: str) -> str:
-        return _WORD.sub(lambda word: letters.units.get(word[0], word[0]), unit)
+    return _unit(run.text, letters) if run.unit else _lettered(run.text, letters)
 
-    text = words(run.text) if run.unit else _BEHIND_A_NUMBER.sub(lambda m: words(m[0]), run.text)
-    return _POINT.sub(letters.decimal, text)
+
+def _unit(unit: str, letters: Letters) -> str:
+    return _WORD.sub(lambda word: letters.units.get(word[0], word[0]), unit)
+
+
+def _lettered(text: str, letters: Letters) -> str:
+    """Return text with its decimals, and the units behind numbers, in the letters of a language."""
+    units = _BEHIND_A_NUMBER.sub(lambda found: _unit(found[0], letters), text)
+    return _POINT.sub(letters.decimal, units)

@@ -3,7 +3,7 @@
 from ..figure.velocities import Velocities
 from ..frozen import frozen
 from .drawing import Run
-from .lettering import figures, name
+from .lettering import measured, name
 
 
 def index(*points: str) -> Run:
@@ -31,7 +31,7 @@ class Speeds:
         if of == (per,) or not self.velocities.chosen.isdisjoint(of):
             return ()
         unit = self.name(per) if per else (Run("m/s", unit=True),)
-        return (Run(f" = {figures(speed)}\u2009"), *unit)
+        return (*measured(speed, of_another=bool(per)), *unit)
 
     def spin(self, link: str) -> tuple[Run, ...]:
         """Return the angular velocity of a link; nothing where that is open."""
@@ -42,4 +42,4 @@ class Speeds:
         if abs(spin) <= least:
             return (*self.spin_name(link), Run(" = 0"))
         unit = (*self.name(per), Run("/m", unit=True)) if per else (Run("rad/s", unit=True),)
-        return (*self.spin_name(link), Run(f" = {figures(spin)}\u2009"), *unit)
+        return (*self.spin_name(link), *measured(spin, of_another=bool(per)), *unit)

@@ -4,7 +4,6 @@ Targets are found by name; third parties add theirs through the entry-point grou
 ``mechc.targets``, whose values are :class:`Target` objects.
 """
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple, Protocol
 
 from ..model.mechanism import Mechanism
@@ -68,16 +67,15 @@ class Compiled(Protocol):
         """Return the drawing data at the default pose; None where it cannot be assembled."""
         ...
 
-    @property
-    def scheme(self) -> "Drawing | None":
+    def drawn_scheme(self, language: str) -> "Drawing | None":
         """Return the kinematic scheme at the default pose; None where it cannot be assembled."""
         ...
 
-    def drawn_bodies(self, words: Mapping[str, str]) -> "Drawing | None":
+    def drawn_bodies(self, language: str) -> "Drawing | None":
         """Return the free bodies drawn, in the words of a language; None where there are none."""
         ...
 
-    def drawn_plans(self, words: Mapping[str, str]) -> "Drawing | None":
+    def drawn_plans(self, language: str) -> "Drawing | None":
         """Return the plans of velocities and forces, in the words of a language, if any."""
         ...
 

@@ -65,6 +65,15 @@ def another(name: str) -> str:
     return f"{stem}_{int(last) + 1}" if stem and last.isdecimal() else f"{name}_2"
 
 
+def split_ratio(name: str) -> tuple[str, ...]:
+    """Split the name of a result that was asked for without one into what it is the ratio of.
+
+    >>> split_ratio("V_D_over_V_A"), split_ratio("alpha_1")
+    (('V_D', 'V_A'), ('alpha_1',))
+    """
+    return tuple(name.split("_over_"))
+
+
 def split_points(name: str) -> tuple[Point, ...]:
     """Split a point, vector or link into its points; ``()`` when it is none of these.
 

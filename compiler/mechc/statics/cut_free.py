@@ -163,7 +163,8 @@ class _Drawn:
             forces = (*at_pins, *direct)
             yield FreeBody(name, "slide" if name in self.acts.slides else "link", forces)
         for point, acts in self.acts.on_pins.items():
-            if point not in self.merged and not self._is_plain(point):
+            free = {kind for kind, _ in acts} != {"ground"}
+            if free and point not in self.merged and not self._is_plain(point):
                 forces = tuple(acts.values())
                 guided = point in self.acts.guides
                 yield FreeBody(point, "slider" if guided else "pin", forces)

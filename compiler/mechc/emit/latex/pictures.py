@@ -43,9 +43,9 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
     along = _stroke(compiled)
     others = [plot for plot in plots if along is None or plot.x.name != along.drive]
     drawings = {
-        "scheme": compiled.scheme if "scheme" in named else None,
-        "bodies": compiled.drawn_bodies(words) if "bodies" in named else None,
-        "plans": compiled.drawn_plans(words) if "plans" in named else None,
+        "scheme": compiled.drawn_scheme(style.language) if "scheme" in named else None,
+        "bodies": compiled.drawn_bodies(style.language) if "bodies" in named else None,
+        "plans": compiled.drawn_plans(style.language) if "plans" in named else None,
     }
     drawn = {name: tuple(_drawn(d, words[name], locale)) for name, d in drawings.items()}
     return Pictures(

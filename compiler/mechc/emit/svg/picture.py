@@ -35,7 +35,7 @@ def to_svg(drawing: Drawing) -> str:
         '<g fill="none" stroke-linecap="round" stroke-linejoin="round">',
         *_shapes(drawing),
         "</g>",
-        f'<g font-family={quoteattr(FONTS)} text-anchor="middle">',
+        f'<g font-family={quoteattr(FONTS)} text-anchor="middle" xml:space="preserve">',
         *(_label(label, drawing) for label in drawing.labels),
         "</g>",
         "</svg>",

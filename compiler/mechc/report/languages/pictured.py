@@ -9,6 +9,8 @@ EN: Words = {
     "tightening": "with friction, tightening",
     "releasing": "with friction, releasing",
     "per": "forces per unit of {load}",
+    "ground": "ground",
+    "other": "other branches",
     "velocities": "velocities",
     "motion": "motion {number} of {count}",
     "open": "not all forces are known on: {bodies}",
@@ -40,6 +42,8 @@ UK: Words = {
     "tightening": "з тертям, прямий хід",
     "releasing": "з тертям, зворотний хід",
     "per": "сили на одиницю {load}",
+    "ground": "стояк",
+    "other": "інші гілки",
     "velocities": "швидкості",
     "motion": "рух {number} з {count}",
     "open": "не всі сили відомі: {bodies}",
@@ -65,6 +69,17 @@ UK: Words = {
     "branches": "Показано одну з {count} однакових гілок.",
     "open_scale": "Не в масштабі: не задано {names}.",
     "far_centres": "Миттєві центри швидкостей надто далеко, щоб їх показати: {links}.",
+    "no forces at the joints balance the loads": "жодні сили в кінематичних парах не "
+    "зрівноважують навантажень",
+    "a joint stands still at that pose, and rounding tells which way it slips": "у цьому положенні "
+    "одна з кінематичних пар нерухома, і напрям ковзання в ній визначає лише округлення",
+    "no friction was found that balances at that pose": "не знайдено сил тертя, за яких у цьому "
+    "положенні є рівновага",
+    "an efficiency does not say where friction acts": "із ККД не видно, де діє тертя",
+    "forces with friction do not add up, so every load but one needs a size": "сили з тертям не "
+    "додаються, тому кожне навантаження, крім одного, має бути задане",
+    "friction is found where one load follows from all the others": "тертя визначається тоді, "
+    "коли одне навантаження випливає з усіх інших",
 }
 
 RU: Words = {
@@ -72,6 +87,8 @@ RU: Words = {
     "tightening": "с трением, прямой ход",
     "releasing": "с трением, обратный ход",
     "per": "силы на единицу {load}",
+    "ground": "стойка",
+    "other": "другие ветви",
     "velocities": "скорости",
     "motion": "движение {number} из {count}",
     "open": "не все силы известны: {bodies}",
@@ -97,4 +114,16 @@ RU: Words = {
     "branches": "Показана одна из {count} одинаковых ветвей.",
     "open_scale": "Не в масштабе: не заданы {names}.",
     "far_centres": "Мгновенные центры скоростей слишком далеко, чтобы их показать: {links}.",
+    "no forces at the joints balance the loads": "никакие силы в кинематических парах не "
+    "уравновешивают нагрузок",
+    "a joint stands still at that pose, and rounding tells which way it slips": "в этом положении "
+    "одна из кинематических пар неподвижна, и направление скольжения в ней определяет лишь "
+    "округление",
+    "no friction was found that balances at that pose": "не найдено сил трения, при которых в этом "
+    "положении есть равновесие",
+    "an efficiency does not say where friction acts": "из КПД не видно, где действует трение",
+    "forces with friction do not add up, so every load but one needs a size": "силы с трением не "
+    "складываются, поэтому каждая нагрузка, кроме одной, должна быть задана",
+    "friction is found where one load follows from all the others": "трение определяется, когда "
+    "одна нагрузка следует из всех остальных",
 }

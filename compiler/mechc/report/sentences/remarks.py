@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from typing import assert_never
 
 from ...formula.layout import is_angle
+from ...formula.names import split_ratio
 from ...formula.tree import ZERO, Call, Formula, Power, Sum, Symbol, product, quotient, total
 from ...formula.walk import walk
 from ...model.mechanism import (
@@ -117,7 +118,7 @@ def reaction(result: Analysis) -> Reaction | None:
 
 def is_nameless(result: Analysis) -> bool:
     """Return whether a result's name was made up (``V_D_over_V_A``)."""
-    return "_over_" in result.name
+    return len(split_ratio(result.name)) > 1
 
 
 def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:
