@@ -429,11 +429,13 @@ class Compilation:
 
     def plot(self, query: "Query", watch: "Watch" = iter) -> "Plot":
         """Return results against a parameter; ``watch`` sees the curves done one by one."""
+        from .plot.dead_centres import with_dead_centres
         from .plot.from_routine import plot
 
         mechanism, routine = self.pose.mechanism, self.routine
         with within(Allowance(), self.report):
-            return plot(mechanism, routine, query, watch)
+            found = plot(mechanism, routine, query, watch)
+            return with_dead_centres(found, self.pose, lambda: self.results)
 
     def _sound(self, value: T) -> T:
         self.report.stop_on_errors()

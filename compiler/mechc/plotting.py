@@ -5,6 +5,7 @@ from types import MappingProxyType
 from typing import TYPE_CHECKING
 
 from .driver import Compilation
+from .frozen import replace
 from .plot.query import POINTS, Given, Query, condition
 from .syntax.settings import parse
 
@@ -29,13 +30,15 @@ class Plotting:
         path: str | Sequence[str] = (),
         where: str | Sequence[str] = (),
         points: int = POINTS,
+        language: str = "en",
     ) -> "PlotPicture":
         """Return results ``y`` against ``x``, or the ``path`` of points while the drive moves.
 
         Without ``x`` the drive varies, without ``y`` the first result is shown. A ``family`` is
         a curve for each value of a parameter, ``along`` gives parameters formulas, and ``range``
         is another one than that of the description: numbers in SI and radians, or text with
-        units. ``where="gamma >= 1.5 rad"`` shades where that holds. In a notebook the plot shows
+        units. ``where="gamma >= 1.5 rad"`` shades where that holds, ``language`` is that of words,
+        units and decimals: en, uk or ru. In a notebook the plot shows
         itself; ``save("k.svg")`` writes it, also .tex, .pdf, .png, and the table of its values
         as .csv or .xlsx. Raises :class:`mechc.MechcError` where there is no such thing to plot.
 
@@ -46,6 +49,8 @@ class Plotting:
         """
         from .drawing.from_plot import picture
         from .emit.plot_files import PlotPicture
+        from .report.languages.letters import letters
+        from .report.languages.registry import locale
 
         settings = dict(parse(f"{name}={formula}") for name, formula in along.items())
         query = Query(
@@ -57,8 +62,9 @@ class Plotting:
             tuple(map(condition, _listed(where))),
             points,
         )
-        found = self._compilation.along(settings).plot(query)
-        return PlotPicture(found, picture(found))
+        plotted, told = self._compilation.along(settings).plot(query), locale(language)
+        found = replace(plotted, title=self._compilation.titled(language))
+        return PlotPicture(found, picture(found, told.pictures), told.pictures, letters(told))
 
     def plans(self, language: str = "en") -> "Picture | None":
         """Return the plans of velocities and of forces at the pose of the description.

@@ -17,10 +17,24 @@ from mechc.drawing.axes import GRID, PAPER, ZERO
 from mechc.drawing.panels import laid_out
 from mechc.emit.svg.picture import to_svg
 from mechc.frozen import replace
+from mechc.report.languages.pictured import EN
 from paths import EXAMPLES
 from readable_drawings import assert_readable, lettering
 
 CLAMP = "karpenko_fig9_packet_clamp"
+CRANK = """mechanism crank
+param phi = 60 deg
+pivot O
+slider B along 0 deg
+link OA
+link AB
+OA = 100 mm @ phi
+AB = @ -17 deg
+torque M on OA
+force F at B along 180 deg
+find M/F
+"""
+
 LEVERS = "karpenko_fig3_inclined_levers"
 
 
@@ -147,7 +161,7 @@ def test_the_path_of_a_point_keeps_its_shape(rocker):
     radii = [math.hypot(*p) for p in places]
     assert radii == pytest.approx([0.04] * len(radii))
     assert len(curve.marks) == 12
-    layout = laid_out(picture.plot, picture.plot.panels[0])
+    layout = laid_out(picture.plot, picture.plot.panels[0], EN)
     step = layout.frame.high.minus(layout.frame.low)
     span = layout.frame.most.minus(layout.frame.least)
     assert step.x / span.x == pytest.approx(step.y / span.y)
@@ -201,7 +215,7 @@ def test_labels_lie_on_no_curve_and_touch_none(name):
 def test_curves_stay_inside_their_panel(name):
     plot = plotted(name).plot
     for panel in plot.panels:
-        layout = laid_out(plot, panel)
+        layout = laid_out(plot, panel, EN)
         least, most = layout.frame.least, layout.frame.most
         assert least.y <= panel.low / panel.y.size + 1e-9
         assert panel.high / panel.y.size - 1e-9 <= most.y
@@ -211,9 +225,9 @@ def test_curves_stay_inside_their_panel(name):
 def test_what_the_picture_says(clamp):
     picture = clamp.plot("alpha", family={"beta": ["10 deg"]}, range=("0 deg", "180 deg"))
     assert "k, beta = 10° is infinite at alpha = 90°." in picture.alt
-    assert "k, beta = 10° is 0 at alpha = 170°." in picture.alt
+    assert "k, beta = 10° is 0 at alpha = 170° (dead centre)." in picture.alt
     assert picture.alt in to_svg(picture.drawing).replace("&gt;", ">")
-    assert {"0", "30", "180", "170°"} <= set(lettering(picture.drawing))
+    assert {"0", "30", "180", "dead centre, 170°", "90°"} <= set(lettering(picture.drawing))
 
 
 def test_latex_has_the_same_axes_and_values(clamp, tmp_path):
@@ -329,3 +343,21 @@ def test_a_value_without_its_unit_is_one_of_the_usual_errors(capsys, clamp):
 def test_a_stroke_without_a_drive_points_here(capsys):
     assert main(["stroke", CLAMP]) == 1
     assert "`mechc plot FILE --x alpha` runs over its range" in capsys.readouterr().err
+
+
+def test_dead_centres_are_told_from_loads_across_a_velocity():
+    rocker = mechc.load("crank_rocker").plot(language="uk")
+    (curve,) = rocker.plot.curves
+    assert list(curve.dead_centres) == [m.at.x for m in curve.marks if m.kind == "zero"]
+    assert "phi = 24,15° (мертве положення)" in rocker.alt
+    (cylinder,) = mechc.load("oscillating_cylinder").plot().plot.curves
+    assert (len([m for m in cylinder.marks if m.kind == "zero"]), cylinder.dead_centres) == (1, ())
+    (limit,) = mechc.load("double_rocker").plot(range=("60 deg", "100 deg")).plot.curves
+    assert limit.dead_centres == limit.poles != ()
+
+
+def test_plots_have_titles_in_the_language(clamp):
+    assert "Пакетний затискач" in clamp.plot("alpha", language="uk").drawing.title
+    ratio = mechc.loads(CRANK, "m.mech").plot("phi", range=("10 deg", "80 deg"))
+    assert "M/F, mm" in lettering(ratio.drawing)
+    assert ratio.alt.startswith("M/F against phi")

@@ -88,6 +88,14 @@ def test_a_curve_runs_to_the_last_place_at_which_it_has_a_value():
     assert (xs[0], xs[-1]) == pytest.approx((0.3, 0.7), abs=1e-15)
 
 
+@pytest.mark.parametrize("high", [math.pi / 2, 1.0])
+def test_a_pole_at_an_end_leaves_the_rest_to_be_seen(high):
+    """At the end of the range, and where the function ends to be."""
+    trace = whole(lambda x: x / np.sqrt(np.cos(x * math.pi / 2 / high)), 0.0, math.pi / 2)
+    assert trace.poles == pytest.approx([high], abs=1e-12)
+    assert limits([trace])[1] < 30
+
+
 def test_extrema_to_many_digits_smooth_or_with_a_corner():
     found = whole(lambda x: np.sin(x) + 3.0, 0.0, 6.0).turns
     assert [t.sense for t in found] == [-1, 1]

@@ -13,6 +13,7 @@ from ..driver import checked, warnings
 from ..emit.plot_files import FORMATS, PlotPicture
 from ..emit.svg.picture import to_svg
 from ..files import write_all
+from ..frozen import replace
 from ..plot.narrowing import Function
 from ..plot.query import POINTS, Condition, Query, condition
 from ..report.languages.letters import letters
@@ -137,7 +138,7 @@ def _constraints(
 )  # fmt: skip
 @click.option(
     "--lang", "language", type=Word(LANGUAGES), default="en",
-    help="The language of units and decimals.",
+    help="The language of words, units and decimals.",
 )  # fmt: skip
 @settings_option
 @stdin_option
@@ -160,8 +161,9 @@ def command(
     """Plot results against a parameter over its range, or over the stroke.
 
     No drive is needed: what has a range can vary. Where a result is infinite its curve is
-    broken, and a broken line stands there; rings mark where it is least or greatest nearby and
-    where it is 0, a dot the pose of the description. Beyond the range of the description, that
+    broken, and a broken line stands there; where it jumps, a thin upright line; rings mark where
+    it is least or greatest nearby and where it is 0, a dot the pose of the description. Zeros
+    and poles of a ratio of loads that are dead centres are named so. Beyond the range of the description, that
     range is shaded. Without -o, or with -o -, the picture goes to standard output as SVG; .tex is
     pgfplots; .csv and .xlsx hold the values in the units of the axes.
 
@@ -174,8 +176,10 @@ def command(
     compilation = begin(file, stdin_name, settings)
     check_names(along, compilation.source, "--along")
     query = Query(x, ys, family, ends, paths, zone, points)
-    found = checked(compilation).along(along).plot(query, _watched)
-    plotted = PlotPicture(found, picture(found), letters(locale(language)))
+    words = locale(language)
+    plot = checked(compilation).along(along).plot(query, _watched)
+    found = replace(plot, title=compilation.titled(language))
+    plotted = PlotPicture(found, picture(found, words.pictures), words.pictures, letters(words))
     session().accept(warnings(compilation), compilation.source)
     files = [path for path in outputs if path != STANDARD_OUTPUT]
     contents = {path: plotted.content(path) for path in files}

@@ -63,8 +63,15 @@ def grid(frame: Frame, across: Scale, up: Scale) -> Iterator[Shape]:
     for value in up.ticks:
         y = frame.at(Plane(frame.least.x, value)).y
         if frame.low.y < y < frame.high.y:
-            pen = ZERO if value == 0 else GRID
-            yield Polyline((Plane(frame.low.x, y), Plane(frame.high.x, y)), pen)
+            yield Polyline((Plane(frame.low.x, y), Plane(frame.high.x, y)), GRID)
+    yield from at_zero(frame)
+
+
+def at_zero(frame: Frame) -> Iterator[Polyline]:
+    """Yield the line at 0, if it lies inside."""
+    y = frame.at(Plane(frame.least.x, 0.0)).y
+    if frame.low.y < y < frame.high.y:
+        yield Polyline((Plane(frame.low.x, y), Plane(frame.high.x, y)), ZERO)
 
 
 def numbers_below(frame: Frame, across: Scale) -> Iterator[Label]:

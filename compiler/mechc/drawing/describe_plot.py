@@ -1,9 +1,12 @@
 """What a plot shows, in words, for whoever cannot see it."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
-from ..plot.plot import Axis, Curve, Plot
+from ..formula.names import split_ratio
+from ..plot.plot import Axis, Curve, Mark, Plot
 from ..units import behind
+
+Words = Mapping[str, str]
 
 
 def shown(value: float, axis: Axis, digits: int = 4) -> str:
@@ -17,41 +20,55 @@ def shown(value: float, axis: Axis, digits: int = 4) -> str:
     return f"{number}{behind('°' if axis.unit == 'deg' else axis.unit)}"
 
 
-def describe(plot: Plot) -> str:
-    """Return what is plotted against what, and where curves turn, vanish or are infinite."""
-    return " ".join(_sentences(plot))
+def describe(plot: Plot, words: Words) -> str:
+    """Return what is plotted against what, and where curves turn, vanish or are infinite.
+
+    ``words`` are those of a language.
+    """
+    return " ".join(_sentences(plot, words))
 
 
-def _sentences(plot: Plot) -> Iterator[str]:
-    names = ", ".join(dict.fromkeys(curve.name for curve in plot.curves))
-    ends = f"from {shown(plot.low, plot.varied)} to {shown(plot.high, plot.varied)}"
-    if plot.equal:
-        yield f"Path of {names} for {plot.varied.name} {ends}."
-    else:
-        yield f"{names} against {plot.x.name} {ends}."
+def _sentences(plot: Plot, words: Words) -> Iterator[str]:
+    names = ", ".join(dict.fromkeys(_plain(curve.name) for curve in plot.curves))
+    low, high = shown(plot.low, plot.varied), shown(plot.high, plot.varied)
+    what = words["path" if plot.equal else "against"]
+    yield what.format(names=names, x=plot.varied.name, low=low, high=high)
     if plot.zone is not None:
-        for low, high in plot.zone.stretches:
-            yield f"{plot.zone.words} from {shown(low, plot.x)} to {shown(high, plot.x)}."
+        what = words["and"].join(plot.zone.conditions)
+        for ends in plot.zone.stretches:
+            low, high = (shown(end, plot.x) for end in ends)
+            yield words["holds"].format(what=what, low=low, high=high)
     for panel in plot.panels:
         for curve in panel.curves:
-            yield from _of_curve(curve, plot, panel.y)
+            yield from _of_curve(curve, plot, panel.y, words)
 
 
-def _of_curve(curve: Curve, plot: Plot, y: Axis) -> Iterator[str]:
+def _of_curve(curve: Curve, plot: Plot, y: Axis, words: Words) -> Iterator[str]:
     settings = (f"{v.axis.name} = {shown(v.value, v.axis)}" for v in curve.setting)
-    what = ", ".join([curve.name, *settings])
+    what = ", ".join([_plain(curve.name), *settings])
     if not plot.equal and curve.pieces:
-        first, last = curve.pieces[0][0], curve.pieces[-1][-1]
-        yield f"{what}: {shown(first.y, y)} at the start, {shown(last.y, y)} at the end."
+        ends = curve.pieces[0][0], curve.pieces[-1][-1]
+        first, last = ("∞" if p.x in curve.poles else shown(p.y, y) for p in ends)
+        yield words["ends"].format(what=what, first=first, last=last)
     for mark in curve.marks:
-        x = f"{plot.x.name} = {shown(mark.at.x, plot.x)}"
-        if mark.kind in ("minimum", "maximum"):
-            yield f"{what} has a {mark.kind} of {shown(mark.at.y, y)} at {x}."
-        elif mark.kind == "zero":
-            yield f"{what} is 0 at {x}."
-        elif mark.kind == "default":
-            yield f"{what} is {shown(mark.at.y, y)} at the default pose, {x}."
+        if mark.kind != "station":
+            yield _of_mark(mark, what, curve, plot, y, words)
     for place in curve.poles:
-        yield f"{what} is infinite at {plot.x.name} = {shown(place, plot.x)}."
+        yield words["pole"].format(what=what, at=_at(place, curve, plot, words))
     for place in curve.jumps:
-        yield f"{what} jumps at {plot.x.name} = {shown(place, plot.x)}."
+        yield words["jump"].format(what=what, at=_at(place, curve, plot, words))
+
+
+def _of_mark(mark: Mark, what: str, curve: Curve, plot: Plot, y: Axis, words: Words) -> str:
+    at = _at(mark.at.x, curve, plot, words)
+    return words[mark.kind].format(what=what, y=shown(mark.at.y, y), at=at)
+
+
+def _at(place: float, curve: Curve, plot: Plot, words: Words) -> str:
+    """Return a place of the axis, and that it is a dead centre if it is."""
+    at = f"{plot.x.name} = {shown(place, plot.x)}"
+    return f"{at} ({words['dead_centre']})" if place in curve.dead_centres else at
+
+
+def _plain(name: str) -> str:
+    return "/".join(split_ratio(name))

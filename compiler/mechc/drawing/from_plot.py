@@ -1,6 +1,6 @@
 """From a plot to its picture: panels above one another, legends to their right."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 from ..frozen import replace
 from ..plot.plot import Plot
@@ -21,12 +21,12 @@ ROW = 5.6
 """How far rows of the legend are apart."""
 
 
-def picture(plot: Plot) -> Drawing:
-    """Return the picture of a plot."""
-    panels = [_drawn(laid_out(plot, panel)) for panel in plot.panels]
+def picture(plot: Plot, words: Mapping[str, str]) -> Drawing:
+    """Return the picture of a plot, in the words of a language."""
+    panels = [_drawn(laid_out(plot, panel, words)) for panel in plot.panels]
     left = min(panel.low.x for panel in panels)
     whole = below_each_other([replace(p, low=Plane(left, p.low.y)) for p in panels])
-    return replace(whole, title=plot.title, description=describe(plot))
+    return replace(whole, title=plot.title, description=describe(plot, words))
 
 
 def _drawn(layout: Layout) -> Drawing:
@@ -63,7 +63,7 @@ def _shaded(layout: Layout) -> Iterator[Shape]:
 
 
 def _draw_marks(sheet: Sheet, layout: Layout) -> None:
-    sheet.draw(Layer.PINS, (dot for dot, _ in dots(layout)))
+    sheet.draw(Layer.PINS, (dot for dot, *_ in dots(layout)))
     for written in values_beside(layout):
         half = Plane(written.width / 2 + 0.5, written.height / 2 + 0.3)
         paper = rectangle(written.at.minus(half), written.at.plus(half), "white")

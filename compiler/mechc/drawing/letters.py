@@ -31,7 +31,7 @@ def in_letters(drawing: Drawing, letters: Letters) -> Drawing:
         return drawing
     labels = (label._replace(runs=spelled(label.runs, letters)) for label in drawing.labels)
     about = drawing.description.split(drawing.title)
-    description = drawing.title.join(_lettered(part, letters) for part in about)
+    description = drawing.title.join(lettered(part, letters) for part in about)
     return replace(drawing, labels=tuple(labels), description=description)
 
 
@@ -46,14 +46,14 @@ def spelled(runs: Iterable[Run], letters: Letters) -> tuple[Run, ...]:
 
 
 def _spelled(run: Run, letters: Letters) -> str:
-    return _unit(run.text, letters) if run.unit else _lettered(run.text, letters)
+    return _unit(run.text, letters) if run.unit else lettered(run.text, letters)
 
 
 def _unit(unit: str, letters: Letters) -> str:
     return _WORD.sub(lambda word: letters.units.get(word[0], word[0]), unit)
 
 
-def _lettered(text: str, letters: Letters) -> str:
+def lettered(text: str, letters: Letters) -> str:
     """Return text with its decimals, and the units behind numbers, in the letters of a language."""
     units = _BEHIND_A_NUMBER.sub(lambda found: _unit(found[0], letters), text)
     return _POINT.sub(letters.decimal, units)

@@ -3,18 +3,22 @@
 import math
 from collections.abc import Iterator
 from itertools import takewhile
+from typing import NamedTuple
 
-from ..plot.plot import Mark
+from ..plot.plot import Curve, Mark
 from ..pose.places import Plane
-from .axes import outline
-from .drawing import AXIS, Arc, Fill, Label, Pen, Polyline, Run
+from .axes import at_zero, outline
+from .drawing import AXIS, SYMBOL, Arc, Fill, Label, Pen, Polyline, Run
 from .labels import Around
 from .lettering import SIZE, box
 from .occupied import Box, Occupied
-from .panels import Layout, steps, values_at, ways
+from .panels import Layout, place_of, steps, values_at, ways
 
 NAMED = 6
 """How many marks of a panel have their values written beside them; more are only dots."""
+
+BELOW = 5.0
+"""How far below the upper edge it is written where a curve is infinite."""
 
 DOT, THIN = 0.9, 0.3
 """The radius of a mark, and how wide the lines of marks and jumps are."""
@@ -37,44 +41,71 @@ def thin(pen: Pen) -> Pen:
 def poles(layout: Layout) -> Iterator[Polyline]:
     """Yield a broken line where a curve is infinite, from edge to edge."""
     frame = layout.frame
-    for pole in sorted({pole for curve in layout.panel.curves for pole in curve.poles}):
+    for pole in _poles(layout):
         x = layout.at(Plane(pole, 0.0)).x
-        if frame.low.x < x < frame.high.x:
-            yield Polyline((Plane(x, frame.low.y), Plane(x, frame.high.y)), AXIS)
+        yield Polyline((Plane(x, frame.low.y), Plane(x, frame.high.y)), AXIS)
 
 
-def dots(layout: Layout) -> Iterator[tuple[Arc, Mark]]:
-    """Yield the marks inside the frame: rings, and dots for poses."""
+def _poles(layout: Layout) -> list[float]:
+    """Return where a curve is infinite inside the frame."""
+    frame = layout.frame
+    every = sorted({pole for curve in layout.panel.curves for pole in curve.poles})
+    return [p for p in every if frame.low.x < layout.at(Plane(p, 0.0)).x < frame.high.x]
+
+
+def dots(layout: Layout) -> Iterator[tuple[Arc, Mark, Curve]]:
+    """Yield the marks inside the frame, and of which curve: rings, and dots for poses."""
     frame = layout.frame
     for curve, pen in layout.pens.items():
         for mark in curve.marks:
             if frame.least.y <= layout.value(mark.at).y <= frame.most.y:
                 fill: Fill = "solid" if mark.kind in ("default", "station") else "white"
-                yield Arc(layout.at(mark.at), DOT, thin(pen), fill=fill), mark
+                yield Arc(layout.at(mark.at), DOT, thin(pen), fill=fill), mark, curve
 
 
 def values_beside(layout: Layout) -> tuple[Label, ...]:
-    """Return the values at marks, off curves and dots, as far as there is room for them."""
-    marked = list(dots(layout))
-    told = [(dot.pen, mark) for dot, mark in marked if mark.kind != "default"]
+    """Return the values at marks and poles, off curves and dots, as far as there is room."""
+    marked, frame = list(dots(layout)), layout.frame
+    told = [*_at_poles(layout), *(_at_mark(*m, layout) for m in marked if m[1].kind != "default")]
     if len(told) > NAMED and not layout.plot.equal:
         return ()
-    occupied = Occupied([outline(layout.frame), *curves(layout), *poles(layout)])
-    occupied.add(*(dot for dot, _ in marked))
-    labels = (_beside(mark, pen, layout, occupied) for pen, mark in told)
+    occupied = Occupied([outline(frame), *at_zero(frame), *curves(layout), *poles(layout)])
+    occupied.add(*(dot for dot, *_ in marked))
+    labels = (_beside(one, layout, occupied) for one in told)
     return tuple(label for label in labels if label)
 
 
-def _beside(mark: Mark, pen: Pen, layout: Layout, occupied: Occupied) -> Label | None:
-    """Return the values at a mark in the first free place near it, which is then taken."""
-    at, towards = layout.at(mark.at), -math.pi / 2 if mark.kind == "minimum" else math.pi / 2
-    for text in values_at(mark, layout):
-        name = Around(at, (Run(text),), pen, towards, DOT)
+class _Told(NamedTuple):
+    """What is to be written beside a place: ``texts`` from the best to the shortest."""
+
+    at: Plane
+    texts: tuple[str, ...]
+    pen: Pen
+    towards: float
+
+
+def _at_mark(dot: Arc, mark: Mark, curve: Curve, layout: Layout) -> _Told:
+    towards = -math.pi / 2 if mark.kind == "minimum" else math.pi / 2
+    return _Told(dot.centre, values_at(mark, curve, layout), dot.pen, towards)
+
+
+def _at_poles(layout: Layout) -> Iterator[_Told]:
+    """Yield where curves are infinite, to be written beside the upper end of the broken line."""
+    dead = {place for curve in layout.panel.curves for place in curve.dead_centres}
+    for pole in _poles(layout):
+        at = Plane(layout.at(Plane(pole, 0.0)).x, layout.frame.high.y - BELOW)
+        yield _Told(at, place_of(pole, pole in dead, layout), SYMBOL, 0.0)
+
+
+def _beside(told: _Told, layout: Layout, occupied: Occupied) -> Label | None:
+    """Return a text at a place in the first free room near it, which is then taken."""
+    for text in told.texts:
+        name = Around(told.at, (Run(text),), told.pen, told.towards, DOT)
         width, height = box(name.runs, SIZE)
         half = Plane(width / 2 + 0.5, height / 2 + 0.3)
         for place, _ in takewhile(lambda c: not c.far, name.candidates(width, height)):
             inside = layout.frame.holds(place.minus(half)) and layout.frame.holds(place.plus(half))
             if inside and occupied.free(place, width, height):
                 occupied.write(Box(place, width, height))
-                return Label(place, name.runs, pen, SIZE, width, height)
+                return Label(place, name.runs, told.pen, SIZE, width, height)
     return None

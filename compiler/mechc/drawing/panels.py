@@ -1,7 +1,7 @@
 """How a panel of a plot is laid out: its frame and ticks, its curves as lines, what it says."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
 
 from ..frozen import frozen
@@ -39,6 +39,7 @@ class Layout:
     frame: Frame
     across: Scale
     up: Scale
+    words: Mapping[str, str]
 
     def value(self, place: Plane) -> Plane:
         """Return a place in SI in the units shown."""
@@ -83,8 +84,8 @@ class Layout:
         return settings.pop() if len(settings) == 1 else ()
 
 
-def laid_out(plot: Plot, panel: Panel) -> Layout:
-    """Return the layout of a panel; the axes of a path have one scale."""
+def laid_out(plot: Plot, panel: Panel, words: Mapping[str, str]) -> Layout:
+    """Return the layout of a panel, in words of a language; axes of a path have one scale."""
     most = UP if len(plot.panels) == 1 else UP_LOWER
     frame = _equal(plot, panel) if plot.equal else _frame(plot, panel, most)
     across = scale(frame.least.x, frame.most.x, ACROSS, plot.x.unit == "deg")
@@ -92,7 +93,7 @@ def laid_out(plot: Plot, panel: Panel) -> Layout:
     if plot.equal:
         step = max(across.step, up.step)
         across, up = _every(across, step), _every(up, step)
-    return Layout(plot, panel, frame, across, up)
+    return Layout(plot, panel, frame, across, up, words)
 
 
 def _frame(plot: Plot, panel: Panel, most: int) -> Frame:
@@ -198,16 +199,22 @@ def _leaves_out(places: Sequence[Plane], start: int, end: int, off: float) -> bo
 # ------------------------------------------------------------------------- what it says
 
 
-def values_at(mark: Mark, layout: Layout) -> tuple[str, ...]:
+def values_at(mark: Mark, curve: Curve, layout: Layout) -> tuple[str, ...]:
     """Return what is written beside a mark: its values or, with less room, the second alone."""
     plot = layout.plot
     if mark.kind == "station":
         return (shown(mark.station, plot.varied),)
-    x = shown(mark.at.x, plot.x)
     if mark.kind == "zero":
-        return (x,)
+        return place_of(mark.at.x, mark.at.x in curve.dead_centres, layout)
+    x = shown(mark.at.x, plot.x)
     y = shown(mark.at.y, layout.panel.y)
     return f"({x}; {y})", y
+
+
+def place_of(x: float, is_dead_centre: bool, layout: Layout) -> tuple[str, ...]:
+    """Return what is written at a zero or a pole: that it is a dead centre, or its place alone."""
+    at = shown(x, layout.plot.x)
+    return (f"{layout.words['dead_centre']}, {at}", at) if is_dead_centre else (at,)
 
 
 def entry(curve: Curve, layout: Layout) -> tuple[Run, ...]:

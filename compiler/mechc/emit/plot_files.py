@@ -25,10 +25,14 @@ FORMATS = (*OF_DRAWINGS, ".tex", *OF_PLOTS)
 
 @frozen
 class PlotPicture:
-    """A plot with its drawing, which saves itself and shows itself in notebooks."""
+    """A plot with its drawing, which saves itself and shows itself in notebooks.
+
+    ``words`` and ``letters`` are those of its language.
+    """
 
     plot: Plot
     drawing: Drawing
+    words: Mapping[str, str]
     letters: Letters = LATIN
 
     @property
@@ -39,7 +43,7 @@ class PlotPicture:
     @property
     def alt(self) -> str:
         """Return what the plot shows, in words."""
-        return self.drawing.description
+        return self.shown.description
 
     def content(self, path: Path) -> str | bytes:
         """Return the content of a file by its suffix; KeyError where no format has it."""
@@ -47,7 +51,7 @@ class PlotPicture:
         if suffix in OF_DRAWINGS:
             return in_format_of(path, self.shown)
         if suffix == ".tex":
-            return to_pgfplots(self.plot, self.letters)
+            return to_pgfplots(self.plot, self.words, self.letters)
         return OF_PLOTS[suffix](self.plot)
 
     def save(self, path: str | Path) -> None:

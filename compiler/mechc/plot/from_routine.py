@@ -13,7 +13,7 @@ from ..model.mechanism import Mechanism
 from ..pose.places import Plane
 from ..routine.steps import Routine
 from .fitting import limits, pieces, smooth
-from .narrowing import Function
+from .narrowing import NEAR, Array, Function
 from .paths import paths
 from .plot import Axis, Curve, Mark, MarkKind, Panel, Plot, Value, Zone
 from .quantities import Quantity, quantities
@@ -72,7 +72,7 @@ def _zone(sweep: Sweep, conditions: Sequence[Condition]) -> Zone | None:
     (setting,) = sweep.settings
     sides = zip(known(sweep, [c.name for c in conditions]), conditions, strict=True)
     functions = [_side(sweep.function(q, setting), q, condition) for q, condition in sides]
-    words = " and ".join(f"{c.name} {c.sign} {c.bound}" for c in conditions)
+    words = tuple(f"{c.name} {c.sign} {c.bound}" for c in conditions)
     return Zone(words, stretches(functions, sweep.low, sweep.high))
 
 
@@ -118,10 +118,23 @@ def _curve(
         tuple(Plane(float(x), float(y)) for x, y in zip(xs, ys, strict=True))
         for xs, ys in pieces(trace)
     )
-    marks = [Mark(TURNING[t.sense], Plane(t.x, t.y)) for t in trace.turns]
-    marks += [Mark("zero", Plane(x, 0.0)) for x in trace.zeros]
+    x_least, y_least = _least(trace.xs), _least(trace.ys)
+    turns = ((t, Plane(_clean(t.x, x_least), _clean(t.y, y_least))) for t in trace.turns)
+    marks = [Mark(TURNING[t.sense], at) for t, at in turns]
+    marks += [Mark("zero", Plane(_clean(x, x_least), 0.0)) for x in trace.zeros]
     marks += _default(sweep, setting, function)
     return Curve(quantity.name, setting, parts, tuple(marks), trace.poles, trace.jumps)
+
+
+def _least(values: Array) -> float:
+    """Return what is nothing beside the range of values."""
+    finite = values[np.isfinite(values)]
+    return NEAR * float(np.ptp(finite)) if finite.size else 0.0
+
+
+def _clean(value: float, least: float) -> float:
+    """Return a value, 0 where only rounding is left of it."""
+    return value if abs(value) > least else 0.0
 
 
 def _default(sweep: Sweep, setting: Sequence[Value], function: Function) -> Iterator[Mark]:

@@ -41,9 +41,9 @@ class Mark(NamedTuple):
 
 
 class Zone(NamedTuple):
-    """Stretches of the axis on which something holds, and what that is, in words."""
+    """Stretches of the axis on which conditions hold, and what they are."""
 
-    words: str
+    conditions: tuple[str, ...]
     stretches: tuple[tuple[float, float], ...]
 
 
@@ -51,7 +51,8 @@ class Zone(NamedTuple):
 class Curve:
     """One result with one setting of the family, in pieces that hang together.
 
-    It is infinite, or jumps, at the places of ``breaks``: there it is ``infinite`` or not.
+    It is infinite at its ``poles``, and goes from one value to another at its ``jumps``. Of its
+    zeros and poles some are ``dead_centres``.
     """
 
     name: str
@@ -60,6 +61,7 @@ class Curve:
     marks: tuple[Mark, ...] = ()
     poles: tuple[float, ...] = ()
     jumps: tuple[float, ...] = ()
+    dead_centres: tuple[float, ...] = ()
 
     @property
     def steps(self) -> Iterator[tuple[Plane, Plane]]:

@@ -49,14 +49,16 @@ def traced(function: Function, low: float, high: float) -> Trace:
     places = np.linspace(low, high, CELLS + 1)
     xs, ys = without_holes(function, places, function(places))
     zeros, poles, jumps = _crossings(function, xs, ys)
-    found = sorted({*poles, *map(float, xs[np.isinf(ys)]), *_touched(function, xs, ys)})
+    edges = _edges(function, xs, ys)
+    high_up = {*map(float, xs[np.isinf(ys)]), *_touched(function, xs, ys)}
+    found = sorted({*poles, *high_up, *_at_ends(function, xs, ys, edges)})
     poles = [x for i, x in enumerate(found) if not i or x - found[i - 1] > NEAR * (high - low)]
     turns = tuple(_turns(function, xs, ys, np.array([*poles, *jumps])))
     size = _usual(ys)
     inwards = ((xs[0], ys[0], ys[1]), (xs[-1], ys[-1], ys[-2]))
     ends = [float(x) for x, y, next_ in inwards if abs(y) < NOISE * size < abs(next_)]
     beside = _beside(poles, (high - low) / CELLS, low, high)
-    known = [*xs, *_edges(function, xs, ys), *(t.x for t in turns), *beside]
+    known = [*xs, *edges, *(t.x for t in turns), *beside]
     places = np.unique(np.array(known))
     near = sorted({*zeros, *ends})
     return Trace(places, function(places), tuple(near), tuple(poles), tuple(jumps), turns)
@@ -96,6 +98,18 @@ def _edges(function: Function, xs: Array, ys: Array) -> Array:
     good = np.where(there[cells], xs[cells], xs[cells + 1])
     bad = np.where(there[cells], xs[cells + 1], xs[cells])
     return narrowed(lambda x: ~np.isnan(on(function, x)), good, bad)[0]
+
+
+def _at_ends(function: Function, xs: Array, ys: Array, edges: Array) -> Iterator[float]:
+    """Yield the poles at the ends of the range, and where a function begins or ends to be."""
+    known = np.flatnonzero(np.isfinite(ys))
+    if not known.size:
+        return
+    for end in (*edges, xs[0], xs[-1]):
+        cell = known[np.argsort(np.abs(xs[known] - end))[:2]]
+        size = np.abs(function(np.array([end])))[0]
+        if size > LARGE**2 * np.min(np.abs(ys[cell])) > 0 and size > LARGE * _usual(ys):
+            yield float(end)
 
 
 def _touched(function: Function, xs: Array, ys: Array) -> Iterator[float]:

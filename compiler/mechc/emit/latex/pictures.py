@@ -92,7 +92,7 @@ def _drawn(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[st
 
 def _plotted(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:
     """Yield a plot above what is plotted against what."""
-    return _centred(plotted(plot, letters(locale)), _against(plot, locale, style))
+    return _centred(plotted(plot, locale.pictures, letters(locale)), _against(plot, locale, style))
 
 
 def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[str]:

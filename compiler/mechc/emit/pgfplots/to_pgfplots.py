@@ -1,11 +1,11 @@
 """A plot for LaTeX: axes of pgfplots, with the values of the curves in the text."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from ...drawing.axes import heading
 from ...drawing.describe_plot import describe
 from ...drawing.drawing import Pen, Run
-from ...drawing.letters import LATIN, Letters, spelled
+from ...drawing.letters import LATIN, Letters, lettered, spelled
 from ...drawing.marks import DOT, THIN, dots, values_beside
 from ...drawing.panels import Layout, common_entry, entry, laid_out, steps, ways
 from ...drawing.ticks import Scale
@@ -17,12 +17,12 @@ APART = 26.0
 """How far panels are below each other, in millimetres."""
 
 
-def to_pgfplots(plot: Plot, letters: Letters = LATIN) -> str:
-    """Return a plot as a document for every TeX engine, in the letters of a language."""
-    picture = list(tikzpicture(plot, letters))
+def to_pgfplots(plot: Plot, words: Mapping[str, str], letters: Letters = LATIN) -> str:
+    """Return a plot as a document for every TeX engine, in words and letters of a language."""
+    picture = list(tikzpicture(plot, words, letters))
     lines = (
         f"% {comment(plot.title)}",
-        f"% {comment(describe(plot))}",
+        f"% {comment(lettered(describe(plot, words), letters))}",
         r"\documentclass[tikz]{standalone}",
         *cyrillic(picture),
         r"\usepackage{pgfplots}",
@@ -34,9 +34,9 @@ def to_pgfplots(plot: Plot, letters: Letters = LATIN) -> str:
     return "\n".join(lines) + "\n"
 
 
-def tikzpicture(plot: Plot, letters: Letters = LATIN) -> Iterator[str]:
-    """Yield the lines of the picture alone, in the letters of a language."""
-    layouts = [laid_out(plot, panel) for panel in plot.panels]
+def tikzpicture(plot: Plot, words: Mapping[str, str], letters: Letters = LATIN) -> Iterator[str]:
+    """Yield the lines of the picture alone, in words and letters of a language."""
+    layouts = [laid_out(plot, panel, words) for panel in plot.panels]
     yield r"\begin{tikzpicture}"
     for pen in dict.fromkeys(pen for layout in layouts for pen in layout.pens.values()):
         yield rf"\definecolor{{mechc{pen.name}}}{{HTML}}{{{pen.colour[1:].upper()}}}"
@@ -119,7 +119,7 @@ def _listed(places: Iterable[Plane]) -> str:
 
 def _marks(layout: Layout, letters: Letters) -> Iterator[str]:
     """Yield rings and dots, and their values where the picture has them, too."""
-    for dot, mark in dots(layout):
+    for dot, mark, _ in dots(layout):
         x, y = layout.value(mark.at)
         colour = f"mechc{dot.pen.name}"
         fill = colour if dot.fill == "solid" else "white"

@@ -1,0 +1,85 @@
+"""Which of the zeros and poles of a curve are dead centres."""
+
+import math
+from collections.abc import Callable, Iterable, Iterator, Mapping
+
+from ..frozen import frozen, replace
+from ..model.values import Chain, Values, defaults, dependent
+from ..pose.pose import Pose
+from ..study.analysis import Analysis, Vanishing
+from ..study.stroke.forms import form
+from .plot import Curve, Plot
+
+NEAR, ASIDE = 1e-12, 1e-3
+"""How far beside a place a factor is looked at, as parts of the range.
+
+Rounding leaves it no value where the mechanism can just be assembled.
+"""
+
+VANISHED = 1e-4
+"""What is smaller than this part of what a factor is beside a place is nothing there."""
+
+AT_REST = ("output still", "drive locked")
+"""The zeros and poles at which the output, or the drive, stands still."""
+
+
+def with_dead_centres(plot: Plot, pose: Pose, results: Callable[[], Iterable[Analysis]]) -> Plot:
+    """Return a plot whose curves tell their dead centres; ``results`` are asked for if need be."""
+    singular = {c.name for c in plot.curves if c.poles or any(m.kind == "zero" for m in c.marks)}
+    if plot.equal or not singular:
+        return plot
+    named = {result.name: result for result in results() if result.name in singular}
+    rest = _Rest(plot, defaults(pose.mechanism), _chain(pose), named)
+    panels = (
+        replace(panel, curves=tuple(replace(c, dead_centres=rest.of(c)) for c in panel.curves))
+        for panel in plot.panels
+    )
+    return replace(plot, panels=tuple(panels))
+
+
+def _chain(pose: Pose) -> Chain:
+    """Return what follows from the parameters: others, and what closing loops gives."""
+    return Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
+
+
+@frozen
+class _Rest:
+    """What is needed to see whether something stands still at a place of a plot."""
+
+    plot: Plot
+    defaults: Values
+    chain: Chain
+    results: Mapping[str, Analysis]
+
+    def of(self, curve: Curve) -> tuple[float, ...]:
+        """Return the zeros and poles of a curve that are dead centres."""
+        result = self.results.get(curve.name)
+        if result is None:
+            return ()
+        zeros = [mark.at.x for mark in curve.marks if mark.kind == "zero"]
+        pairs = [(x, result.zeros) for x in zeros] + [(x, result.poles) for x in curve.poles]
+        return tuple(x for x, why in pairs if any(self._is_rest(x, curve, result, why)))
+
+    def _is_rest(
+        self, place: float, curve: Curve, result: Analysis, why: Iterable[Vanishing]
+    ) -> Iterator[bool]:
+        """Yield of each factor whether it vanishes at a place since something stands still."""
+        given = {**self.defaults, **{v.axis.name: v.value for v in curve.setting}}
+        at, beside = (
+            [self.chain.complete({**given, self.plot.varied.name: x}) for x in places]
+            for places in self._around(place)
+        )
+        for vanishing in why:
+            factor = form(vanishing.factor, result, at[0].keys())
+            here, there = (
+                [size for values in of if not math.isnan(size := abs(factor(values)))]
+                for of in (at, beside)
+            )
+            is_nothing = bool(here and there) and min(here) < VANISHED * max(there)
+            yield vanishing.kind in AT_REST and is_nothing
+
+    def _around(self, place: float) -> Iterator[list[float]]:
+        """Yield a place and those as near as can be told, then those beside it."""
+        near, aside = (part * (self.plot.high - self.plot.low) for part in (NEAR, ASIDE))
+        yield [place, place - near, place + near]
+        yield [place - aside, place + aside]
