@@ -163,9 +163,9 @@ def command(
     No drive is needed: what has a range can vary. Where a result is infinite its curve is
     broken, and a broken line stands there; where it jumps, a thin upright line; rings mark where
     it is least or greatest nearby and where it is 0, a dot the pose of the description. Zeros
-    and poles of a ratio of loads that are dead centres are named so. Beyond the range of the description, that
-    range is shaded. Without -o, or with -o -, the picture goes to standard output as SVG; .tex is
-    pgfplots; .csv and .xlsx hold the values in the units of the axes.
+    and poles of a ratio of loads that are dead centres are named so. Beyond the range of the
+    description, that range is shaded. Without -o, or with -o -, the picture goes to standard
+    output as SVG; .tex is pgfplots; .csv and .xlsx hold the values in the units of the axes.
 
     \b
     mechc plot clamp.mech --x alpha --family beta=10,20,30deg -o k.svg

@@ -37,9 +37,9 @@ def smooth(function: Function, trace: Trace, low: float, high: float) -> Trace:
     jumps = sorted({*trace.jumps, *_steps(function, xs, shown, scale[1], trace.poles)})
     near = NEAR * scale[0]
     turns = (t for t in trace.turns if all(abs(t.x - jump) > near for jump in jumps))
-    beside = [x for jump in jumps for x in (jump - near, jump + near) if xs[0] < x < xs[-1]]
-    xs = np.unique(np.array([*xs, *beside]))
-    xs, ys = without_holes(function, xs, function(xs))
+    if beside := [x for jump in jumps for x in (jump - near, jump + near) if xs[0] < x < xs[-1]]:
+        xs = np.unique(np.array([*xs, *beside]))
+        xs, ys = without_holes(function, xs, function(xs))
     return trace._replace(xs=xs, ys=ys, jumps=tuple(jumps), turns=tuple(turns))
 
 

@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 Function = Callable[[Array], Array]
 
-PARTS, NARROWINGS = 256, 8
+PARTS, NARROWINGS = 64, 10
 """Into how many parts a cell is divided, and how often, until places are neighbours.
 
 A function of systems of equations is dear for each time that it is asked, not for each place.
@@ -64,6 +64,8 @@ def narrowed(
         sound[:, 0], sound[:, -1] = True, False
         first, rows = np.argmin(sound, axis=1), np.arange(len(places))
         good, bad = places[rows, first - 1], places[rows, first]
+        if np.all(np.nextafter(good, bad) == bad):
+            break
     return good, bad
 
 

@@ -105,9 +105,10 @@ def _at_ends(function: Function, xs: Array, ys: Array, edges: Array) -> Iterator
     known = np.flatnonzero(np.isfinite(ys))
     if not known.size:
         return
-    for end in (*edges, xs[0], xs[-1]):
+    ends = [xs[0], xs[-1], *edges]
+    sizes = np.abs([ys[0], ys[-1], *(function(edges) if edges.size else ())])
+    for end, size in zip(ends, sizes, strict=True):
         cell = known[np.argsort(np.abs(xs[known] - end))[:2]]
-        size = np.abs(function(np.array([end])))[0]
         if size > LARGE**2 * np.min(np.abs(ys[cell])) > 0 and size > LARGE * _usual(ys):
             yield float(end)
 
