@@ -79,7 +79,7 @@ class Forces:
         same = Counter((LETTERS.get(a.kind, "R"), a.point) for a in body.forces if a.kind != "load")
         index = in_words(name(acting.point))
         if same[letter, acting.point] > 1:
-            index = f"{index},{self.called(acting.by)}"
+            index = ",".join(filter(None, (index, self.called(acting.by))))
         shown = "M" if couple else letter
         return (Run(shown, italic=True), *([Run(index, level=-1)] if index else []))
 

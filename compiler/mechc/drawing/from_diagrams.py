@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping, Sequence
 
 from ..figure.figure import Figure, Link, Slide, Slider, Telescope
 from ..frozen import frozen, replace
-from ..pose.places import NOWHERE, Plane
+from ..pose.places import NOWHERE, Plane, direction
 from ..statics.diagram import AT_PINS, Acting, Diagram, FreeBody
 from . import symbols
 from .acting import LEAST, Forces, heading, in_words
@@ -23,6 +23,9 @@ LARGEST = 24.0
 
 SHORTEST = 3.0
 """The length of an arrow is never less than this, in millimetres."""
+
+RADII = (symbols.COUPLE, symbols.COUPLE + 2.5)
+"""How far round arrows are from their middle, in millimetres: one that is free is taken."""
 
 VISIBLE = 0.3
 """A friction circle with a smaller radius than this, in millimetres, is not drawn."""
@@ -123,12 +126,13 @@ class _Maker:
         sheet.name(Beside(tail, tip, runs, FORCE))
 
     def _draw_couple(self, sheet: Sheet, body: FreeBody, acting: Acting) -> None:
-        at = self._place(body, acting)
-        start = math.pi / 2
-        sheet.draw(Layer.LOADS, symbols.couple(at, start, acting.moment > 0))
+        at, sense = self._place(body, acting), acting.moment > 0
+        ways = [(start, radius) for radius in RADII for start in (math.pi / 2, -math.pi / 2)]
+        drawn = {way: tuple(symbols.couple(at, way[0], sense, way[1])) for way in ways}
+        start, radius = min(ways, key=lambda way: sheet.occupied.crossed(drawn[way]))
+        sheet.draw(Layer.LOADS, drawn[start, radius])
         runs = (*self.forces.name(body, acting, couple=True), *self.forces.turning(acting))
-        outside = at.plus(Plane(0.0, symbols.COUPLE + 1))
-        sheet.name(Around(outside, runs, FORCE, start))
+        sheet.name(Around(off(at, direction(start), radius + 1), runs, FORCE, start))
 
     def _place(self, body: FreeBody, acting: Acting) -> Plane:
         """Return where a force or couple is: at its point, or in the middle of the body."""

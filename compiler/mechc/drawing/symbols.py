@@ -163,13 +163,15 @@ def arrow(tail: Plane, tip: Plane, pen: Pen = FORCE) -> Iterator[Shape]:
     yield head(tip, along, pen, size)
 
 
-def couple(at: Plane, start: float, counterclockwise: bool) -> Iterator[Shape]:
+def couple(
+    at: Plane, start: float, counterclockwise: bool, radius: float = COUPLE
+) -> Iterator[Shape]:
     """Yield the round arrow of a couple, whose middle is in the direction ``start``."""
     sense = 1 if counterclockwise else -1
     half = math.radians(70)
-    arc = Arc(at, COUPLE, FORCE, start - sense * half, sense * 2 * half)
+    arc = Arc(at, radius, FORCE, start - sense * half, sense * 2 * half)
     end = arc.start + arc.sweep
-    back = _HEAD / COUPLE
+    back = _HEAD / radius
     yield arc._replace(sweep=arc.sweep - sense * back)
     towards = direction(end - sense * back / 2).turned().times(sense)
     yield head(arc.at(1.0), towards, FORCE)
