@@ -11,8 +11,9 @@ from mechc.driver import Compilation, compile_source
 from mechc.emit.c.to_c import TARGET as C
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Options
+from mechc.routine.chained import STRETCH
 from mechc.routine.check import broken_promises
-from mechc.routine.steps import Common, programs
+from mechc.routine.steps import Common, names_of, programs
 from mechc.source import Source
 from run_targets import (
     Outputs,
@@ -100,3 +101,36 @@ def test_comments_tell_where_other_results_come_from() -> None:
     (module,) = PYTHON.emit(chain(120), Options("chain"))
     told = "q119 = q118*cos(phi) - q117/119\n        where q117, q118 are results, too\n"
     assert told in module.text
+
+
+@cache
+def growing(n: int) -> Compilation:
+    """Return a chain of lets of which each has a parameter of its own, and a branch beside it."""
+    parameters = (f"param c{i} = {1 + i / 100}" for i in range(n))
+    lets = (f"let r{i} = sin(r{i - 1})*c{i} + phi*r{i - 2}" for i in range(2, n))
+    beside = (f"let s{i} = s{i - 1}*c{i} + r{i}" for i in range(n - 5, n))
+    first = ("let r0 = k*c0", "let r1 = r0*c1", f"let s{n - 6} = r{n - 40}*phi")
+    text = HEAD + "\n".join((*parameters, *first, *lets, *beside)) + "\n"
+    return compile_source(Source("growing.mech", text))
+
+
+def test_functions_of_ever_more_inputs_write_each_step_once_on_a_way_of_calls() -> None:
+    functions = [f for f in growing(52).routine.functions if f.common]
+    commons = [p for p in programs(growing(52).routine) if isinstance(p, Common)]
+    written = [n for common in commons for step in common.steps for n in names_of(step)]
+    assert len(functions) > 25
+    assert len(commons) > 1
+    assert len(written) == len(set(written))
+    assert max(len(f.own) for f in functions) == STRETCH
+    for function in functions:
+        assert not broken_promises(function)
+
+
+@pytest.mark.skipif(not shutil.which("gcc"), reason="needs a C compiler")
+def test_functions_that_call_others_give_the_values_of_their_formulas(tmp_path: Path) -> None:
+    found = growing(52)
+    made, expected = built(found, tmp_path), by_interpreter(found)
+    assert np.isfinite(expected["s51"]).any()
+    for outputs in (by_python(found), by_c_singly(found, made), by_c_in_batch(found, made)):
+        for name, values in outputs.items():
+            np.testing.assert_allclose(values, expected[name], rtol=1e-9, atol=1e-12)

@@ -11,7 +11,7 @@ from typing import Literal
 
 from ..formula.tree import Formula
 from ..formula.walk import symbols
-from ..frozen import frozen
+from ..frozen import frozen, replace
 from ..model.result import Drive
 from ..pose.motion import Quantity
 from ..units import Dimension
@@ -150,16 +150,18 @@ STATUSES = (
 
 @frozen
 class Common:
-    """What many functions of the same inputs compute, once for all of them.
+    """What many functions compute, once for all of them.
 
-    ``outputs`` are the names that their outputs and guards mention. A ``number`` tells such
-    programs apart.
+    ``outputs`` are the names that they, or others of these, mention. Its ``steps`` may rest on
+    the outputs of the one ``before``, which takes some of the same inputs. A ``number`` tells
+    such programs apart.
     """
 
     number: int
     inputs: tuple[Input, ...]
     steps: tuple[Statement, ...]
     outputs: tuple[str, ...]
+    before: "Common | None" = None
 
 
 @frozen
@@ -171,8 +173,9 @@ class Function:
     and ``iterated`` are names that a system defines. ``steps`` compute the same, shared parts once,
     and ``output`` is the formula of the last line (usually one symbol or a short
     product). ``operations`` counts ``steps`` and ``output``, one correction of each solver.
-    The steps may be those of a ``common`` program, handed out by one function for many; then
-    ``others`` are the results that ``formula`` and ``where`` mention. Where the value is NaN,
+    The steps may be those of a ``common`` program, handed out by one function for many, and
+    behind them its ``own``; then ``others`` are the results that ``formula`` and ``where``
+    mention. Where the value is NaN,
     the result is that of ``otherwise``, which takes some of the same inputs.
     """
 
@@ -189,6 +192,7 @@ class Function:
     holds: tuple[Guard, ...] = ()
     iterated: tuple[str, ...] = ()
     common: Common | None = None
+    own: tuple[Statement, ...] = ()
     others: tuple[str, ...] = ()
     otherwise: "Function | None" = None
     status: Status | None = None
@@ -258,9 +262,16 @@ class Routine:
 
 
 def programs(routine: Routine) -> list[Common | Function | Pose | Checks]:
-    """Return all that has steps of its own: what functions have in common first, and once."""
+    """Return all that is written out: what functions have in common first, and once.
+
+    A function that takes what is common has its own steps only.
+    """
     listed = list(every(routine.functions))
     common = {f.common.number: f.common for f in listed if f.common}
-    others = (f for f in listed if not f.common)
+    others = (replace(f, steps=f.own) if f.common else f for f in listed)
     poses = (routine.pose, routine.points.program if routine.points else None)
-    return [*common.values(), *others, *(part for part in (*poses, routine.checks) if part)]
+    return [
+        *(common[n] for n in sorted(common)),
+        *others,
+        *(part for part in (*poses, routine.checks) if part),
+    ]

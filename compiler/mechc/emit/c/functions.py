@@ -10,6 +10,7 @@ from ...routine.steps import (
     Function,
     Solve,
     Solver,
+    Statement,
     formulas_of,
     mentioned,
     names_of,
@@ -19,6 +20,7 @@ from .. import describe
 from ..names import Names, mangle
 from ..printer import Printer
 from .layout import harmless, wrapped
+from .pose import taking
 from .printer import CIRCULAR, CPrinter, QuickPrinter, guarded
 from .reserved import RESERVED
 from .solvers import lines
@@ -143,31 +145,30 @@ def _computed(
 ) -> tuple[Body, Body | None]:
     """Return what a function computes itself, and the same without branches where it pays."""
     names = {**own, **mangle((n for s in function.steps for n in names_of(s)), inner)}
-    plain = _plain(function, CPrinter(names), solvers, inner)
+    plain = _plain(function, function.steps, CPrinter(names), solvers, inner)
     return plain, _quick(function, QuickPrinter(names)) if _is_circular(function) else None
 
 
 def _taken(
     function: Function, common: Common, own: Mapping[str, str], scope: FileScope, inner: Names
 ) -> Body:
-    """Return a body that takes what many functions have in common."""
-    values = inner.claim("values")
-    names = {name: f"{values}[{i}]" for i, name in enumerate(common.outputs)}
-    printer = CPrinter({**own, **names})
-    given = ", ".join([*own.values(), values])
-    return Body(
-        [f"double {values}[{len(names)}];", f"{scope.commons[common.number]}({given});"],
-        [printer.condition(guard) for guard in function.guards],
-        printer.print(function.output),
-    )
+    """Return a body that takes what many functions have in common, and adds its own steps."""
+    taken = taking(common, scope.commons, own, inner)
+    steps = mangle((n for s in function.own for n in names_of(s)), inner)
+    printer = CPrinter({**own, **taken.names, **steps})
+    found = _plain(function, function.own, printer, scope.solvers, inner)
+    return found._replace(body=[*taken.body, *found.body])
 
 
 def _plain(
-    function: Function, printer: Printer, solvers: Mapping[Solver, str], space: Names
+    function: Function,
+    steps: Sequence[Statement],
+    printer: Printer,
+    solvers: Mapping[Solver, str],
+    space: Names,
 ) -> Body:
     conditions = [printer.condition(guard) for guard in function.guards]
-    used = mentioned(function.steps, _ends(function))
-    body, statuses = lines(function.steps, used, solvers, printer, space)
+    body, statuses = lines(steps, mentioned(steps, _ends(function)), solvers, printer, space)
     body += [f"(void){name}; /* where it is not 0, the unknowns are NaN */" for name in statuses]
     return Body(body, conditions, printer.print(function.output))
 

@@ -139,17 +139,40 @@ class CommonContext(NamedTuple):
 
 
 def common_context(
-    common: Common, name: str, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+    common: Common,
+    names: Mapping[int, str],
+    arguments: Mapping[str, str],
+    solvers: Mapping[Solver, str],
 ) -> CommonContext:
     """Return the function of what others have in common, which fills an array."""
-    own = [arguments[i.name] for i in common.inputs]
-    space = Names(RESERVED, {name, *own, *solvers.values()})
+    own, name = {i.name: arguments[i.name] for i in common.inputs}, names[common.number]
+    space = Names(RESERVED, {*names.values(), *own.values(), *solvers.values()})
     values = space.claim("values")
     steps = mangle((n for step in common.steps for n in names_of(step)), space)
-    printer = CPrinter({**arguments, **steps})
+    taken = taking(common.before, names, own, space)
+    printer = CPrinter({**arguments, **taken.names, **steps})
     used = mentioned(common.steps, map(Symbol, common.outputs))
     body, statuses = lines(common.steps, used, solvers, printer, space)
     body += [f"(void){status};" for status in statuses]
     body += [f"{values}[{i}] = {printer.names[n]};" for i, n in enumerate(common.outputs)]
-    heads = [*(f"double {a}" for a in own), f"double *{values}"]
-    return CommonContext(wrapped(f"static void {name}(", heads), body)
+    heads = [*(f"double {a}" for a in own.values()), f"double *{values}"]
+    return CommonContext(wrapped(f"static void {name}(", heads), [*taken.body, *body])
+
+
+class Taking(NamedTuple):
+    """Lines that take what is common, and what its outputs are called then."""
+
+    body: list[str]
+    names: Mapping[str, str]
+
+
+def taking(
+    common: Common | None, called: Mapping[int, str], own: Mapping[str, str], space: Names
+) -> Taking:
+    """Return how a function takes what it has in common with others."""
+    if common is None:
+        return Taking([], {})
+    values = space.claim("taken")
+    given = ", ".join([*(own[i.name] for i in common.inputs), values])
+    body = [f"double {values}[{len(common.outputs)}];", f"{called[common.number]}({given});"]
+    return Taking(body, {name: f"{values}[{i}]" for i, name in enumerate(common.outputs)})

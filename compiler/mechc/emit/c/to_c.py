@@ -205,7 +205,7 @@ def _parts(compiled: Compiled, slopes: bool) -> Parts:
         if routine.checks
         else None,
         [solver_context(solver, name) for solver, name in solvers.items()],
-        [common_context(c, handing[c.number], arguments, solvers) for c in commons],
+        [common_context(c, handing, arguments, solvers) for c in commons],
         _gradients(routine, space, arguments) if slopes else [],
     )
 

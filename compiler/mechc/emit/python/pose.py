@@ -1,10 +1,19 @@
 """Functions that give many values: a pose's with its status, and what others have in common."""
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
-from ...formula.tree import Symbol
-from ...routine.steps import Common, Pose, Routine, Solve, Solver, mentioned, names_of
+from ...formula.tree import Formula, Symbol
+from ...routine.steps import (
+    Common,
+    Pose,
+    Routine,
+    Solve,
+    Solver,
+    Statement,
+    mentioned,
+    names_of,
+)
 from .. import describe
 from ..names import Names, mangle
 from ..render import Line
@@ -95,12 +104,33 @@ def common_context(
 ) -> CommonContext:
     """Return the function of what others have in common."""
     own = {i.name: arguments[i.name] for i in common.inputs}
-    steps = (n for step in common.steps for n in names_of(step))
-    printer = PythonPrinter(own | mangle(steps, Names(RESERVED, set(own.values()))))
-    used = mentioned(common.steps, map(Symbol, common.outputs))
+    space = Names(RESERVED, set(own.values()))
+    body, printer = taken(
+        common.before, common.steps, map(Symbol, common.outputs), own, space, solvers
+    )
     return CommonContext(
         common_name(common),
         list(own.values()),
-        [line(step, used, solvers, printer) for step in common.steps],
+        body,
         [Line(repr(n), printer.names[n]) for n in common.outputs],
     )
+
+
+def taken(
+    common: Common | None,
+    steps: Sequence[Statement],
+    ends: Iterable[Formula],
+    own: Mapping[str, str],
+    space: Names,
+    solvers: Mapping[Solver, str],
+) -> tuple[list[Line], PythonPrinter]:
+    """Return lines that take what is common and add steps to it, and a printer in their terms."""
+    names, body = dict(own), list[Line]()
+    if common:
+        values = space.claim("values")
+        given = ", ".join(own[i.name] for i in common.inputs)
+        body.append(Line(values, f"{common_name(common)}({given})"))
+        names.update((name, f'{values}["{name}"]') for name in common.outputs)
+    printer = PythonPrinter(names | mangle((n for s in steps for n in names_of(s)), space))
+    used = mentioned(steps, ends)
+    return [*body, *(line(step, used, solvers, printer) for step in steps)], printer

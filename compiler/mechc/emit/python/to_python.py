@@ -19,8 +19,6 @@ from ...routine.steps import (
     Solver,
     every,
     formulas_of,
-    mentioned,
-    names_of,
     programs,
 )
 from ...units import si_unit
@@ -34,11 +32,11 @@ from .pose import (
     CommonContext,
     PoseContext,
     common_context,
-    common_name,
     pose_contexts,
+    taken,
 )
-from .printer import KEYWORDS, MODULES, RESERVED, PythonPrinter
-from .solvers import SolverContext, line, solver_context, solver_names
+from .printer import KEYWORDS, MODULES, RESERVED
+from .solvers import SolverContext, solver_context, solver_names
 from .status import StatusContext, status_context
 
 _SIGNS = {**SIGNS, "same": "=="}
@@ -197,11 +195,8 @@ def _function(
     other = function.otherwise
     space = Names(RESERVED, {*own.values(), *([names[other.name]] if other else [])})
     result = space.claim(function.name if function.name not in own else "result")
-    lines, printer = (
-        _taken(function.common, own, space)
-        if function.common
-        else _computed(function, own, space, solvers)
-    )
+    steps = function.own if function.common else function.steps
+    lines, printer = taken(function.common, steps, _ends(function), own, space, solvers)
     unit = si_unit(function.dimension)
     return FunctionContext(
         name=names[function.name],
@@ -224,24 +219,6 @@ def _function(
         else "",
         status=status_context(function, {f.name: f for f in listed}, names, solvers),
     )
-
-
-def _computed(
-    function: Function, own: Mapping[str, str], space: Names, solvers: Mapping[Solver, str]
-) -> tuple[list[Line], Printer]:
-    """Return the steps of a function as lines, and a printer in their terms."""
-    steps = (name for step in function.steps for name in names_of(step))
-    printer = PythonPrinter({**own, **mangle(steps, space)})
-    used = mentioned(function.steps, _ends(function))
-    return [line(step, used, solvers, printer) for step in function.steps], printer
-
-
-def _taken(common: Common, own: Mapping[str, str], space: Names) -> tuple[list[Line], Printer]:
-    """Return the line that takes what many functions have in common, and a printer in its terms."""
-    values = space.claim("values")
-    names = {name: f'{values}["{name}"]' for name in common.outputs}
-    called = f"{common_name(common)}({', '.join(own.values())})"
-    return [Line(values, called)], PythonPrinter({**own, **names})
 
 
 def _ends(function: Function) -> list[Formula]:

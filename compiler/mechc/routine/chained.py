@@ -1,0 +1,134 @@
+"""Long functions of ever more inputs, each of which rests on much of the one before.
+
+Formulas of one's own that each add a parameter share no arguments, so that no one function can
+compute them all. Written out each by itself, they would make a file grow with the square of
+their number. So one program is made of all, and every so many steps of it become a function that
+calls the one before: each result takes the last of these that it rests on and adds its own steps.
+"""
+
+from collections.abc import Iterable, Iterator, Sequence
+from functools import reduce
+from operator import or_
+from typing import NamedTuple, TypeVar
+
+from ..formula.tree import Formula
+from ..formula.walk import symbols
+from ..frozen import replace
+from .functions import operations
+from .many import Output, Program
+from .steps import Common, Function, Statement, formulas_of, mentioned, names_of
+
+T = TypeVar("T")
+
+STRETCH = 16
+"""How many steps a function adds at most to those that it takes."""
+
+
+class Stop(NamedTuple):
+    """Where what functions compute is handed on: the result there, what it needs, its own steps."""
+
+    at: Output
+    needs: int
+    steps: tuple[Statement, ...]
+    before: int | None
+
+
+class Way(NamedTuple):
+    """How a result is computed: from which stop on, by which steps of its own, of all it needs."""
+
+    output: Output
+    needs: int
+    start: int | None
+    steps: tuple[Statement, ...]
+
+
+def chained(program: Program, first: int) -> Iterator[Function]:
+    """Yield the functions that take what others compute; the latter get numbers from first on.
+
+    A result that needs an input which its formula does not show has none here.
+    """
+    needs = Needs(program)
+    stops, ways = _ways(program, needs)
+    commons = _commons(stops, ways, needs, first)
+    work = [operations((statement,)) for statement in program.steps]
+    for way in ways:
+        own = needs.steps(way.needs)
+        made = program.function(way.output, own, sum(needs.chosen(way.needs, work)))
+        common = commons[way.start] if way.start is not None else None
+        yield replace(made, common=common, own=way.steps) if common else made
+
+
+class Needs:
+    """What formulas need of a program, as numbers with a bit for each step and each input."""
+
+    def __init__(self, program: Program) -> None:
+        self._all = program.steps
+        self._bits = {n: 1 << i for i, s in enumerate(program.steps) for n in names_of(s)}
+        inputs = dict.fromkeys(i.name for one in program.outputs for i in one.asked.inputs)
+        self._reached = {n: 1 << i for i, n in enumerate(inputs, len(program.steps))}
+        for statement in program.steps:
+            reached = self.of(formulas_of(statement))
+            self._reached |= {n: reached | self._bits[n] for n in names_of(statement)}
+
+    def of(self, formulas: Iterable[Formula]) -> int:
+        """Return all that formulas need."""
+        return self.named({name for formula in formulas for name in symbols(formula)})
+
+    def named(self, names: Iterable[str]) -> int:
+        """Return all that these names need, themselves included."""
+        return reduce(or_, (self._reached[name] for name in names), 0)
+
+    def steps(self, needs: int) -> tuple[Statement, ...]:
+        """Return the steps among what is needed."""
+        return tuple(self.chosen(needs, self._all))
+
+    def chosen(self, needs: int, values: Sequence[T]) -> Iterator[T]:
+        """Yield those of the values, one for each step, whose step is needed."""
+        return (value for i, value in enumerate(values) if needs >> i & 1)
+
+    def inputs(self, needs: int) -> int:
+        """Return the inputs among what is needed."""
+        return needs >> len(self._all)
+
+
+def _ways(program: Program, needs: Needs) -> tuple[list[Stop], list[Way]]:
+    """Return where results hand on what they compute, and how each is computed.
+
+    What another one rests on needs less than that, and comes first.
+    """
+    stops, ways = list[Stop](), list[Way]()
+    found = ((needs.of(one.ends), one) for one in program.outputs)
+    for needed, one in sorted(found, key=lambda pair: pair[0].bit_count()):
+        if needs.inputs(needed & ~needs.named(i.name for i in one.asked.inputs)):
+            continue
+        start = _last(stops, needed)
+        steps = needs.steps(needed & ~(stops[start].needs if start is not None else 0))
+        if len(steps) > STRETCH:
+            stops.append(Stop(one, needed, steps, start))
+            start, steps = len(stops) - 1, ()
+        ways.append(Way(one, needed, start, steps))
+    return stops, ways
+
+
+def _last(stops: Sequence[Stop], needed: int) -> int | None:
+    """Return the last stop that computes nothing but what is needed."""
+    fitting = (i for i in reversed(range(len(stops))) if not stops[i].needs & ~needed)
+    return next(fitting, None)
+
+
+def _commons(stops: Sequence[Stop], ways: Iterable[Way], needs: Needs, first: int) -> list[Common]:
+    """Return what is computed at each stop; of it is handed on what is mentioned beyond."""
+    asked = [set[str]() for _ in stops]
+    for way in ways:
+        if way.start is not None:
+            asked[way.start] |= mentioned(way.steps, way.output.ends)
+    for stop, names in zip(reversed(stops), reversed(asked), strict=True):
+        if stop.before is not None:
+            asked[stop.before] |= names | mentioned(stop.steps, ())
+    made = list[Common]()
+    for stop, names in zip(stops, asked, strict=True):
+        known = {name for step in needs.steps(stop.needs) for name in names_of(step)}
+        before = made[stop.before] if stop.before is not None else None
+        outputs = tuple(sorted(names & known))
+        made.append(Common(first + len(made), stop.at.asked.inputs, stop.steps, outputs, before))
+    return made
