@@ -1,5 +1,6 @@
 """Long chains of lets: functions that share their steps, the same numbers, files of their size."""
 
+import json
 import shutil
 from functools import cache
 from pathlib import Path
@@ -9,6 +10,7 @@ import pytest
 
 from mechc.driver import Compilation, compile_source
 from mechc.emit.c.to_c import TARGET as C
+from mechc.emit.json.to_json import TARGET as JSON
 from mechc.emit.python.to_python import TARGET as PYTHON
 from mechc.emit.target import Options
 from mechc.routine.chained import STRETCH
@@ -134,3 +136,14 @@ def test_functions_that_call_others_give_the_values_of_their_formulas(tmp_path: 
     for outputs in (by_python(found), by_c_singly(found, made), by_c_in_batch(found, made)):
         for name, values in outputs.items():
             np.testing.assert_allclose(values, expected[name], rtol=1e-9, atol=1e-12)
+
+
+def test_a_document_tells_a_long_let_by_the_results_that_it_mentions() -> None:
+    (file,) = JSON.emit(growing(52), Options("growing"))
+    document = json.loads(file.text)
+    results = {r["name"]: r for r in document["results"]}
+    where = {d["name"] for d in results["r51"]["where"]}
+    assert results["r51"]["formula"]["text"] == "sin(r50)*c51 + phi*r49"
+    assert not where & results.keys()
+    assert {d["name"] for d in results["r4"]["where"]} >= {"r3", "r2", "r1", "r0", "k"}
+    assert sum(len(r["where"]) for r in results.values()) < 25 * len(results)

@@ -47,6 +47,7 @@ from .formula import DEFINITION, FORMULA
 from .free_bodies import DIAGRAM
 from .functions import FUNCTION
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
+from .lets import LONG, told_once
 from .points import MOVED, moved
 
 VERSION = 1
@@ -202,7 +203,13 @@ RESULT: Kind[Analysis] = record(
     member("dimension", "number, force …", TEXT, lambda r: dimension_name(r.dimension)),
     member("unit", "SI unit, or empty.", TEXT, lambda r: si_unit(r.dimension)),
     member("formula", "The whole result.", FORMULA, lambda r: r.formula),
-    member("where", "In order of definition.", list_of(DEFINITION), lambda r: r.where),
+    member(
+        "where",
+        "In order of definition. A let of more than "
+        f"{LONG} leaves out those that other results define: names that are these.",
+        list_of(DEFINITION),
+        lambda r: r.where,
+    ),
     member(
         "coefficients",
         "Of a load: the factor of every other load.",
@@ -362,7 +369,7 @@ DOCUMENT: Kind[Compiled] = record(
         list_of(PARAMETER),
         lambda c: c.mechanism.literals,
     ),
-    member("results", "In order.", list_of(RESULT), lambda c: c.derivation.results),
+    member("results", "In order.", list_of(RESULT), lambda c: told_once(c.derivation.results)),
     member("derivation", "How they follow.", DERIVATION, lambda c: c.derivation),
     member(
         "referee",
