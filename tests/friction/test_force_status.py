@@ -29,7 +29,8 @@ friction slider K f
 """
 ANGLES = (-3, 0.3, 4, 82, 87)
 LOADS = (500.0, -500.0)
-POSES = [(math.radians(angle), load) for angle in ANGLES for load in LOADS]
+UNLOADED = (0.35, 0.0)
+POSES = [*((math.radians(angle), load) for angle in ANGLES for load in LOADS), UNLOADED]
 
 
 @pytest.fixture(scope="module")
@@ -45,6 +46,7 @@ def test_a_force_has_the_status_of_the_load_that_drives(knee):
     listed = {f.name: f for f in knee._compilation.routine.functions}
     told = [int(status(listed["P_f"], listed["P"], values(*pose))) for pose in POSES]
     assert set(told) == {0, 3, 4}
+    assert told[POSES.index(UNLOADED)] == 0
     for force in ("R_O", "R_O_direction", "N_OB"):
         with_friction = listed[f"{force}_f"]
         found = [int(status(with_friction, listed[force], values(*pose))) for pose in POSES]
@@ -57,6 +59,15 @@ def test_it_has_one_where_the_load_is_not_asked_for():
     assert [of_ratio(**values(*pose)) for pose in ((1.52, 500.0), (0.005, -500.0))] == [4, 3]
     alone = code(mechc.loads(f"{KNEE}let F = 500 N\nfind N_OB\n"))["N_OB_f_status"]
     assert [alone(0.2, alpha, 0.1) for alpha in (0.35, 1.52)] == [0, 4]
+
+
+def test_nothing_is_held_where_there_is_no_load(knee):
+    """Rounding leaves a load of 1e-60 N, which has the one sign or the other."""
+    releasing = code(mechc.loads(f"{KNEE}find P\nmotion releasing\n"))
+    for space in (code(knee), releasing):
+        found = {n: space[n](*values(*UNLOADED).values()) for n in space if n.endswith("_status")}
+        assert found
+        assert not any(found.values()), found
 
 
 def code(mechanism: SolvedMechanism) -> dict[str, object]:

@@ -16,7 +16,7 @@ from ..formula.tree import Call, Formula, Implicit, Number, Pi, Power, Product, 
 from ..model.result import Drive
 from .newton import Array, follow
 from .quotient import quotient_of
-from .steps import Function, Guard, Pose, Solve, Statement
+from .steps import NOTHING, Function, Guard, Pose, Solve, Statement
 
 Value: TypeAlias = float | Array
 OnArrays = Callable[..., Value]
@@ -112,8 +112,9 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
     found = np.where(none & (friction == 2), 2, found)
     found = np.where(none & ~is_pose, 1, found)
     found = np.where(none & reduce(np.logical_or, (d == 2 for d in loops), False), 2, found)
-    moves = np.isfinite(value) & np.where(ahead, load > 0, load < 0)
-    return np.where(moves, 0, found)
+    unloaded = (np.abs(without) < NOTHING) & (np.abs(load) < NOTHING)
+    moves = unloaded | np.where(ahead, load > 0, load < 0)
+    return np.where(np.isfinite(value) & moves, 0, found)
 
 
 def scalar_or_array(value: Value) -> Value:

@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ...model.result import Drive
-from ...routine.steps import STATUSES, Function, Solver, mentioned, names_of
+from ...routine.steps import NOTHING, STATUSES, Function, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..printer import driving
@@ -32,9 +32,10 @@ class StatusContext(NamedTuple):
     call: str
     number: str
     loop: str
+    nothing: float = NOTHING
 
 
-OWN = ("value", "ideal", "load", "is_ahead", "status", "n", "i")
+OWN = ("value", "ideal", "load", "is_ahead", "is_unloaded", "status", "n", "i")
 """What the template calls its own."""
 
 

@@ -259,7 +259,7 @@ def _status(_known: Mapping[str, Any]) -> str:
     _parts += ['\n', str(_known["s"].single), '\n{\n    const double value = ', str(_known["s"].value), ';\n']
     for line in _known["s"].before:
         _parts += ['    ', str(line), '\n']
-    _parts += ['    const double ideal = ', str(_known["s"].ideal), ';\n    const double load = ', str(_known["s"].load), ';\n    const int is_ahead = ideal >= 0.0;\n    if (fabs(value) < HUGE_VAL && (is_ahead ? load > 0.0 : load < 0.0)) {\n        return 0;\n    }\n    if (value != value) {\n']
+    _parts += ['    const double ideal = ', str(_known["s"].ideal), ';\n    const double load = ', str(_known["s"].load), ';\n    const int is_ahead = ideal >= 0.0;\n    const int is_unloaded = fabs(ideal) < ', str(_known["s"].nothing), ' && fabs(load) < ', str(_known["s"].nothing), ';\n    if (fabs(value) < HUGE_VAL && (is_unloaded || (is_ahead ? load > 0.0 : load < 0.0))) {\n        return 0;\n    }\n    if (value != value) {\n']
     for line in _known["s"].body:
         _parts += ['        ', str(line), '\n']
     for status in _known["s"].loops:

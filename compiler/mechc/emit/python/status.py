@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from ...routine.steps import STATUSES, Function, Solve, Solver, mentioned, names_of
+from ...routine.steps import NOTHING, STATUSES, Function, Solve, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
 from ..printer import driving
@@ -28,9 +28,10 @@ class StatusContext(NamedTuple):
     loops: list[str]
     friction: str
     stuck: tuple[int, int]
+    nothing: float = NOTHING
 
 
-OWN = ("value", "ideal", "load", "ahead", "found")
+OWN = ("value", "ideal", "load", "ahead", "unloaded", "moves", "found")
 """What the template calls its own."""
 
 
