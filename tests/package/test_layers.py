@@ -2,9 +2,8 @@
 
 import ast
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
-
-import pytest
 
 from paths import PACKAGE
 
@@ -61,8 +60,14 @@ LATE = {
 """Other imports inside a function: what few descriptions ask for, and sympy."""
 
 
+@cache
 def modules() -> list[Path]:
     return sorted(PACKAGE.rglob("*.py"))
+
+
+@cache
+def tree_of(path: Path) -> ast.Module:
+    return ast.parse(path.read_text(encoding="utf-8"))
 
 
 def name_of(path: Path) -> str:
@@ -84,28 +89,41 @@ def imported(path: Path, tree: ast.AST) -> Iterator[tuple[str, ast.stmt]]:
                 yield ".".join([*stem, alias.name] if is_module else stem), node
 
 
-def own(path: Path) -> Iterator[str]:
-    """Yield the modules of mechc that a module imports."""
-    for name, node in imported(path, ast.parse(path.read_text(encoding="utf-8"))):
-        if isinstance(node, ast.ImportFrom) and node.level and name:
-            yield name
+@cache
+def own(path: Path) -> frozenset[str]:
+    """Return the modules of mechc that a module imports."""
+    return frozenset(
+        name
+        for name, node in imported(path, tree_of(path))
+        if isinstance(node, ast.ImportFrom) and node.level and name
+    )
 
 
-def imports_by_module() -> dict[str, set[str]]:
-    return {name_of(p)[:-3].replace("/", "."): set(own(p)) for p in modules()}
+@cache
+def hidden() -> frozenset[tuple[str, str]]:
+    """Return every module with what it imports inside a function."""
+    return frozenset(
+        (name_of(path), name)
+        for path in modules()
+        for function in ast.walk(tree_of(path))
+        if isinstance(function, ast.FunctionDef)
+        for name, _ in imported(path, function)
+    )
+
+
+def imports_by_module() -> dict[str, frozenset[str]]:
+    return {name_of(p)[:-3].replace("/", "."): own(p) for p in modules()}
 
 
 def stage(name: str) -> str:
     return name.split(".")[0].split("/")[0]
 
 
-@pytest.mark.parametrize("path", modules(), ids=name_of)
-def test_imports_point_down(path: Path) -> None:
-    here = stage(name_of(path))
-    if here == "__init__":
-        return
-    for name in own(path):
-        assert ORDER.index(stage(name)) <= ORDER.index(here), f"{here} imports {name}"
+def test_imports_point_down() -> None:
+    for path in modules():
+        here = stage(name_of(path))
+        for name in own(path) if here != "__init__" else ():
+            assert ORDER.index(stage(name)) <= ORDER.index(here), f"{path.name} imports {name}"
 
 
 def test_stages_know_only_data_and_tools_of_one_another() -> None:
@@ -124,7 +142,7 @@ def is_way_in(name: str) -> bool:
     return name.split(".")[-1].startswith("from_") and stage(name) in [*STAGES, *OUTPUT]
 
 
-def reached(start: str, graph: dict[str, set[str]]) -> set[str]:
+def reached(start: str, graph: dict[str, frozenset[str]]) -> set[str]:
     found, todo = {start}, [start]
     while todo:
         new = (graph[todo.pop()] & graph.keys()) - found
@@ -140,12 +158,7 @@ def test_statics_is_a_second_opinion() -> None:
 
 
 def test_no_import_hides_in_a_function() -> None:
-    for path in modules():
-        tree = ast.parse(path.read_text(encoding="utf-8"))
-        for function in ast.walk(tree):
-            if isinstance(function, ast.FunctionDef):
-                for name, _ in imported(path, function):
-                    assert name_of(path) in VIEWS or (name_of(path), name) in LATE
+    assert [found for found in sorted(hidden() - LATE) if found[0] not in VIEWS] == []
 
 
 def test_no_import_cycle() -> None:
@@ -160,15 +173,8 @@ def test_no_import_cycle() -> None:
 
 def test_every_folder_says_what_it_promises() -> None:
     for path in PACKAGE.rglob("__init__.py"):
-        assert ast.get_docstring(ast.parse(path.read_text(encoding="utf-8"))), path
+        assert ast.get_docstring(tree_of(path)), path
 
 
 def test_the_list_above_names_what_there_is() -> None:
-    late = {
-        (name_of(path), name)
-        for path in modules()
-        for function in ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-        if isinstance(function, ast.FunctionDef)
-        for name, _ in imported(path, function)
-    }
-    assert late >= LATE
+    assert hidden() >= LATE
