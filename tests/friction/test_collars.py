@@ -1,4 +1,4 @@
-"""Collars that take the thrust of a screw, by the formulas of textbooks."""
+"""Collars that take the thrust of a screw or of a pivot, by the formulas of textbooks."""
 
 import math
 
@@ -40,6 +40,33 @@ friction pin A 0.15 diameter 10 mm
 friction pin B 0.15 diameter 10 mm on AB
 friction pin C 0.15 diameter 10 mm
 find k = T/N
+"""
+
+
+DISC = """
+param W = 2 kN
+pivot O
+link OE
+OE = 80 mm @ 90 deg
+torque T on OE
+force N at E along y
+friction collar O 0.3 {collar}
+find {asked}
+"""
+
+MIRRORED = """
+pivot O at (50 mm, 0 mm)
+slider K along y
+link OAJ
+link KA
+K at (0 mm, 40 mm)
+A at (30 mm, 10 mm)
+J at (60 mm, 90 mm)
+mirror across y sharing K
+force P at K along -y
+force F at J along x
+friction collar O 0.3 mean 20 mm thrust F/2
+find k = P/F
 """
 
 
@@ -89,10 +116,35 @@ def test_diameters_that_are_numbers_have_names():
     assert named == {"p", "d_A", "D_A", "D_i_A"}
 
 
+@pytest.mark.parametrize(
+    ("collar", "arm"),
+    [
+        ("mean 60 mm thrust W", 30e-3),
+        ("outer 80 mm inner 40 mm thrust W faces 2", 2 * 30e-3),
+        ("outer 80 mm inner 40 mm pressure thrust W", 2 / 3 * (40**3 - 20**3) / 1200 * 1e-3),
+    ],
+)
+def test_a_thrust_on_a_pivot_resists_at_the_mean_radius(collar, arm):
+    found = mechc.loads(DISC.format(collar=collar, asked="T")).evaluate()
+    assert (found["T_f"], found["T_hold"]) == pytest.approx((600 * arm, -600 * arm), rel=1e-12)
+
+
+def test_a_thrust_may_be_a_multiple_of_a_load():
+    found = mechc.loads(DISC.format(collar="mean 60 mm thrust 4*N", asked="k = T/N")).evaluate()
+    assert found["k_f"] == pytest.approx(0.3 * 4 * 30e-3, rel=1e-12)
+
+
+def test_both_halves_of_a_mirror_have_the_collar():
+    """Half of P's power is lost on the collar of each half: P_f − P = 2·μ·(F/2)·r·ω/V_K."""
+    found = mechc.loads(MIRRORED + "find omega_OAJ/V_K").evaluate()
+    slip = abs(found["omega_OAJ_over_V_K"])
+    assert found["k_f"] - found["k"] == pytest.approx(2 * 0.3 / 2 * 10e-3 * slip, rel=1e-9)
+
+
 def test_words_of_collars_are_names_elsewhere():
-    names = "collar", "mean", "outer", "wear", "pressure"
+    names = "collar", "mean", "outer", "wear", "pressure", "thrust", "faces"
     given = "\n".join(f"param {name} = 0.02" for name in names)
     found = numbers(6, given, f"friction screw A ({'+'.join(names)}) thread d")
     assert found["k_f"] == pytest.approx(
-        10e-3 * math.tan(math.atan(6 / (20 * math.pi)) + math.atan(0.1))
+        10e-3 * math.tan(math.atan(6 / (20 * math.pi)) + math.atan(0.14))
     )

@@ -161,6 +161,15 @@ CONSTRUCTS = [
         "friction: {A: {collar: mu, outer: D, inner: d, collar_law: pressure}}",
     ),
     (
+        "friction collar O mu mean d thrust W faces 2 on OA",
+        "friction: {O: {collar: mu, mean: d, thrust: W, faces: 2, collar_link: OA}}",
+    ),
+    ("friction rope B mu wrap theta", "friction: {B: {rope: mu, wrap: theta}}"),
+    (
+        "friction rope O mu wrap theta drum D on OC",
+        "friction: {O: {rope: mu, wrap: theta, drum: D, drum_link: OC}}",
+    ),
+    (
         "friction pin A f diameter d\nfriction slider A mu",
         "friction: {A: {f: f, diameter: d, guide: mu}}",
     ),

@@ -108,6 +108,8 @@ def to_product(formula: Formula) -> Factored:
             return to_product(base) ** value.numerator
         case Call(function, (argument,)) if function in ("sin", "cos", *_QUOTIENTS):
             return _trigonometric(function, argument)
+        case Call("exp", (argument,)):
+            return _exponential(to_product(argument))
         case Pi() | Power() | Call() | Implicit():
             return Factored.of(Opaque(formula))
         case _:
@@ -122,6 +124,13 @@ def _trigonometric(function: str, argument: Formula) -> Factored:
         s, c = _QUOTIENTS[function]
         return sine(angle) ** s * cosine(angle) ** c
     return sine(angle) if function == "sin" else cosine(angle)
+
+
+def _exponential(argument: Factored) -> Factored:
+    """Return e^x, as 1/e^(−x) where x has a minus, so that both are one."""
+    size = -argument if argument.coefficient < 0 else argument
+    whole = Factored.of(Opaque(Call("exp", (size.formula(),))))
+    return whole if size is argument else whole**-1
 
 
 def is_transparent(product: Factored) -> bool:

@@ -11,7 +11,7 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from fractions import Fraction
 
 from ..formula.operations import count_operations
-from ..formula.tree import Call, Formula, number, product, total
+from ..formula.tree import Call, Formula, negative, number, product, total
 from ..formula.tree import Symbol as SymbolFormula
 from .angle import Rational, rational
 from .factors import Factor, Length, Trig
@@ -236,7 +236,17 @@ def _written(value: Product) -> Formula:
     ratio, power, factors = _high_power(factors)
     ordered = sorted(_with_tangents(factors), key=lambda fe: fe[0])
     high = [(_written(Product(1, ratio)), power)] if ratio else []
-    return product([(number(coefficient), 1), *((f, e) for _, f, e in ordered), *high])
+    plain = (_exponential(f, e) for _, f, e in ordered)
+    return product([(number(coefficient), 1), *plain, *high])
+
+
+def _exponential(formula: Formula, exponent: int) -> tuple[Formula, int]:
+    """Return a power as it is written: e^(−x) rather than 1/e^x."""
+    match formula:
+        case Call("exp", (argument,)) if exponent < 0:
+            return Call("exp", (negative(argument),)), -exponent
+        case _:
+            return formula, exponent
 
 
 def _high_power(

@@ -1,4 +1,4 @@
-"""Messages for friction in the balance of power (E510 … E514, E540, W511 … W541)."""
+"""Messages for friction in the balance of power (E419, E510 … E514, E540, W511 … W541)."""
 
 from collections.abc import Sequence
 
@@ -44,6 +44,20 @@ def another_load_presses(span: Span, load: str, result: str) -> Message:
     """
     message = f"{load} presses a joint with friction, so {result} is no ratio of two loads alone"
     return Message(span, message, "ask for the driving load by itself, as in 'find P'")
+
+
+@coded("E419")
+def thrust_of_the_drive(span: Span, point: str, load: str) -> Message:
+    """The load that is asked for presses a collar by itself.
+
+    Its friction then grows with the load that overcomes it, so that no balance gives either.
+
+        friction collar O 0.3 mean 80 mm thrust 2*P
+        find P                                         # wrong
+        find k = F/P                                   # right: P is given
+    """
+    message = f"the collar on {point} is pressed by {load}, which is the load that is asked for"
+    return Message(span, message, "let a given load press it")
 
 
 @coded("E514")

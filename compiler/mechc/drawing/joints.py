@@ -128,8 +128,8 @@ def _rack(paper: Paper, part: Rack) -> Iterator[Shape]:
 
 
 def _rope(paper: Paper, part: Rope) -> Iterator[Shape]:
-    for point in dict.fromkeys(part.points[1:-1]):
-        yield Arc(paper.at(point), part.pulley * paper.scale, SYMBOL)
+    for point, radius in dict.fromkeys(zip(part.points[1:-1], part.pulleys, strict=True)):
+        yield Arc(paper.at(point), radius * paper.scale, SYMBOL)
     for run in part.runs:
         yield line(*paper.ends(run), SYMBOL)
 

@@ -180,12 +180,12 @@ class Screw:
 class Rope:
     """A rope through ``points``, over a pulley at each but the first and the last one.
 
-    ``runs`` are its straight stretches, ``pulley`` the radius at which pulleys are drawn.
+    ``runs`` are its straight stretches, ``pulleys`` the radii of the pulleys between.
     """
 
     points: tuple[str, ...]
     runs: tuple[Segment, ...]
-    pulley: float
+    pulleys: tuple[float, ...]
 
 
 @frozen

@@ -144,9 +144,18 @@ class Half:
                 assert_never(joint)
 
     def _rope(self, rope: model.Rope) -> drawn.Rope:
-        radius = PULLEY * self.size
-        runs = tuple(rope_runs([self.at(point) for point in rope.route], radius))
-        return drawn.Rope(tuple(map(self.point, rope.route)), runs, radius)
+        drums = {k.place: k.reach for k in self._sliding_ropes() if k.joint == rope.id}
+        reaches = [drums.get(i) for i in range(len(rope.route))]
+        radii = [None if r is None else self.sense * self.length(r) for r in reaches]
+        pulley = PULLEY * self.size
+        runs = tuple(rope_runs([self.at(point) for point in rope.route], radii, pulley))
+        sizes = tuple(pulley if radius is None else abs(radius) for radius in radii[1:-1])
+        return drawn.Rope(tuple(map(self.point, rope.route)), runs, sizes)
+
+    def _sliding_ropes(self) -> Iterator[model.RopeFriction]:
+        """Yield the friction of ropes around pulleys."""
+        joints = self.ways.pose.mechanism.friction.joints
+        yield from (joint for joint in joints if isinstance(joint, model.RopeFriction))
 
     def _ground(self, point: str) -> Plane:
         """Return where the ground of a pivot is: down, where no bar of the described half is."""

@@ -1,5 +1,6 @@
 """How a rope runs over its pulleys."""
 
+import math
 from collections.abc import Iterator, Sequence
 from itertools import pairwise
 
@@ -10,18 +11,29 @@ STRAIGHT = 1e-6
 """The sine of an angle between falls that are parallel."""
 
 
-def rope_runs(places: Sequence[Plane], radius: float) -> Iterator[Segment]:
+def rope_runs(
+    places: Sequence[Plane], radii: Sequence[float | None], pulley: float
+) -> Iterator[Segment]:
     """Yield the straight stretches of a rope: tangents of the pulleys on its way.
 
     It runs round the pulleys on alternate sides where its falls are parallel, as a tackle is
-    drawn, else on the outside of each bend.
+    drawn, else on the outside of each bend. A drum has a radius of its own, negative where the
+    rope goes clockwise around it.
     """
-    sides = [0.0, *_sides(places), 0.0]
-    for i, (tail, head) in enumerate(pairwise(places)):
-        unit = head.minus(tail).unit() or NOWHERE
-        across = unit.turned().times(radius)
-        start, end = tail.plus(across.times(sides[i])), head.plus(across.times(sides[i + 1]))
-        yield Segment(start, end)
+    offsets = [
+        pulley * side if radius is None else -radius
+        for side, radius in zip((0.0, *_sides(places), 0.0), radii, strict=True)
+    ]
+    for (tail, head), (left, right) in zip(pairwise(places), pairwise(offsets), strict=True):
+        normal = _normal(head.minus(tail), left - right)
+        yield Segment(tail.plus(normal.times(left)), head.plus(normal.times(right)))
+
+
+def _normal(way: Plane, less: float) -> Plane:
+    """Return the normal to the left of a line whose ends are to the left by so much less."""
+    unit, length = way.unit() or NOWHERE, math.hypot(*way)
+    sine = less / length if abs(less) < length else 0.0
+    return unit.turned().times(math.sqrt(1 - sine * sine)).plus(unit.times(sine))
 
 
 def _sides(places: Sequence[Plane]) -> Iterator[float]:

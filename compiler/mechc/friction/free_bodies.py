@@ -110,7 +110,7 @@ class Bodies:
     def _refuse_the_rest(self, turned: set[str]) -> None:
         """Raise :class:`EquationsCoupled` for bodies and joints that are none of the four kinds."""
         m = self._mechanism
-        if any(link.arc for link in m.links):
+        if any(link.arc for link in m.links) or any(p.pair.thrust for p in self._task.pressed):
             raise EquationsCoupled
         bodies = any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
         if m.cylinders or any(self._is_apart(load) for load in m.loads):

@@ -16,6 +16,7 @@ from ..power.balance import Equations, Term
 from ..power.reactions import ForceTerm, Reactions
 from .pairs import FrictionPair
 from .standing import without_standing
+from .thrusts import thrust_under
 
 Given = Mapping[str, Product]
 """The size of each given load."""
@@ -84,6 +85,12 @@ def loaded_pairs(
     slips = without_standing([_slip(pair, plan, equations, driving) for pair in pairs], plan)
     pressed = []
     for pair, slip in zip(pairs, slips, strict=True):
+        if pair.thrust is not None:
+            ideal = thrust_under(pair.thrust, equations, given)
+            if isinstance(ideal, str):
+                raise LoadedByAnother(ideal)
+            pressed.append(LoadedPair(pair, slip, (Component(ideal, {}),), ()))
+            continue
         transmitted = reactions.of(pair.joint)
         if transmitted is None:
             raise Undetermined(pair)

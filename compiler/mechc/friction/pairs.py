@@ -9,11 +9,11 @@ from typing import NamedTuple, assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
-from ..algebra.product import Product
+from ..algebra.product import ONE, Product
 from ..formula.tree import PI, Formula, product
-from ..kinematics.forms import QUARTER, leaving, projection, scaled, spin, subtract
+from ..kinematics.forms import QUARTER, combined, leaving, projection, scaled, spin, subtract
 from ..kinematics.graph import Form, Graph
-from ..kinematics.meshes import mesh_of, turning
+from ..kinematics.meshes import growths, mesh_of, turning
 from ..kinematics.plan import Plan, Speeds
 from ..kinematics.release import JointRef, Measure, members, touch_at
 from ..model.mechanism import (
@@ -22,7 +22,10 @@ from ..model.mechanism import (
     GuideFriction,
     JointFriction,
     PinFriction,
+    PivotFriction,
     Rack,
+    Rope,
+    RopeFriction,
     Screw,
     ThreadFriction,
     WheelFriction,
@@ -40,6 +43,7 @@ class FrictionPair(NamedTuple):
     or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``,
     ``A_guide``. The mechanism has ``number`` of them: one in each half or branch. Frictions
     ``besides`` press it by themselves, each by so much of it, and not through the joint alone.
+    Where there is a ``thrust``, that is the force, whatever the joint passes on.
     """
 
     name: str
@@ -48,6 +52,7 @@ class FrictionPair(NamedTuple):
     slip: Measure
     number: Fraction = Fraction(1)
     besides: tuple[tuple[str, Product], ...] = ()
+    thrust: Formula | None = None
 
     def speeds(self, plan: Plan) -> Speeds:
         """Return the slip per unit of each drive."""
@@ -91,6 +96,15 @@ def _of(given: JointFriction, pose: Pose) -> Iterator[FrictionPair]:
             slip = _on_collar(joint, to_product(radius), pose)
             pair = FrictionPair(f"{point}_collar", joint, to_product(factor), slip)
             yield pair._replace(besides=tuple(_thrusts(joint, pose)))
+        case PivotFriction(point, link, factor, radius, thrust):
+            joint, slip = JointRef("thrust", point, link), _at_radius(link, to_product(radius))
+            pair = FrictionPair(f"{point}_collar", joint, to_product(factor), slip)
+            yield pair._replace(thrust=thrust)
+        case RopeFriction(id, point, factor=factor):
+            joint = JointRef("mesh", pose.mechanism.joint(id).points[0], id)
+            slip = _along_rope(given, pose)
+            pair = FrictionPair(f"{point}_rope", joint, to_product(factor), slip)
+            yield pair._replace(besides=tuple(_along_the_way(given, pose)))
         case FaceFriction(point, factor):
             yield _face(point, factor, pose)
         case _:
@@ -138,6 +152,8 @@ def _rim(joint: JointRef, pose: Pose) -> Measure:
             return lambda graph: scaled(turning(graph, link, arm), pose.radii[radius])
         case Rack(point) | Screw(point):
             return lambda graph: projection(graph.velocities[point], _guide(point, pose))
+        case Rope():
+            raise AssertionError("a rope has no rim")
         case other:
             assert_never(other)
 
@@ -181,7 +197,39 @@ def _on_collar(joint: JointRef, radius: Product, pose: Pose) -> Measure:
     """Return the speed at which a collar slides at its mean radius."""
     screw = mesh_of(pose, joint.of)
     assert isinstance(screw, Screw), "a collar is on a screw"
-    return lambda graph: scaled(spin(graph, screw.link), radius)
+    return _at_radius(screw.link, radius)
+
+
+def _at_radius(link: str, radius: Product) -> Measure:
+    return lambda graph: scaled(spin(graph, link), radius)
+
+
+def _along_rope(given: RopeFriction, pose: Pose) -> Measure:
+    """Return how fast a drum overtakes the rope around it, or the rope runs back.
+
+    Friction in the rope is half a pull behind the pulley and half a pull less in front of it:
+    what presses then is the mean of both tensions.
+    """
+    rope = mesh_of(pose, given.joint)
+    assert isinstance(rope, Rope), "friction of a rope is on a rope"
+    half = Product(Fraction(1, 2))
+
+    def slip(graph: Graph) -> Form:
+        each = enumerate(growths(rope, pose, graph.velocities))
+        back = combined((half if i < given.place else -half, growth) for i, growth in each)
+        if given.reach is None:
+            return back
+        return combined([(ONE, back), (pose.radii[given.reach], spin(graph, given.link))])
+
+    return slip
+
+
+def _along_the_way(given: RopeFriction, pose: Pose) -> Iterator[tuple[str, Product]]:
+    """Yield by how much less friction on other pulleys of a rope stretches it here."""
+    for other in pose.mechanism.friction.joints:
+        if isinstance(other, RopeFriction) and other.joint == given.joint and other != given:
+            half = Fraction(1 if given.place < other.place else -1, 2)
+            yield f"{other.point}_rope", Product(half)
 
 
 def radii(pairs: Iterable[FrictionPair]) -> dict[str, str]:

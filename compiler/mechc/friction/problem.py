@@ -6,9 +6,7 @@ from ..algebra.product import ONE, Product
 from ..algebra.sums import add, canonical
 from ..diagnostics import Report
 from ..diagnostics import friction as messages
-from ..diagnostics.power import transmission_presses
 from ..formula.tree import Formula
-from ..kinematics.release import unclear
 from ..model.mechanism import Find, LoadForm, LoadRatio, Mechanism
 from ..model.result import Result
 from ..power.balance import Balance
@@ -21,6 +19,7 @@ from .free_bodies import Task
 from .naming import Endings, Meanings, with_one_meaning
 from .normal_forces import Idle, LoadedByAnother, LoadedPair, Undetermined, loaded_pairs
 from .pairs import pairs
+from .unsuited import unsuited
 
 Loaded = tuple[LoadedPair, ...]
 
@@ -91,20 +90,19 @@ class Problem:
         """
         key = case.driving, tuple(case.given.items())
         if key not in self._loaded:
-            self._loaded[key] = self._found(find, case) if self._is_clear(find) else None
+            is_clear = self._is_clear(find, case.driving)
+            self._loaded[key] = self._found(find, case) if is_clear else None
         return self._loaded[key]
 
-    def _is_clear(self, find: Find) -> bool:
-        """Return whether there is one motion, and no gear or belt presses a pin with friction."""
+    def _is_clear(self, find: Find, driving: str) -> bool:
+        """Return whether there is one motion, and every pair is pressed as a result can say."""
         if self.equations.number != 1:
             self.report.add(messages.several_degrees_of_freedom(find.span, self.equations.number))
             return False
-        unclear_at = unclear(self.mechanism)
-        pins = (pair.joint.point for pair in self._pairs if pair.joint.kind == "pin")
-        point = next((pin for pin in pins if pin in unclear_at), None)
-        if point is not None:
-            self.report.add(transmission_presses(find.span, point, has_friction=True))
-        return point is None
+        error = next(unsuited(find, driving, self._pairs, self.mechanism, self.equations), None)
+        if error is not None:
+            self.report.add(error)
+        return error is None
 
     def _found(self, find: Find, case: Case) -> Loaded | None:
         try:

@@ -64,6 +64,6 @@ def resting_on(
 def _sums(problem: Problem, loaded: Sequence[LoadedPair]) -> Iterator[Definition]:
     """Yield the named sums that slips and pressing forces rest on."""
     yield from bound_sums(problem.plan, [p.slip for p in loaded])
-    for each in loaded:
+    for each in (p for p in loaded if p.pair.thrust is None):
         for plan, component in zip(each.plans, each.components, strict=True):
             yield from bound_sums(plan, [component.ideal, *component.by.values()])

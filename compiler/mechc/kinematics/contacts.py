@@ -1,7 +1,6 @@
 """What slots, contacts, wheels and screws demand of velocities that others carry."""
 
 from collections.abc import Iterator, Mapping
-from itertools import pairwise
 from typing import assert_never
 
 from ..algebra.angle import Angle
@@ -13,7 +12,7 @@ from ..model.mechanism import Contact, Pivot, Rack, Rope, Screw, Slider, Slot, W
 from ..pose.pose import PointContact, Pose
 from .forms import combined, projection, scaled, subtract, turned
 from .graph import Form, Relation, Rule, Velocity
-from .meshes import rims
+from .meshes import growths, rims
 
 Velocities = Mapping[str, Velocity]
 Spins = Mapping[str, int]
@@ -94,12 +93,8 @@ def _screw(screw: Screw, pose: Pose, velocities: Velocities, spins: Spins) -> Re
 
 def _rope(rope: Rope, pose: Pose, velocities: Velocities) -> Relation:
     """Σ (V_head − V_tail) · way = 0."""
-    ends = zip(pairwise(rope.route), pose.falls[rope.id], strict=True)
-    growth = [
-        (ONE, subtract(projection(velocities[head], way), projection(velocities[tail], way)))
-        for (tail, head), way in ends
-    ]
-    return Relation(Rule.ROPE, "", rope.points, Angle(), combined(growth), rope.span)
+    form = combined((ONE, growth) for growth in growths(rope, pose, velocities))
+    return Relation(Rule.ROPE, "", rope.points, Angle(), form, rope.span)
 
 
 def _driven(point: str, spin: int, reach: Product, pose: Pose, velocities: Velocities) -> Form:

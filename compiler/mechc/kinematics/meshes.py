@@ -1,21 +1,23 @@
-"""What meshes: the rims of wheels, a rack and its wheel, a thread; how fast they slip."""
+"""What meshes: the rims of wheels, a rack and its wheel, a thread, a rope; how fast they slip."""
 
+from collections.abc import Mapping
+from itertools import pairwise
 from typing import assert_never
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_product
-from ..algebra.product import Product
+from ..algebra.product import ONE, Product
 from ..formula.tree import PI
-from ..model.mechanism import Mesh, Rack, Screw, WheelPair
+from ..model.mechanism import Mesh, Rack, Rope, Screw, WheelPair
 from ..pose.pose import Pose
 from .forms import combined, projection, scaled, spin, subtract
-from .graph import Form, Graph
+from .graph import Form, Graph, Velocity
 
 
-def mesh_of(pose: Pose, id: str) -> Mesh:
-    """Return the wheels, the rack or the screw of an id."""
+def mesh_of(pose: Pose, id: str) -> Mesh | Rope:
+    """Return the wheels, the rack, the screw or the rope of an id."""
     mesh = pose.mechanism.joint(id)
-    assert isinstance(mesh, WheelPair | Rack | Screw), "a mesh is of wheels, a rack or a screw"
+    assert isinstance(mesh, WheelPair | Rack | Screw | Rope), "no other joint meshes"
     return mesh
 
 
@@ -31,8 +33,20 @@ def turning(graph: Graph, link: str, carrier: str) -> Form:
     return subtract(own, under)
 
 
-def slipping(graph: Graph, pose: Pose, mesh: Mesh) -> Form:
-    """Return the speed at which rims, a rack and its wheel, or nut and thread, part."""
+def growths(rope: Rope, pose: Pose, velocities: Mapping[str, Velocity]) -> list[Form]:
+    """Return the speed at which each fall of a rope grows."""
+    ends = zip(pairwise(rope.route), pose.falls[rope.id], strict=True)
+    return [
+        subtract(projection(velocities[head], way), projection(velocities[tail], way))
+        for (tail, head), way in ends
+    ]
+
+
+def slipping(graph: Graph, pose: Pose, mesh: Mesh | Rope) -> Form:
+    """Return the speed at which rims, a rack and its wheel, or nut and thread, part.
+
+    A rope parts as all of its falls grow.
+    """
     match mesh:
         case WheelPair():
             first, second = rims(mesh, pose)
@@ -51,5 +65,7 @@ def slipping(graph: Graph, pose: Pose, mesh: Mesh) -> Form:
             ahead = projection(graph.velocities[point], pose.guide_of(point) or Angle())
             lead = pose.radii[pitch] / to_product(PI).scaled(2)
             return subtract(ahead, scaled(spin(graph, link), lead))
+        case Rope():
+            return combined((ONE, growth) for growth in growths(mesh, pose, graph.velocities))
         case _:
             assert_never(mesh)

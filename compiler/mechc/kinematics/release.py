@@ -46,11 +46,12 @@ from .planning import plan_of
 class JointRef(NamedTuple):
     """What is released at a point: ``pin`` of a link, ``ground``, guide of a ``slide``, ``touch``.
 
-    ``of`` is the name of the link or slide. A ``mesh`` is that of wheels, a rack or a thread:
-    it has the joint's first point, and ``of`` is the joint's id.
+    ``of`` is the name of the link or slide. A ``mesh`` is that of wheels, a rack, a thread or a
+    rope: it has the joint's first point, and ``of`` is the joint's id. The ``thrust`` of a link
+    along the axis of its pivot is given, so that it is never released.
     """
 
-    kind: Literal["pin", "ground", "slide", "touch", "mesh"]
+    kind: Literal["pin", "ground", "slide", "touch", "mesh", "thrust"]
     point: str
     of: str = ""
 
@@ -179,6 +180,8 @@ def _released(pose: Pose, joint: JointRef, along: Angle) -> Released:
             return _without_mesh(pose, joint)
         case "touch":
             return _without_touch(pose, joint.point)
+        case "thrust":
+            raise AssertionError("a thrust is given")
         case _:
             assert_never(joint.kind)
 
@@ -302,7 +305,7 @@ def _without_slide(pose: Pose, joint: JointRef, along: Angle) -> Released:
 
 
 def _without_mesh(pose: Pose, joint: JointRef) -> Released:
-    """Let the teeth of a pair, a rack or a thread lose each other."""
+    """Let the teeth of a pair, a rack or a thread lose each other, or a rope stretch."""
     joints = tuple(j for j in pose.mechanism.joints if j.id != joint.of)
     free = replace(pose, mechanism=replace(pose.mechanism, joints=joints))
     mesh = mesh_of(pose, joint.of)
@@ -336,8 +339,8 @@ def members(pose: Pose, joint: JointRef) -> tuple[str, ...]:
     if joint.kind == "touch":
         return (joint.point, *pose.frames[touch_at(pose, joint.point).body])
     if joint.kind == "mesh":
-        bodies = pose.mechanism.joint(joint.of).bodies
-        return (joint.point, *(p for body in bodies for p in pose.frames[body]))
+        mesh = pose.mechanism.joint(joint.of)
+        return (*mesh.points, *(p for body in mesh.bodies for p in pose.frames[body]))
     return tuple(pose.frames[joint.of]) if joint.of else (joint.point,)
 
 

@@ -1,11 +1,70 @@
-"""Collars of screws: the radius at which the friction of a ring acts."""
+"""Collars of screws and on pivots: the radius at which the friction of a ring acts."""
 
 from ..diagnostics.model import friction as messages
 from ..formula.tree import Formula, number, power, product, total
+from ..formula.walk import symbols
 from ..syntax import ast
-from ..units import LENGTH
-from .coefficients import positive_length, value_of
-from .scope import Scope
+from ..units import FORCE, LENGTH, NUMBER
+from .coefficients import checked, coefficient, positive_length, value_of
+from .expressions import Reader
+from .joint_friction import PivotFriction
+from .loads import degree
+from .mechanism import Link, Mechanism
+from .scope import DESCRIPTION, TIE, Scope
+
+
+def read_collar(
+    statement: ast.CollarFriction, built: Mechanism, scope: Scope
+) -> PivotFriction | None:
+    """Return the friction of a collar on a pivot; None where an error was reported."""
+    point = statement.point
+    f = coefficient(statement.coefficient, scope)
+    if not scope.points.acting(point) or f is None:
+        return None
+    thrust = _thrust(statement, scope)
+    faces = _faces(statement.faces, scope) if statement.faces else number(1)
+    radius, link = collar_radius(statement, scope), _turning(statement, built, scope)
+    if thrust is None or faces is None or radius is None or link is None:
+        return None
+    scope.points.used.update(link.points)
+    factor = product([(f, 1), (faces, 1)])
+    return PivotFriction(point.text, link.name, factor, radius, thrust, statement.span)
+
+
+def _thrust(statement: ast.CollarFriction, scope: Scope) -> Formula | None:
+    """Return the force along the axis: given, or a multiple of one load."""
+    if statement.thrust is None:
+        scope.report.add(messages.collar_without_thrust(statement.span, statement.point.text))
+        return None
+    force = Reader(scope, TIE).wanted(statement.thrust, FORCE, "the thrust of a collar")
+    loads = symbols(force) & set(scope.names({"load"})) if force else set()
+    if force and loads and (len(loads) != 1 or degree(force, frozenset(loads)) != 1):
+        scope.report.add(messages.thrust_of_several(statement.thrust.span, sorted(loads)))
+        return None
+    return force
+
+
+def _faces(expression: ast.Expr, scope: Scope) -> Formula | None:
+    what = "a number of faces"
+    found = Reader(scope, DESCRIPTION).wanted(expression, NUMBER, what)
+    return checked(found, expression.span, what, lambda v: v >= 1, scope)
+
+
+def _turning(statement: ast.CollarFriction, built: Mechanism, scope: Scope) -> Link | None:
+    """Return the link that turns on the pivot with the collar."""
+    point = statement.point
+    there = [link for link in built.rigid_links if point.text in link.points]
+    if statement.link is None:
+        if len(there) == 1:
+            return there[0]
+        names = [link.name for link in there]
+        scope.report.add(messages.collar_of_which_link(point.span, point.text, names))
+        return None
+    link = scope.points.link(statement.link)
+    if link and link not in there:
+        found = messages.pin_of_another(statement.link.span, point.text, link.name)
+        scope.report.add(found)
+    return link if link in there else None
 
 
 def collar_radius(statement: ast.CollarFriction, scope: Scope) -> Formula | None:

@@ -53,6 +53,7 @@ FRICTIONS = (
     ast.RackFriction,
     ast.ScrewFriction,
     ast.CollarFriction,
+    ast.RopeFriction,
 )
 
 

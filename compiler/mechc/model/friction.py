@@ -10,7 +10,7 @@ from ..formula.tree import Call, Formula, number, product, total
 from ..syntax import ast
 from ..units import LENGTH, NUMBER
 from .coefficients import checked, coefficient, positive_length, value_of
-from .collars import collar_radius
+from .collars import collar_radius, read_collar
 from .expressions import Reader
 from .joint_friction import (
     CollarFriction,
@@ -23,6 +23,7 @@ from .joint_friction import (
 )
 from .mechanism import Force, ForcePair, Load, Mechanism, Mesh, Rack, Screw, Slot, Torque, WheelPair
 from .pins import Pins, remark_on_pairs
+from .ropes import read_rope_friction
 from .scope import DESCRIPTION, Scope
 from .statements import every, only
 
@@ -119,6 +120,12 @@ def _read(
             yield from _roller(statement, built, scope)
         case ast.ContactFriction():
             yield from _face(statement, scope)
+        case ast.CollarFriction(point=point) if point.text in scope.points.fixed:
+            if collar := read_collar(statement, built, scope):
+                yield collar
+        case ast.RopeFriction():
+            if rope := read_rope_friction(statement, built, scope):
+                yield rope
         case (
             ast.GearFriction()
             | ast.BeltFriction()
@@ -232,7 +239,9 @@ def _transmission(
             yield ThreadFriction(here[0].id, point.text, f, thread, span)
     elif isinstance(statement, ast.CollarFriction):
         radius = collar_radius(statement, scope)
-        if radius is not None:
+        if statement.thrust is not None:
+            scope.report.add(messages.thrust_of_a_screw(statement.thrust.span, point.text))
+        elif radius is not None:
             yield CollarFriction(here[0].id, point.text, f, radius, span)
 
 

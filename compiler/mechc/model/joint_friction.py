@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from typing import Literal
 
-from ..formula.tree import Call, Formula
+from ..formula.tree import Call, Formula, number, product, total
 from ..formula.walk import symbols
 from ..frozen import frozen
 from ..source import Span
@@ -89,13 +89,70 @@ class CollarFriction:
     span: Span
 
 
+@frozen
+class PivotFriction:
+    """A collar, a disc brake or a clutch on a pivot: ``factor · |thrust|`` at a mean ``radius``.
+
+    It acts between ``link``, which turns on pivot ``point``, and what stands still. The
+    ``thrust`` is a force along the pivot's axis, a multiple of a load or a given one; the
+    factor counts the faces.
+    """
+
+    point: str
+    link: str
+    factor: Formula
+    radius: Formula
+    thrust: Formula
+    span: Span
+
+
+@frozen
+class RopeFriction:
+    """A rope that slides around a pulley, its tensions as e^(μθ) where it is about to slip.
+
+    ``joint`` is the rope's id, ``point`` the axle of the pulley, which is the ``place``-th of
+    its route. On a drum that turns with ``link`` the rope acts at ``reach``: its radius,
+    negative where the rope goes clockwise around it; None for a pulley that is held.
+    """
+
+    joint: str
+    point: str
+    place: int
+    coefficient: Formula
+    wrap: Formula
+    reach: Formula | None
+    link: str
+    span: Span
+
+    @property
+    def factor(self) -> Formula:
+        """Return the difference of both tensions over their mean, whichever way the rope slides.
+
+        They are to each other as e^(μθ) to 1.
+        """
+        return tension_share(Call("exp", (product([(self.coefficient, 1), (self.wrap, 1)]),)))
+
+
 def coulomb(coefficient: Formula) -> Formula:
     """Return sin(arctan f): a pin's friction circle over its radius, by Coulomb's law."""
     return Call("sin", (Call("atan", (coefficient,)),))
 
 
+def tension_share(ratio: Formula) -> Formula:
+    """Return 2·(q − 1)/(q + 1): the difference over the mean of tensions whose ratio is q."""
+    less, more = total([ratio, number(-1)]), total([ratio, number(1)])
+    return product([(number(2), 1), (less, 1), (more, -1)])
+
+
 JointFriction = (
-    PinFriction | GuideFriction | FaceFriction | WheelFriction | ThreadFriction | CollarFriction
+    PinFriction
+    | GuideFriction
+    | FaceFriction
+    | WheelFriction
+    | ThreadFriction
+    | CollarFriction
+    | PivotFriction
+    | RopeFriction
 )
 
 
@@ -131,3 +188,7 @@ class Friction:
                 yield joint.thread
             elif isinstance(joint, CollarFriction):
                 yield joint.radius
+            elif isinstance(joint, PivotFriction):
+                yield from (joint.radius, joint.thrust)
+            elif isinstance(joint, RopeFriction) and joint.reach is not None:
+                yield joint.reach

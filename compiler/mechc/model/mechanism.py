@@ -21,9 +21,12 @@ from .joint_friction import Friction as Friction
 from .joint_friction import GuideFriction as GuideFriction
 from .joint_friction import JointFriction as JointFriction
 from .joint_friction import PinFriction as PinFriction
+from .joint_friction import PivotFriction as PivotFriction
+from .joint_friction import RopeFriction as RopeFriction
 from .joint_friction import ThreadFriction as ThreadFriction
 from .joint_friction import WheelFriction as WheelFriction
 from .joint_friction import coulomb as coulomb
+from .joint_friction import tension_share as tension_share
 from .load_kinds import Force as Force
 from .load_kinds import ForcePair as ForcePair
 from .load_kinds import Load as Load

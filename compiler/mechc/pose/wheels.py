@@ -12,6 +12,7 @@ from ..model.mechanism import (
     Pivot,
     Rack,
     Rope,
+    RopeFriction,
     Screw,
     Slider,
     Slot,
@@ -35,7 +36,7 @@ class Misfit(NamedTuple):
 
 
 def radii(mechanism: Mechanism) -> Iterator[Formula]:
-    """Yield the radius of every wheel and circular slot and the pitch of every screw."""
+    """Yield the radius of every wheel, drum and circular slot and the pitch of every screw."""
     yield from (link.arc.radius for link in mechanism.links if link.arc)
     for joint in mechanism.joints:
         match joint:
@@ -47,6 +48,9 @@ def radii(mechanism: Mechanism) -> Iterator[Formula]:
                 pass
             case _:
                 assert_never(joint)
+    for friction in mechanism.friction.joints:
+        if isinstance(friction, RopeFriction) and friction.reach is not None:
+            yield friction.reach
 
 
 def misfits(pose: Pose, vectors: Vectors, values: Values) -> Iterator[Misfit]:

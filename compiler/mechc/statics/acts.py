@@ -92,6 +92,9 @@ class Acts:
             case "transmission":
                 for action in actions:
                     self._alone("friction", "", action)
+            case "rope" if pair:
+                for action in actions:
+                    self._from_rope(pair.by, action)
             case _:
                 for action in actions:
                     self._alone("load", name, action)
@@ -109,6 +112,13 @@ class Acts:
             return
         for action in self.transfers[by]:
             self._alone(kind, by.removeprefix("rope "), action, size)
+
+    def _from_rope(self, by: str, action: Action) -> None:
+        """Let a rope that slides pull more or less than its mean tension, and turn a drum."""
+        if isinstance(action, Push):
+            self._alone("rope", by.removeprefix("rope "), action)
+        else:
+            self._alone("friction", "", action)
 
     def _exchange(self, kind: Kind, actions: tuple[Action, ...], size: float | None) -> None:
         """Let two things act on each other."""

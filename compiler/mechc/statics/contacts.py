@@ -61,6 +61,8 @@ def _forces(result: Result, at: Balanced, kind: str) -> Iterator[tuple[str, Forc
             yield below, pushes(at, above, below, given, kind)
         case LoadForm(load):
             coefficients = result.coefficients or {}
-            for other in coefficients:
-                known = given | coefficients.keys()
+            idle = [k.name for k in mechanism.loads if k.tie is None and k.name != load]
+            others = dict.fromkeys((*coefficients, *idle))
+            for other in others:
+                known = given | others.keys()
                 yield other, pushes(at, load, other, known, kind)

@@ -10,6 +10,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple, assert_never
 
+from ..formula.tree import Formula
 from ..formula.walk import evaluate
 from ..frozen import frozen
 from ..model.mechanism import (
@@ -21,6 +22,8 @@ from ..model.mechanism import (
     LoadForm,
     LoadRatio,
     PinFriction,
+    PivotFriction,
+    RopeFriction,
     Sense,
     ThreadFriction,
     WheelFriction,
@@ -44,16 +47,18 @@ class Pair:
     """Two surfaces: a unit of friction between them as a load, by what they are pressed.
 
     They are pressed by the forces of body ``by`` on pin ``on``, or on its own body; and by a
-    friction of 1 in pairs ``besides``, as it acts, by so much more.
+    friction of 1 in pairs ``besides``, as it acts, by so much more. Where there is a ``thrust``,
+    that is all that presses them.
     """
 
-    kind: Literal["pin", "guide", "face", "transmission"]
+    kind: Literal["pin", "guide", "face", "transmission", "rope"]
     name: str
     actions: tuple[Action, ...]
     by: str
     on: str
     factor: float
     besides: tuple[tuple[str, float], ...] = ()
+    thrust: Formula | None = None
 
 
 Found = Sequence[float]
@@ -167,8 +172,18 @@ def _loaded(
     senses = tuple(-SIGNS[sense] * _slip(unfolding, pair, reference) for pair in pairs)
     rows = (_against(question, *each) for each in zip(pairs, senses, strict=True))
     responses = [question.factors.solve(row) for row in rows]
-    pressed = _pressed(question, pairs, senses, ideal, responses)
+    thrusts = {p.name: _size(p.thrust, unfolding, tied, given) for p in pairs if p.thrust}
+    pressed = _pressed(question, pairs, senses, (ideal, thrusts), responses)
     return Loaded(question, right, pairs, senses, pressed)
+
+
+def _size(
+    thrust: Formula, unfolding: Unfolding, tied: Mapping[str, Tie], given: Mapping[str, float]
+) -> float:
+    """Return a force along an axis, under loads of given sizes."""
+    bases = {tied[load].base: size / tied[load].factor for load, size in given.items()}
+    loads = {n: bases[tie.base] * tie.factor for n, tie in tied.items() if tie.base in bases}
+    return evaluate(thrust, {**unfolding.values, **loads})
 
 
 def _drive(unfolding: Unfolding, tied: Mapping[str, Tie], base: str) -> Iterator[Action]:
@@ -234,13 +249,17 @@ def _pressed(
     question: Question,
     pairs: Sequence[Pair],
     senses: Sequence[float],
-    ideal: Found,
+    without: tuple[Found, Mapping[str, float]],
     responses: Sequence[Found],
 ) -> list[SurfacePair]:
     """Return what presses each pair: without friction, and per unit of each friction."""
+    ideal, thrusts = without
     names = [pair.name for pair in pairs]
     found = []
     for pair in pairs:
+        if pair.name in thrusts:
+            found.append(SurfacePair(pair.factor, [(thrusts[pair.name], [0.0] * len(pairs))]))
+            continue
         more = dict(pair.besides)
         own = [more.get(name, 0.0) * s for name, s in zip(names, senses, strict=True)]
         components = [
@@ -292,6 +311,14 @@ def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
             actions = unfolding.on_collar(joint, arm)
             more = tuple(_thrusts(joint, unfolding))
             yield Pair("transmission", f"collar of {joint}", actions, joint, "", size, more)
+        case PivotFriction(point, link, factor_, radius, thrust):
+            size, arm = (evaluate(f, unfolding.values) for f in (factor_, radius))
+            name, couples = f"collar on {point}", unfolding.couple(link, arm)
+            yield Pair("transmission", name, couples, link, point, size, thrust=thrust)
+        case RopeFriction(joint, point, factor=factor_):
+            size, pulls = evaluate(factor_, unfolding.values), unfolding.around(given)
+            more = tuple(_along(given, unfolding))
+            yield Pair("rope", f"pulley on {point}", pulls, joint, "", size, more)
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:
@@ -304,6 +331,16 @@ def _thrusts(joint: str, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
         if isinstance(given, ThreadFriction) and given.joint == joint:
             diameter = evaluate(given.thread, unfolding.values)
             yield joint, unfolding.slope_of_thread(joint, diameter)
+
+
+def _along(given: RopeFriction, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
+    """Yield what a friction of 1 on another pulley of a rope adds to the mean tension here.
+
+    Half of it pulls more behind that pulley, half of it less in front.
+    """
+    for other in unfolding.pose.mechanism.friction.joints:
+        if isinstance(other, RopeFriction) and other.joint == given.joint and other != given:
+            yield f"pulley on {other.point}", 0.5 if given.place > other.place else -0.5
 
 
 def _guide(point: str, size: float, unfolding: Unfolding) -> Iterator[Pair]:

@@ -1,7 +1,7 @@
 """The forces that wheels, racks and screws pass on, from their mechanics."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from itertools import pairwise
 from typing import assert_never
 
@@ -22,7 +22,7 @@ def transfers(halves: Halves) -> Iterator[Transfer]:
             case Screw():
                 yield from _both(halves, Transfer(joint.id, _thread(halves, joint)))
             case Rope():
-                yield from _both(halves, Transfer(joint.id, tuple(_pulls(halves, joint))))
+                yield from _both(halves, Transfer(joint.id, tuple(pulls(halves, joint))))
             case Slot(link=link, guided=guided) if guided:
                 couples = Couple(guided, 1.0), Couple(link, -1.0)
                 yield from _both(halves, Transfer(joint.id, couples))
@@ -68,15 +68,16 @@ def _teeth(halves: Halves, rack: Rack) -> tuple[Action, Action]:
     return Push(rack.point, along), back
 
 
-def _pulls(halves: Halves, rope: Rope) -> Iterator[Action]:
-    """Yield what a tension of 1 does: each fall draws its ends towards each other.
+def pulls(halves: Halves, rope: Rope, tensions: Sequence[float] = ()) -> Iterator[Action]:
+    """Yield what tensions of falls do, of 1 in each: they draw its ends towards each other.
 
-    A pulley turns freely on its axle, so that the tension is the same on both its sides.
+    A pulley that turns freely on its axle has the same tension on both sides.
     """
     ways = [direction(way.evaluate(halves.values)) for way in halves.pose.falls[rope.id]]
-    for (tail, head), way in zip(pairwise(rope.route), ways, strict=True):
-        yield Push(tail, way)
-        yield Push(head, way.times(-1))
+    sizes = tensions or [1.0] * len(ways)
+    for (tail, head), way, size in zip(pairwise(rope.route), ways, sizes, strict=True):
+        yield Push(tail, way.times(size))
+        yield Push(head, way.times(-size))
 
 
 def _both(halves: Halves, transfer: Transfer) -> Iterator[Transfer]:

@@ -17,11 +17,21 @@ from typing import assert_never
 
 from ..formula.walk import evaluate
 from ..frozen import frozen
-from ..model.mechanism import Force, ForcePair, Load, Rack, Screw, Torque, WheelPair
+from ..model.mechanism import (
+    Force,
+    ForcePair,
+    Load,
+    Rack,
+    Rope,
+    RopeFriction,
+    Screw,
+    Torque,
+    WheelPair,
+)
 from ..pose.pose import PointContact, evaluate_vector
 from .assembly import GROUND, Action, Assembly, Couple, Plane, Push, Wrench, direction
 from .halves import Halves
-from .transfers import transfers
+from .transfers import pulls, transfers
 from .unfolded import bodies, guides, pivots, point_contacts, slides, telescopes
 
 
@@ -156,6 +166,21 @@ class Unfolding(Halves):
     def on_collar(self, joint: str, radius: float) -> tuple[Action, ...]:
         """Return the couple on a screw of a friction of 1 at the mean radius of its collar."""
         return self.couple(self._screw(joint).link, radius)
+
+    def around(self, friction: RopeFriction) -> tuple[Action, ...]:
+        """Return a friction of 1 on a pulley: half a pull more behind it, half less in front.
+
+        A drum takes the moment of both.
+        """
+        rope = self.pose.mechanism.joint(friction.joint)
+        assert isinstance(rope, Rope), "friction of a rope is on a rope"
+        tensions = [-0.5 if i < friction.place else 0.5 for i in range(len(rope.ways))]
+        half = tuple(pulls(self, rope, tensions))
+        if friction.reach is not None:
+            half = (*half, Couple(friction.link, evaluate(friction.reach, self.values)))
+        if self.axis is None or all(map(self.acts_on_shared, half)):
+            return half
+        return (*half, *map(self.mirrored, half))
 
     def slope_of_thread(self, joint: str, diameter: float) -> float:
         """Return tan ψ = p/(πd) of a thread."""

@@ -524,7 +524,10 @@ class ScrewFriction(Statement):
 
 @frozen
 class CollarFriction(Statement):
-    """``friction collar A mu mean d``, or ``outer D inner d [wear|pressure]``: of screw A."""
+    """``friction collar A mu mean d``, or ``outer D inner d [wear|pressure]``: of screw A.
+
+    Of a pivot with ``thrust W [faces n] [on OA]``: the force along its axis.
+    """
 
     point: Name
     coefficient: Expr
@@ -532,6 +535,20 @@ class CollarFriction(Statement):
     outer: Expr | None = None
     inner: Expr | None = None
     law: Literal["", "wear", "pressure"] = ""
+    thrust: Expr | None = None
+    faces: Expr | None = None
+    link: Name | None = None
+
+
+@frozen
+class RopeFriction(Statement):
+    """``friction rope B mu wrap theta [drum D on OC]``: a rope that slides around a pulley."""
+
+    point: Name
+    coefficient: Expr
+    wrap: Expr
+    drum: Expr | None = None
+    link: Name | None = None
 
 
 @frozen

@@ -56,6 +56,15 @@ COLLAR_FRICTION = (
     optional("outer", Kind.EXPRESSION, needs=("inner",)),
     optional("inner", Kind.EXPRESSION, needs=("outer",)),
     word("collar_law", "law", "wear", "pressure", needs=("outer",)),
+    optional("thrust", Kind.EXPRESSION),
+    optional("faces", Kind.EXPRESSION, needs=("thrust",)),
+    optional("collar_link", Kind.POINTS, "link", needs=("thrust",)),
+)
+ROPE_FRICTION = (
+    key("rope", Kind.EXPRESSION, "coefficient"),
+    key("wrap", Kind.EXPRESSION),
+    optional("drum", Kind.EXPRESSION, needs=("drum_link",)),
+    optional("drum_link", Kind.POINTS, "link", needs=("drum",)),
 )
 FRICTION = (
     Entry(ast.PinFriction, key("point", Kind.PIN), keys=PIN_FRICTION),
@@ -67,6 +76,7 @@ FRICTION = (
     Entry(ast.RackFriction, AT_POINT, keys=(key("rack", Kind.EXPRESSION, "coefficient"),)),
     Entry(ast.ScrewFriction, AT_POINT, keys=SCREW_FRICTION),
     Entry(ast.CollarFriction, AT_POINT, keys=COLLAR_FRICTION),
+    Entry(ast.RopeFriction, AT_POINT, keys=ROPE_FRICTION),
 )
 PARAM_KEYS = (
     optional("value", Kind.MEASURE, "value", "tolerance"),

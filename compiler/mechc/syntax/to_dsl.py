@@ -58,7 +58,8 @@ LINES: dict[type[ast.Statement], str] = {
     ast.RackFriction: "friction rack {point} {coefficient}",
     ast.ScrewFriction: "friction screw {point} {coefficient} thread {thread}",
     ast.CollarFriction: "friction collar {point} {coefficient}[ mean {mean}]"
-    "[ outer {outer} inner {inner}][ {law}]",
+    "[ outer {outer} inner {inner}][ {law}][ thrust {thrust}][ faces {faces}][ on {link}]",
+    ast.RopeFriction: "friction rope {point} {coefficient} wrap {wrap}[ drum {drum} on {link}]",
     ast.Motion: "motion {sense}",
     ast.Efficiency: "efficiency {value}",
     ast.Table: "table {name}[ {source}] = {rows}",
@@ -78,6 +79,7 @@ TRANSMISSIONS = (ast.Gear, ast.Rack, ast.Contact, ast.Belt, ast.Screw, ast.Rope)
 FRICTIONS = (
     *(ast.PinFriction, ast.GuideFriction, ast.RollerFriction, ast.ContactFriction),
     *(ast.GearFriction, ast.BeltFriction, ast.RackFriction, ast.ScrewFriction, ast.CollarFriction),
+    ast.RopeFriction,
 )
 
 SUBJECTS: tuple[tuple[type[ast.Statement], ...], ...] = (

@@ -262,15 +262,48 @@ def friction_guide(
     return ast.GuideFriction(NOWHERE, point, coefficient, length, overhang, law(named))
 
 
+Thrust = tuple[ast.Expr, ast.Expr | None, ast.Name | None]
+
+
+def thrust(force: ast.Expr, faces: ast.Expr | None, link: ast.Name | None) -> Thrust:
+    """Return ``thrust W faces n on OA``."""
+    return force, faces, link
+
+
+def friction_collar(
+    point: ast.Name, coefficient: ast.Expr, mean: ast.Expr, pressed: Thrust | None
+) -> ast.CollarFriction:
+    """Return ``friction collar A mu mean d thrust W``."""
+    sizes = mean, None, None, law(None)
+    return ast.CollarFriction(NOWHERE, point, coefficient, *sizes, *(pressed or ()))
+
+
 def friction_ring(
     point: ast.Name,
     coefficient: ast.Expr,
     outer: ast.Expr,
     inner: ast.Expr,
     named: Token | None,
+    pressed: Thrust | None,
 ) -> ast.CollarFriction:
-    """Return ``friction collar A mu outer D inner d wear``."""
-    return ast.CollarFriction(NOWHERE, point, coefficient, None, outer, inner, law(named))
+    """Return ``friction collar A mu outer D inner d wear thrust W``."""
+    sizes = None, outer, inner, law(named)
+    return ast.CollarFriction(NOWHERE, point, coefficient, *sizes, *(pressed or ()))
+
+
+Drum = tuple[ast.Expr, ast.Name]
+
+
+def drum(diameter: ast.Expr, link: ast.Name) -> Drum:
+    """Return ``drum D on OC``."""
+    return diameter, link
+
+
+def friction_rope(
+    point: ast.Name, coefficient: ast.Expr, wrap: ast.Expr, turning: Drum | None
+) -> ast.RopeFriction:
+    """Return ``friction rope B mu wrap theta drum D on OC``."""
+    return ast.RopeFriction(NOWHERE, point, coefficient, wrap, *(turning or ()))
 
 
 def motion(sense: Token) -> ast.Motion:
@@ -372,7 +405,6 @@ IN_ORDER: Mapping[str, type[ast.Statement]] = {
     "friction_belt": ast.BeltFriction,
     "friction_rack": ast.RackFriction,
     "friction_screw": ast.ScrewFriction,
-    "friction_collar": ast.CollarFriction,
     "efficiency": ast.Efficiency,
 }
 
@@ -403,7 +435,11 @@ WITH_A_FUNCTION: Mapping[str, Made] = {
     "friction_pins": friction_pins,
     "friction_pin": friction_pin,
     "friction_guide": friction_guide,
+    "friction_collar": friction_collar,
     "friction_ring": friction_ring,
+    "friction_rope": friction_rope,
+    "thrust": thrust,
+    "drum": drum,
     "motion": motion,
     "finds": tupled,
     "reports": tupled,

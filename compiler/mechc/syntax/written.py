@@ -47,6 +47,7 @@ WRITTEN: Final = {
     "friction rack": "friction rack A 0.02",
     "friction screw": "friction screw A 0.1 thread 20 mm",
     "friction collar": "friction collar A 0.1 mean 30 mm",
+    "friction rope": "friction rope B 0.2 wrap 180 deg",
     "motion": "motion releasing",
     "efficiency": "efficiency 0.9",
     "sheet": 'sheet pin "Pin in shear"',

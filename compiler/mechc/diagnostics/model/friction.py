@@ -1,5 +1,6 @@
 """Messages for friction (E27x)."""
 
+import math
 from collections.abc import Sequence
 from fractions import Fraction
 
@@ -147,6 +148,100 @@ def collar_inside_out(span: Span, outer: float, inner: float) -> Message:
     """
     message = f"the collar is {outer * 1000:g} mm wide outside and {inner * 1000:g} mm inside"
     return Message(span, message, "the outer diameter is the larger one")
+
+
+@coded("E412")
+def collar_without_thrust(span: Span, point: str) -> Message:
+    """A collar on a pivot is pressed by a force along the pivot's axis, which must be given.
+
+    A screw presses its collar by itself. On a pivot a thrust bearing, the disc of a clutch or
+    of a brake has a force that is not in the plane: a number, or a multiple of a load.
+
+        friction collar O 0.3 outer 200 mm inner 120 mm                       # wrong
+        friction collar O 0.3 outer 200 mm inner 120 mm thrust 2 kN           # right
+        friction collar O 0.3 outer 200 mm inner 120 mm thrust 4*F faces 2    # right
+    """
+    message = f"nothing presses the collar on pivot {point}, expected a force along its axis"
+    return Message(span, message, "add 'thrust …'")
+
+
+@coded("E413")
+def collar_of_which_link(span: Span, point: str, there: Sequence[str]) -> Message:
+    """Several links turn on a pivot, and a collar is fast in one of them.
+
+    friction collar O 0.3 mean 80 mm thrust W          # wrong where OA and OB turn on O
+    friction collar O 0.3 mean 80 mm thrust W on OA    # right
+    """
+    if not there:
+        return Message(span, f"no link turns on pivot {point}, so that its collar has no friction")
+    message = f"{listed(there, 'and')} turn on pivot {point}, one of them is expected"
+    return Message(span, message, f"add 'on {there[0]}'")
+
+
+@coded("E414")
+def thrust_of_several(span: Span, loads: Sequence[str]) -> Message:
+    """The thrust of a collar is no multiple of one load.
+
+    thrust F + 200 N     # wrong
+    thrust 3*F           # right
+    thrust 200 N         # right
+    """
+    message = f"the thrust is no multiple of one load ({', '.join(loads)} in it)"
+    return Message(span, message, "write a number times one load, or a given force")
+
+
+@coded("E415")
+def thrust_of_a_screw(span: Span, point: str) -> Message:
+    """A thrust is given for the collar of a screw, which takes the thrust of the screw itself.
+
+    friction collar A 0.1 mean 30 mm thrust 2 kN     # wrong where A is the slider of a screw
+    friction collar A 0.1 mean 30 mm                 # right
+    """
+    message = f"the collar of the screw at {point} takes the screw's own thrust"
+    return Message(span, message, "leave 'thrust …' out, or name a pivot")
+
+
+@coded("E416")
+def pulley_of_rope(span: Span, point: str, times: int, axles: Sequence[str]) -> Message:
+    """Friction of a rope is given where no rope, or more than one, runs over a pulley.
+
+    rope A, B along y, H along -y
+    friction rope A 0.2 wrap 180 deg     # wrong: the rope ends there
+    friction rope B 0.2 wrap 180 deg     # right
+    """
+    if times:
+        message = f"ropes run over pulleys on {point} {times} times, expected once"
+        return Message(span, message, "give one of them an axle of another name at the same place")
+    hint = f"write 'friction rope {axles[0]} …'" if axles else "add 'rope …'"
+    return Message(span, f"no rope runs over a pulley on {point}", hint)
+
+
+@coded("E417")
+def wrap_unlike_falls(span: Span, point: str, turn: float, wrap: float) -> Message:
+    """A rope turns by another angle than its wrap says, whole turns aside.
+
+    The wrap is positive where the rope goes counter-clockwise around the pulley, on its way
+    from the first point that its line names; on a pulley that is held, the sign is free.
+
+        rope A, B along y, H along -y
+        friction rope B 0.2 wrap 90 deg      # wrong: up and down again are 180 deg
+        friction rope B 0.2 wrap 540 deg     # right: one turn more
+    """
+    shown = f"{math.degrees(wrap):.6g} deg"
+    turned = math.degrees(turn) % 360
+    message = f"the rope turns by {turned:.6g} deg at {point}, the wrap is {shown}"
+    near = turned if turned <= 180 else turned - 360
+    return Message(span, message, f"write 'wrap {near:.6g} deg', or whole turns more")
+
+
+@coded("E418")
+def drum_of_another(span: Span, point: str, link: str) -> Message:
+    """A drum is fast in a link that does not turn about the drum's axle.
+
+    rope A, O along x, B along -x
+    friction rope O 0.3 wrap 180 deg drum 300 mm on CD     # wrong: CD has no point O
+    """
+    return Message(span, f"link {link} has no point {point}, so the drum cannot be fast in it")
 
 
 @coded("E278")

@@ -93,7 +93,7 @@ FIELDS: Mapping[str, tuple[str, Kind[Any]]] = {
     "inner": ("One gear is inside the other.", TRUTH),
     "touch": ("The pitch point.", PLANE),
     "runs": ("Its straight stretches.", list_of(SEGMENT)),
-    "pulley": ("The radius at which pulleys are drawn, in metres.", FLOAT),
+    "pulleys": ("The radii at which pulleys are drawn, in metres.", list_of(FLOAT)),
     "crossed": ("The belt crosses itself.", TRUTH),
     "pivot": ("The centre of the gear.", TEXT),
     "centre": ("The centre of the circle.", TEXT),

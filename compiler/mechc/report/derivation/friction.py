@@ -9,7 +9,15 @@ from ...formula.walk import substitute, symbols, walk
 from ...friction.solution import Solution, SolvedWithFriction
 from ...friction.steps import Step
 from ...frozen import replace
-from ...model.mechanism import LoadForm, LoadRatio, Mechanism, Reaction, WithFriction
+from ...model.mechanism import (
+    LoadForm,
+    LoadRatio,
+    Mechanism,
+    Reaction,
+    RopeFriction,
+    WithFriction,
+    tension_share,
+)
 from ...power.balance import Solved
 from ..sentences.wording import geometry_first, positive_first
 from .steps import Equation, Explanation, Paragraph, SentenceKind
@@ -34,6 +42,10 @@ _ITERATED = {
     "changes": _CHANGES,
     "whole": Call("abs", (total([Symbol("r"), _CHANGES]),)),
 }
+_RATIO = Call("exp", (product([(Symbol("mu"), 1), (Symbol("theta"), 1)]),))
+_ROPES = Paragraph(
+    SentenceKind.ROPE_FRICTION, formulas={"ratio": _RATIO, "part": tension_share(_RATIO)}
+)
 _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 
 
@@ -152,6 +164,8 @@ def _opening(
         yield Paragraph(saying, formulas={"drive": drive})
     if kind not in ("first order", "straight", "iterated"):
         yield from told.once(_how(steps, mechanism))
+    elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
+        yield from told.once([_ROPES])
     if isinstance(target.of, LoadRatio):
         yield _unit(target.of, steps, result)
 

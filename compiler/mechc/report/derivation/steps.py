@@ -186,6 +186,8 @@ class SentenceKind(StrEnum):
     """What a pin's slip and coefficient are."""
     SLIP_OF_FACE = "slip of face"
     """What the slip of a guide, face or pair is."""
+    ROPE_FRICTION = "rope friction"
+    """What presses a rope that slides around a pulley, and how much of it is friction."""
     STRAIGHT = "straight"
     """Frictions of what is pressed along one line each."""
     EFFICIENT = "efficient"

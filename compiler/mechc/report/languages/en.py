@@ -75,6 +75,9 @@ LOCALE = Locale(
         "diameter {diameter}",
         "collar": "friction at the collar of the screw at {point}: coefficient {value}, mean "
         "radius {radius}",
+        "pivot collar": "friction at the collar on {point}: coefficient {value} (of all faces "
+        "together), mean radius {radius}, thrust {thrust}",
+        "rope": "friction of the rope around {point}: coefficient {value}, angle of wrap {wrap}",
         "efficiency": "the efficiency is {value}",
         "tightening": "with friction the motion is along the arrow of {loads}",
         "releasing": "with friction the motion is against the arrow of {loads}",
@@ -197,6 +200,9 @@ LOCALE = Locale(
         "slip of pin": "The slip of a pin is its rotation {turn}, with the radius of the friction "
         "circle for a coefficient.",
         "slip of face": "Along a face the slip is the speed {speed}.",
+        "rope friction": "Where a rope slides around a pulley, one of its tensions there "
+        "is {ratio} times the other. The force that presses is the mean of both, its coefficient "
+        "{part}.",
         "straight": "Each friction is its coefficient times the force {force} that presses the "
         "surfaces; the frictions themselves change these forces. The power of each is this times "
         "the speed {speed} of the slip, per unit of the drive’s velocity:",

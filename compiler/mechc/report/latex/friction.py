@@ -14,6 +14,8 @@ from ...model.mechanism import (
     LoadRatio,
     Mechanism,
     PinFriction,
+    PivotFriction,
+    RopeFriction,
     ThreadFriction,
     WheelFriction,
 )
@@ -83,5 +85,13 @@ def _joint(joint: JointFriction, locale: Locale, style: Notation) -> Iterator[st
         case CollarFriction(_, _, factor, radius):
             value, at = math(latex(factor, style)), math(length_of(radius, locale, style))
             yield locale.given_friction["collar"].format(point=point, value=value, radius=at)
+        case PivotFriction(_, _, factor, radius, thrust):
+            value, at = math(latex(factor, style)), math(length_of(radius, locale, style))
+            yield locale.given_friction["pivot collar"].format(
+                point=point, value=value, radius=at, thrust=math(latex(thrust, style))
+            )
+        case RopeFriction(_, _, _, coefficient, wrap):
+            value, angle = math(latex(coefficient, style)), math(latex(wrap, style))
+            yield locale.given_friction["rope"].format(point=point, value=value, wrap=angle)
         case _:
             assert_never(joint)

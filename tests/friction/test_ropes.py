@@ -1,0 +1,106 @@
+"""Ropes and bands that slide around pulleys, by Euler's formula as textbooks write it."""
+
+import math
+
+import pytest
+
+import mechc
+
+CAPSTAN = """
+param mu = 0.3 in 0.1 .. 0.5
+pivot B
+slider A along y
+slider H along -90 deg
+rope A, B along y, H along -90 deg
+force P at H along -90 deg
+force F at A along -y
+friction rope B mu wrap {wrap} deg
+find k = P/F
+"""
+
+TWO_DRUMS = """
+pivot B
+pivot C
+slider A along y
+slider H along -y
+rope A, B along y, C along x, H along -y
+force P at H along -y
+force F at A along -y
+friction rope B 0.2 wrap 90 deg
+friction rope C 0.3 wrap 90 deg
+find k = P/F
+"""
+
+BRAKE = """
+param mu = 0.25 in 0.1 .. 0.4
+pivot O at (0 mm, 0 mm)
+pivot E at (-200 mm, -400 mm)
+link OG
+link EACB
+OG = 100 mm @ 0 deg
+EA = {near} mm @ {way} deg
+EC = {far} mm @ 0 deg
+EB = 700 mm @ 0 deg
+rope A, O along 90 deg, C along -90 deg
+torque M on OG
+force P at B along -y
+friction rope O mu wrap -180 deg drum 400 mm on OG
+find M
+"""
+
+SHARED = """
+param alpha = 20 deg in 10 deg .. 60 deg
+pivot B
+slider K along y
+slider H along y
+rope K, B along 90 deg - alpha, H along -90 deg
+mirror across y sharing K
+force P at H along -y
+force F at K along -y
+friction rope B 0.25 wrap 160 deg
+find k = P/F
+"""
+
+
+def numbers(text, **values):
+    return mechc.loads(text).evaluate(**values)
+
+
+@pytest.mark.parametrize("wrap", [180, -180, 540])
+@pytest.mark.parametrize("mu", [0.1, 0.4])
+def test_tensions_are_to_each_other_as_in_eulers_formula(wrap, mu):
+    found, ratio = numbers(CAPSTAN.format(wrap=wrap), mu=mu), math.exp(mu * math.radians(abs(wrap)))
+    assert (found["k_f"], found["k_hold"]) == pytest.approx((ratio, 1 / ratio), rel=1e-12)
+
+
+def test_ratios_of_pulleys_one_behind_the_other_multiply():
+    found, ratio = numbers(TWO_DRUMS), math.exp((0.2 + 0.3) * math.pi / 2)
+    assert (found["k_f"], found["k_hold"]) == pytest.approx((ratio, 1 / ratio), rel=1e-12)
+
+
+def test_both_halves_of_a_mirror_have_the_pulley():
+    found, ratio = numbers(SHARED), math.exp(0.25 * math.radians(160))
+    ideal = 1 / (2 * math.cos(math.radians(20)))
+    assert (found["k_f"], found["k_hold"]) == pytest.approx((ideal * ratio, ideal / ratio))
+
+
+@pytest.mark.parametrize(("near", "far"), [(50, 450), (-50, 350)])
+def test_a_differential_band_brake_has_both_ends_on_its_lever(near, far):
+    """Moments about the fulcrum: P·l = T·far + t·near with T/t = e^(μπ), and M = (T − t)·r."""
+    way = 0 if near > 0 else 180
+    found = numbers(BRAKE.format(near=abs(near), far=far, way=way), P=100.0)
+    ratio, load = math.exp(0.25 * math.pi), 100 * 700
+    ccw, cw = load / (far * ratio + near), load / (near * ratio + far)
+    assert found["M_f"] == pytest.approx(0.2 * ccw * (ratio - 1), rel=1e-12)
+    assert found["M_hold"] == pytest.approx(-0.2 * cw * (ratio - 1), rel=1e-12)
+
+
+def test_a_band_cannot_push():
+    with pytest.raises(mechc.MechcError, match="would have to push"):
+        mechc.loads(BRAKE.format(near=50, far=450, way=0).replace("along -y", "along y"))
+
+
+def test_words_of_ropes_are_names_elsewhere():
+    named = CAPSTAN.replace("param mu = 0.3", "param drum = 0.1\nparam wrap = 0.2\nparam mu = 0.3")
+    found = numbers(named.format(wrap=180).replace("find k", "let c = drum + wrap\nfind k"))
+    assert found["c"] == pytest.approx(0.3)
