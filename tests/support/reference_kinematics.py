@@ -206,8 +206,9 @@ def _is_joint_force(find: ast.Find) -> bool:
 
 
 def _balancing(load: str, columns: dict[str, Array], values: Values, asked: list[str]) -> float:
-    others = sum(columns[name] * values[name] for name in columns if name not in asked)
     matrix = np.column_stack([columns[name] for name in asked])
+    known = (columns[name] * values[name] for name in columns if name not in asked)
+    others = sum(known, np.zeros(len(matrix)))
     solution, *_ = np.linalg.lstsq(matrix, -others, rcond=None)
     return float(solution[asked.index(load)])
 
