@@ -8,8 +8,9 @@ import math
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from ..formula.tree import Call
 from .angle import RADIAN, Angle
-from .factors import CIRCLE, Constant, Factor, Length, Trig
+from .factors import CIRCLE, Constant, Factor, Length, Opaque, Trig
 from .product import Product, Sum
 
 SLACK = 4e-16
@@ -66,6 +67,8 @@ def factor_bounds(factor: Factor, box: Box) -> Interval:
             return widened(sum(p.low for p in parts), sum(p.high for p in parts))
         case _ if factor == CIRCLE:
             return widened(math.pi, math.pi)
+        case Opaque(Call("exp")):
+            return Interval(5e-324, math.inf)
         case _:
             return Interval(-math.inf, math.inf)
 

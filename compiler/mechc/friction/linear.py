@@ -40,6 +40,8 @@ class LinearSolver:
         self.conditions += [Condition(ONE, size) for size in sizes]
         if self._signs.is_read:
             self.steps = (self._step(sides, sizes),)
+            for pressed, size in zip(self._pressed, sizes, strict=True):
+                self._signs.of(f"s_{pressed.pair.name}", size)
         parts = (
             p.pair.factor * self._slip(p) * p.slip * size
             for p, size in zip(self._pressed, sizes, strict=True)
