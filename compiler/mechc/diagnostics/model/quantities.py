@@ -3,7 +3,17 @@
 from collections.abc import Iterable
 
 from ...source import Span
-from ...units import ANGLE, FORCE, LENGTH, MASS, NUMBER, USUAL_UNITS, Dimension, described
+from ...units import (
+    ANGLE,
+    FORCE,
+    FREQUENCY,
+    LENGTH,
+    MASS,
+    NUMBER,
+    USUAL_UNITS,
+    Dimension,
+    described,
+)
 from ..diagnostic import Message, Related, coded, near_miss
 
 
@@ -67,6 +77,8 @@ def bare_number(span: Span, digits: str, wanted: Dimension) -> Message:
     """
     unit = USUAL_UNITS.get(wanted, "")
     hint = f"write {digits} {unit}" if unit else "write its unit"
+    if wanted == FREQUENCY:
+        hint = f"write {digits} rpm, or {digits} {unit}"
     return Message(span, f"{digits} what? Expected {described(wanted)}", hint)
 
 

@@ -1,5 +1,6 @@
 """Messages for what is asked for: find, let, expect (E28x)."""
 
+import re
 from collections.abc import Collection
 
 from ...source import Span
@@ -46,7 +47,12 @@ def unknown_load(span: Span, name: str, loads: Collection[str], is_speed: bool) 
     if is_speed:
         message = f"'{name}' is no velocity: what stands behind the '_' is no point or link"
         return Message(span, message, "write V_A for a point A, omega_OA for a link OA")
-    return Message(span, f"there is no load '{name}'", offered(name, loads, "loads"))
+    message = f"there is no load '{name}'"
+    if component := re.fullmatch(r"(R_[A-Z].*)_(?:x|y|direction)", name):
+        whole = component[1]
+        hint = f"write 'find {whole}', which gives {whole}_x, {whole}_y and {whole}_direction, too"
+        return Message(span, message, hint)
+    return Message(span, message, offered(name, loads, "loads"))
 
 
 @coded("E265")
