@@ -66,7 +66,8 @@ def joint(paper: Paper, part: Part) -> Layered:
         case Screw():
             yield from _screw(paper, part)
         case Rope():
-            yield from _in(Layer.WHEELS, _rope(paper, part))
+            yield from _in(Layer.WHEELS, (line(*paper.ends(run), SYMBOL) for run in part.runs))
+            yield from _in(Layer.PINS, _pulleys(paper, part))
         case _:
             pass
 
@@ -127,11 +128,10 @@ def _rack(paper: Paper, part: Rack) -> Iterator[Shape]:
     yield from symbols.wheel(paper.at(part.pivot), radius, paper.place(part.touch))
 
 
-def _rope(paper: Paper, part: Rope) -> Iterator[Shape]:
+def _pulleys(paper: Paper, part: Rope) -> Iterator[Shape]:
+    """Yield the pulleys of a rope, in front of the blocks of sliders that carry them."""
     for point, radius in dict.fromkeys(zip(part.points[1:-1], part.pulleys, strict=True)):
         yield Arc(paper.at(point), radius * paper.scale, SYMBOL)
-    for run in part.runs:
-        yield line(*paper.ends(run), SYMBOL)
 
 
 def _screw(paper: Paper, part: Screw) -> Layered:
