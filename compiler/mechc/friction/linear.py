@@ -40,13 +40,18 @@ class LinearSolver:
         self.conditions += [Condition(ONE, size) for size in sizes]
         if self._signs.is_read:
             self.steps = (self._step(sides, sizes),)
-            for pressed, size in zip(self._pressed, sizes, strict=True):
-                self._signs.of(f"s_{pressed.pair.name}", size)
+            self._keep(sizes)
         parts = (
             p.pair.factor * self._slip(p) * p.slip * size
             for p, size in zip(self._pressed, sizes, strict=True)
         )
         return canonical(add((self._ideal, *(part.scaled(self._sense) for part in parts))))
+
+    def _keep(self, sizes: Sequence[Product]) -> None:
+        """Note that each size stays positive; one that is not balances nothing."""
+        for pressed, size in zip(self._pressed, sizes, strict=True):
+            if self._signs.of(f"s_{pressed.pair.name}", size).coefficient < 0:
+                raise EquationsCoupled
 
     def _side(self, pressed: LoadedPair) -> Product:
         """Return the sign of a pressing force in the ideal mechanism."""
