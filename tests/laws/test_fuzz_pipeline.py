@@ -68,4 +68,4 @@ def test_spoiled_descriptions(part):
 
 @pytest.mark.slow
 def test_thousands_of_spoiled_descriptions():
-    fuzz(range(240, 6000))
+    fuzz(range(120, 3000))
