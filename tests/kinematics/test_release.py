@@ -130,7 +130,7 @@ def test_pivots_of_wheels_and_screws_are_unclear_but_not_of_racks():
 
 def test_what_a_joint_holds():
     assert members(slotted(), JointRef("touch", "A")) == ("A", "Q", "B")
-    assert members(on_pivots(wheels()), JointRef("mesh", "O", wheels().id)) == (*"O", *"OA", *"QB")
+    assert members(on_pivots(wheels()), JointRef("mesh", "O", wheels().id)) == (*"OQ", *"OA", *"QB")
     assert members(lever(), JointRef("pin", "A", "OAB")) == ("O", "A", "B")
     assert members(lever(), JointRef("ground", "O")) == ("O",)
     assert touch_at(slotted(), "A").body == "QB"

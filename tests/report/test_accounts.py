@@ -6,6 +6,7 @@ from mechc.driver import compile_source
 from mechc.files import find, library, read
 from mechc.formula.tree import Power, Product, Symbol
 from mechc.formula.walk import evaluate, symbols
+from mechc.model.targets import Efficiency, WithFriction
 from mechc.power.numbers import default_values
 from mechc.report.derivation.steps import SentenceKind
 from mechc.report.text.derivation import render
@@ -130,13 +131,16 @@ def test_what_is_told_of_friction_is_true(case):
     """Every equation holds at the default pose, with what the equations before it define."""
     compilation = compile_source(read(find(case)))
     values = default_values(compilation.plan)
-    values |= {load.name: 1.0 for load in compilation.mechanism.loads}
+    values = {load.name: 1.0 for load in compilation.mechanism.loads} | values
     results = {r.name: r for r in compilation.results}
     values |= {name: r.default for name, r in results.items() if r.default is not None}
     told = 0
     for account in compilation.derivation.explanations:
-        of = results[account.results[0]].target.of
-        values[of.above] = results[account.results[0]].default
+        target = results[account.results[0]].target
+        if not isinstance(target, WithFriction | Efficiency):
+            continue
+        driving = getattr(target.of, "above", getattr(target.of, "load", ""))
+        values[driving] = results[account.results[0]].default
         equations = [e for passage in account.paragraphs for e in passage.equations]
         for definition in (d for name in account.results for d in results[name].where):
             values[definition.name] = evaluate(definition.formula, values)

@@ -4,7 +4,18 @@ from collections.abc import Mapping
 
 Words = Mapping[str, str]
 
+TROUBLES = (
+    "no forces at the joints balance the loads",
+    "a joint stands still at that pose, and rounding tells which way it slips",
+    "no friction was found that balances at that pose",
+    "an efficiency does not say where friction acts",
+    "forces with friction do not add up, so every load but one needs a size",
+    "friction is found where one load follows from all the others",
+)
+"""Why there are no free bodies, as statics says it."""
+
 EN: Words = {
+    **{trouble: trouble for trouble in TROUBLES},
     "without": "without friction",
     "tightening": "with friction, tightening",
     "releasing": "with friction, releasing",
