@@ -59,6 +59,7 @@ def of_friction(solution: Solution) -> Iterator[Explanation]:
             continue
         names = tuple(s.result.name for s in solved)
         steps = told.with_one_meaning(solved[0].steps, place, names[0])
+        steps = [_with_result(step, place, names[0]) for step in steps]
         paragraphs = [p for step in steps for p in _passages(step, told, place)]
         yield Explanation(names, (*_opening(place, names[0], steps, mechanism, told), *paragraphs))
 
@@ -139,6 +140,14 @@ def _forces(steps: Iterable[Step]) -> Iterator[tuple[Symbol, Formula]]:
         for left, right in step.equations:
             if isinstance(left, Symbol) and left.name not in named and right != ZERO:
                 yield left, right
+
+
+def _with_result(step: Step, asked: WithFriction, result: str) -> Step:
+    """Return a step that gives a load itself, under the name that it has with friction."""
+    drive = _driving(asked)
+    if step.kind != "straight" or drive is None or not isinstance(asked.of, LoadForm):
+        return step
+    return _renamed(step, {drive.name: Symbol(result)})
 
 
 def _renamed(step: Step, names: Mapping[str, Formula]) -> Step:
@@ -286,7 +295,7 @@ def _rests_on(equation: Equation, others: Iterable[Equation]) -> bool:
     return any(isinstance(e.left, Symbol) and e.left.name in names for e in others)
 
 
-def _driving(asked: WithFriction) -> Formula | None:
+def _driving(asked: WithFriction) -> Symbol | None:
     """Return the load that a result is of."""
     match asked.of:
         case LoadRatio(above, _):
