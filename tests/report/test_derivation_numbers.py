@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 import reference_geometry
-from good_mechanisms import ALL, compiled, tree_of
+from good_mechanisms import ALL, begun, compiled, tree_of
 from mechc.formula.walk import evaluate, symbols
 from mechc.model.mechanism import Force
 from mechc.power.numbers import default_values
