@@ -92,7 +92,7 @@ def _line_of(unknown, drawing):
 
 def has_values(name):
     """Tell what the reading by coordinates can draw: all values given, no loop left to close."""
-    mechanism = compiled(name).mechanism
+    mechanism = begun(name).mechanism
     return not mechanism.drive and all(p.value is not None for p in mechanism.parameters)
 
 
