@@ -67,5 +67,5 @@ def test_spoiled_descriptions(part):
 
 
 @pytest.mark.slow
-def test_thousands_of_spoiled_descriptions():
-    fuzz(range(120, 3000))
+def test_a_thousand_spoiled_descriptions():
+    fuzz(range(120, 1120))
