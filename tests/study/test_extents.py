@@ -84,7 +84,7 @@ def test_what_is_said_along_random_strokes():
 
 @pytest.mark.slow
 def test_what_is_said_along_many_random_strokes():
-    assert hold(range(4, 80)) > 25
+    assert hold(range(4, 40)) > 8
 
 
 def test_the_sampler_refutes_what_is_false():
