@@ -240,7 +240,7 @@ def test_a_change_of_words_changes_nothing_of_closed_loops():
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("first", [11, 17])
+@pytest.mark.parametrize("first", [11])
 def test_a_change_of_words_changes_nothing_of_many(first):
     assert hold(given(range(first, first + 3), 1)) >= 2
 
