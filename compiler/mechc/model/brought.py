@@ -138,7 +138,7 @@ def _feeds(statement: ast.Statement, used: Used, values: set[str]) -> bool:
 
 
 def without_given(used: Used, use: ast.Use) -> Solved:
-    """Return what was found without the values of loads that are given others."""
+    """Return the solution without the values of loads that are given others."""
     given = {name.text for name, _ in use.given} & used.loads.keys()
     if not given:
         return used.solved
@@ -154,7 +154,7 @@ def _leaving(result: Result, names: set[str]) -> Result:
 
 
 def given_to(use: ast.Use, used: Used, report: Report) -> Mapping[str, ast.Expr]:
-    """Return what is given to parameters by their names in the used sheet."""
+    """Return the values given to parameters, by their names in the used sheet."""
     found: dict[str, ast.Expr] = {}
     places: dict[str, Span] = {}
     for name, value in use.given:
@@ -176,7 +176,7 @@ def given_to(use: ast.Use, used: Used, report: Report) -> Mapping[str, ast.Expr]
 def parameter(
     statement: ast.Param, parameter: Parameter, given: ast.Expr | None, use: ast.Use
 ) -> ast.Statement:
-    """Return what stands here for a parameter of a used sheet."""
+    """Return the statement in place of a parameter of a used sheet."""
     if given is None and not parameter.dependent:
         return statement
     value = given or statement.value

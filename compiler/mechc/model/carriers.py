@@ -81,7 +81,7 @@ class Carriers:
         return min((b.name for b in self._bodies if point in b.points), key=ranks.__getitem__)
 
     def _ranked(self) -> Mapping[str, tuple[Any, ...]]:
-        """Return what links are compared by, the least being the first choice."""
+        """Return the rank of each link, the least being the first choice."""
         if not self._ranks:
             m = self._mechanism
             pivots = self._distances(set(m.fixed))
@@ -114,7 +114,7 @@ class Carriers:
     # ----------------------------------------------------------------- how all hangs together
 
     def _labels(self) -> dict[Node, Hashable]:
-        """Return what each point and body is by itself."""
+        """Return the label of each point and body by itself, apart from its neighbours."""
         m = self._mechanism
         labels: dict[Node, Hashable] = {}
         for point in {p for b in (*self._bodies, *m.slides) for p in b.points}:
@@ -128,7 +128,7 @@ class Carriers:
         return labels
 
     def _role(self, load: Load) -> Hashable:
-        """Return what a load is for, whatever it is called."""
+        """Return the role of a load, independent of its name."""
         asked = []
         for find in self._mechanism.finds:
             match find.target:

@@ -99,7 +99,7 @@ def too_large(value: Fraction) -> bool:
 
 
 def last_digit(number: ast.Number) -> Fraction:
-    """Return what a unit of the last digit of a number comes to, in SI.
+    """Return the value of one unit in the last digit of a number, in SI.
 
     >>> from ..source import Span
     >>> last_digit(ast.Number("34.64", "mm", Span(0, 5)))
@@ -123,7 +123,7 @@ def decimal(value: float) -> Number:
 
 
 def number_of(formula: Formula) -> Number:
-    """Return what a formula without symbols comes to: exactly, or in the digits of a float."""
+    """Return the value of a formula without symbols: exactly, or in the digits of a float."""
     exact = rational(formula)
     return decimal(evaluate(formula, {})) if exact is None else Number(exact)
 

@@ -276,7 +276,7 @@ class Reader:
         return Quantity(formula, sort, node.span)
 
     def _result(self, node: ast.Call, arguments: list[Quantity]) -> Sort | None:
-        """Return what a function's value measures; report arguments that do not suit it."""
+        """Return the sort of a function's value; report arguments that do not suit it."""
         argument = arguments[0]
         what = f"the argument of {node.function}"
         if node.function in ANGLE_TO_NUMBER:

@@ -135,14 +135,14 @@ def plus(one: ast.Expr, other: ast.Expr) -> ast.Expr:
 
 
 def negative(value: ast.Expr) -> ast.Expr:
-    """Return what is opposite to a value."""
+    """Return the opposite of a value."""
     if known := literal(value):
         return number(-known[0], known[1], value.span)
     return ast.Sum(tuple((-sign, term) for sign, term in _terms(value)), value.span)
 
 
 def literal(value: ast.Expr) -> tuple[Fraction, str] | None:
-    """Return what a number with or without a sign is, and its unit; None for a formula."""
+    """Return the value and unit of a number with or without a sign; None for a formula."""
     match value:
         case ast.Number(unit=unit):
             return value.value, unit

@@ -166,7 +166,7 @@ def _of_direction(
 
 
 def _of_turn(first: str, vertex: str, second: str, mechanism: Mechanism) -> Hold:
-    """Return what is fast where the angle between two links, or a link and the ground, stays."""
+    """Return the hold of a constant angle between two links, or a link and the ground."""
     fixed = mechanism.fixed
     for end, other in ((first, second), (second, first)):
         if {vertex, end} <= fixed:

@@ -162,7 +162,7 @@ def _statements(
 def _parameter(
     name: str, there: ast.Param, joining: Joining, given: Mapping[str, ast.Expr]
 ) -> ast.Statement:
-    """Return what a parameter of a part is in the whole.
+    """Return the statement of a part's parameter in the whole.
 
     One that a loop gives has no value, one that is given a number has that.
     """

@@ -78,7 +78,7 @@ def structural(file: ast.File) -> Mapping[str, frozenset[str]]:
 
 
 def points_of_parts(parts: Mapping[str, Part], report: Report) -> Lookup:
-    """Return what gives a point of a part its name in the whole; unknown ones are reported."""
+    """Return the function that names a part's point in the whole; unknown ones are reported."""
 
     def lookup(prefix: str, point: str, span: Span) -> str | None:
         if (part := parts.get(prefix)) is None:
@@ -95,7 +95,7 @@ def points_of_parts(parts: Mapping[str, Part], report: Report) -> Lookup:
 def joints(
     joining: Joining, there: Mapping[str, Span], here: Mapping[str, Span], report: Report
 ) -> dict[str, str] | None:
-    """Return what the joined points of a part are in the whole; None where one is reported."""
+    """Return the names of a part's joined points in the whole; None where one is reported."""
     found: dict[str, str] = {}
     for pair in joining.use.joining:
         prefix, where = joining.use.prefix.text, pair[0].span

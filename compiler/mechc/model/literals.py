@@ -64,7 +64,7 @@ class Quantity(NamedTuple):
 
     @property
     def key(self) -> Key:
-        """Return what tells it from others: a wheel of two pairs is one wheel."""
+        """Return the key by which it is one: a wheel of two pairs is one wheel."""
         return self.kind, self.of, self.formula
 
 

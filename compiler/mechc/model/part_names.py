@@ -98,7 +98,7 @@ def declared_points(statements: Iterable[ast.Statement]) -> dict[str, Span]:
 def numbered(
     points: Iterable[str], joined: Mapping[str, str], prefix: str, known: Collection[str]
 ) -> dict[str, str]:
-    """Return what each point of a part is called in the whole.
+    """Return the name of each point of a part in the whole.
 
     The number is that at the end of the prefix, else 1; the next one where that is not free.
 

@@ -13,7 +13,7 @@ Rename = Callable[[str], str]
 
 
 def renamed(solved: Solved, prefix: str, by: int) -> Solved:
-    """Return what was found with a prefix before every name, and places so far behind."""
+    """Return the solution with a prefix before every name, and its spans moved on."""
     return _Renaming(prefix, by).solved(solved)
 
 

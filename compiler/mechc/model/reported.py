@@ -16,7 +16,7 @@ PICTURES = ("scheme", "bodies", "plans", "stroke")
 
 
 def read_reported(file: ast.File, mechanism: Mechanism, scope: Scope) -> tuple[Reported, ...]:
-    """Return what the report holds, in order; report what is none of the mechanism's."""
+    """Return the parts of the report, in order; reject those that the mechanism does not have."""
     parts = every(file, ast.Reported)
     if parts and is_sheet(mechanism):
         scope.report.add(messages.parts_of_a_sheet(parts[0].span))

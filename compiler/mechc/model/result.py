@@ -115,7 +115,7 @@ class Solved:
     literals: tuple[Parameter, ...] = ()
 
     def __add__(self, other: "Solved") -> "Solved":
-        """Return what was found of both."""
+        """Return both solutions as one."""
         return Solved(
             (*self.results, *other.results),
             (*self.definitions, *other.definitions),

@@ -101,7 +101,7 @@ def _outside(require: Require, subject: Subject, values: Values) -> Diagnostic |
 def read_expects(
     file: ast.File, finds: Sequence[Find], found: Definitions, scope: Scope
 ) -> list[Expect]:
-    """Return what is expected of results, and how exactly."""
+    """Return the expected values of results, and their tolerances."""
     subjects = _subjects(file, finds, found, scope)
     failed = _failed(file, subjects, found)  # and, as they are met, other names of no result
     lets = written_out(found, scope)
@@ -143,7 +143,7 @@ def _tolerance(statement: ast.Expect, value: Quantity, formula: Formula, scope: 
 def _subjects(
     file: ast.File, finds: Sequence[Find], found: Definitions, scope: Scope
 ) -> dict[str, Dimension | None]:
-    """Return what may be expected of something: finds, lets that are results, used results."""
+    """Return the possible subjects of expectations: finds, lets of results, used results."""
     known = [find.name for find in finds] + [n for n in found.lets if n not in scope.feeding]
     known += [taken.name.text for taken in every(file, ast.Taken)]
     return {name: scope.entries[name].dimension for name in known}

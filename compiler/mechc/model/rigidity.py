@@ -38,7 +38,7 @@ class Independent:
         return self._left(row) is not None
 
     def _left(self, row: Row) -> Row | None:
-        """Return what a row adds to those so far, None where that is nothing."""
+        """Return the component of a row orthogonal to those so far, None where that vanishes."""
         rest = row
         for _ in range(2):  # the second time takes away what rounding left
             for known in self._basis:

@@ -198,7 +198,7 @@ class Scope:
             self.report.add(messages.unknown_name(span, name, offered, hint))
 
     def look_up(self, symbol: ast.Symbol, usage: Usage) -> Entry | None:
-        """Return what a name in a formula stands for; None where that is an error."""
+        """Return the entry of a name in a formula; None where that is an error."""
         entry = self.entries.get(symbol.name)
         if entry is None:
             self._unknown(symbol, usage)

@@ -37,7 +37,7 @@ def read_translations(file: ast.File, report: Report) -> Translations:
 
 
 def spoken(line: ast.Translate) -> dict[str, str]:
-    """Return what a text is in the languages that a line has, by language."""
+    """Return the translations on a line, by language."""
     return {language: text for language in LANGUAGES if (text := getattr(line, language))}
 
 

@@ -107,7 +107,7 @@ class _Composing:
         return Composed(file, self._solved, parts)
 
     def _brought(self, use: ast.Use) -> Sequence[ast.Statement] | None:
-        """Return what a line brings in; None where something is wrong, which is reported."""
+        """Return the statements that a line brings in; None where an error is reported."""
         is_part = use.prefix.text in self._joined
         used = _read(use, self._report, self._users, lambda source: self._resolve(source, is_part))
         if used is None:

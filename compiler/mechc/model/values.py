@@ -78,7 +78,7 @@ class Chain:
         return found
 
     def _code(self, known: frozenset[str]) -> "_Code":
-        """Return what is worth making where the same names have values again."""
+        """Return the code of all steps from these names on, to be kept for the same names again."""
         found, followed = set(known), []
         for name, formula, needs in self._steps:
             if name not in found and needs <= found:

@@ -70,7 +70,7 @@ def _arm(statement: ast.Gear | ast.Belt, scope: Scope) -> str | None:
 
 
 def _links(statement: ast.Gear | ast.Belt, arm: str, scope: Scope) -> tuple[str, str] | None:
-    """Return what the wheels are fixed to, '' for the ground."""
+    """Return the bodies that the wheels are fixed to, '' for the ground."""
     first = _fixed_to(statement.first, statement.first_link, arm, scope)
     second = _fixed_to(statement.second, statement.second_link, arm, scope)
     return None if first is None or second is None else (first, second)
