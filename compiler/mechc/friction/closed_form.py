@@ -91,7 +91,7 @@ def printed_form(
 
 
 def _positive(solver: ClosedFormSolver) -> tuple[Formula, ...]:
-    """Return what must be positive for the forces to keep their senses."""
+    """Return the formulas that must be positive for the forces to keep their senses."""
     kept = dict.fromkeys(c.sign * c.force for c in solver.conditions)
     return tuple(force.formula() for force in kept if bare(force).factors)
 

@@ -175,7 +175,7 @@ class _Coupled:
         return Symbol(self._added[i])
 
     def _power(self, pressed: LoadedPair) -> Formula:
-        """Return what a unit of a pressing force adds to the driving load by friction."""
+        """Return the driving load that friction takes for each unit of a normal force."""
         slip = Call("abs", (pressed.slip.formula(),))
         return product([(number(self._sense), 1), (pressed.pair.factor.formula(), 1), (slip, 1)])
 

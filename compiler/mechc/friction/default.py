@@ -24,7 +24,7 @@ class DefaultPose:
     def printed(
         self, way: Callable[[AtOnePose], Printed], endings: Sequence[str]
     ) -> Printed | None:
-        """Return what is printed for the pose; None where a value or a sign is missing."""
+        """Return the printed result at the pose; None where a value or a sign is missing."""
         values, box = self.values(), allowed_box(self._mechanism)
         taken = values.keys() | self._taken
         try:

@@ -47,7 +47,7 @@ class Drives:
         return Named(whole, (self._definition(),), case=case)
 
     def efficiency(self, real: FrictionResult, span: Span) -> FrictionResult:
-        """Return what of the power arrives, from the ratio with friction.
+        """Return the efficiency, from the ratio with friction.
 
         Where the load does no work at all without friction, nothing arrives in any pose.
         """

@@ -149,7 +149,7 @@ class Bodies:
         )
 
     def kind(self, body: str) -> Kind:
-        """Return what a body is."""
+        """Return the kind of a body."""
         if body in self._levers:
             return "lever"
         return "slider" if body in self._guides or body in self._pose.slides else "pin"

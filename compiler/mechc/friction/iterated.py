@@ -66,7 +66,7 @@ def _called(name: str, size: Product, told: dict[Formula, Formula], signs: AtOne
 
 
 def positive_at(signs: AtOnePose) -> Callable[[Product], Product]:
-    """Return what gives absolute values, by the signs of a pose."""
+    """Return the function that gives absolute values, by the signs of a pose."""
     return lambda value: value * signs.of("", value)
 
 

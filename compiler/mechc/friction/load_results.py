@@ -42,7 +42,7 @@ def load_with_friction(
 def by_coefficients(
     problem: Problem, find: Find, ideal: Result, of: Of, sense: Sense, order: str = "exact"
 ) -> SolvedWithFriction | None:
-    """Return what friction alone makes, whatever efficiency is given besides."""
+    """Return the solution with friction alone, without efficiencies that are given."""
     case = problem.case(of, ideal)
     loaded = problem.loaded(find, case)
     if loaded is None:

@@ -36,7 +36,7 @@ class Endings:
         self._first: Sense | None = None
 
     def of(self, ideal: str, sense: Sense) -> tuple[str, ...]:
-        """Return what names may end in, what is shortest first.
+        """Return the endings that names may have, the shortest first.
 
         >>> endings = Endings()
         >>> endings.of("k", "tightening"), endings.of("k", "releasing")

@@ -134,5 +134,5 @@ def _component(
 
 
 def scaled(pressed: Sequence[LoadedPair], factor: Product) -> tuple[LoadedPair, ...]:
-    """Return what adds to a multiple of the driving load."""
+    """Return the loaded pairs with their slips multiplied by a factor."""
     return tuple(replace(p, slip=p.slip * factor) for p in pressed)

@@ -233,14 +233,14 @@ def _along_the_way(given: RopeFriction, pose: Pose) -> Iterator[tuple[str, Produ
 
 
 def radii(pairs: Iterable[FrictionPair]) -> dict[str, str]:
-    """Return what the radius of each pin's friction circle is called: rho where all are alike."""
+    """Return the symbol of each pin's friction-circle radius: rho where all are alike."""
     pins = [pair for pair in pairs if pair.joint.kind == "pin"]
     alike = len({pair.factor.formula() for pair in pins}) == 1
     return {pair.name: "rho" if alike else f"rho_{pair.name}" for pair in pins}
 
 
 def reduced(pair: str) -> str:
-    """Return what the reduced coefficient of a guide, face or pair is called.
+    """Return the symbol of the reduced coefficient of a guide, face or pair.
 
     >>> reduced("C_guide")
     'mu_C'

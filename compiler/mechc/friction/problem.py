@@ -125,7 +125,7 @@ class Problem:
         return self._sizes[key]
 
     def task(self, case: Case, loaded: Loaded) -> Task:
-        """Return what the free bodies are to be solved for."""
+        """Return the task of solving the free bodies in a case."""
         owners = {load.name: self.equations.owner(load.name) for load in self.mechanism.loads}
         return Task(self.plan.graph.pose, case.driving, case.given, owners, loaded)
 

@@ -16,7 +16,7 @@ from .problem import Loaded, Problem
 def result_of(
     problem: Problem, find: Find, ideal: Result, loaded: Loaded, named: Named
 ) -> FrictionResult:
-    """Return what was found as a result, the one without friction being ``ideal``."""
+    """Return the solution as a result, the one without friction being ``ideal``."""
     sums = _sums(problem, loaded)
     return FrictionResult(
         find.name,

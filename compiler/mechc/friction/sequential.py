@@ -103,7 +103,7 @@ class SequentialSolver:
             yield BodyForce(f"R_{touch.point}", place, ahead)
 
     def _push(self, rod: Link, point: str) -> BodyForce:
-        """Return what a rod under a unit of force does to what it meets at a point."""
+        """Return the force of a rod, under a unit axial force, on the body at a point."""
         line, surface = self._line(rod), self._bodies.surface(point, rod)
         pressed, counted = self._pressed(rod), self._counted(rod)
         couple = pressed * counted * self._resistance(surface) if surface else ZERO

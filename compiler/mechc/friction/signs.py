@@ -46,7 +46,7 @@ class Signs(Protocol):
         ...
 
     def coefficient(self, name: str, factor: Product) -> Product:
-        """Return what a joint resists by, which may be called ``name``."""
+        """Return the coefficient of friction of a joint, which may be called ``name``."""
         ...
 
     def of(self, name: str, value: Product) -> Product:
@@ -66,7 +66,7 @@ class Signs(Protocol):
         ...
 
     def define(self, name: str, formula: Formula) -> str:
-        """Return what a formula is called from now on: ``name``, if that is free."""
+        """Return the name of a formula from now on: ``name``, if that is free."""
         ...
 
 
@@ -85,7 +85,7 @@ class _Names:
         return Product.symbol(self.define(name, value.formula()))
 
     def define(self, name: str, formula: Formula) -> str:
-        """Return what a formula is called from now on."""
+        """Return the name of a formula from now on."""
         if formula not in self._known:
             name = self._with_one_meaning(name, formula)
             self._known[formula] = name
@@ -223,7 +223,7 @@ class AtOnePose(_Names):
         return value
 
     def define(self, name: str, formula: Formula) -> str:
-        """Return what a formula is called from now on, and note its value."""
+        """Return the name of a formula from now on, and note its value."""
         known = super().define(name, formula)
         self._values[known] = evaluate(formula, self._values)
         return known

@@ -97,7 +97,7 @@ def solve(
 
 
 def _side(form: Form, unknowns: Sequence[int], known: Mapping[int, Speeds], drive: int) -> Product:
-    """Return what the known speeds leave on the right-hand side of a relation."""
+    """Return the right-hand side of a relation, made of the known speeds."""
     return add(-(p * known[u][drive]) for u, p in form.items() if u not in unknowns)
 
 

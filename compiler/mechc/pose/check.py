@@ -28,7 +28,7 @@ def broken_promises(pose: Pose) -> list[str]:
 
 
 def known_names(pose: Pose) -> set[str]:
-    """Return what formulas of a pose may mention: parameters, open lengths, definitions."""
+    """Return the names that formulas of a pose may have: parameters, open lengths, definitions."""
     parameters = {p.name for p in pose.mechanism.parameters}
     return parameters | set(pose.placeholders) | {d.name for d in pose.definitions}
 

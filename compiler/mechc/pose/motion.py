@@ -49,7 +49,7 @@ class Motion:
 
 
 def motion(pose: Pose, astray: Collection[str] = ()) -> Motion | None:
-    """Return what moves along the drive; None where there is none, or nothing has a place.
+    """Return the motion along the drive; None where there is no drive, or nothing has a place.
 
     Nothing is said of links and points that are ``astray``: they do not follow the drive as
     they are given.

@@ -55,7 +55,7 @@ class Limit(NamedTuple):
 
     @property
     def margins(self) -> tuple[Product, ...]:
-        """Return what is positive where there are two closures, zero where they are one."""
+        """Return the expressions that are positive with two closures, zero where they are one."""
         square = add(a.length * b.length * cosine(a.angle - b.angle)
                      for a in self.side for b in self.side)  # fmt: skip
         match self.group, self.sizes:

@@ -57,7 +57,7 @@ class Titles:
 
 
 def titled(name: str, per: str, order: int = 1) -> str:
-    """Return what a rate is called: ``dx_C_dphi``.
+    """Return the name of a rate: ``dx_C_dphi``.
 
     >>> titled("psi", "t", 2)
     'd2psi_dt2'

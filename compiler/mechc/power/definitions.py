@@ -107,7 +107,7 @@ def _refuse_circles(
 
 
 def _back_to(name: str, defined: Needed) -> list[str]:
-    """Return what a definition mentions that rests on the definition itself."""
+    """Return the names in a definition that rest on the definition itself."""
     first = sorted(symbols(defined[name]) & defined.keys())
     return [other for other in first if name in reached([other], defined)]
 
@@ -122,7 +122,7 @@ def _let(let: Let, pose: Pose, where: Needed, used: Sequence[Result]) -> Result:
 
 
 def _needs(results: Sequence[Result], lets: Mapping[str, Formula]) -> dict[str, Needed]:
-    """Return what each let uses, each definition after those it needs."""
+    """Return the definitions under each let, each after those it needs."""
     whole = {r.name: {**{d.name: d.formula for d in r.where}, r.name: r.formula} for r in results}
     needs: dict[str, Needed] = {}
     for name, formula in Chain(lets).definitions:

@@ -42,7 +42,7 @@ def balance(plan: Plan, report: Report) -> Balance:
 
 
 def _answer(problem: Problem, find: Find) -> Solved | None:
-    """Return what was asked for; None where it is not determined, or asks for friction."""
+    """Return the solution of a query; None where it is undetermined, or asks for friction."""
     match find.target:
         case LoadRatio() as ratio:
             return load_ratio(problem, find, ratio)

@@ -57,7 +57,7 @@ def find_force(target: Reaction | Axial | Normal, pose: Pose, reactions: Reactio
 
 
 def called(target: Reaction | Axial | Normal) -> str:
-    """Return what a force is called in the language, whatever part of it is asked for."""
+    """Return the name of a force in the language, whatever component is asked for."""
     match target:
         case Reaction(point, link):
             return f"R_{point} on {link}" if link else f"R_{point}"
@@ -80,14 +80,14 @@ def joint_of(target: Reaction | Axial | Normal, pose: Pose) -> JointRef:
 
 
 def holding(point: str, pose: Pose) -> JointRef:
-    """Return what presses on a point across a line: a slot, a contact, a guide."""
+    """Return the joint that presses on a point across a line: a slot, a contact, a guide."""
     if any(touch.point == point for touch in pose.touches):
         return JointRef("touch", point)
     return guiding(point, pose)
 
 
 def guiding(point: str, pose: Pose) -> JointRef:
-    """Return what the guide of a point holds: the point, or the body that it belongs to."""
+    """Return the joint at the guide of a point: of the point, or of the body that it belongs to."""
     name = next((slide.name for slide in pose.mechanism.slides_at(point)), "")
     return JointRef("slide", point, name) if name else JointRef("ground", point)
 

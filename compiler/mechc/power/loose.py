@@ -21,7 +21,7 @@ FEW = 3
 
 
 def looseness(mechanism: Mechanism) -> str:
-    """Return what nothing joins, or hangs on one pin alone, in words; '' where nothing does."""
+    """Return the advice to join what is apart, or hangs on one pin alone; '' where nothing does."""
     apart = _apart(mechanism)
     if len(apart) > 1:
         return f"join {_named(apart[0])} to {_named(apart[1])}: nothing does"

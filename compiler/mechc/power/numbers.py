@@ -44,7 +44,7 @@ class DefaultNumbers:
         return default_rounding(self._plan.graph.pose)
 
     def of(self, result: Result) -> Size:
-        """Return what a result comes to there; no number where something it needs has none.
+        """Return the value of a result there; no number where something it needs has none.
 
         NaN that no condition makes is 0/0 or a pole.
         """
@@ -63,7 +63,7 @@ def with_default(result: Result, size: Size) -> Result:
 
 
 def checked(balance: Balance, report: Report) -> tuple[Solved, ...]:
-    """Return what is solved with its default values; report what is not regular there."""
+    """Return the results with their default values; report what is not regular there."""
     numbers = DefaultNumbers(balance.plan)
     _check_branch(balance, numbers.values, report)
     finds = {f.name: f for f in balance.plan.graph.pose.mechanism.finds}
@@ -89,7 +89,7 @@ def pose_values(pose: Pose) -> dict[str, float]:
 
 
 def _chain(pose: Pose) -> Chain:
-    """Return what follows from what is given; a load may rest on formulas of the user's own."""
+    """Return the definitions on the parameters; a load may rest on user-defined formulas."""
     own = {let.name: let.value for let in pose.mechanism.lets}
     return Chain({**own, **dependent(pose.mechanism), **dict(pose.definitions)})
 
@@ -227,7 +227,7 @@ def _vanishing(value: Product, values: Mapping[str, float], side: int) -> Formul
 
 
 def _size(factor: Factor, values: Mapping[str, float]) -> float:
-    """Return what the value of a factor is to be measured by; 0 for what is a mere length."""
+    """Return the scale of a factor's value; 0 for a mere length."""
     if isinstance(factor, Sum):
         return sum(abs(t.evaluate(values)) for t in factor.terms)
     return 1.0 if isinstance(factor, Trig) else 0.0

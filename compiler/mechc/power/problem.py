@@ -76,7 +76,7 @@ class Problem:
     def result(
         self, find: Find, formula: Formula, dimension: Dimension, values: Sequence[Product]
     ) -> Result:
-        """Return what was found, with the definitions that its formula rests on."""
+        """Return a formula as a result, with the definitions that it rests on."""
         where = resting_on(self.reading.plan, formula, values)
         self.check_lengths(find, [formula, *(d.formula for d in where)])
         return Result(find.name, find.target, dimension, formula, where)

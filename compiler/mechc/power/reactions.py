@@ -84,7 +84,7 @@ class Reactions:
         self._taken = frozenset(b.name for plan in known for b in plan.bindings)
 
     def of(self, joint: JointRef) -> Transmitted | None:
-        """Return what a joint transmits to the link or point that it holds.
+        """Return the force and couple that a joint transmits to the link or point that it holds.
 
         None where the other joints leave that undetermined.
         """

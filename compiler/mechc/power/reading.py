@@ -74,7 +74,7 @@ class Reading:
         return (binding.name for binding in self._ratios.bindings)
 
     def _known(self, value: Product) -> set[str]:
-        """Return what a ratio depends on, by what loops find too: it mentions nothing else."""
+        """Return the names in a ratio and in the definitions that it rests on."""
         formula = value.formula()
         return _names_in([formula, *(d.formula for d in resting_on(self._plan, formula, [value]))])
 

@@ -60,7 +60,7 @@ class AssemblyHints:
         self._angles = sorted(n for n in group.unknown if n in angles)
 
     def hint(self, poses: Sequence[Values], drive: str, refuted: bool) -> str:
-        """Return what to add for one closure or another; what to do where no line does.
+        """Return the hint on lines to add for a closure, or on what to do where none helps.
 
         Where the lines given are ``refuted`` it is said what the closures are instead.
         """

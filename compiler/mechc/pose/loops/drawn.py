@@ -59,7 +59,7 @@ def _area(corners: Sequence[Place]) -> float:
 
 
 def start(block: Block, state: State) -> Values:
-    """Return what the unknowns of a block are in the drawing, as far as it shows them."""
+    """Return the unknowns of a block as measured in the drawing, as far as it shows them."""
     if not state.mechanism.drawn:
         return {}
     places = {**places_of(state.mechanism.drawn, state.base), **state.graph.places("", state.base)}

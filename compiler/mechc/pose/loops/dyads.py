@@ -129,7 +129,7 @@ class Group:
         return tuple(c._replace(definitions=(*self._shared, *c.definitions)) for c in found) or None
 
     def _parts(self) -> tuple[list[Turning], list[Reaching]]:
-        """Return what turns and what reaches; nothing where the loop is of no such kind."""
+        """Return the arms of unknown angle and of unknown length; none where others are there."""
         turns: dict[str, list[Arm]] = {}
         reaches: dict[str, Reaching] = {}
         for arm in self.moving:

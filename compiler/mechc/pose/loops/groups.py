@@ -111,7 +111,7 @@ def _columns(loops: Sequence[Cycle], state: State) -> tuple[list[str], list[froz
 
 
 def left_open(state: State) -> Open:
-    """Return what the loops that did not close leave open."""
+    """Return the unknowns of the loops that did not close, and how many conditions are missing."""
     names, columns = _columns(_open_loops(state), state)
     return Open(frozenset(names), len(names) - len(match(columns)))
 

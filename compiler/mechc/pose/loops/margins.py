@@ -17,7 +17,7 @@ def in_closed_form(loop: str, definitions: Sequence[Definition], root: Call) -> 
 
 
 def _margin(root: Call) -> Formula:
-    """Return what is not negative where a root or an arc sine has a value."""
+    """Return the expression that is not negative where a root or an arc sine has a value."""
     (inner,) = root.arguments
     return inner if root.function == "sqrt" else total([ONE, negative(Call("abs", (inner,)))])
 
