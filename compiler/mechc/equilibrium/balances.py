@@ -23,7 +23,7 @@ def balances(body: FreeBody) -> Iterator[Balance]:
 
 
 def _summed(parts: Iterable[tuple[str, Product]]) -> Terms:
-    """Return what each force counts in a sum, those that do not count left out."""
+    """Return the coefficient of each force in a sum, those that vanish left out."""
     terms: dict[str, list[Product]] = {}
     for name, part in parts:
         terms.setdefault(name, []).append(part)

@@ -38,7 +38,7 @@ def with_dead_centres(plot: Plot, pose: Pose, results: Callable[[], Iterable[Ana
 
 
 def _chain(pose: Pose) -> Chain:
-    """Return what follows from the parameters: others, and what closing loops gives."""
+    """Return the quantities that follow from the parameters: others, and unknowns of the loops."""
     return Chain({**dependent(pose.mechanism), **dict(pose.definitions)})
 
 

@@ -127,7 +127,7 @@ def _curve(
 
 
 def _least(values: Array) -> float:
-    """Return what is nothing beside the range of values."""
+    """Return the size below which a value counts as zero, compared with the range of values."""
     finite = values[np.isfinite(values)]
     return NEAR * float(np.ptp(finite)) if finite.size else 0.0
 

@@ -63,7 +63,7 @@ class Sweep:
 
 
 def sweep_of(mechanism: Mechanism, known: Mapping[str, Quantity], query: Query) -> Sweep:
-    """Return what varies in a query, and in which settings."""
+    """Return the sweep of a query: the parameter that varies, its range, and the settings."""
     inputs = {i.name: i for q in known.values() for i in q.inputs}
     inputs |= {p.name: _input(p.name, mechanism) for p in mechanism.parameters if not p.dependent}
     name = query.x or _driving(mechanism)

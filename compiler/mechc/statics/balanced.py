@@ -43,7 +43,7 @@ class Balanced(Unfolding):
 
     @cached_property
     def columns(self) -> Mapping[str, Row]:
-        """Return what one unit of each untied load puts on, with all that is tied to it."""
+        """Return the column of one unit of each untied load, with all that is tied to it."""
         return gather(self.system, self.tied)
 
     def eliminated(self, unknown: Sequence[str], last: int | None) -> Eliminated:
@@ -70,7 +70,7 @@ class Balanced(Unfolding):
 
     @cached_property
     def _formulas(self) -> dict[int, tuple[tuple[Definition, ...], Evaluation]]:
-        """Return what is known by the identity of definitions, which are kept alive for that."""
+        """Return the evaluations by the identity of definitions, which are kept alive for that."""
         return {}
 
 
@@ -92,7 +92,7 @@ def _tie(load: Load, loads: Mapping[str, Load], values: Mapping[str, float]) -> 
 
 
 def gather(system: System, tied: Mapping[str, Tie]) -> dict[str, dict[int, float]]:
-    """Return what one unit of each untied load puts on, with all that is tied to it."""
+    """Return the column of one unit of each untied load, with all that is tied to it."""
     columns: dict[str, dict[int, float]] = {tie.base: {} for tie in tied.values()}
     for name, (base, multiple) in tied.items():
         for row, amount in system.loads[name].items():

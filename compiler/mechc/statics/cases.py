@@ -26,7 +26,7 @@ class Case(NamedTuple):
 
 
 def cases(mechanism: Mechanism, results: Sequence[Result], given: Sizes) -> list[Case]:
-    """Return what each result takes as given, at the sizes that loads have."""
+    """Return the loads that each result takes as given, at the sizes that they have."""
     return list(_distinct(_Loads(mechanism, results, given).cases()))
 
 

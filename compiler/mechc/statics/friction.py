@@ -154,7 +154,7 @@ def _answered(
 def _loaded(
     unfolding: Unfolding, sense: Sense, driving: str, given: Mapping[str, float]
 ) -> Loaded | str:
-    """Return what loads and frictions do to every pair of surfaces, or why that is open."""
+    """Return the forces of loads and frictions on all pairs of surfaces, or why these are open."""
     tied = ties(unfolding.pose.mechanism, unfolding.values)
     drive = tied[driving]
     pairs = tuple(pairs_of(unfolding))
@@ -252,7 +252,7 @@ def _pressed(
     without: tuple[Found, Mapping[str, float]],
     responses: Sequence[Found],
 ) -> list[SurfacePair]:
-    """Return what presses each pair: without friction, and per unit of each friction."""
+    """Return the normal forces of each pair: without friction, and per unit of each friction."""
     ideal, thrusts = without
     names = [pair.name for pair in pairs]
     found = []

@@ -47,11 +47,11 @@ class Halves:
         return vector.reflected(axis)
 
     def twin(self, point: str) -> str:
-        """Return what the twin of a point is called."""
+        """Return the name of a point's twin."""
         return point if self.is_shared(point) else f"{point}'"
 
     def twin_of(self, body: str) -> str:
-        """Return what the twin of a link, a slide or a part of a telescope is called."""
+        """Return the name of the twin of a link, a slide or a part of a telescope."""
         whole, at, point = body.partition(" at ")
         if self.is_shared(whole):
             return body

@@ -78,6 +78,6 @@ def with_lets(mechanism: Mechanism, values: Mapping[str, float]) -> Values:
 
 
 def free_values(pose: Pose, values: Mapping[str, float]) -> dict[str, tuple[float, Dimension]]:
-    """Return what the free parameters of a pose are worth, with their dimensions, for messages."""
+    """Return the values of a pose's free parameters, with their dimensions, for messages."""
     free = (p for p in pose.mechanism.parameters if p.name in pose.free)
     return {p.name: (values[p.name], p.dimension) for p in free}

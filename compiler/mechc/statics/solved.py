@@ -110,13 +110,13 @@ def _open(factors: Factors) -> frozenset[int]:
 
 
 def _besides(unfolding: Unfolding) -> tuple[frozenset[Bearing], frozenset[str]]:
-    """Return what else presses: wheels, racks and screws, and the other copies."""
+    """Return the other bearings, of wheels, racks and screws, and the points that copies share."""
     copies = unfolding.pose.mechanism.copies
     return _bearings(unfolding), frozenset(copies.sharing if copies else ())
 
 
 def _bearings(unfolding: Unfolding) -> frozenset[Bearing]:
-    """Return what holds wheels, racks and screws, in both halves."""
+    """Return the bearings of wheels, racks and screws, in both halves."""
     half = list(_pressed(unfolding.pose.mechanism))
     points = [(f"{point}'", by) for point, by in half]
     return frozenset(

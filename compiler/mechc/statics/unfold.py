@@ -40,14 +40,14 @@ class Unfolding(Halves):
     """A pose at given values, and what forces and couples put on both halves of it."""
 
     def push(self, point: str, force: Plane) -> tuple[Action, ...]:
-        """Return what a force on a point puts on the whole assembly."""
+        """Return the actions on the whole assembly of a force on a point."""
         share = force.times(self.part_of(point))
         if not self.is_shared(point):
             return (Push(point, share), Push(self.twin(point), self.reflected(share)))
         return (Push(point, self.axial(share)),)
 
     def on(self, link: str, point: str, force: Plane) -> tuple[Action, ...]:
-        """Return what a force on a link at one of its points puts on the whole assembly.
+        """Return the actions on the whole assembly of a force on a link at one of its points.
 
         On what the halves share the part of it counts that is the same for both.
         """
@@ -58,7 +58,7 @@ class Unfolding(Halves):
         return (there,) if self.is_shared(link) else (there, self.mirrored(there))
 
     def turning(self, body: str, point: str, moment: float) -> tuple[Action, ...]:
-        """Return what a couple on a link or a telescope puts on it at the pin of a point."""
+        """Return the actions of a couple on a link or a telescope, at the pin of a point."""
         if body not in self.cylinders():
             return self.couple(body, moment)
         share = moment * self.part_of(body)
@@ -82,7 +82,7 @@ class Unfolding(Halves):
                 yield telescope.name
 
     def couple(self, link: str, moment: float) -> tuple[Action, ...]:
-        """Return what a couple on a link puts on the whole assembly."""
+        """Return the actions on the whole assembly of a couple on a link."""
         share = moment * self.part_of(link)
         if not self.is_shared(link):
             return (Couple(link, share), Couple(f"{link}'", -share))
@@ -121,7 +121,7 @@ class Unfolding(Halves):
         return pair if self.axis is None or shared else (*pair, *map(self.mirrored, pair))
 
     def _end(self, link: str, point: str, push: Plane) -> Action:
-        """Return what an end of a pair does to a pin, to a link or to a part of a telescope."""
+        """Return the action of a pair's end on a pin, a link or a part of a telescope."""
         if not link:
             return Push(point, push)
         if link in self.cylinders():

@@ -144,7 +144,7 @@ def _compare_number(expect: Expect, result: Result, mechanism: Mechanism) -> Fin
 
 
 def _in_code(result: Result, pose: Values, mechanism: Mechanism) -> Rounded:
-    """Return what code gives at a pose: NaN where a condition of use or of the result fails."""
+    """Return the value in code at a pose: NaN where a condition of use or of the result fails."""
     known = Chain({let.name: let.value for let in mechanism.lets}).complete(pose)
     requires = tuple(
         r for r in mechanism.requires if r.concerns({result.name, *(d.name for d in result.where)})
@@ -255,7 +255,7 @@ def _beside_the_values(finding: Finding, given: Values) -> Slip:
 
 
 def _slip(finding: Finding) -> Slip:
-    """Return what the numbers differ by, if it is a sign, a power of ten, or degrees."""
+    """Return the likely slip between two numbers: a sign, a power of ten, or degrees."""
     if not finding.expected or not math.isfinite(finding.found) or not finding.found:
         return ""
     times = abs(finding.found / finding.expected)

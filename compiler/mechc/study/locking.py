@@ -63,7 +63,7 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
 
 
 def _window(name: str, moving: Moving, study: Study) -> Range | None:
-    """Return what is looked at: the range, and of an open pose what is beyond it."""
+    """Return the interval that is examined: the range, and around an open pose more than it."""
     pose = study.solution.plan.graph.pose
     given = range_of(name, pose.mechanism)
     if pose.definitions or moving.is_slow or not turns(name, pose.mechanism):

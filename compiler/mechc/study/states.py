@@ -59,7 +59,7 @@ class Moving:
         return any(isinstance(f, Implicit) for d in self.real.where for f in walk(d.formula))
 
     def at(self, place: float) -> Found:
-        """Return what a place is like."""
+        """Return the state at a value of the parameter."""
         if place not in self._known:
             self._known[place] = self._look(place)
         return self._known[place]
@@ -148,14 +148,14 @@ class Moving:
         return math.nan if ways and 2 not in ways else None
 
     def efficiency(self, place: float) -> float:
-        """Return what of the power arrives, 0 where nothing moves, NaN at a dead centre."""
+        """Return the efficiency, 0 where nothing moves, NaN at a dead centre."""
         state = self.at(place).state
         if state is None:
             return math.nan
         return self.margin(place) if state == "free" else 0.0
 
     def margin(self, place: float) -> float:
-        """Return what of the power arrives, below 0 where none does, -inf where none balances."""
+        """Return the efficiency, below 0 where no power arrives, -inf where no force balances."""
         _, share, driven = self.at(place)
         if driven is None or math.isnan(share) or not (driven or share):
             return -math.inf

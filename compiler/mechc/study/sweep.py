@@ -71,7 +71,7 @@ class Sweep:
         return self._found[key]
 
     def named(self, result: Result, place: float) -> dict[str, float]:
-        """Return what has a value at a place, the names that a result mentions among it."""
+        """Return the values at a place, those of the names in a result among them."""
         if self._last and self._last[0] is result and self._last[1] == place:
             return self._last[2]
         key = id(result)

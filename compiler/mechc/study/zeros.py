@@ -173,7 +173,7 @@ def _chain(item: Solved) -> Chain:
 
 
 def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -> Iterable[Factor]:
-    """Return what is left of a sum without the sines that it shares with one across the line.
+    """Return the rest of a sum without the sines that it shares with one across the line.
 
     Nothing where one of them cannot be split off, or is shared for the lengths given only:
     then it is not known what is left.

@@ -48,7 +48,7 @@ class Along:
         return self._definitions
 
     def given(self, place: float) -> Values:
-        """Return what is given at a place of the drive."""
+        """Return the given values at a value of the drive."""
         return {**self._open, **self.defaults, self._drive: place}
 
     def values(self, place: float) -> Values:

@@ -19,7 +19,7 @@ from .stroke import Stretch, Stroke
 def along_the_stroke(
     solution: Solution, results: Sequence[Analysis], report: Report
 ) -> dict[str, Extent]:
-    """Return what ratios come to on the part of the stroke that the default pose is on, by name.
+    """Return the extents of ratios on the part of the stroke around the default pose, by name.
 
     Nothing where there is no stroke.
     """

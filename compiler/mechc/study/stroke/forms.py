@@ -58,7 +58,7 @@ def _definitions(where: Result | None, names: Set[str]) -> tuple[Definitions, Se
 
 
 def _value(formula: Formula, definitions: Definitions, known: Set[str], names: Set[str]) -> Form:
-    """Return what computes one formula."""
+    """Return the function that computes one formula."""
     if not symbols(formula) <= known:
         return lambda values: math.nan
     code = _code([formula], definitions, names)
@@ -68,7 +68,7 @@ def _value(formula: Formula, definitions: Definitions, known: Set[str], names: S
 def _code(
     formulas: Sequence[Formula], definitions: Definitions, names: Set[str]
 ) -> Callable[[Values], list[float]]:
-    """Return what computes formulas, and of definitions those that they need."""
+    """Return the function that computes formulas, and those definitions that they need."""
     needed = frozenset[str]().union(*map(symbols, formulas))
     followed = list[tuple[str, Formula]]()
     for name, formula in reversed(definitions):

@@ -28,7 +28,7 @@ class Asked(NamedTuple):
 
 
 def asked(motion: Motion | None, paths: Sequence[str]) -> Asked:
-    """Return what is shown of the points and links of these names.
+    """Return the quantities of motion of the points and links of these names.
 
     Reports E597 for a name that is none of them.
     """

@@ -67,7 +67,7 @@ def _unit(mechanism: Mechanism, dimension: Dimension) -> str:
 
 
 def row(run: Run, place: float, filled: Sequence[Filled], stretches: Sequence[Stretch]) -> Row:
-    """Return what stands at a place: values, or why there are none."""
+    """Return the row of a place: values, or why there are none."""
     why = trouble(run, place)
     if run.along.trouble(place):
         why = (beyond(place, stretches) if why in NO_POSE else "") or why

@@ -62,7 +62,7 @@ class Run:
 def run_of(
     solution: Solution, results: Sequence[Analysis], drive: Parameter, low: float, high: float
 ) -> Run:
-    """Return what there is to run along between two ends of the drive."""
+    """Return the run of the drive between two ends."""
     pose = solution.plan.graph.pose
     along = Along(solution.plan, plain_lets(pose.mechanism), (low, high))
     shown = [r for r in results if r.default is not None or r.target is not None]

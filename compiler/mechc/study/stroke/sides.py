@@ -32,7 +32,7 @@ def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) ->
 def from_both_sides(
     at: Callable[[float], float], stands: Callable[[float], bool], place: float, range_: float
 ) -> Size:
-    """Return what a result comes to at a place, undetermined where its sides are not alike.
+    """Return the limit of a result at a place, undetermined where its sides are not alike.
 
     A side on which no pose ``stands`` does not count.
     """
@@ -47,7 +47,7 @@ def from_both_sides(
 
 
 def _limit(at: Callable[[float], float], place: float, step: float) -> float:
-    """Return what a result comes to, going on as it does from twice a step to one step away."""
+    """Return the limit of a result, on the line through its values one and two steps away."""
     near, far = at(place + step), at(place + 2 * step)
     if abs(near) > GROWS * abs(far):
         return math.copysign(math.inf, near)

@@ -45,7 +45,7 @@ def singular_along(
 
 
 def order_of(run: Run, result: Analysis, place: float) -> Order | None:
-    """Return what a result does at a place of the stroke."""
+    """Return the order of a result at a place of the stroke: zero, infinite, finite or a jump."""
     return order_at(run.values(result.formula, result), place, run.range)
 
 
@@ -133,7 +133,7 @@ def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formul
 
 
 def order_at(function: Function, place: float, range_: float) -> Order | None:
-    """Return what a function does at a place; None where it is no power of the distance.
+    """Return the order of a function at a place; None where it is no power of the distance.
 
     >>> order_at(lambda x: (1e-6 - x) / x, 0.0, 1.0)
     'infinite'

@@ -80,7 +80,7 @@ def _edge(run: Run, bad: float, good: float) -> float:
 
 
 def beyond(place: float, stretches: Sequence[Stretch]) -> str:
-    """Return what is said of a place between stretches one of which ends at a branch point."""
+    """Return the remark on a place between stretches one of which ends at a branch point."""
     before = [s.after for s in stretches if s.high < place]
     after = [s.before for s in stretches if s.low > place]
     return BEYOND if BEYOND in (*before[-1:], *after[:1]) else ""
