@@ -36,7 +36,7 @@ def heading(diagram: Diagram, words: Mapping[str, str]) -> tuple[Run, ...]:
 
 
 def in_words(runs: tuple[Run, ...]) -> str:
-    """Return what is lettered as plain text."""
+    """Return lettering as plain text."""
     return "".join(run.text for run in runs)
 
 
@@ -72,7 +72,7 @@ class Forces:
         return body.replace("-", "")
 
     def name(self, body: FreeBody, acting: Acting, couple: bool = False) -> tuple[Run, ...]:
-        """Return what a force or couple is called: a load by its name, others by their point."""
+        """Return the symbol of a force or couple: a load's name, others by their point."""
         if acting.kind == "load":
             return name(acting.by)
         letter = LETTERS.get(acting.kind, "R")

@@ -99,7 +99,7 @@ def label(at: Plane, runs: tuple[Run, ...], pen: Pen = SYMBOL) -> Label:
 
 
 def heading(axes: tuple[Axis, ...], scale: Scale) -> tuple[Run, ...]:
-    """Return what stands at an axis: names, and the unit with a power of ten."""
+    """Return the title of an axis: names, and the unit with a power of ten."""
     runs: tuple[Run, ...] = ()
     for i, axis in enumerate(axes):
         runs += ((Run(", "),) if i else ()) + name(axis.name)

@@ -8,7 +8,7 @@ Words = Mapping[str, str]
 
 
 def describe(figure: Figure, words: Words) -> str:
-    """Return what a scheme shows: bodies, what holds them, loads, and whether it is to scale."""
+    """Return the description of a scheme: bodies, joints, loads, and whether it is to scale."""
     return " ".join(_sentences(figure, words))
 
 

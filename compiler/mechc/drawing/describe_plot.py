@@ -21,7 +21,7 @@ def shown(value: float, axis: Axis, digits: int = 4) -> str:
 
 
 def describe(plot: Plot, words: Words) -> str:
-    """Return what is plotted against what, and where curves turn, vanish or are infinite.
+    """Return the description of a plot: its axes, and where curves turn, vanish or are infinite.
 
     ``words`` are those of a language.
     """

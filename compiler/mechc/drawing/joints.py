@@ -214,7 +214,7 @@ def _stubs(paper: Paper, body: Slide) -> Iterator[tuple[Plane, Polyline]]:
 
 
 def _cost(sheet: Sheet, paper: Paper, rod: Polyline, guide: tuple[Shape, ...]) -> int:
-    """Return what speaks against a guide: what it crosses, and a force at its end of the rod."""
+    """Return the cost of a guide: lines that it crosses, and a force at its end of the rod."""
     forces = [f for f in paper.figure.parts if isinstance(f, Force)]
     pushed = any(math.dist(paper.at(f.point), p) < 1 for f in forces for p in rod.points)
     return sheet.occupied.crossed(guide) + 2 * pushed

@@ -115,7 +115,7 @@ def _lines(tail: Plane, tip: Plane, along: Plane) -> Iterator[Line]:
 
 
 def _cost(sheet: Sheet, found: Line, tail: Plane, tip: Plane) -> float:
-    """Return what speaks against a dimension line: what it crosses, and how far off it is."""
+    """Return the cost of a dimension line: lines that it crosses, and its distance."""
     distance = math.dist(found.start, tail) + math.dist(found.end, tip)
     return _in_the_way(sheet, found) + 0.06 * distance
 

@@ -66,7 +66,7 @@ class Layout:
 
     @property
     def headed(self) -> tuple[Axis, ...]:
-        """Return what stands at the upright axis: the results, or the coordinate."""
+        """Return the quantities on the vertical axis: the results, or the coordinate."""
         if self.plot.equal:
             return (self.panel.y,)
         names = dict.fromkeys(curve.name for curve in self.panel.curves)
@@ -200,7 +200,7 @@ def _leaves_out(places: Sequence[Plane], start: int, end: int, off: float) -> bo
 
 
 def values_at(mark: Mark, curve: Curve, layout: Layout) -> tuple[str, ...]:
-    """Return what is written beside a mark: its values or, with less room, the second alone."""
+    """Return the possible labels of a mark, the longest first."""
     plot = layout.plot
     if mark.kind == "station":
         return (shown(mark.station, plot.varied),)
@@ -212,20 +212,20 @@ def values_at(mark: Mark, curve: Curve, layout: Layout) -> tuple[str, ...]:
 
 
 def place_of(x: float, is_dead_centre: bool, layout: Layout) -> tuple[str, ...]:
-    """Return what is written at a zero or a pole: that it is a dead centre, or its place alone."""
+    """Return the possible labels of a zero or a pole, the longest first."""
     at = shown(x, layout.plot.x)
     return (f"{layout.words['dead_centre']}, {at}", at) if is_dead_centre else (at,)
 
 
 def entry(curve: Curve, layout: Layout) -> tuple[Run, ...]:
-    """Return what the legend says of a curve: its name if there are several, its setting."""
+    """Return a curve's entry in the legend: its name if there are several, its setting."""
     several = len({c.name for c in layout.panel.curves}) > 1 or layout.plot.equal
     settings = () if layout.common else curve.setting
     return _listed([*([name(curve.name)] if several else []), *map(_set_to, settings)])
 
 
 def common_entry(layout: Layout) -> tuple[Run, ...]:
-    """Return what the legend says of all curves: the setting that they have in common."""
+    """Return the legend's entry for all curves: the setting that they have in common."""
     return _listed(list(map(_set_to, layout.common)))
 
 

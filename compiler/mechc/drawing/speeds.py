@@ -18,11 +18,11 @@ class Speeds:
     velocities: Velocities
 
     def name(self, *points: str) -> tuple[Run, ...]:
-        """Return what the velocity of a point is called, or that relative to another one."""
+        """Return the symbol of a point's velocity, or of that relative to another point."""
         return Run("V", italic=True), index(*points)
 
     def spin_name(self, link: str) -> tuple[Run, ...]:
-        """Return what the angular velocity of a link is called."""
+        """Return the symbol of a link's angular velocity."""
         return Run("ω", italic=True), index(link)
 
     def size(self, speed: float, *of: str) -> tuple[Run, ...]:

@@ -78,7 +78,7 @@ class _Maker:
         return self.balance.plan.mobility == 1
 
     def _pace(self, here: Velocities) -> float:
-        """Return what velocities are multiplied by; 1 or −1, the sense, where that is open."""
+        """Return the factor of velocities; 1 or −1, the sense, where that is open."""
         rate = self._rate(here) if self._is_alone else 0.0
         return rate if self._is_timed else math.copysign(1.0, rate or self._work() or 1.0)
 

@@ -83,7 +83,7 @@ def _independent(rows: Iterable[Row]) -> list[Row]:
 
 
 def _across(row: Row, others: Iterable[Row]) -> Row:
-    """Return what of an equation is orthogonal to the others."""
+    """Return the component of an equation that is orthogonal to the others."""
     factors, value = dict(row.factors), row.value
     for other in others:
         shared = sum(f * factors.get(name, 0.0) for name, f in other.factors.items())

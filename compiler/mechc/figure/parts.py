@@ -58,13 +58,13 @@ class Half:
             yield self.load(load)
 
     def point(self, name: str) -> str:
-        """Return what a point of the description is called in this half."""
+        """Return the name in this half of a point of the description."""
         if self.sense > 0 or name in self.shared:
             return name
         return name[:-1] if name.endswith("'") and name[:-1] in self.points else f"{name}'"
 
     def link(self, name: str) -> str:
-        """Return what a body is called in this half."""
+        """Return the name of a body in this half."""
         points = self.ways.pose.frames.get(name, {})
         return name if self.sense > 0 or self.shared.issuperset(points) else f"{name}'"
 
@@ -89,7 +89,7 @@ class Half:
     # --------------------------------------------------------------------- bodies
 
     def body(self, body: model.Body) -> Part:
-        """Return what is drawn of a body."""
+        """Return the drawn part of a body."""
         points = tuple(map(self.point, body.points))
         match body:
             case model.Link(arc=model.ArcSlot(link, centre, radius)):
@@ -114,7 +114,7 @@ class Half:
     # --------------------------------------------------------------------- joints
 
     def joint(self, joint: model.Joint) -> Part:
-        """Return what is drawn of a joint."""
+        """Return the drawn part of a joint."""
         match joint:
             case model.Pivot(point):
                 return drawn.Pivot(self.point(point), self.vector(self._ground(point)))
@@ -239,7 +239,7 @@ class Half:
     # ---------------------------------------------------------------------- loads
 
     def load(self, load: model.Load) -> Part:
-        """Return what is drawn of a load."""
+        """Return the drawn part of a load."""
         match load:
             case model.Force(spread=model.Spread() as spread):
                 return self._spread(load, spread)
@@ -258,7 +258,7 @@ class Half:
                 assert_never(load)
 
     def _spread(self, load: model.Force, spread: model.Spread) -> drawn.SpreadLoad:
-        """Return what is drawn of a load that is spread over a stretch."""
+        """Return the drawn part of a distributed load."""
         values = self.ways.values
         given = all(symbols(q) <= values.keys() for q in spread.intensities)
         known = [evaluate(q, values) for q in spread.intensities] if given else []

@@ -45,7 +45,7 @@ class Velocities:
         return max(map(self.speed, self.points), default=0.0)
 
     def times(self, factor: float) -> "Velocities":
-        """Return what there is when all moves faster by a factor."""
+        """Return the velocities of a motion that is faster by a factor."""
         return Velocities(
             self.per,
             {point: velocity.times(factor) for point, velocity in self.points.items()},

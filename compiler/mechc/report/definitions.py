@@ -139,7 +139,7 @@ def _group(members: list[tuple[str, Formula]]) -> Definition | Solved:
 
 
 def whole(zero: Formula) -> Formula:
-    """Return what is zero where this is, without a number that only multiplies it.
+    """Return the expression that is zero where this is, without a factor that is a number.
 
     >>> from ..formula.to_text import text
     >>> from ..formula.tree import number, total

@@ -53,7 +53,7 @@ class Outline(NamedTuple):
 
 
 def outline(derivation: Derivation, mechanism: Mechanism) -> Outline:
-    """Return what a report says, each name told once and where it is first needed."""
+    """Return the outline of a report, each name defined once and where it is first needed."""
     shown, known = Shown(), letters(mechanism, derivation.results)
     position = tuple(_position(derivation, mechanism, shown, known))
     shown.definitions(Definition(r.name, r.formula) for r in derivation.ratios)
@@ -97,7 +97,7 @@ class Shown:
         self._known: dict[str, Formula] = {}
 
     def of(self, result: Analysis) -> list[Definition]:
-        """Return what is new in a result's definitions, and note it."""
+        """Return the new ones of a result's definitions, and note them."""
         where = [d for d in result.where if d.name not in result.inside]
         fresh = self.new_definitions([result.formula], where)
         self._results.add(result.name)
@@ -136,7 +136,7 @@ class Shown:
                 yield literal
 
     def _needed(self, formulas: Iterable[Formula], where: Sequence[Definition]) -> list[Definition]:
-        """Return what formulas rest on, not looking behind results that were told."""
+        """Return the definitions that formulas rest on, not looking behind shown results."""
         used = {name for formula in formulas for name in symbols(formula)}
         needed = []
         for definition in reversed(where):
@@ -191,7 +191,7 @@ def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Formula,
 
 
 def _force(result: Analysis) -> Target | None:
-    """Return what force with what friction a result is a part of."""
+    """Return the whole force, with its friction, that a result is a part of."""
     match result.target:
         case WithFriction(Reaction() as force, sense):
             return WithFriction(replace(force, part="size"), sense)

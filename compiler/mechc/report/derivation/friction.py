@@ -65,7 +65,7 @@ def of_friction(solution: Solution) -> Iterator[Explanation]:
 
 
 def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
-    """Return what a result with friction is of, the same for all parts of one force."""
+    """Return the quantity of a result with friction, the same for all parts of one force."""
     match solved.result.target:
         case WithFriction(Reaction() as force, sense):
             return WithFriction(replace(force, part="size"), sense)

@@ -179,7 +179,7 @@ class _Writer:
                 assert_never(relation.rule)
 
     def _involved(self, relation: Relation) -> tuple[str, ...]:
-        """Return what a relation is about: wheels, a link, or a point."""
+        """Return the wheels, the link, or the point that a relation holds for."""
         if relation.rule in (Law.GEAR, Law.BELT):
             return self._joint_of(relation).bodies
         return (relation.link or relation.points[0],)

@@ -16,7 +16,7 @@ class Ratios:
         self.found: list[NamedRatio] = []
 
     def of(self, unknown: int) -> tuple[Equation, ...]:
-        """Return what the ratio of an unknown to the drive is, where it has a name."""
+        """Return the equations of an unknown's ratio to the drive, where it has a name."""
         ratio = self._read.ratios.get(unknown)
         if ratio is None:
             return ()

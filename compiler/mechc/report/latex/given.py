@@ -231,7 +231,7 @@ def _load(load: Load, links: Set[str], locale: Locale, style: Notation) -> str:
 
 
 def _tie(load: Load, locale: Locale, style: Notation) -> str:
-    """Return what a load is tied to, with the value of g where a weight takes the usual one."""
+    """Return the formula of a tied load, with the value of g where a weight takes the usual one."""
     assert load.tie
     usual = takes_usual_g(load)
     tie = by_letter(load.tie) if usual else load.tie

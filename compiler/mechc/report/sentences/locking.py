@@ -108,7 +108,7 @@ def _side(bound: Bound, reach: Along, spell: Speller) -> Formula:
 
 
 def _within(stretch: Stretch, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
-    """Return what of a stretch lies in the parameter's range, unless both ends tell that."""
+    """Return the part of an interval that lies in the range, unless both ends show it."""
     if reach.range is None or (stretch.within and all(_told(stretch, reach))):
         return ""
     if stretch.within is None:

@@ -28,7 +28,7 @@ from .wording import enumeration, positive_first
 
 
 def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
-    """Return what a passage says."""
+    """Return the sentence of a paragraph."""
     names = {
         place: enumeration((spell.point(n) for n in listed), locale)
         for place, listed in paragraph.names.items()
@@ -43,7 +43,7 @@ def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
 
 
 def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
-    """Return what kind of thing was found; ``""`` for a formula of the user's own."""
+    """Return the heading of a result by its kind; ``""`` for a user-defined formula."""
     match result.target:
         case LoadRatio():
             return locale.force_ratio
@@ -122,7 +122,7 @@ def is_nameless(result: Analysis) -> bool:
 
 
 def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]:
-    """Return what follows from a result: limits, proportions, symmetries, trends, locking."""
+    """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
     said = _holds(result, locale, spell)
     said += [_limit(locale.zero, symbol, v, locale, spell) for v in result.zeros]

@@ -91,7 +91,7 @@ Sides = tuple[Formula, ...]
 
 
 def lines(step: Step) -> tuple[tuple[Sides, ...], tuple[Sides, ...]]:
-    """Return what a step's rule says and what follows from it, speeds as ratios.
+    """Return the equations of a step's rule and those that follow from it, speeds as ratios.
 
     What follows for the same left side continues its chain; nothing is said twice.
     """

@@ -70,6 +70,6 @@ def _remarks(stroke: Stroke) -> Iterator[list[str]]:
 
 
 def _trouble(row: Row) -> str:
-    """Return what is wrong at a place, ``k undetermined`` too."""
+    """Return the reason why a row lacks values, ``k undetermined`` too."""
     words = [row.trouble] if row.trouble else []
     return ", ".join((*words, *(f"{name} undetermined" for name in row.undetermined)))

@@ -71,7 +71,7 @@ def _aligned(rows: Sequence[Row]) -> Iterator[str]:
 
 
 def given(parameters: Iterable[Parameter], spell: Speller) -> list[str]:
-    """Return what is given, under its heading: values, ranges, texts."""
+    """Return the given parameters under their heading: values, ranges, texts."""
     return _headed(spell.locale.given, [_given(p, spell) for p in parameters], spell)
 
 

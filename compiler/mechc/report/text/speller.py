@@ -126,7 +126,7 @@ def speller(
     language: str = "en",
     width: int = WIDTH,
 ) -> Speller:
-    """Return what spells mathematics, with the names that are angles in this mechanism."""
+    """Return the speller of mathematics, with the names that are angles in this mechanism."""
     words = locale_of(language)
     angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
     for result in results:
