@@ -149,7 +149,7 @@ def condition_lines(function: Function) -> list[str]:
 
 
 def slope_remarks(function: Function) -> list[str]:
-    """Return what code says of slopes that are missing."""
+    """Return the remarks in code on slopes that are missing."""
     if function.otherwise:
         return [
             "NaN where friction turns the force at a joint round: this form has no value there."
@@ -163,7 +163,7 @@ def status_lines(checks: Checks) -> list[str]:
 
 
 def remarks(function: Function, names: Mapping[str, str]) -> list[str]:
-    """Return what code says of a function's companions, which it calls by these names."""
+    """Return the remarks in code on a function's companions, which it calls by these names."""
     lines = []
     if function.otherwise:
         lines.append("Where friction turns the force at a joint round, so that this form has no")

@@ -60,7 +60,7 @@ Local = frozenset[str]
 
 @cache
 def environment(target: str) -> Environment:
-    """Return what reads the templates of a target."""
+    """Return the reader of a target's templates."""
     return Environment(
         loader=FileSystemLoader(EMIT),
         trim_blocks=True,

@@ -42,7 +42,7 @@ class PlotPicture:
 
     @property
     def alt(self) -> str:
-        """Return what the plot shows, in words."""
+        """Return the description of the plot, for those who cannot see it."""
         return self.shown.description
 
     def content(self, path: Path) -> str | bytes:

@@ -117,7 +117,7 @@ def _last(stops: Sequence[Stop], needed: int) -> int | None:
 
 
 def _commons(stops: Sequence[Stop], ways: Iterable[Way], needs: Needs, first: int) -> list[Common]:
-    """Return what is computed at each stop; of it is handed on what is mentioned beyond."""
+    """Return the computation of each stop, which hands on the names that are mentioned beyond."""
     asked = [set[str]() for _ in stops]
     for way in ways:
         if way.start is not None:

@@ -60,7 +60,7 @@ class Asked(NamedTuple):
 def asked(
     result: Result, scope: Scope, inputs: Mapping[str, Input], loops: Sequence[ClosedLoop]
 ) -> Asked:
-    """Return what a function of a result takes and has to compute.
+    """Return the inputs, conditions and loops of a function for a result.
 
     Raises ``LookupError`` for a name that nothing explains.
     """
@@ -214,13 +214,13 @@ def _readable(result: Result, formula: Formula, known: Iterable[tuple[str, Formu
 
 
 def _with_literals(formula: Formula, where: Sequence[Step]) -> tuple[Step, ...]:
-    """Return what a reader sees behind a formula, the numbers under names first."""
+    """Return the definitions behind a formula, named numbers first."""
     known = constants([formula, *(step.formula for step in where)])
     return (*(Step(*named(constant)) for constant in known), *where)
 
 
 def title(target: Target | None) -> str:
-    """Return what a result is, in words.
+    """Return the title of a result.
 
     >>> title(LoadRatio("P", "F"))
     'force ratio P/F'

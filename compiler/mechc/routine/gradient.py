@@ -92,7 +92,7 @@ class _Backwards:
                 self._moving.add(step.name)
 
     def slope(self, name: str) -> Formula:
-        """Return what a name is worth by now."""
+        """Return the derivative of the output by a name, as summed so far."""
         return total(self._terms[name])
 
     def run(self, steps: Sequence[Step]) -> None:

@@ -21,7 +21,7 @@ class Output(NamedTuple):
 
     @property
     def ends(self) -> tuple[Formula, ...]:
-        """Return what code computes from the steps: the value, and what the guards compare."""
+        """Return the formulas computed from the steps: the value, and the sides of the guards."""
         return (self.value, *(side for g in self.guards for side in (g.left, g.right)))
 
 

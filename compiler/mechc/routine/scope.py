@@ -57,7 +57,7 @@ class Scope:
         self._loads = {load.name for load in mechanism.loads}
 
     def find(self, owner: str, name: str) -> Key | None:
-        """Return what a name means in a result's formulas; None for an input."""
+        """Return the key of a name in a result's formulas; None for an input."""
         if name in self._where.get(owner, {}):
             return Key(owner, name)
         if name in self._ties:
@@ -117,7 +117,7 @@ class Scope:
         return frozenset[str]().union(*map(symbols, parts)) - defined
 
     def intermediates(self, others: Iterable[str] = ()) -> Definitions:
-        """Return what of the pose any ``where`` defines, others of it, and all that they need."""
+        """Return the pose's definitions in any ``where``, others of it, and all they need."""
         wanted = [Key(o, n) for o, names in self._where.items() for n in names if n in self._posed]
         wanted += [Key("", name) for name in others if name in self._posed]
         found, chosen = self._named(wanted)

@@ -264,7 +264,7 @@ class _Writer:
         return label
 
     def _label(self, entry: Entry) -> str:
-        """Return what an entry is in words, or '' where that would be long."""
+        """Return the label of an entry in words, or '' where that would be long."""
         words = self._words(entry)
         return words if len(words) <= LONGEST_LABEL else ""
 

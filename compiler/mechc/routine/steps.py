@@ -84,7 +84,7 @@ def names_of(statement: Statement) -> tuple[str, ...]:
 
 
 def formulas_of(statement: Statement) -> tuple[Formula, ...]:
-    """Return what a statement computes from names outside it."""
+    """Return the formulas that a statement computes from names outside it."""
     return statement.arguments if isinstance(statement, Solve) else (statement.formula,)
 
 
@@ -134,7 +134,7 @@ class Status:
 
     @property
     def stuck(self) -> tuple[int, int]:
-        """Return what it is where nothing moves: with the ideal result positive, and negative."""
+        """Return the codes where nothing moves: with the ideal result positive, and negative."""
         return (4, 3) if self.sense > 0 else (3, 4)
 
 

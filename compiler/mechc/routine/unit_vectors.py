@@ -158,7 +158,7 @@ class _Turning:
     # ---------------------------------------------------------------------- reading
 
     def _polar(self, name: str, formula: Formula) -> list[Unit]:
-        """Return what an angle is the sum of: arc functions, carried and plain angles."""
+        """Return the terms of an angle as unit vectors: arc functions, carried and plain angles."""
         terms = formula.terms if isinstance(formula, Sum) else (formula,)
         others: list[Formula] = []
         found: list[Unit] = []

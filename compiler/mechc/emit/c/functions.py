@@ -143,7 +143,7 @@ def _status(
 def _computed(
     function: Function, own: Mapping[str, str], solvers: Mapping[Solver, str], inner: Names
 ) -> tuple[Body, Body | None]:
-    """Return what a function computes itself, and the same without branches where it pays."""
+    """Return the body of a function, and the same without branches where it pays."""
     names = {**own, **mangle((n for s in function.steps for n in names_of(s)), inner)}
     plain = _plain(function, function.steps, CPrinter(names), solvers, inner)
     return plain, _quick(function, QuickPrinter(names)) if _is_circular(function) else None

@@ -96,7 +96,7 @@ class Parts(NamedTuple):
 
     @property
     def public(self) -> list[Declared]:
-        """Return what the header declares."""
+        """Return the declarations of the header."""
         with_statuses = (each for f in self.functions for each in (f, f.status) if each)
         checks = [self.checks] if self.checks else []
         return [*with_statuses, *self.poses, *checks, *self.gradients]

@@ -23,7 +23,7 @@ class Moved(NamedTuple):
 
 
 def moved(compiled: Compiled) -> Moved | None:
-    """Return what moves, at the pose of the figure."""
+    """Return the quantities of motion, with their values at the pose of the figure."""
     if compiled.motion is None:
         return None
     quantities = compiled.motion.quantities

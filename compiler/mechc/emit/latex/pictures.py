@@ -59,7 +59,7 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
 
 
 def _wanted(compiled: Compiled) -> tuple[Reported, ...]:
-    """Return what the report holds."""
+    """Return the parts of the report: the scheme and the free bodies where none are chosen."""
     return compiled.mechanism.reported or (Reported("scheme"), Reported("bodies"))
 
 
@@ -119,7 +119,7 @@ def _centred(lines: Iterable[str], caption: str) -> Iterator[str]:
 
 
 def _against(plot: Plot, locale: Locale, style: Notation) -> str:
-    """Return what is plotted against what."""
+    """Return the caption of a plot: its curves, and the parameter along its axis."""
     names = ", ".join(f"${name(curve.name, style)}$" for curve in plot.curves)
     return locale.pictures["plot"].format(names=names, x=f"${name(plot.x.name, style)}$")
 

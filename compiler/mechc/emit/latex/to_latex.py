@@ -282,7 +282,7 @@ def _is_wide(line: Line) -> bool:
 
 
 def _last(steps: tuple[LastStep, ...], locale: Locale, style: Notation) -> str:
-    """Return what the power equation gives, behind the ratios of speeds that are put in."""
+    """Return the solution of the power equation, behind the ratios of speeds that are put in."""
     lines: list[Line] = []
     for step in steps:
         if step.chain:

@@ -30,7 +30,7 @@ def _checks(_known: Mapping[str, Any]) -> str:
 def _common(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
     for c in _known["commons"]:
-        _parts += ['\n\ndef ', str(c.name), '(', str(', '.join(map(str, c.arguments))), '):\n    """Return what many of the functions below have in common, by name."""\n']
+        _parts += ['\n\ndef ', str(c.name), '(', str(', '.join(map(str, c.arguments))), '):\n    """Return the quantities common to many of the functions below, by name."""\n']
         for line in c.body:
             _parts += ['    ', str(line.name), ' = ', str(line.code), '\n']
         _parts += ['    return {\n']
