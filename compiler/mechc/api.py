@@ -156,7 +156,7 @@ class SolvedMechanism(Plotting):
         return SolvedMechanism(self._compilation, on_arrays(self._compilation))
 
     def figure(self, **values: float | str) -> "Figure":
-        """Return what a drawing shows at given values: points in metres, and parts.
+        """Return the drawing at given values: its points in metres, and its parts.
 
         What is not given is taken from the description; SI and radians, or text with its unit.
         TypeError for a name that is no parameter, ValueError where the mechanism cannot be

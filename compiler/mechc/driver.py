@@ -152,7 +152,7 @@ class Compilation:
         return with_used(self.tree, self.report, self.users, self._used)
 
     def _used(self, source: Source, is_part: bool) -> Used:
-        """Return what this uses: a sheet, a part, or a mechanism with all that is found of it."""
+        """Return a used description: a sheet, a part, or a mechanism with its solution."""
         from .calculation.from_solution import solved
 
         used = Compilation(source, users=self.users)
@@ -478,5 +478,5 @@ def emit(compilation: Compilation, target: Target, options: Options) -> tuple[Em
 
 
 def warnings(compilation: Compilation) -> list[Diagnostic]:
-    """Return what was remarked upon so far, in the order of the text."""
+    """Return the warnings so far, in the order of the text."""
     return compilation.report.sorted()

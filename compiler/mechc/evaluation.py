@@ -69,7 +69,7 @@ class Evaluation:
         return given_loads(self._compilation.mechanism, self._compilation.found)
 
     def _evaluator(self, overridden: frozenset[str]) -> "Evaluator":
-        """Return what evaluates results, with loads as inputs that the description gives a size.
+        """Return the evaluator in which these loads are inputs, though the description sizes them.
 
         A few of them are kept, each for the loads that were last given by hand.
         """

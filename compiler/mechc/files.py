@@ -173,7 +173,7 @@ def write_all(files: Mapping[Path, str | bytes]) -> None:
 
 
 def resolved(path: Path) -> Path:
-    """Return what a path leads to; ``OSError`` where links lead round in a circle.
+    """Return a path with its links followed; ``OSError`` where these form a cycle.
 
     Python before 3.13 has an error of its own for these.
     """

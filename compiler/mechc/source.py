@@ -80,7 +80,7 @@ class Source:
         return part, span.moved(-start)
 
     def written(self, span: Span) -> str:
-        """Return what stands at a span."""
+        """Return the text at a span."""
         part, (start, end) = self.part(span)
         return part.text[start:end]
 

@@ -83,7 +83,7 @@ class Product:
         return f"Product({self.coefficient}, {dict(self.factors)!r})"
 
     def root(self) -> "Product | None":
-        """Return what is squared here, None where nothing is: the root but for its sign.
+        """Return the square root but for its sign, None where this is no square.
 
         >>> a = Product.symbol("a")
         >>> (a * a).scaled(4).root() == a.scaled(2), a.root() is None

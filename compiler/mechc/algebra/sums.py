@@ -85,7 +85,7 @@ def is_long(whole: Product) -> bool:
 
 
 def _shortest(whole: Product, others: Iterable[Product]) -> Product:
-    """Return what is multiplied out, or another form of it that is shorter.
+    """Return the expanded form, or the shortest of the others if that is shorter.
 
     Another form is divided by nothing that cancels when it is multiplied out: it has a value
     wherever that has one. Nor does it mention what cancels.
@@ -115,7 +115,7 @@ def _divisors(product: Product) -> Counter[Factor]:
 
 
 def _factors(factor: Factor, exponent: int) -> Counter[Factor]:
-    """Return what a factor comes to when it is multiplied out, without lengths."""
+    """Return the factors that an expanded power has above the line, without lengths."""
     whole = add(factor.terms) if isinstance(factor, Sum) else Product.of(factor)
     parts = ((f, e * exponent) for f, e in whole.factors.items() if not isinstance(f, Length))
     return Counter({f: e for f, e in parts if e > 0})
@@ -183,7 +183,7 @@ def _common(terms: Sequence[Product]) -> Product:
 
 
 def _shared(terms: Sequence[Product]) -> Product:
-    """Return what all terms have above the line, or all below it."""
+    """Return the factors that all terms have above the line, or all below it."""
     first, *others = terms
     shared: dict[Factor, int] = {}
     for common, e in first.factors.items():

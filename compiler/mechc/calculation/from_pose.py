@@ -110,7 +110,7 @@ def _refuse_broken(checks: tuple[Check, ...], report: Report) -> set[str]:
 
 
 def _failure(check: Check, source: Source) -> Diagnostic:
-    """Return what is to be said of a condition that fails."""
+    """Return the diagnostic of a condition that fails."""
     span, subject = check.condition.span, check.condition.subject
     left, right = _sides(check, source)
     match subject:

@@ -11,7 +11,7 @@ from ..units import ANGLE
 
 
 def solved(pose: Pose, results: tuple[Result, ...]) -> Solved:
-    """Return what was found of a mechanism, by the names that it has there.
+    """Return the results, definitions and conditions of a mechanism, by its own names.
 
     Angles and lengths that no line gives but the drawing are numbers with names.
     """

@@ -46,7 +46,7 @@ def refuse_reading(read: Claim) -> None:
 
 
 def claim(path: Path) -> Claim:
-    """Return what tells a path's file from others; nothing does where it is a device or a pipe.
+    """Return the identity of a path's file; none where it is a device or a pipe.
 
     A file that is there is known by its number on its disk, so that links and letters'
     case do not matter; one that is not, by its folder and its name.

@@ -115,7 +115,7 @@ def _ways(value: Printed, way: str) -> Iterator[tuple[str, tuple[str, Printed]]]
 
 
 def _lead(name: str, part: Printed) -> str:
-    """Return what stands before a part on a line of its own."""
+    """Return the prefix of a part that has a line of its own."""
     if name:
         return f"{name}: "
     return "- " if part.parts and not part.kind else ""
@@ -231,7 +231,7 @@ def _equation(value: object) -> str | None:
 
 
 def _parts(value: Any) -> Iterable[tuple[str, Any]]:
-    """Return what a value is made of, with names: fields that say something, entries, items."""
+    """Return the named parts of a value: fields that are not empty or default, entries, items."""
     if isinstance(value, Mapping):
         return [(printed(key).line, entry) for key, entry in value.items()]
     if isinstance(value, Set):

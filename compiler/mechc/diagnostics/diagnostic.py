@@ -108,7 +108,7 @@ class MechcError(Exception):
         super().__init__("\n".join(f"{d.code}: {d.message}" for d in self.diagnostics))
 
     def __reduce__(self) -> tuple[type["MechcError"], tuple[object, ...]]:
-        """Return what makes it anew: copied or sent to another process, it keeps all it carries."""
+        """Return the arguments to make it anew: copied or sent away, it keeps them all."""
         return type(self), (self.diagnostics, self.source)
 
 
@@ -162,7 +162,7 @@ class Report:
             raise MechcError(self.sorted(), self.source)
 
     def sorted(self) -> list[Diagnostic]:
-        """Return what was found in the order of the text, placeless ones last."""
+        """Return the diagnostics in the order of the text, those without a span last."""
         far = len(self.source.text)
         return sorted(self.diagnostics, key=lambda d: d.span.start if d.span else far)
 

@@ -101,7 +101,7 @@ def _excerpt(source: Source, span: Span, paint: Paint, colour: str) -> list[str]
 
 
 def cut(line: str, start: int, end: int) -> tuple[str, int, int]:
-    r"""Return what to show of a line, and the caret's indent and width in terminal cells.
+    r"""Return the visible part of a line, and the caret's indent and width in terminal cells.
 
     Tabs become four spaces, wide characters count as two cells, control characters are
     not passed on to the terminal, and a long line is cut around the caret.

@@ -171,7 +171,7 @@ class Curve:
         return [r / size for r in right]
 
     def _at(self, point: Point) -> tuple[list[float], list[list[float]]]:
-        """Return what does not close, and its derivatives by the unknowns and the drive."""
+        """Return the residual of the closure, and its slopes by the unknowns and the drive."""
         *unknowns, place = self._plain(point)
         gaps, matrix = self._equations(unknowns, self._outer(place))
         step = DIFFERENCE * self._scales[-1]

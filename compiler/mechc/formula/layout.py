@@ -169,7 +169,7 @@ def squares(arguments: Iterable[Formula]) -> Formula:
 
 
 def unsigned(formula: Formula) -> Formula:
-    """Return what has the same square, without a minus in front."""
+    """Return a formula with the same square, without a minus in front."""
     match formula:
         case Number(value):
             return Number(abs(value))

@@ -160,7 +160,7 @@ def beyond_rounding(
 def without_value(
     formula: Formula, where: Iterable[tuple[str, Formula]], rounding: Rounding
 ) -> Size:
-    """Return what a formula is whose value is NaN: infinite, 0/0, or nothing that is known."""
+    """Return the size of a formula whose value is NaN: infinite, 0/0, or unknown."""
     size = _with_error(formula, where, rounding)
     if size.is_infinite:
         return Size(math.inf)

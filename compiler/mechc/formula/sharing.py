@@ -33,7 +33,7 @@ class OneOfEach:
 
 
 def _key(formula: Formula, parts: tuple[Formula, ...]) -> object:
-    """Return what formulas have in common that are equal if their parts are these objects."""
+    """Return the key of a formula; equal keys make equal formulas, their parts being these."""
     own: object
     match formula:
         case Implicit(system, index, _):

@@ -123,7 +123,7 @@ class _Made(_Value):
 
     @property
     def arguments(self) -> Operation:
-        """Return what takes the arguments from all values: one as it is, several as a tuple."""
+        """Return the getter of the arguments from all values: one as it is, several as a tuple."""
         return itemgetter(*(value.index for value in self.on))
 
 

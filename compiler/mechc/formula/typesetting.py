@@ -275,7 +275,7 @@ class Typesetter(ABC, Generic[Piece]):
         return self.power(self._base(base), raised)
 
     def _base(self, base: Formula) -> Piece:
-        """Return what an exponent stands behind."""
+        """Return the base of a power, in parentheses where it needs them."""
         if isinstance(base, Power):
             return self.parentheses(self.set(base, Around.SUM, False))
         piece = self.set(base, Around.BASE, False)

@@ -199,7 +199,7 @@ class Evaluation:
 
 
 def equations(formula: Implicit) -> tuple[Formula, ...]:
-    """Return what is zero, in the unknowns and what the outer symbols stand for."""
+    """Return the left-hand sides of the equations, in the unknowns and the arguments."""
     names = (name for name, _ in formula.system.anchor)
     values = dict(zip(names, formula.arguments, strict=True))
     return tuple(substitute(e, values) for e in formula.system.equations)

@@ -55,7 +55,7 @@ class Gathered:
         return self.open_brackets <= 0 and self.tokens[-1].type not in GOES_ON
 
     def line(self) -> Line:
-        """Return what was gathered."""
+        """Return the gathered line."""
         return Line(self.tokens, tuple(self.comments), " ".join(self.remarks))
 
 

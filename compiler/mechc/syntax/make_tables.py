@@ -71,7 +71,7 @@ def _order(table: Any, starts: list[str]) -> dict[Any, int]:
 
 
 def _state(actions: dict[str, tuple[Any, Any]], numbers: dict[Any, int]) -> dict[str, int]:
-    """Return what to do in a state: go on to another, or reduce by a rule, written ``~rule``."""
+    """Return the actions in a state: go on to another, or reduce by a rule, written ``~rule``."""
     return {name: numbers[to] for name, (_, to) in sorted(actions.items(), key=_name)}
 
 

@@ -56,7 +56,7 @@ HUMAN = {
 
 
 def parse(line: Sequence[Token], start: Start, end: int) -> object:
-    """Return what the tokens mean; ``end`` is where more was expected if they are too few.
+    """Return the tree of the tokens; ``end`` is where more was expected if they are too few.
 
     Raises :class:`Fault` with the first thing that does not fit.
     """
@@ -84,7 +84,7 @@ def may_begin(line: Sequence[Token]) -> bool:
 
 
 def allowed_after(tokens: Sequence[Token], start: Start) -> set[str]:
-    """Return what may follow tokens that fit.
+    """Return the kinds of tokens that may follow tokens that fit.
 
     The parser that has refused a token can't be asked: it may have closed what was open
     before it found that the token does not fit.

@@ -206,7 +206,7 @@ def dependent(keys: list[Key]) -> Schema:
 
 
 def subject_of(entry: Entry) -> Key:
-    """Return what names an entry."""
+    """Return the key that names an entry."""
     assert entry.subject is not None
     return entry.subject
 

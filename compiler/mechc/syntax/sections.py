@@ -112,7 +112,7 @@ def word(name: str, field: str, *words: str, needs: tuple[str, ...] = ()) -> Key
 
 
 def plain(kind: Kind, *fields: str, words: tuple[str, ...] = ()) -> Key:
-    """Return what a plain value stands for."""
+    """Return the key of a plain value."""
     return Key("", kind, fields, True, words)
 
 

@@ -132,7 +132,7 @@ def _names_something(value: ast.Expr) -> bool:
 
 
 def _dimension(value: ast.Expr | None) -> ast.Name | None:
-    """Return what the value in the file measures, so that one without its unit is noticed."""
+    """Return the dimension of the value in the file, so that one without its unit is noticed."""
     match value:
         case ast.Number(unit=unit) | ast.Sum(terms=((_, ast.Number(unit=unit)),)):
             measured = UNITS[unit].dimension if unit else NUMBER

@@ -41,7 +41,7 @@ def grammar() -> str:
 
 
 def checksum(text: str) -> int:
-    """Return what tells the grammar that tables were made from."""
+    """Return the checksum of the grammar that tables were made from."""
     return crc32("\n".join([text, *STARTS]).encode())
 
 

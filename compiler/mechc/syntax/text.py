@@ -170,7 +170,7 @@ def _fall(point: ast.Name, along: ast.Direction | None) -> str:
 
 
 def worth(value: ast.Worth) -> str:
-    """Return what a formula of one's own may be: an expression, a choice, a size, a look-up."""
+    """Return a user-defined formula: an expression, a choice, a size, a look-up."""
     match value:
         case ast.Choice(branches=branches, otherwise=otherwise):
             listed = ", ".join(map(branch, branches))

@@ -176,7 +176,7 @@ def has_value(statement: ast.Statement) -> bool:
 
 
 def value_text(statement: ast.Statement, flow: bool) -> str:
-    """Return what stands behind a statement's key, plain where its other keys are empty."""
+    """Return the value behind a statement's key, plain where its other keys are empty."""
     entry = entry_of(statement)
     told = [key for key in entry.keys if any(map(given, fields_of(statement, key)))]
     if entry.short and all(set(key.fields) <= set(entry.short.fields) for key in told):

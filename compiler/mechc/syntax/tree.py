@@ -80,7 +80,7 @@ def use(
 
 
 def used(token: Token) -> ast.Name:
-    """Return what is used: a name of the library, or a path in quotes."""
+    """Return the name of a used description: one of the library, or a path in quotes."""
     text = unquoted(token) if token.type == "STRING" else str(token)
     return ast.Name(text, span_of(token))
 
@@ -91,7 +91,7 @@ def joint(there: ast.Name, equal: Token, here: ast.Name) -> tuple[ast.Name, ast.
 
 
 def given(*parts: Any) -> tuple[Any, ...]:
-    """Return what is given to parameters, without the brackets around it."""
+    """Return the values given to parameters, without the brackets around them."""
     return parts[1:-1]
 
 
@@ -365,7 +365,7 @@ def points(kind: str, token: Token) -> ast.Name:
 
 
 def carrier(token: Token) -> ast.Name:
-    """Return what a wheel is fixed to: a link by its points, or the ground."""
+    """Return the body that a wheel is fixed to: a link by its points, or the ground."""
     return ast.Name(GROUND, span_of(token)) if token == GROUND else points("points", token)
 
 
@@ -380,7 +380,7 @@ def itself(part: Any) -> Any:
 
 
 def grouped(left: Token, inside: ast.Expr, right: Token) -> ast.Expr:
-    """Return what stands in brackets; the tree itself tells where they are needed."""
+    """Return the expression in brackets; the tree itself shows where they are needed."""
     return inside
 
 
@@ -494,7 +494,7 @@ PARTS: Mapping[str, Made] = {
 
 
 def rules() -> dict[str, Made]:
-    """Return what to build, by the names in the grammar."""
+    """Return the builders of nodes, by the names in the grammar."""
     made: dict[str, Made] = {
         rule: partial(node, NOWHERE) for rule, node in IN_ORDER.items() if rule != "source_note"
     }

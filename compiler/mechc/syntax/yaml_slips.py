@@ -45,7 +45,7 @@ class Slip(NamedTuple):
 
 
 def of_text(text: str, at: int, problem: str, opened: int | None) -> Slip:
-    """Return what is meant by text that is no YAML; ``opened`` is where a bracket opens."""
+    """Return the slip in text that is no YAML; ``opened`` is where a bracket opens."""
     found = text[at : at + 1]
     if found == "@":
         return Slip(at, "a value cannot begin with '@': write {angle: …}")
