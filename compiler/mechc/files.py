@@ -10,13 +10,13 @@ from pathlib import Path, PurePosixPath
 from tempfile import mkstemp
 from typing import NamedTuple
 
+from . import witness
 from .data import data
 from .diagnostics import MechcError, near_miss
 from .diagnostics import files as messages
 from .diagnostics.syntax_limits import text_too_long
 from .frozen import replace
 from .source import Source, Span
-from .witness import tell
 
 LARGEST = 1 << 20
 """Bytes in the largest description that is read."""
@@ -38,7 +38,7 @@ def find(name: str) -> Path:
     path = Path(name)
     if path.exists():
         return path
-    tell("absent", name)
+    witness.report("absent", name)
     listed = library()
     if name in listed:
         return listed[name]
@@ -101,7 +101,7 @@ def read(path: Path) -> Source:
     try:
         with path.open("rb") as file:
             content = file.read(LARGEST + 1)
-        tell("read", str(path), content)
+        witness.report("read", str(path), content)
         return replace(decode(content, str(path)), folder=path.parent)
     except OSError as error:
         raise MechcError([messages.file_unreadable(str(path), reason(error))]) from None
@@ -111,7 +111,7 @@ def read_stdin(name: str) -> Source:
     """Return the text on standard input under a name; :class:`MechcError` where there is none."""
     if sys.stdin is None:
         raise MechcError([messages.file_unreadable(name, "standard input is closed")])
-    tell("read from a stream", name)
+    witness.report("read from a stream", name)
     try:
         return decode(sys.stdin.buffer.read(LARGEST + 1), name)
     except OSError as error:
@@ -164,7 +164,7 @@ def write_all(files: Mapping[Path, str | bytes]) -> None:
         for temporary, target in pending:
             temporary.replace(target)
         for path, content in files.items():
-            tell("wrote", str(path), _encoded(content))
+            witness.report("wrote", str(path), _encoded(content))
     except OSError as error:
         raise MechcError([messages.file_unwritable(str(path), reason(error))]) from None
     finally:

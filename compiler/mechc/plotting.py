@@ -62,9 +62,9 @@ class Plotting:
             tuple(map(condition, _listed(where))),
             points,
         )
-        plotted, told = self._compilation.along(settings).plot(query), locale(language)
+        plotted, words = self._compilation.along(settings).plot(query), locale(language)
         found = replace(plotted, title=self._compilation.titled(language))
-        return PlotPicture(found, picture(found, told.pictures), told.pictures, letters(told))
+        return PlotPicture(found, picture(found, words.pictures), words.pictures, letters(words))
 
     def plans(self, language: str = "en") -> "Picture | None":
         """Return the plans of velocities and of forces at the pose of the description.

@@ -1,4 +1,4 @@
-"""Who wants to know what a run reads, writes and prints."""
+"""Listeners to what a run reads, writes and prints."""
 
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
@@ -11,7 +11,7 @@ _listeners: list[Listener] = []
 
 @contextmanager
 def listening(listener: Listener) -> Iterator[None]:
-    """Tell a listener all that happens inside."""
+    """Report to a listener all that happens inside."""
     _listeners.append(listener)
     try:
         yield
@@ -24,7 +24,7 @@ def heard() -> bool:
     return bool(_listeners)
 
 
-def tell(what: str, place: str = "", content: bytes = b"") -> None:
-    """Tell those who listen that something was read, written or printed."""
+def report(what: str, place: str = "", content: bytes = b"") -> None:
+    """Report to those who listen that something was read, written or printed."""
     for listener in _listeners:
         listener(what, place, content)

@@ -77,8 +77,8 @@ def _files(top: str) -> Iterator[int]:
                     folders.append(entry.path)
                     continue
                 status = entry.stat()
-                told = f"{entry.path} {status.st_size} {status.st_mtime_ns}"
-                number, total = number + 1, zlib.crc32(told.encode("utf-8", "replace"), total)
+                state = f"{entry.path} {status.st_size} {status.st_mtime_ns}"
+                number, total = number + 1, zlib.crc32(state.encode("utf-8", "replace"), total)
     yield from (number, total)
 
 
@@ -102,7 +102,7 @@ def find(asked: bytes) -> Answer | None:
 
 
 def checksum(content: bytes) -> bytes:
-    """Return the four bytes that tell a whole answer from one that was cut off."""
+    """Return the four bytes that a whole answer has and one that was cut off has not."""
     return zlib.crc32(content).to_bytes(4, "big")
 
 

@@ -79,7 +79,7 @@ def command(
 
 
 def _overview(compilation: Compilation) -> Iterator[str]:
-    """Yield what a description gives, as far as the stages that have run can tell."""
+    """Yield what a description gives, as far as the stages that have run found it."""
     made = vars(compilation)
     if mechanism := made.get("mechanism"):
         yield f"{compilation.source.name}: {mechanism.name}"
@@ -97,13 +97,13 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
         yield from in_brief(compilation.mechanism, compilation.results)
         yield from _of_findings(compilation)
         return
-    told, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
+    earlier, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
     known = letters(compilation.mechanism, compilation.results)
     before: Analysis | None = None
     for result in compilation.results:
-        where = [d for d in told.of(result) if d.name not in given]
+        where = [d for d in earlier.of(result) if d.name not in given]
         formulas = [result.formula, *(d.formula for d in where)]
-        literals = [*told.new_literals(formulas, compilation.mechanism)]
+        literals = [*earlier.new_literals(formulas, compilation.mechanism)]
         shown = in_short(result, compilation.results)
         unit = scale_of(result, compilation.mechanism)
         yield from _of_result(shown, where, literals, known, before, unit)
@@ -114,7 +114,7 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
 
 
 def _is_given(result: Analysis) -> bool:
-    """Tell a value that the description gives, such as a load's, from what was found."""
+    """Return whether the description gives a value, such as a load's, and nothing was found."""
     return result.target is None and isinstance(result.formula, Number)
 
 
@@ -126,7 +126,7 @@ def _of_result(
     before: Analysis | None,
     unit: str,
 ) -> Iterator[str]:
-    """Yield what is known of a result, without what the one before has just told."""
+    """Yield what is known of a result, without what the one before has just shown."""
     if _is_given(result) and result.default is not None:
         yield f"  {result.name} = {in_unit(result.default, unit, 9)}"
         return

@@ -13,7 +13,7 @@ import click
 from ..files import resolved
 
 Key = tuple[object, ...]
-"""What tells one file from another, whatever path leads to it."""
+"""The identity of a file, whatever path leads to it."""
 
 
 class Claim(NamedTuple):
@@ -26,7 +26,7 @@ class Claim(NamedTuple):
 def refuse_collisions(written: Iterable[Path], read: Iterable[Claim], printed: bool) -> None:
     """End with a usage error where an output is what was read, or another output.
 
-    ``printed`` tells that something goes to standard output, too.
+    ``printed`` states that something goes to standard output, too.
     """
     taken = {known.key: f"the description {known.name!r}" for known in read if known.key}
     claims = [claim(path) for path in written]

@@ -5,6 +5,7 @@ from pathlib import Path
 import click
 from click.shell_completion import CompletionItem
 
+from .. import witness
 from ..diagnostics import near_miss
 from ..driver import Compilation, checked, emit, warnings
 from ..emit import registry
@@ -12,7 +13,6 @@ from ..emit.target import Emitted, Options
 from ..files import make_folder, write_all
 from ..syntax.settings import Settings
 from ..syntax.vocabulary import LANGUAGES
-from ..witness import tell
 from .collisions import claim, refuse_collisions
 from .inputs import (
     by_option,
@@ -152,7 +152,7 @@ def command(
 
 def _emitted(compilation: Compilation, output: Output, options: Options) -> tuple[Emitted, ...]:
     if output.target not in registry.BUILT_IN:
-        tell("asked another package", output.target)
+        witness.report("asked another package", output.target)
     stem = output.stem(compilation.mechanism.name)
     single = output.path is None
     asked = options._replace(stem=stem, single=single, named=not (single or output.folder))

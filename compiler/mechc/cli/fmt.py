@@ -68,7 +68,7 @@ def command(
             session().show(error.diagnostics, error.source)
             worst = max(worst, status(error.diagnostics))
     if check or diff:
-        worst = max([worst, *(_told(f, diff) for f in done)])
+        worst = max([worst, *(_remarked(f, diff) for f in done)])
     else:
         _put(done, to)
         if not to and any(Path(name).is_dir() for name in files):
@@ -120,7 +120,7 @@ def _tree(source: Source) -> ast.File:
     return tree
 
 
-def _told(file: Formatted, diff: bool) -> int:
+def _remarked(file: Formatted, diff: bool) -> int:
     if file.changed and diff:
         name = file.source.name
         before, after = (t.splitlines(keepends=True) for t in (file.source.text, file.text))

@@ -7,13 +7,13 @@ from typing import Any, TypeVar
 
 import click
 
+from .. import witness
 from ..diagnostics import MechcError
 from ..diagnostics.files import no_descriptions
 from ..files import SUFFIXES, find, read, read_stdin
 from ..source import Source
 from ..syntax.settings import Settings, parse
 from ..syntax.vocabulary import METHODS
-from ..witness import tell
 from .collisions import Claim, claim, refuse_reading, streams
 from .words import Word, descriptions
 
@@ -54,7 +54,7 @@ def expanded(names: Iterable[str]) -> Iterator[str]:
         elif not (found := sorted(map(str, _below(Path(name))))):
             raise MechcError([no_descriptions(name)])
         else:
-            tell("listed", name)
+            witness.report("listed", name)
             yield from found
 
 

@@ -6,13 +6,13 @@ from typing import Any, Literal, TypeVar
 
 import click
 
+from .. import witness
 from ..diagnostics import Diagnostic, MechcError, Severity
 from ..diagnostics.drawing import LACKING
 from ..diagnostics.render import Form, render
 from ..diagnostics.statics import BUGS
 from ..frozen import frozen, replace
 from ..source import Source
-from ..witness import tell
 from .answers import OFF
 from .terminal import give_message, on_terminal, warn
 from .words import Word
@@ -92,7 +92,7 @@ class Repeatable(Command):
 
     def invoke(self, ctx: click.Context) -> Any:
         """Run the command; what it answers may be kept."""
-        tell("repeatable")
+        witness.report("repeatable")
         return super().invoke(ctx)
 
 

@@ -14,7 +14,7 @@ from unicodedata import normalize
 
 import click
 
-from ..witness import heard, tell
+from .. import witness
 
 LIKENESS = {
     "→": "->", "←": "<-", "⇒": "=>", "↔": "<->", "−": "-", "–": "-", "—": "-", "·": "*", "×": "*",
@@ -62,7 +62,7 @@ def prepare() -> None:
 
 
 def flush() -> None:
-    """Write out what waits, while an error can still be told."""
+    """Write out what waits, while an error can still be shown."""
     if sys.stdout is not None:
         sys.stdout.flush()
 
@@ -86,7 +86,7 @@ def on_terminal() -> bool:
 
 def say(text: object, end: str = "\n") -> None:
     """Write text for people on standard output."""
-    _tell("out", _out(), f"{text}{end}")
+    _report("out", _out(), f"{text}{end}")
     click.echo(f"{text}{end}", file=_out(), nl=False)
 
 
@@ -98,7 +98,7 @@ def give(text: str) -> None:
 def warn(text: str, color: bool | None = None) -> None:
     """Write a message for people on standard error."""
     if sys.stderr is not None:
-        _tell("err", sys.stderr, f"{text}\n")
+        _report("err", sys.stderr, f"{text}\n")
         click.echo(text, file=sys.stderr, color=color)
 
 
@@ -108,16 +108,16 @@ def give_message(text: str) -> None:
         _give("err", sys.stderr, f"{text}\n")
 
 
-def _tell(what: str, stream: TextIO, text: str) -> None:
-    """Tell those who listen which bytes a text becomes."""
-    if heard():
+def _report(what: str, stream: TextIO, text: str) -> None:
+    """Report to those who listen which bytes a text becomes."""
+    if witness.heard():
         lines = text.replace("\n", os.linesep)
-        tell(what, "", lines.encode(stream.encoding, stream.errors or "strict"))
+        witness.report(what, "", lines.encode(stream.encoding, stream.errors or "strict"))
 
 
 def _give(what: str, stream: TextIO, text: str) -> None:
     content = text.encode("utf-8", "surrogateescape")
-    tell(what, "", content)
+    witness.report(what, "", content)
     buffer = getattr(stream, "buffer", None)
     if buffer is None:
         stream.write(text)
