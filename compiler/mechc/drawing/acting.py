@@ -1,4 +1,4 @@
-"""What forces on bodies are called, how large they are, and of what bodies they are told."""
+"""What forces on bodies are called, how large they are, and on which bodies they are shown."""
 
 import math
 from collections import Counter
@@ -122,7 +122,7 @@ class Forces:
         """Return a size in newtons, or that ``by`` a length, or in units of a load.
 
         That load itself has none, nor has what depends on lengths that were chosen.
-        ``scaled`` tells that the quotient of both has a dimension, of so many ``metres``.
+        ``scaled`` where the quotient of both has a dimension, of so many ``metres``.
         """
         if acting.chosen or (acting.kind == "load" and acting.by == self.diagram.per):
             return ()

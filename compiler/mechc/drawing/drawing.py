@@ -64,7 +64,7 @@ class Arc(NamedTuple):
         return self.centre.plus(Plane(math.cos(angle), math.sin(angle)).times(self.radius))
 
     def way(self) -> tuple[Plane, ...]:
-        """Return points along it, near enough to one another to tell what lies on it."""
+        """Return points along it, near enough to one another to find what lies on it."""
         steps = max(2, math.ceil(abs(self.sweep) / ARC_STEP))
         return tuple(self.at(i / steps) for i in range(steps + 1))
 

@@ -66,16 +66,19 @@ def dots(layout: Layout) -> Iterator[tuple[Arc, Mark, Curve]]:
 def values_beside(layout: Layout) -> tuple[Label, ...]:
     """Return the values at marks and poles, off curves and dots, as far as there is room."""
     marked, frame = list(dots(layout)), layout.frame
-    told = [*_at_poles(layout), *(_at_mark(*m, layout) for m in marked if m[1].kind != "default")]
-    if len(told) > NAMED and not layout.plot.equal:
+    lettered = [
+        *_at_poles(layout),
+        *(_at_mark(*m, layout) for m in marked if m[1].kind != "default"),
+    ]
+    if len(lettered) > NAMED and not layout.plot.equal:
         return ()
     occupied = Occupied([outline(frame), *at_zero(frame), *curves(layout), *poles(layout)])
     occupied.add(*(dot for dot, *_ in marked))
-    labels = (_beside(one, layout, occupied) for one in told)
+    labels = (_beside(one, layout, occupied) for one in lettered)
     return tuple(label for label in labels if label)
 
 
-class _Told(NamedTuple):
+class _Lettered(NamedTuple):
     """What is to be written beside a place: ``texts`` from the best to the shortest."""
 
     at: Plane
@@ -84,28 +87,28 @@ class _Told(NamedTuple):
     towards: float
 
 
-def _at_mark(dot: Arc, mark: Mark, curve: Curve, layout: Layout) -> _Told:
+def _at_mark(dot: Arc, mark: Mark, curve: Curve, layout: Layout) -> _Lettered:
     towards = -math.pi / 2 if mark.kind == "minimum" else math.pi / 2
-    return _Told(dot.centre, values_at(mark, curve, layout), dot.pen, towards)
+    return _Lettered(dot.centre, values_at(mark, curve, layout), dot.pen, towards)
 
 
-def _at_poles(layout: Layout) -> Iterator[_Told]:
+def _at_poles(layout: Layout) -> Iterator[_Lettered]:
     """Yield where curves are infinite, to be written beside the upper end of the broken line."""
     dead = {place for curve in layout.panel.curves for place in curve.dead_centres}
     for pole in _poles(layout):
         at = Plane(layout.at(Plane(pole, 0.0)).x, layout.frame.high.y - BELOW)
-        yield _Told(at, place_of(pole, pole in dead, layout), SYMBOL, 0.0)
+        yield _Lettered(at, place_of(pole, pole in dead, layout), SYMBOL, 0.0)
 
 
-def _beside(told: _Told, layout: Layout, occupied: Occupied) -> Label | None:
+def _beside(lettered: _Lettered, layout: Layout, occupied: Occupied) -> Label | None:
     """Return a text at a place in the first free room near it, which is then taken."""
-    for text in told.texts:
-        name = Around(told.at, (Run(text),), told.pen, told.towards, DOT)
+    for text in lettered.texts:
+        name = Around(lettered.at, (Run(text),), lettered.pen, lettered.towards, DOT)
         width, height = box(name.runs, SIZE)
         half = Plane(width / 2 + 0.5, height / 2 + 0.3)
         for place, _ in takewhile(lambda c: not c.far, name.candidates(width, height)):
             inside = layout.frame.holds(place.minus(half)) and layout.frame.holds(place.plus(half))
             if inside and occupied.free(place, width, height):
                 occupied.write(Box(place, width, height))
-                return Label(place, name.runs, told.pen, SIZE, width, height)
+                return Label(place, name.runs, lettered.pen, SIZE, width, height)
     return None

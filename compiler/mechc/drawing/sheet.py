@@ -50,7 +50,7 @@ class Sheet:
         self._names.append(name)
 
     def name_next_to(self, name: Beside) -> bool:
-        """Write a name next to its line over what is drawn so far; tell whether there is room."""
+        """Write a name next to its line over what is drawn so far; return whether there is room."""
         label = next_to(name, self.occupied)
         if label is not None:
             self._labels.append(label)

@@ -141,8 +141,8 @@ def condition_lines(function: Function) -> list[str]:
     known.update(function.others)
     closing = [f"the loop {guard.loop} closes" for guard in function.guards if guard.loop]
     others = [guard for guard in function.guards if not guard.loop and not guard.balance]
-    told = [g for g in others if symbols(g.left) | symbols(g.right) <= known]
-    lines = [*closing, *(_condition(guard) for guard in told)]
+    known_guards = [g for g in others if symbols(g.left) | symbols(g.right) <= known]
+    lines = [*closing, *(_condition(guard) for guard in known_guards)]
     if any(guard.balance for guard in function.guards):
         lines.append("some force of the drive balances the loads and all friction")
     return lines

@@ -140,7 +140,7 @@ def _if(node: nodes.If, local: Local) -> Iterator[str]:
 
 
 def _for(node: nodes.For, local: Local) -> Iterator[str]:
-    """Yield a loop; where its body asks how far it is, ``loop`` tells."""
+    """Yield a loop; where its body asks how far it is, ``loop`` counts."""
     name, values = _bound(node.target), _code(node.iter, local)
     within = local | {name}
     if node.test:

@@ -301,7 +301,7 @@ class Figure:
 
     ``values`` are those of the pose, in SI and radians: parameters, what loops give, and
     the lengths that were chosen, as nothing gives them. ``chosen`` names these, and the
-    parameters without a value. ``copies`` tells how many branches there are about ``axis``.
+    parameters without a value. ``copies`` is the number of branches about ``axis``.
     ``size`` is the length of a usual vector, by which symbols can be scaled.
     """
 

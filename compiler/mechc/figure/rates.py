@@ -14,7 +14,7 @@ Values = Mapping[str, float]
 def rates(plan: Plan, figure: Figure, given: Values, drive: int) -> Velocities:
     """Return velocities per unit of a drive; KeyError where something has no value there.
 
-    ZeroDivisionError tells that the drive can't move the mechanism.
+    ZeroDivisionError where the drive can't move the mechanism.
     """
     values = dict(given)
     for name, value in plan.bindings:

@@ -1,4 +1,4 @@
-"""What stands behind *where*: the names that a result mentions, each told once."""
+"""What stands behind *where*: the names that a result mentions, each defined once."""
 
 import math
 from collections.abc import Iterable, Mapping

@@ -1,4 +1,4 @@
-"""The results in the order of a report: those of one joint together, each name told once."""
+"""The results in the order of a report: those of one joint together, each name defined once."""
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from itertools import zip_longest
@@ -22,7 +22,7 @@ LONG = 24
 
 @frozen
 class Section:
-    """Results that are told under one heading, how they came about, and what they rest on.
+    """Results that are shown under one heading, how they came about, and what they rest on.
 
     ``units`` are those of loads and lets that are numbers, ``literals`` the lengths that are.
     """
@@ -72,25 +72,25 @@ def _position(
 
 
 def _results(
-    derivation: Derivation, mechanism: Mechanism, told: "Shown", known: Letters
+    derivation: Derivation, mechanism: Mechanism, earlier: "Shown", known: Letters
 ) -> Iterator[Section]:
     for explanation, results in _grouped(derivation):
-        told.equations(explanation)
-        rested = told.new_definitions(
+        earlier.equations(explanation)
+        rested = earlier.new_definitions(
             [Symbol(d.name) for d in explanation.where], explanation.where
         )
-        fresh = [*rested, *(d for r in results for d in told.of(r))]
+        fresh = [*rested, *(d for r in results for d in earlier.of(r))]
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
         weighs = any(d.name in known.usual for d in fresh)
         where = tuple(as_written(fresh, known))
         said = (side for p in explanation.paragraphs for pair in p.equations for side in pair)
         formulas = [*said, *(r.formula for r in shown), *(d.formula for d in where)]
-        numbers = tuple(told.new_literals(formulas, mechanism))
+        numbers = tuple(earlier.new_literals(formulas, mechanism))
         yield Section(explanation.paragraphs, shown, where, weighs, known.units, numbers)
 
 
 class Shown:
-    """What the names in a report stand for, so that nothing is told twice."""
+    """What the names in a report stand for, so that nothing is defined twice."""
 
     def __init__(self) -> None:
         self._results: set[str] = set()
@@ -163,7 +163,7 @@ def _grouped(derivation: Derivation) -> Iterator[tuple[Explanation, Sequence[Ana
 
 
 def _conditioned_once(results: Sequence[Analysis]) -> Iterator[Analysis]:
-    """Yield results told together, the conditions of the last for those that have the same."""
+    """Yield results shown together, the conditions of the last for those that have the same."""
     for result, after in zip_longest(results, results[1:]):
         alike = after is not None and after.holds == result.holds
         yield replace(result, holds=()) if alike else result

@@ -1,4 +1,4 @@
-"""The function that tells which condition of a calculation sheet fails first."""
+"""The function that states which condition of a calculation sheet fails first."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

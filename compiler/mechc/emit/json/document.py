@@ -47,7 +47,7 @@ from .formula import DEFINITION, FORMULA
 from .free_bodies import DIAGRAM
 from .functions import FUNCTION
 from .kinds import FLOAT, TEXT, TRUTH, Kind, list_of, map_of, member, one_of, optional, record
-from .lets import LONG, told_once
+from .lets import LONG, defined_once
 from .points import MOVED, moved
 
 VERSION = 1
@@ -369,7 +369,7 @@ DOCUMENT: Kind[Compiled] = record(
         list_of(PARAMETER),
         lambda c: c.mechanism.literals,
     ),
-    member("results", "In order.", list_of(RESULT), lambda c: told_once(c.derivation.results)),
+    member("results", "In order.", list_of(RESULT), lambda c: defined_once(c.derivation.results)),
     member("derivation", "How they follow.", DERIVATION, lambda c: c.derivation),
     member(
         "referee",

@@ -1,4 +1,4 @@
-"""The functions of the emitted code, as the document tells of them."""
+"""The functions of the emitted code, as the document lists them."""
 
 from ...routine.steps import STATUSES, Function
 from ..describe import condition_lines, numbered

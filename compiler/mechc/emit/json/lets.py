@@ -1,4 +1,4 @@
-"""Formulas of one's own that rest on many others: their intermediates, each told once."""
+"""Formulas of one's own that rest on many others: their intermediates, each defined once."""
 
 from collections.abc import Iterator, Mapping, Sequence
 
@@ -11,7 +11,7 @@ LONG = 24
 """Intermediates beyond which those are left out that another result stands for."""
 
 
-def told_once(results: Sequence[Analysis]) -> tuple[Analysis, ...]:
+def defined_once(results: Sequence[Analysis]) -> tuple[Analysis, ...]:
     """Return results; long ones without what the results define that they mention.
 
     Written out in each, a chain of lets would make a document grow with the square of their number.

@@ -1,4 +1,4 @@
-"""Where points are and how links point, as the document tells of them."""
+"""Where points are and how links point, as the document lists them."""
 
 from collections.abc import Sequence
 from typing import NamedTuple, get_args

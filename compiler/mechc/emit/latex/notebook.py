@@ -20,7 +20,7 @@ _LANGUAGE = "en"
 
 
 def results(compiled: Compiled, wanted: Iterable[Analysis]) -> str:
-    """Return results with all that they rest on, each name told once; of a sheet its note."""
+    """Return results with all that they rest on, each name defined once; of a sheet its note."""
     if is_sheet(compiled.mechanism):
         return derivation(compiled)
     return _markdown("\n\n".join(_displays(compiled, tuple(wanted))))

@@ -107,8 +107,8 @@ def _curve(curve: Curve, pen: Pen, layout: Layout, letters: Letters) -> Iterator
         yield rf"\addplot[{look}, no markers, forget plot] coordinates {{{_listed(step)}}};"
     look = f"mechc{pen.name}, line width={pen.width:g}mm" + (", dashed" if pen.dashes else "")
     for i, way in enumerate(ways(curve, layout)):
-        told = "" if layout.has_legend and not i else ", forget plot"
-        yield rf"\addplot[{look}, no markers{told}] coordinates {{{_listed(way)}}};"
+        in_legend = "" if layout.has_legend and not i else ", forget plot"
+        yield rf"\addplot[{look}, no markers{in_legend}] coordinates {{{_listed(way)}}};"
         if not i and layout.has_legend:
             yield rf"\addlegendentry{{{_set(entry(curve, layout), letters)}}}"
 

@@ -49,7 +49,7 @@ class _Part:
         return self._on_arrays(*values) if self._on_arrays else evaluate(self._function, given)
 
     def _at_one_pose(self, values: list[Any]) -> float | None:
-        """Return the value for floats; None where arrays are needed to tell."""
+        """Return the value for floats; None where only arrays can give it."""
         if self._on_floats is None or not all(isinstance(v, float | int) for v in values):
             return None
         try:

@@ -40,15 +40,15 @@ def derive_by_equilibrium(
 ) -> Derivation:
     """Return the derivation of what was asked for, loads by the equilibrium of free bodies."""
     pose = solution.plan.graph.pose
-    told = _Told(pose)
-    by_sums = (told.explanation(load) for load in loads)
+    writer = _Writer(pose)
+    by_sums = (writer.explanation(load) for load in loads)
     explanations = (*by_sums, *of_forces(solution), *of_friction(solution))
     derivation = Derivation((), (), (), tuple(results), explanations)
     return replace(derivation, position=tuple(position_steps(pose, derivation)))
 
 
-class _Told:
-    """Tells of one load after another; what was told of earlier ones is not told again."""
+class _Writer:
+    """Explains one load after another; a force found for an earlier one is not found anew."""
 
     def __init__(self, pose: Pose) -> None:
         self._pose = pose

@@ -25,22 +25,22 @@ _BONDS = {"pin": SentenceKind.PIN, "slide": SentenceKind.GUIDE, "touch": Sentenc
 
 
 def of_forces(solution: Solution) -> Iterator[Explanation]:
-    """Yield an account of every force at a joint; its components are told together."""
+    """Yield an account of every force at a joint; its components are explained together."""
     pose = solution.plan.graph.pose
     opening: tuple[Paragraph, ...] = ()
-    told: set[str] = set()
+    explained: set[str] = set()
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, Solved))
         if place is None or not solved:
             continue
-        writer = _Writer(pose, solved, told)
-        if not told and solved[0].releases:
+        writer = _Writer(pose, solved, explained)
+        if not explained and solved[0].releases:
             opening = (
                 Paragraph(SentenceKind.RELEASED, names={"held": solved[0].releases[0].held}),
             )
         paragraphs = (*opening, *writer.paragraphs())
         opening = ()
-        told.update(writer.names)
+        explained.update(writer.names)
         yield Explanation(writer.names, paragraphs, tuple(writer.definitions()))
 
 
@@ -58,11 +58,11 @@ def _place(solved: Solved | SolvedWithFriction) -> tuple[str, ...] | None:
 
 
 class _Writer:
-    """Tells of one force."""
+    """Writes the explanation of one force."""
 
-    def __init__(self, pose: Pose, solved: Sequence[Solved], told: Set[str]) -> None:
+    def __init__(self, pose: Pose, solved: Sequence[Solved], explained: Set[str]) -> None:
         mechanism = pose.mechanism
-        self._pose, self._mechanism, self._told = pose, mechanism, told
+        self._pose, self._mechanism, self._explained = pose, mechanism, explained
         self.names = tuple(s.result.name for s in solved)
         self._target = solved[0].result.target
         self._releases = solved[0].releases
@@ -74,15 +74,15 @@ class _Writer:
         """Yield one passage for each direction in which the joint is released."""
         releases = self._releases
         if isinstance(self._target, Axial) and self._is_slanting():
-            told = [self._passage(release) for release in releases]
-            yield from told[:-1]
-            yield replace(told[-1], equations=(*told[-1].equations, self._projected()))
+            passages = [self._passage(release) for release in releases]
+            yield from passages[:-1]
+            yield replace(passages[-1], equations=(*passages[-1].equations, self._projected()))
             return
         if isinstance(self._target, Axial):
             releases = releases[:1]
         elif self._is_rod():
             yield Paragraph(SentenceKind.ROD, names={"link": (releases[0].of,)})
-            releases = releases[:1] if f"N_{releases[0].of}" not in self._told else ()
+            releases = releases[:1] if f"N_{releases[0].of}" not in self._explained else ()
         elif isinstance(self._target, Reaction) and len(releases) < 2:
             yield self._one_sided()
         yield from map(self._passage, releases)

@@ -52,16 +52,18 @@ _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 def of_friction(solution: Solution) -> Iterator[Explanation]:
     """Yield an account of every result with friction that was found in steps."""
     mechanism = solution.plan.graph.pose.mechanism
-    told = _Shown(mechanism.friction.parameters)
+    earlier = _Shown(mechanism.friction.parameters)
     for place, group in groupby(solution.solved, _place):
         solved = tuple(s for s in group if isinstance(s, SolvedWithFriction))
         if place is None or not solved or not solved[0].steps:
             continue
         names = tuple(s.result.name for s in solved)
-        steps = told.with_one_meaning(solved[0].steps, place, names[0])
+        steps = earlier.with_one_meaning(solved[0].steps, place, names[0])
         steps = [_with_result(step, place, names[0]) for step in steps]
-        paragraphs = [p for step in steps for p in _passages(step, told, place)]
-        yield Explanation(names, (*_opening(place, names[0], steps, mechanism, told), *paragraphs))
+        paragraphs = [p for step in steps for p in _passages(step, earlier, place)]
+        yield Explanation(
+            names, (*_opening(place, names[0], steps, mechanism, earlier), *paragraphs)
+        )
 
 
 def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
@@ -76,7 +78,7 @@ def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
 
 
 class _Shown:
-    """What was told of earlier results, so that nothing is told twice."""
+    """The names and lines of earlier results, so that nothing is stated twice."""
 
     def __init__(self, turns: Iterable[str]) -> None:
         self.turns = set(turns)
@@ -111,7 +113,7 @@ class _Shown:
         return others
 
     def new(self, step: Step) -> list[Equation] | None:
-        """Return the definitions of a step that are new; None for a line that was told before."""
+        """Return the definitions of a step that are new; None for a line that was shown before."""
         changed: set[str] = set()
         for name, formula in step.defined:
             if isinstance(formula, Call) and formula.function in ("asin", "atan"):
@@ -161,7 +163,7 @@ def _renamed(step: Step, names: Mapping[str, Formula]) -> Step:
 
 
 def _opening(
-    target: WithFriction, result: str, steps: Sequence[Step], mechanism: Mechanism, told: _Shown
+    target: WithFriction, result: str, steps: Sequence[Step], mechanism: Mechanism, earlier: _Shown
 ) -> Iterator[Paragraph]:
     """Say which way friction acts, how, and what forces are measured by."""
     kind = steps[0].kind
@@ -172,9 +174,9 @@ def _opening(
         saying = SentenceKind.TIGHTENING if target.sense == "tightening" else SentenceKind.RELEASING
         yield Paragraph(saying, formulas={"drive": drive})
     if kind not in ("first order", "straight", "iterated"):
-        yield from told.once(_how(steps, mechanism))
+        yield from earlier.once(_how(steps, mechanism))
     elif any(isinstance(joint, RopeFriction) for joint in mechanism.friction.joints):
-        yield from told.once([_ROPES])
+        yield from earlier.once([_ROPES])
     if isinstance(target.of, LoadRatio):
         yield _unit(target.of, steps, result)
 
@@ -212,12 +214,12 @@ def _has_friction_along(step: Step) -> bool:
 # ----------------------------------------------------------------------------- passages
 
 
-def _passages(step: Step, told: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
+def _passages(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
     """Yield what a step says; the load that is asked for is left to the result."""
-    new = told.new(step)
+    new = earlier.new(step)
     if new is None:
         return
-    sides = ([geometry_first(side, told.turns) for side in pair] for pair in step.equations)
+    sides = ([geometry_first(side, earlier.turns) for side in pair] for pair in step.equations)
     equations = [Equation(_ordered(left), right) for left, right in sides]
     found = [e for e in equations if e.left != _driving(asked)] or equations
     match step.kind:
@@ -264,9 +266,9 @@ def _first_order(equations: Sequence[Equation], asked: WithFriction) -> Iterator
         slips.append(Paragraph(SentenceKind.SLIP_OF_PIN, formulas={"turn": Symbol("Omega")}))
     if any(name.startswith("v_") for name in left):
         slips.append(Paragraph(SentenceKind.SLIP_OF_FACE, formulas={"speed": Symbol("v")}))
-    told = (Paragraph(saying, formulas={"force": Symbol("r")}), *slips)
-    yield from told[:-1]
-    yield replace(told[-1], equations=tuple(equations))
+    paragraphs = (Paragraph(saying, formulas={"force": Symbol("r")}), *slips)
+    yield from paragraphs[:-1]
+    yield replace(paragraphs[-1], equations=tuple(equations))
 
 
 def _moments(step: Step, new: Sequence[Equation], found: Sequence[Equation]) -> Iterator[Paragraph]:

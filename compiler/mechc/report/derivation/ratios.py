@@ -9,7 +9,7 @@ from .steps import Equation, NamedRatio
 
 
 class Ratios:
-    """The ratios with a name in the plan that formulas are read off; ``found`` are those told."""
+    """The ratios with a name in the plan that formulas are read off; ``found`` are those shown."""
 
     def __init__(self, read: Plan, notation: Notation) -> None:
         self._read, self._notation = read, notation

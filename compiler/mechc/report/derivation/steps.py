@@ -248,7 +248,7 @@ class Paragraph:
 
 @frozen
 class Explanation:
-    """How results were found that are told together, such as the components of one force.
+    """How results were found that are explained together, such as the components of one force.
 
     ``where`` is what the equations rest on.
     """
@@ -289,7 +289,7 @@ class LastStep:
 class Derivation:
     """The velocity steps, the power equation (or several, at mobility m), the results.
 
-    ``explanations`` tell of results that need more than the power equation, ``position`` how
+    ``explanations`` are those of results that need more than the power equation, ``position`` how
     what all of these mention follows from the loops, ``last_steps`` what the power equation
     gives. ``ratios`` are those of speeds that the steps have given a name.
     """

@@ -47,7 +47,7 @@ def _arc(rod: Link, arc: ArcSlot, locale: Locale, style: Notation) -> str:
 
 
 def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
-    """Yield the sentence of a joint; pivots and sliders are told with the points."""
+    """Yield the sentence of a joint; pivots and sliders are named with the points."""
     say = locale.joints
     match joint:
         case Pivot() | Slider():

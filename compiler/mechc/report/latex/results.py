@@ -165,21 +165,23 @@ def _as_form(
 def _where(
     where: Iterable[Definition], locale: Locale, style: Notation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
-    told = definitions(where, locale, style, units)
-    return (locale.where, *told) if told else ()
+    shown = definitions(where, locale, style, units)
+    return (locale.where, *shown) if shown else ()
 
 
 def definitions(
     where: Iterable[Definition], locale: Locale, style: Notation, units: Mapping[str, str]
 ) -> tuple[str, ...]:
     """Return definitions, neighbours in one display; a system's names before its equations."""
-    told: list[str] = []
+    parts: list[str] = []
     for solved, groups in groupby(grouped(where), lambda group: isinstance(group, Solved)):
         if solved:
-            told += (part for group in groups for part in _solved(group, locale, style))
+            parts += (part for group in groups for part in _solved(group, locale, style))
         else:
-            told.append(display(tuple(_line(g, style, units) for g in groups), style, locale.where))
-    return tuple(told)
+            parts.append(
+                display(tuple(_line(g, style, units) for g in groups), style, locale.where)
+            )
+    return tuple(parts)
 
 
 def _line(definition: Definition | Solved, style: Notation, units: Mapping[str, str]) -> Line:

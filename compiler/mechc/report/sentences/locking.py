@@ -13,7 +13,7 @@ from .speller import Speller
 from .wording import enumeration, positive_first
 
 Along = LockingIntervals | EfficiencyRange | Extent
-"""What is told along a parameter."""
+"""What is stated along a parameter."""
 
 DIGITS = 4
 """Significant digits of a place; two are enough for an efficiency."""
@@ -30,8 +30,8 @@ def friction_remarks(result: Analysis, locale: Locale, spell: Speller) -> Iterat
     if any(course.least != course.greatest for course in result.courses):
         yield locale.why_usual
     reaches = result.locking.reaches if result.locking else ()
-    told = [s for reach in reaches for s in reach.stretches if _is_told(s, reach)]
-    if result.courses or any(stretch.sampled for stretch in told):
+    shown = [s for reach in reaches for s in reach.stretches if _is_shown(s, reach)]
+    if result.courses or any(stretch.sampled for stretch in shown):
         yield locale.sampled
 
 
@@ -42,15 +42,15 @@ def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
     if locking.state and locking.state != "free":
         yield f"{said[locking.state]} {locale.as_given}."
     for reach in locking.reaches:
-        for stretch in (s for s in reach.stretches if _is_told(s, reach)):
+        for stretch in (s for s in reach.stretches if _is_shown(s, reach)):
             where = locale.where_it_holds.format(
                 condition=_condition(stretch, reach, spell, locale)
             )
             yield f"{said[stretch.state]} {where}{_within(stretch, reach, locale, spell)}."
 
 
-def _is_told(stretch: Stretch, reach: LockingIntervals) -> bool:
-    """Tell a stretch of interest from a jam near a dead centre outside the range."""
+def _is_shown(stretch: Stretch, reach: LockingIntervals) -> bool:
+    """Return whether a stretch is of interest, not a jam near a dead centre outside the range."""
     is_solved = any(b and b.exact for b in (stretch.low, stretch.high))
     return (
         stretch.state == "locked" or stretch.within is not None or (not reach.range and is_solved)
@@ -59,7 +59,7 @@ def _is_told(stretch: Stretch, reach: LockingIntervals) -> bool:
 
 def _condition(stretch: Stretch, reach: LockingIntervals, spell: Speller, locale: Locale) -> str:
     """Return a stretch as an inequality, with figures behind its formulas."""
-    low, high = _told(stretch, reach)
+    low, high = _shown_ends(stretch, reach)
     if not low and not high:
         return locale.any_of.format(name=_name(reach, spell))
     sides: list[Formula] = [Symbol(reach.parameter)]
@@ -85,10 +85,10 @@ def _is_figure(formula: Formula) -> bool:
     return isinstance(formula, Number) or in_degrees(formula) is not None
 
 
-def _told(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None, Bound | None]:
+def _shown_ends(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None, Bound | None]:
     """Return the ends of a stretch but for those that the range has, or that lie beyond it.
 
-    What the range has and the stretch leaves out is told.
+    An end is shown where the range has it and the stretch leaves it out.
     """
     low, high = stretch.low, stretch.high
     if reach.range is None or stretch.within is None:
@@ -109,7 +109,7 @@ def _side(bound: Bound, reach: Along, spell: Speller) -> Formula:
 
 def _within(stretch: Stretch, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
     """Return the part of an interval that lies in the range, unless both ends show it."""
-    if reach.range is None or (stretch.within and all(_told(stretch, reach))):
+    if reach.range is None or (stretch.within and all(_shown_ends(stretch, reach))):
         return ""
     if stretch.within is None:
         return f", {locale.out_of_range}"

@@ -59,8 +59,8 @@ def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
 
 def _headed(heading: str, rows: Sequence[Row], spell: Speller) -> list[str]:
     """Return rows under a heading, in the language of the note."""
-    told = [Row(spell.units(row.said), spell.text(row.label)) for row in rows]
-    return [heading, *_aligned(told)] if rows else []
+    translated = [Row(spell.units(row.said), spell.text(row.label)) for row in rows]
+    return [heading, *_aligned(translated)] if rows else []
 
 
 def _aligned(rows: Sequence[Row]) -> Iterator[str]:
