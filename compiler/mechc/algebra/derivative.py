@@ -22,7 +22,7 @@ from .trigonometry import cosine, sine
 def derivative(product: Product, name: str) -> Product:
     """Return ∂product/∂name in canonical form.
 
-    Only what angle algebra sees is differentiated: :func:`depends_openly` tells whether
+    Only what angle algebra sees is differentiated: :func:`depends_openly` states whether
     a product depends on a name in other ways (through a root or a bound sum).
     """
     return add(

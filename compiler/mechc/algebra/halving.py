@@ -2,7 +2,7 @@
 
 cos θ + sin(θ − α) vanishes with cos α on one of the two branches on which cos α does:
 both hold cos(45° + α/2). Sums are factored in the angles and constants that they mention,
-so that only what stands on the other side of the line tells what else is wanted.
+so that only what is on the other side of the line decides what else is wanted.
 """
 
 import math

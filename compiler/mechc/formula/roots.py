@@ -14,11 +14,11 @@ Function = Callable[[float], float]
 NIL = 1e-7
 """A minimum below this part of the greatest value is a zero that is touched.
 
-Half the digits: a double zero cannot be told better from one that is just missed.
+Half the digits: nothing nearer separates a double zero from one that is just missed.
 """
 
 NOISE = 1e-12
-"""Neighbours that are both below this part of the greatest value tell of no change of sign.
+"""Neighbours that are both below this part of the greatest value show no change of sign.
 
 A dip that is no deeper is rounding as well.
 """

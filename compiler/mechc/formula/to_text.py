@@ -55,8 +55,8 @@ def _text(formula: Formula, level: int) -> str:
 
 
 def _solution(formula: Implicit) -> str:
-    told = ", ".join(f"{_text(e, 0)} = 0" for e in equations(formula))
-    return f"solution of ({told}) for {formula.system.unknowns[formula.index]}"
+    zeros = ", ".join(f"{_text(e, 0)} = 0" for e in equations(formula))
+    return f"solution of ({zeros}) for {formula.system.unknowns[formula.index]}"
 
 
 def _choice(function: str, parts: list[str]) -> str:

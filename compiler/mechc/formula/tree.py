@@ -83,7 +83,7 @@ class System:
 
     ``anchor`` has the outer symbols and their values where the way begins, such as those at
     the default pose; None for what stays the same all along it. ``start`` are the unknowns
-    there: numbers, or outer symbols that stay the same. Of several solutions they tell the
+    there: numbers, or outer symbols that stay the same. Of several solutions they mark the
     branch that is meant. Both kinds of names are bound, as a function's arguments are; what
     outer symbols stand for in a formula is shown by the :class:`Implicit` that mentions the
     system. The way there may take so many ``corrections``.

@@ -174,7 +174,7 @@ def _reach(
 def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     """Yield the largest length that is in another unit than the rest, and far from it.
 
-    Those written in place, as in ``OA = 100 mm @ x``, tell how large a mechanism is, too.
+    Those written in place, as in ``OA = 100 mm @ x``, give the size of a mechanism, too.
     """
     written = [f for g in mechanism.geometry for f in _lengths(g)]
     used = {name for f in written for name in symbols(f)}
@@ -259,11 +259,11 @@ def body_through(points: Iterable[str], mechanism: Mechanism) -> str:
 def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
     """Yield the first result of each line that an earlier line asks for, not what it brings on."""
     first: dict[object, Find] = {}
-    told: set[Span] = set()
+    reported: set[Span] = set()
     for find in finds:
         other = first.setdefault(find.target, find)
-        if other.name != find.name and find.span not in told:
-            told.add(find.span)
+        if other.name != find.name and find.span not in reported:
+            reported.add(find.span)
             yield messages.asked_twice(find.span, find.name, other.name, other.span)
 
 

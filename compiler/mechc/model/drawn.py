@@ -204,7 +204,7 @@ def _through_places(mechanism: Mechanism, sketch: Sketch, placed: Collection[str
 
 
 def _guides_of_slides(mechanism: Mechanism, sketch: Sketch) -> Iterator[Slider]:
-    """Yield a guide for each drawn slide of which no slider tells where its guide lies."""
+    """Yield a guide for each drawn slide whose guide no slider places."""
     guided = {slider.point for slider in mechanism.each(Slider)}
     for slide in mechanism.slides:
         drawn = next((p for p in slide.points if p in sketch.places), None)

@@ -162,7 +162,7 @@ class Train:
     # -------------------------------------------------------------------- what is known
 
     def _given(self) -> Iterator[tuple[str, Formula]]:
-        """Yield the motions since the drawing that the geometry tells."""
+        """Yield the motions since the drawing that the geometry gives."""
         for entry in self._mechanism.geometry:
             if not self._sketch.has(entry):
                 continue

@@ -73,7 +73,7 @@ def _placed(mechanism: Mechanism, point: str) -> Mechanism:
 def with_held(mechanism: Mechanism, report: Report) -> Mechanism:
     """Return the mechanism in which what parameters of held drives would move is fast.
 
-    Reports E525 where nothing tells what that is, E527 where forces are asked for that are
+    Reports E525 where that is undetermined, E527 where forces are asked for that are
     not known unless it is known what holds.
     """
     drives = [drive.parameter for drive in mechanism.drives]

@@ -161,7 +161,7 @@ class Friction:
     """All friction in a mechanism, and which way it moves.
 
     ``tightening``: the driving load moves along its arrow. ``efficiency`` overrides the rest.
-    ``everywhere`` tells that every pin was said to have friction.
+    ``everywhere`` states that every pin was said to have friction.
     """
 
     joints: tuple[JointFriction, ...] = ()

@@ -24,7 +24,7 @@ def ordered(needs: Needs) -> tuple[list[str], list[list[str]]]:
             return list(_sorter(needs).static_order()), circles
         except CycleError as error:
             circle: list[str] = error.args[1]
-            # The sorter tells each name before the one that needs it.
+            # The sorter gives each name before the one that needs it.
             circles.append(circle[::-1])
             gone = set(circle)
             needs = {name: wanted - gone for name, wanted in needs.items() if name not in gone}
@@ -32,7 +32,7 @@ def ordered(needs: Needs) -> tuple[list[str], list[list[str]]]:
 
 
 def _sorter(needs: Needs) -> TopologicalSorter[str]:
-    """Return a sorter that is told of the names in an order that no hash decides."""
+    """Return a sorter that is given the names in an order that no hash decides."""
     return TopologicalSorter({name: sorted(wanted) for name, wanted in needs.items()})
 
 

@@ -24,10 +24,10 @@ class CircularSlot(NamedTuple):
 class Points:
     """The points of one description, filled while its joints are read.
 
-    ``places`` tells where each point was first named; ``carried`` the links through it,
+    ``places`` are where each point was first named; ``carried`` the links through it,
     ``bodies`` the link through a set of points, ``slides`` and ``telescopes`` the names of
     those; ``fixed`` and ``guided`` hold the pivots and the sliders; ``touching`` counts the
-    slots and contacts of a point, ``arcs`` tells a pin's circular slot, ``used`` counts what
+    slots and contacts of a point, ``arcs`` gives a pin's circular slot, ``used`` counts what
     acts at a point or asks for it.
     """
 

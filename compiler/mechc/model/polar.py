@@ -20,7 +20,7 @@ class Polar(NamedTuple):
 def polar(x: Product, y: Product, values: Mapping[str, float]) -> Polar | None:
     """Return the length and angle of a vector, None where it is not written by them.
 
-    ``values`` tell the sign of the length.
+    ``values`` decide the sign of the length.
 
     >>> a, t = Product.symbol("a"), Angle.of("t")
     >>> found = polar(a * sine(t), -a * cosine(t), {"a": 1.0})

@@ -22,9 +22,9 @@ Kind = Literal["parameter", "let", "load", "result", "table", "list"]
 class Entry(NamedTuple):
     """What a name stands for. ``dimension`` is None where an error hid it.
 
-    ``plain`` tells of a ``let`` that it depends on no loads and results, ``solved`` that it
+    ``plain`` states of a ``let`` that it depends on no loads and results, ``solved`` that it
     depends on results, ``posed`` that it depends on directions and lengths that the pose has,
-    so that the pose cannot rest on it. ``unitless`` tells of a quantity that is made of
+    so that the pose cannot rest on it. ``unitless`` states of a quantity that is made of
     numbers without unit only; where it is one such number, that is ``bare``.
     """
 
@@ -94,7 +94,7 @@ class Scope:
     ``lets`` holds the names of all lets, which are entered behind what is asked for, and
     ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
     the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
-    for an open one, which tell multiples that are out of reach. ``constants`` are the numbers
+    for an open one, which reveal multiples that are out of reach. ``constants`` are the numbers
     that have got a name, by what they are and their value, with their places. Of a calculation
     ``sheet`` a condition keeps the names of lets.
     """
@@ -222,7 +222,7 @@ class Scope:
         return entry if entry.dimension is not None else None
 
     def _offered(self, usage: Usage) -> list[str]:
-        """Return the names that may stand in a formula, as far as they are few enough to tell."""
+        """Return the names that may stand in a formula, as far as they are few enough to list."""
         if len(self.entries) > messages.MANY:
             return []
         pairs = [permutations(k.points, 2) for k in self.points.links.values()]

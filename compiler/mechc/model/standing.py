@@ -20,7 +20,7 @@ from .mechanism import (
 
 
 def direction_matters(link: Link, mechanism: Mechanism) -> bool:
-    """Return whether anything but a couple is at a link, so that its direction tells."""
+    """Return whether anything but a couple acts on a link, so that its direction matters."""
     pins = set(link.points) - mechanism.fixed
     return not pins.isdisjoint(_at_work(link, mechanism))
 

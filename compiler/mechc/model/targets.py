@@ -92,7 +92,7 @@ SIGNS: Mapping[Sense, int] = {"tightening": 1, "releasing": -1}
 class WithFriction:
     """A ratio, load or force with friction in it, the driving load moving along its arrow or back.
 
-    ``order`` tells the exact one from that of first order in friction.
+    ``order`` is that of the exact one, or the first in friction.
     """
 
     of: LoadRatio | LoadForm | Reaction | Axial | Normal

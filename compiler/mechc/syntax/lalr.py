@@ -51,7 +51,7 @@ class Rule(NamedTuple):
 class Tables(NamedTuple):
     """A grammar made ready for reading.
 
-    ``terminals`` are tried in order; ``words`` tells of what a terminal matched whether it
+    ``terminals`` are tried in order; ``words`` decides of what a terminal matched whether it
     is a terminal of its own. A state maps what comes next to a state, or to ``~rule``.
     """
 

@@ -118,7 +118,7 @@ def innermost_open(line: Sequence[Token]) -> Token:
 
 
 def unexpected(line: Sequence[Token], position: int, allowed: set[str], start: Start) -> Diagnostic:
-    """Return the error about a token that does not fit, as exact as can be told."""
+    """Return the error about a token that does not fit, as exact as it is known."""
     token = line[position]
     before = line[position - 1] if position else None
     span, text = span_of(token), str(token)

@@ -4,7 +4,7 @@ from ..source import Span
 from .lalr import Token
 
 NOWHERE = Span(0, 0)
-"""What a statement carries until the reader of its line tells it its place."""
+"""What a statement carries until the reader of its line gives it its span."""
 
 
 def span_of(token: Token) -> Span:

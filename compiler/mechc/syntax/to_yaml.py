@@ -178,11 +178,11 @@ def has_value(statement: ast.Statement) -> bool:
 def value_text(statement: ast.Statement, flow: bool) -> str:
     """Return the value behind a statement's key, plain where its other keys are empty."""
     entry = entry_of(statement)
-    told = [key for key in entry.keys if any(map(given, fields_of(statement, key)))]
-    if entry.short and all(set(key.fields) <= set(entry.short.fields) for key in told):
+    filled = [key for key in entry.keys if any(map(given, fields_of(statement, key)))]
+    if entry.short and all(set(key.fields) <= set(entry.short.fields) for key in filled):
         return kind_text(entry.short.kind, fields_of(statement, entry.short), flow)
     parts = [other_text(statement, key) for key in entry.others]
-    parts += [f"{k.name}: {kind_text(k.kind, fields_of(statement, k), True)}" for k in told]
+    parts += [f"{k.name}: {kind_text(k.kind, fields_of(statement, k), True)}" for k in filled]
     return "{" + ", ".join(parts) + "}"
 
 

@@ -236,7 +236,7 @@ def check_nesting(line: Iterable[Token]) -> None:
 def nested(depths: list[int], operand: bool, token: Token) -> tuple[list[int], bool]:
     """Follow one token: ``depths`` has, for each open bracket, the powers and signs in it.
 
-    ``operand`` tells whether an operand has just ended, so that a minus is a difference.
+    ``operand`` states whether an operand has just ended, so that a minus is a difference.
     """
     match token.type:
         case "LEFT":

@@ -75,9 +75,9 @@ def with_comments(
             remarks[last].append(comment.text)
         else:
             above[following].append(comment.text)
-    told = zip(statements, above, remarks, strict=False)
+    commented = zip(statements, above, remarks, strict=False)
     return ast.File(
-        tuple(replace(s, comments=tuple(a), remark=" ".join(r)) for s, a, r in told),
+        tuple(replace(s, comments=tuple(a), remark=" ".join(r)) for s, a, r in commented),
         tuple(above[-1]),
     )
 

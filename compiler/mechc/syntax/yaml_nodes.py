@@ -18,7 +18,7 @@ from .fault import check_characters, note
 
 @frozen
 class Scalar:
-    """A single value as text; ``quoted`` tells whether it may not stand for 'nothing'."""
+    """A single value as text; ``quoted`` where it may not stand for 'nothing'."""
 
     text: str
     span: Span
