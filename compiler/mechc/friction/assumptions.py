@@ -30,7 +30,7 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
     all others have friction (W243) is not spoken of again.
     """
     mechanism = pose.mechanism
-    told = mechanism.pairs_at_pins() if mechanism.friction.everywhere else ()
+    known = mechanism.pairs_at_pins() if mechanism.friction.everywhere else ()
     for pin in mechanism.friction.joints:
         if not isinstance(pin, PinFriction) or not pin.assumed or pin.radius == ZERO:
             continue
@@ -40,7 +40,7 @@ def assumptions(pose: Pose, driving: str, given: Given, *, exact: bool) -> Itera
         if len(bodies) + others > 2 and not acting:
             yield messages.pin_fast_in(pin.span, pin.point, pin.carrier, bodies)
         elif acting and not (exact and len(bodies) == 2 and _alike(pin, pose, driving, given)):
-            for load in (load for load in acting if load not in told):
+            for load in (load for load in acting if load not in known):
                 yield messages.load_on_a_pin(load.span, load.name, pin.point, pin.carrier, bodies)
 
 

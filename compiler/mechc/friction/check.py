@@ -36,7 +36,7 @@ def broken_promises(solution: Solution) -> list[str]:
 def _values(solution: Solution) -> Values:
     """Return the numbers of the default pose; a load of open size has none.
 
-    Of several loads the sizes decide the signs, so that a printed case has to be told by them.
+    Of several loads the sizes decide the signs, so that a printed case has to be known by them.
     """
     return default_values(solution.plan)
 

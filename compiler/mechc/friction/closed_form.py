@@ -36,7 +36,7 @@ class Named:
 
     What is ``positive`` must stay so, or the formula has no meaning, and that for ``elsewhere``
     takes its place. ``case`` is the same
-    as it is printed; ``steps`` tell how it was found where there is none. Names ``inside``
+    as it is printed; ``steps`` are how it was found where there is none. Names ``inside``
     are the coefficients of a system, of which people read the structure only.
     """
 

@@ -89,7 +89,7 @@ class Drives:
         return Case(here, where, holds, case.guards)
 
     def _anywhere(self, name: str) -> Formula:
-        """Return |σ|·(k/k_f)^σ, σ the sign that tells who drives: 0 at a dead centre.
+        """Return |σ|·(k/k_f)^σ, σ the sign that depends on which side drives: 0 at a dead centre.
 
         It is 0 as well where the load drives and friction holds it, so that k_f has not its sign.
         """

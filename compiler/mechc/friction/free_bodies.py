@@ -75,7 +75,7 @@ class Surface(NamedTuple):
 class Task:
     """What a chain has to find: the driving load, the given ones, and how all are pressed.
 
-    ``owners`` tells of each load of which free load it is what multiple.
+    ``owners`` gives of each load the free load that it is a multiple of, and the multiple.
     """
 
     pose: Pose

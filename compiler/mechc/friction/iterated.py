@@ -48,7 +48,7 @@ def first_order_case(
         force = _called(f"r_{part.pair.name}", part.force, forces, signs)
         slip = _called(_slip_name(part.pair), part.slip, slips, signs)
         terms.append(product([(number(sense), 1), (factor, 1), (force, 1), (slip, 1)]))
-    equations = [(own, known) for told in (forces, slips) for own, known in told.items()]
+    equations = [(own, known) for named in (forces, slips) for own, known in named.items()]
     step = Step(
         "first order",
         equations=(*equations, (Symbol(name), total(terms))),
@@ -58,10 +58,10 @@ def first_order_case(
     return Printed(formula, (), conditions(signs), (step,))
 
 
-def _called(name: str, size: Product, told: dict[Formula, Formula], signs: AtOnePose) -> Formula:
+def _called(name: str, size: Product, named: dict[Formula, Formula], signs: AtOnePose) -> Formula:
     """Return the name of a size, and note what it is: another of its kind where that is alike."""
     own, formula = Symbol(signs.fresh(name)), size.formula()
-    told[own] = next((known for known, found in told.items() if found == formula), formula)
+    named[own] = next((known for known, found in named.items() if found == formula), formula)
     return own
 
 

@@ -1,4 +1,4 @@
-"""What a chain notes of its way, so that a derivation can tell it step by step."""
+"""What the sequential solver notes of its way, so that a derivation can show it step by step."""
 
 from collections.abc import Iterable, Mapping, Sequence
 from typing import assert_never
@@ -24,7 +24,7 @@ class Notes:
         self._bodies, self._signs = bodies, signs
         self.steps: list[Step] = []
         self._named: dict[str, Formula] = {}
-        self._told = 0
+        self._noted = 0
 
     def rod(self, rod: Link, sense: Product, resistances: Sequence[Product], turn: Product) -> None:
         """Note the line of a rod's force."""
@@ -49,7 +49,7 @@ class Notes:
         found: Mapping[str, Product],
         squared: Pair | None = None,
     ) -> None:
-        """Note a body in balance under pulls of unknown size, and what that gives.
+        """Note a body in balance under forces of unknown size, and what that gives.
 
         ``squared`` is the equation of a lever behind that of its moments, where these have a root.
         """
@@ -65,8 +65,8 @@ class Notes:
                 equations = _across(forces, found)
             case _:
                 assert_never(kind)
-        told = {Symbol(d.name) for d in self._signs.definitions}
-        self._named |= {n: s.formula() for n, s in found.items() if s.formula() in told}
+        defined = {Symbol(d.name) for d in self._signs.definitions}
+        self._named |= {n: s.formula() for n, s in found.items() if s.formula() in defined}
         named = self._named
         equations = [(substitute(a, named), substitute(b, named)) for a, b in equations]
         equations += [(Symbol(n), s.formula()) for n, s in found.items() if n not in named]
@@ -80,8 +80,8 @@ class Notes:
         sense: int = 0,
         equations: Sequence[Pair] = (),
     ) -> None:
-        fresh = self._signs.definitions[self._told :]
-        self._told = len(self._signs.definitions)
+        fresh = self._signs.definitions[self._noted :]
+        self._noted = len(self._signs.definitions)
         self.steps.append(Step(kind, body, pivot, sense, tuple(equations), tuple(fresh)))
 
     def _moments(self, lever: str, forces: Sequence[BodyForce], friction: Product) -> Pair:

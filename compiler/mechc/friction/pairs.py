@@ -40,7 +40,7 @@ class FrictionPair(NamedTuple):
     """A pair of surfaces: ``factor · |force of the joint|`` resists its ``slip``.
 
     The factor is the radius of a friction circle in metres, against a relative rotation,
-    or a number, against a sliding speed. ``name`` tells it from the others: ``O``, ``BAB``,
+    or a number, against a sliding speed. ``name`` differs from those of the others: ``O``, ``BAB``,
     ``A_guide``. The mechanism has ``number`` of them: one in each half or branch. Frictions
     ``besides`` press it by themselves, each by so much of it, and not through the joint alone.
     Where there is a ``thrust``, that is the force, whatever the joint passes on.

@@ -35,7 +35,7 @@ ACUTE = Interval(1e-9, math.pi / 2 - 1e-9)
 class Signs(Protocol):
     """A way to write signs down, and what it had to name so far.
 
-    ``is_read`` tells that people read the formula, so that its steps are noted.
+    ``is_read`` where people read the formula, so that its steps are noted.
     """
 
     definitions: list[Definition]

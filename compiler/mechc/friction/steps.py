@@ -1,4 +1,4 @@
-"""The steps by which friction is put into a result, as a derivation tells them."""
+"""The steps by which friction is put into a result, as a derivation shows them."""
 
 from typing import Literal
 

@@ -24,7 +24,7 @@ AT_REST = ("output still", "drive locked")
 
 
 def with_dead_centres(plot: Plot, pose: Pose, results: Callable[[], Iterable[Analysis]]) -> Plot:
-    """Return a plot whose curves tell their dead centres; ``results`` are asked for if need be."""
+    """Return a plot whose curves have their dead centres; ``results`` are asked for if need be."""
     singular = {c.name for c in plot.curves if c.poles or any(m.kind == "zero" for m in c.marks)}
     if plot.equal or not singular:
         return plot
@@ -79,7 +79,7 @@ class _Rest:
             yield vanishing.kind in AT_REST and is_nothing
 
     def _around(self, place: float) -> Iterator[list[float]]:
-        """Yield a place and those as near as can be told, then those beside it."""
+        """Yield a place and those as near as rounding allows, then those beside it."""
         near, aside = (part * (self.plot.high - self.plot.low) for part in (NEAR, ASIDE))
         yield [place, place - near, place + near]
         yield [place - aside, place + aside]

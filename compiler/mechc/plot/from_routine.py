@@ -25,7 +25,7 @@ from .zones import stretches
 TURNING: Mapping[int, MarkKind] = {1: "minimum", -1: "maximum"}
 
 Watch = Callable[[Sequence[Function]], Iterable[Function]]
-"""What hands out the functions that are followed, and may tell how many are done."""
+"""What hands out the functions that are followed, and may show how many are done."""
 
 
 def plot(mechanism: Mechanism, routine: Routine, query: Query, watch: Watch = iter) -> Plot:

@@ -1,7 +1,7 @@
 """A function of one variable followed over a range: where it is broken, zero, or turns.
 
 It is looked at in many places at once. Two of them between which its sign changes are brought
-together to the last bit, which tells a zero from a pole and from a jump. What happens twice between
+together to the last bit, which parts a zero from a pole and from a jump. What happens twice between
 two neighbouring places may be missed.
 """
 

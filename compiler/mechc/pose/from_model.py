@@ -278,7 +278,7 @@ class _Survey:
         ]
 
     def _guide_lines(self, pose: Pose) -> list[Condition]:
-        """Return the condition of every guide that is told to pass through a point."""
+        """Return the condition of every guide that is said to pass through a point."""
         conditions = []
         for slider in self._mechanism.each(Slider):
             chain = slider.through and self._vectors.chain(slider.point, slider.through)

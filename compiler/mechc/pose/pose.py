@@ -82,7 +82,7 @@ class SolvedLoop(NamedTuple):
     """A loop as it was solved: its points, what kind it is, the names it gave, in order.
 
     The points of a triangle are its vertices, the pin between the unknown sides the second;
-    ``is_clockwise`` tells how they lie, None for other loops.
+    ``is_clockwise`` is how they lie, None for other loops.
     """
 
     kind: LoopKind
@@ -131,7 +131,7 @@ class Pose:
     the description gives, or that a loop gives it a place by, whatever bodies they are on; they
     may mention names that only ``closing`` defines.
     ``left[point]`` is the direction of a guide that was released, along which a rack or a nut
-    is still led. ``solved`` tells how the definitions follow from the loops, each loop after those
+    is still led. ``solved`` states how the definitions follow from the loops, each loop after those
     that it rests on. ``falls[rope]`` are the directions of a rope's falls, by its id.
     """
 

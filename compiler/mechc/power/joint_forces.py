@@ -30,7 +30,7 @@ Amounts = Mapping[str, Product]
 class Found(NamedTuple):
     """A force at a joint: its formula, and, where it is a linear form, its coefficients.
 
-    ``values`` is the algebra behind it, ``releases`` tell how it was found.
+    ``values`` is the algebra behind it, ``releases`` are how it was found.
     """
 
     formula: Formula

@@ -181,7 +181,7 @@ class Arrows:
     def __init__(self, balance: Balance, report: Report) -> None:
         self._pose = balance.plan.graph.pose
         self._loads = {t.load.name: t.load for t in balance.terms}
-        self._report, self._told = report, set[str]()
+        self._report, self._reported = report, set[str]()
 
     def remark(self, find: Find, target: LoadRatio, result: Result) -> None:
         """Warn of a ratio that is negative, where an arrow can be turned for it to be positive.
@@ -191,8 +191,8 @@ class Arrows:
         """
         asked = [self._loads[n] for n in (target.below, target.above) if n in self._loads]
         drawn = all(isinstance(load, Force) for load in asked)
-        if drawn and not self._told & {k.name for k in asked} and not self._turns(result):
-            self._told |= {k.name for k in asked}
+        if drawn and not self._reported & {k.name for k in asked} and not self._turns(result):
+            self._reported |= {k.name for k in asked}
             hint = self._hint([k.name for k in asked if isinstance(k, Force) and not k.weight])
             self._report.add(messages.result_negative(find.span, find.name, hint))
 

@@ -2,7 +2,7 @@
 
 A closed form takes for granted that friction turns no force at a joint round. Where one is
 turned, code solves the coupled equations instead, in a function of its own. A number, or NaN,
-does not tell by itself whether anything moves: the status does.
+does not show by itself whether anything moves: the status does.
 """
 
 from collections.abc import Sequence, Set
@@ -62,7 +62,7 @@ class Companions:
                 return None
 
     def _of_a_force(self, function: Function, asked: Asked, sense: Sense) -> Status:
-        """Return the status of a force at a joint: whether the drive moves, it does not tell."""
+        """Return the status of a force at a joint: it does not state whether the drive moves."""
         result = asked.result
         assert isinstance(result, FrictionResult), "a force with friction"
         assert result.drive, "it says what drives"

@@ -23,7 +23,7 @@ class Key(NamedTuple):
 class Definitions(NamedTuple):
     """Definitions in an order in which each uses only inputs and earlier ones.
 
-    ``names`` tells under which name the formulas asked about find each one, as two
+    ``names`` gives under which name the formulas asked about find each one, as two
     results may use one name for different things.
     """
 

@@ -179,7 +179,7 @@ class Acts:
                     self._body(by, Acting("guide", "ground", first, NOWHERE, -rest))
 
     def forget(self, bearings: Iterable[Bearing]) -> None:
-        """Leave out forces of which teeth, belts or threads make a part that nothing tells."""
+        """Leave out forces of which teeth, belts or threads make an undetermined part."""
         for place, by in bearings:
             acts = self.on_pins.get(place, {})
             for key in [key for key in acts if key[1] == by]:

@@ -69,7 +69,7 @@ class PinOnBody(NamedTuple):
 class Transfer(NamedTuple):
     """One force that wheels, a rack, a screw or a rope pass on, and what a unit of it does.
 
-    Where nothing tells its direction, the bearings' part in it is left out: it loads the
+    Where its direction is undetermined, the bearings' part in it is left out: it loads the
     ground alone, and forces on such bearings are never asked for. On an arm that carries
     wheels the ``bearings`` put a couple, whatever the direction.
     """

@@ -34,7 +34,7 @@ class Acting(NamedTuple):
     other copies. ``point`` is empty where there is no force. ``force`` is None where it isn't
     known, and ``gap`` then says why.
     The couple at a pin is friction's, at the guide of a body that only translates that of the
-    guide. ``chosen`` tells that the force depends on lengths that nothing gives.
+    guide. ``chosen`` where the force depends on lengths that nothing gives.
     """
 
     kind: Kind

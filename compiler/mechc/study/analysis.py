@@ -16,7 +16,7 @@ class Vanishing(NamedTuple):
     """A condition ``factor = 0`` under which a result is zero, or infinite.
 
     ``at`` solves it: ``(symbol, value)``, exact where the factor allows, else None.
-    ``kind`` tells a dead centre from a load perpendicular to its point's velocity. It is
+    ``kind`` is a dead centre or a load perpendicular to its point's velocity. It is
     ``outside`` where it is proved that the factor does not vanish within the ranges given. Where
     one of ``but`` is zero, too, it is not known what the result does.
     """
@@ -97,7 +97,7 @@ class Analysis(Result):
     which values that is proved;
     ``derivatives`` are the partial ones, ``slopes`` the same at the default pose. ``holds`` are
     the conditions of a result that is printed for one case; ``inside`` are the names of its
-    ``where`` that are coefficients of a system. ``locking`` tells of a ratio with friction where
+    ``where`` that are coefficients of a system. ``locking`` states of a ratio with friction where
     nothing moves, ``courses`` of an efficiency what it runs through, ``extents`` of a ratio what
     it comes to along the stroke, in a report only.
     """

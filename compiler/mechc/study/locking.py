@@ -24,7 +24,7 @@ BEYOND = math.pi / 2
 """How far beyond its range an angle is followed, to the next dead centre at most."""
 
 SHORT = 12
-"""An end of more operations than this is told as a figure."""
+"""An end of more operations than this is given as a figure."""
 
 LONG = 200
 """A formula of more operations than this is not solved for anything."""

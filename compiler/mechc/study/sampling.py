@@ -178,7 +178,7 @@ def _bulging(moving: Moving, places: Sequence[float]) -> Iterator[float]:
 def _turning_beside_jumps(moving: Moving, places: Sequence[float]) -> Iterator[float]:
     """Yield where an efficiency is lowest or highest within a cell that ends at a jump.
 
-    Its neighbour beyond the jump tells nothing of that; a place just before it does.
+    Its neighbour beyond the jump shows nothing of that; a place just before it does.
     """
     sections = FEWER if moving.is_slow else SECTIONS
     for far, end, beyond in (*_triples(places), *_triples(places[::-1])):

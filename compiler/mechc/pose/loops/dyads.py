@@ -1,6 +1,6 @@
 """Assur groups of two links in closed form, all five kinds of them.
 
-A loop ``D + X + Y = 0`` has a known part D and two unknowns. What they are tells the
+A loop ``D + X + Y = 0`` has a known part D and two unknowns. Their kinds give the
 group: two directions (RRR), a direction and a length along a known one (RRP, and RPR with
 the guide on a moving link), a direction and a length that turns with it (RPR, the
 oscillating cylinder), two lengths (PRP, RPP). Each has at most two closures, told apart
@@ -86,7 +86,7 @@ class Group:
         """``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
 
         ``signed`` lengths may be negative somewhere on the stroke; ``defined`` was found before.
-        Once closures were made, ``kind`` tells what the unknowns are, and ``root`` is what has no
+        Once closures were made, ``kind`` is that of the unknowns, and ``root`` is what has no
         value where there is none.
         """
         self._name, self._kept, self._fixed, self._values = name, kept, fixed, values

@@ -30,7 +30,7 @@ SAMPLES = 720
 """Places along the stroke that are tried: every half degree of a full turn."""
 
 LONGEST = 80
-"""A limit of more characters than this is told as a number only."""
+"""A limit of more characters than this is given as a number only."""
 
 
 class End(NamedTuple):

@@ -10,7 +10,7 @@ from ...model.mechanism import LoadRatio
 from ..analysis import Analysis
 from ..tolerances import BRANCH_POINT, CONSTANT
 from .along import Along
-from .friction import is_told, some
+from .friction import is_shown, some
 from .places import SAMPLES
 from .rounded import is_nil, rounded
 from .run import Run
@@ -52,7 +52,7 @@ def _on_stretch(
     along, within = run.along, run.within(stretch)
     poles = [*_poles(run, result, singular), *_own_poles(run, result, stretch)]
     for one in extrema(result, run.drive.name, along, some(within, result)):
-        if not is_told(one, result) or order_of(run, result, one.drive) == "infinite":
+        if not is_shown(one, result) or order_of(run, result, one.drive) == "infinite":
             continue
         near_by = [p for p in poles if abs(one.drive - p) <= 2 * run.range / SAMPLES]
         if not near_by or turns_between(one, near_by, result, along):

@@ -42,7 +42,7 @@ def stuck(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
 
 
 def _left_out(stretch: Stretch, low: float, high: float) -> tuple[bool, bool]:
-    """Tell of either end of what lies in the range whether the stretch only reaches up to it."""
+    """Return of either end of what lies in the range whether the stretch only reaches up to it."""
     first, last = stretch.low, stretch.high
     return (
         first is not None and first.is_strict and first.place == low,
@@ -50,8 +50,8 @@ def _left_out(stretch: Stretch, low: float, high: float) -> tuple[bool, bool]:
     )
 
 
-def is_told(extremum: Extremum, result: Analysis) -> bool:
-    """Tell an extremum from one of an efficiency where nothing moves."""
+def is_shown(extremum: Extremum, result: Analysis) -> bool:
+    """Return whether an extremum is none of an efficiency where nothing moves."""
     return extremum.value > 0 or not isinstance(result.target, Efficiency)
 
 

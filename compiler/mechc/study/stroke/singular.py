@@ -41,7 +41,7 @@ def singular_along(
         for pose in singular_poses(result, run.drive.name, run.along, stretch, run.within(stretch))
     ]
     orders = {r.name: partial(order_of, run, r) for r in ratios}
-    return told_apart(found, branches, run.range, orders)
+    return distinguished(found, branches, run.range, orders)
 
 
 def order_of(run: Run, result: Analysis, place: float) -> Order | None:
@@ -161,7 +161,7 @@ def _exponent(function: Function, place: float, distance: float) -> float | None
     return second if abs(first - second) < ALIKE else None
 
 
-def told_apart(
+def distinguished(
     found: Iterable[Singular],
     branches: Sequence[Branch],
     range_: float,

@@ -104,8 +104,8 @@ class JammedInterval(NamedTuple):
 class Stroke:
     """Everything along the stroke of one mechanism; all in SI and radians.
 
-    ``courses`` tell of each efficiency what it runs through. ``without`` are the loads asked
-    for that rest on loads without a value, with these. ``looked`` tells of each result at how many
+    ``courses`` are the values that each efficiency runs through. ``without`` are the loads asked
+    for that rest on loads without a value, with these. ``looked`` states of each result at how many
     places it was looked at: what is found between two of them is refined.
     """
 

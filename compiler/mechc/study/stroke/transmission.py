@@ -56,7 +56,7 @@ def _direction(pose: Pose, link: Link, tail: str, head: str) -> Angle | None:
 
 
 def _drives(pose: Pose, arm: Angle) -> bool:
-    """Tell the crank, whose direction is the drive's, from what is driven."""
+    """Return the crank, whose direction is the drive's, and what is driven."""
     drive = pose.mechanism.drive
     return drive is not None and [n for n, _ in arm.terms] == [drive.parameter]
 
