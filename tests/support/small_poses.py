@@ -7,7 +7,7 @@ from mechc.algebra.angle import Angle
 from mechc.algebra.product import Product
 from mechc.diagnostics import Report
 from mechc.formula.tree import ZERO, Symbol, number
-from mechc.kinematics.builder import Builder
+from mechc.kinematics.carriers import graph_of
 from mechc.kinematics.graph import Graph
 from mechc.kinematics.plan import Plan
 from mechc.kinematics.planning import plan_of
@@ -158,7 +158,7 @@ def slotted() -> Pose:
 
 
 def graph(of: Pose) -> Graph:
-    return Builder(of).graph()
+    return graph_of(of)
 
 
 def plan(of: Pose) -> Plan:

@@ -12,7 +12,7 @@ from ..model.mechanism import (
     SpeedRatio,
 )
 from ..pose.pose import Pose
-from .builder import Builder
+from .carriers import graph_of
 from .plan import Plan
 from .planning import plan_of
 
@@ -25,7 +25,7 @@ def plan_velocities(pose: Pose, report: Report) -> Plan:
     """
     finds = pose.mechanism.finds
     asks_for_forces = any(isinstance(f.target, Reaction | Axial | Normal) for f in finds)
-    plan = plan_of(Builder(pose).graph(), report, may_stand=asks_for_forces)
+    plan = plan_of(graph_of(pose), report, may_stand=asks_for_forces)
     if not plan.mobility:
         _check_frame(pose.mechanism, report)
     return plan

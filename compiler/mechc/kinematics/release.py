@@ -35,7 +35,7 @@ from ..model.mechanism import (
 )
 from ..pose.pose import PointContact, Pose
 from ..source import Source, Span
-from .builder import Builder
+from .carriers import graph_of
 from .forms import QUARTER, combined, leaving, parting, projection, spin, subtract
 from .graph import Form, Graph, Relation, Rule
 from .meshes import mesh_of, slipping
@@ -134,7 +134,7 @@ def released_linkage(
     moved = {load.name: load for load in released.pose.mechanism.loads}
     shares = [[(part, moved[load.name]) for part, load in free] for free in held]
     measures = [*released.holding, *map(work_of, shares)]
-    graph = _held_still(Builder(released.pose).graph(), measures, pose.mechanism.span)
+    graph = _held_still(graph_of(released.pose), measures, pose.mechanism.span)
     try:
         plan = plan_of(graph, Report(Source("", "")), taken)
     except MechcError:

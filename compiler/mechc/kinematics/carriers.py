@@ -1,0 +1,142 @@
+"""What carries each moving point: a link on a pivot, a translating body, a guide, a free body.
+
+Every moving point gets one *carrier* that defines its velocity: the ground (pivots), a
+link that turns about a pivot, a guide, a body that floats, or, for a pin that only rods
+hold, its projections on two of them. Everything else that holds the point becomes a
+relation.
+"""
+
+from collections.abc import Sequence
+
+from ..algebra.angle import Angle
+from ..algebra.product import ONE
+from ..model.mechanism import Link, Mechanism, Pivot, Slider
+from ..pose.pose import Pose
+from ..source import Span
+from .contacts import relations
+from .draft import Draft
+from .forms import QUARTER, projection, subtract, turned
+from .graph import Flow, Graph, Kind, Rule, Velocity
+from .rods import bodies_and_rods, carry_ends, direction, relate_ends
+
+
+def graph_of(pose: Pose) -> Graph:
+    """Return the velocity-constraint graph of a pose."""
+    draft = Draft(pose)
+    pivoted, floating = _by_pivots(pose.mechanism)
+    _rest_pivots(draft)
+    _turn_about_pivots(draft, pivoted)
+    _move_slides(draft)
+    _guide_sliders(draft)
+    bodies, rods = bodies_and_rods(floating, draft)
+    _carry_bodies(draft, bodies, rods)
+    carry_ends(draft, rods)
+    _carry_loose_pins(draft)
+    relate_ends(draft, rods)
+    draft.relations.extend(relations(pose, draft.velocities, draft.spins))
+    return draft.graph()
+
+
+def _by_pivots(mechanism: Mechanism) -> tuple[list[Link], list[Link]]:
+    """Return the links that have a pivot, and the others."""
+    fixed, links = mechanism.fixed, mechanism.links
+    pivoted = [link for link in links if not fixed.isdisjoint(link.points)]
+    return pivoted, [link for link in links if fixed.isdisjoint(link.points)]
+
+
+def _rest_pivots(draft: Draft) -> None:
+    for pivot in draft.mechanism.each(Pivot):
+        draft.velocities[pivot.point] = ()
+
+
+def _turn_about_pivots(draft: Draft, links: Sequence[Link]) -> None:
+    for link in links:
+        pivot = next(p for p in link.points if draft.velocities.get(p) == ())
+        spin = draft.spin(link)
+        for point in link.points:
+            if point != pivot:
+                draft.carry(link, point, turned(draft.pose.vector(link.name, pivot, point), spin))
+
+
+def _move_slides(draft: Draft) -> None:
+    """Give all points of a body that only translates one speed."""
+    for slide in draft.mechanism.slides:
+        along = draft.pose.slides[slide.name]
+        velocity = (Flow(ONE, along, draft.unknown(Kind.SLIDE, slide.points[0], along)),)
+        for point in slide.points:
+            known = draft.velocities.setdefault(point, velocity)
+            if known != velocity:
+                _relate_translation(draft, slide.name, point, velocity, slide.span)
+
+
+def _relate_translation(
+    draft: Draft, body: str, point: str, velocity: Velocity, span: Span
+) -> None:
+    """Let a point that something else carries have the velocity of a translating body too."""
+    along = draft.pose.slides[body]
+    for heading in (along, along + QUARTER):
+        known = projection(draft.velocities[point], heading)
+        form = subtract(projection(velocity, heading), known)
+        draft.relate(Rule.JOINT, body, (point,), heading, form, span)
+
+
+def _guide_sliders(draft: Draft) -> None:
+    for point, along in draft.guides.items():
+        velocity = draft.velocities.get(point)
+        if velocity is None:
+            slide = draft.unknown(Kind.SLIDE, point, along)
+            draft.velocities[point] = (Flow(ONE, along, slide),)
+        else:
+            across = along + QUARTER
+            form = projection(velocity, across)
+            draft.relate(Rule.GUIDE, "", (point,), across, form, _span_of_guide(draft, point))
+
+
+def _span_of_guide(draft: Draft, point: str) -> Span:
+    spans = {s.point: s.span for s in draft.mechanism.each(Slider)}
+    mirror = draft.mechanism.mirror
+    return spans.get(point, mirror.span if mirror else Span(0, 0))
+
+
+def _carry_bodies(draft: Draft, bodies: Sequence[Link], rods: Sequence[Link]) -> None:
+    """Give bodies that float a spin, and their points velocities.
+
+    A body with points whose velocity is known comes first, so that it can be based on
+    one of them.
+    """
+    waiting = list(bodies)
+    while waiting:
+        link = max(waiting, key=lambda body: sum(p in draft.velocities for p in body.points))
+        waiting.remove(link)
+        _float(draft, link, rods)
+
+
+def _float(draft: Draft, link: Link, rods: Sequence[Link]) -> None:
+    """Express a body's points by the velocity of one of them and the body's spin."""
+    known = [p for p in link.points if p in draft.velocities]
+    base = known[0] if known else _loosen(draft, link, rods)
+    draft.name_if_long(base)
+    spin = draft.spin(link)
+    for point in link.points:
+        if point != base:
+            arms = draft.pose.vector(link.name, base, point)
+            draft.carry(link, point, (*draft.velocities[base], *turned(arms, spin)), base)
+
+
+def _loosen(draft: Draft, link: Link, rods: Sequence[Link]) -> str:
+    """Give one point of a body that nothing known touches two unknown components."""
+    for point in link.points:
+        for rod in rods:
+            if point in rod.points:
+                along = direction(rod, draft.pose)
+                draft.free(point, along, along + QUARTER)
+                return point
+    draft.free(link.points[0], Angle(), QUARTER)
+    return link.points[0]
+
+
+def _carry_loose_pins(draft: Draft) -> None:
+    """Let a pin that has left its guide, and that no body has, move in its slot and off it."""
+    for touch in draft.pose.touches:
+        if touch.point not in draft.velocities:
+            draft.free(touch.point, touch.normal, touch.normal + QUARTER)
