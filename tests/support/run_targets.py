@@ -74,7 +74,8 @@ def built(found: Compiled, folder: Path) -> SimpleNamespace:
     made = folder / "code.so"
     command = [COMPILER, *strict, "-O1", "-fPIC", "-shared", "code.c", "-o", made, "-lm"]
     subprocess.run(command, cwd=folder, check=True)
-    heads = [line for line in header.text.splitlines() if line.startswith(("double ", "void "))]
+    positional = header.text.split("typedef struct")[0].splitlines()
+    heads = [line for line in positional if line.startswith(("double ", "void "))]
     beside = (*companions(found), "pose_n", "points_n")
     others = tuple(f"{found.routine.name}_{name}" for name in beside)
     names = [line.split("(")[0].split()[1] for line in heads]

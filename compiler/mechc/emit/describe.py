@@ -90,6 +90,12 @@ def quantity_lines(quantities: Iterable[Quantity]) -> list[str]:
     return [f"{q.name}: {quantity_words(q)}" for q in quantities]
 
 
+def measured_words(name: str, dimension: Dimension) -> str:
+    """Return the name of an angle or a length that loops find, with its SI unit."""
+    unit = si_unit(dimension)
+    return f"{name}, in {unit}" if unit else name
+
+
 def _default_words(item: Input) -> str:
     """Return the default with its tolerance, '' where there is none."""
     if item.default is None:

@@ -8,9 +8,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..model.mechanism import Mechanism
+from ..routine.dimensions import closed_dimensions
 from ..routine.evaluate import evaluate, pose
 from ..routine.steps import Input, Pose, Routine
-from ..units import ANGLE, LENGTH, USUAL_UNITS, Dimension, si_unit
+from ..units import USUAL_UNITS, Dimension, si_unit
 
 Array = NDArray[np.float64]
 Values = Mapping[str, float | Array]
@@ -47,9 +48,7 @@ def _closed(routine: Routine, mechanism: Mechanism) -> Iterator[Quantity]:
     """Yield the angles and lengths that loops find."""
     if routine.pose is None:
         return
-    measured = {p.name: p.dimension for p in mechanism.parameters}
-    for name in routine.pose.outputs:
-        dimension = measured.get(name, LENGTH if name.startswith("len_") else ANGLE)
+    for name, dimension in closed_dimensions(routine.pose, mechanism).items():
         yield Quantity(name, dimension, routine.pose.inputs, partial(_of, routine.pose, name))
 
 

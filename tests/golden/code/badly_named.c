@@ -243,3 +243,75 @@ void class_pose_n(
         status[i_2] = class_pose(lambda[i_2], int_[i_2], I_[i_2], n[i_2], i[i_2], np[i_2], beta_3[i_2], beta[i_2], beta_2[i_2], double_[i_2], l_A_prime[i_2], k[i_2], sin_lambda_out + i_2, NAN_out + i_2);
     }
 }
+
+const class_parameters class_defaults = {
+    0.02, /* lambda */
+    0.03, /* int_ */
+    0.04, /* I_ */
+    0.05, /* n */
+    0.06, /* i */
+    0.07, /* np */
+    0.08, /* beta_3 */
+    0.09, /* beta */
+    0.1, /* beta_2 */
+    0.11, /* double_ */
+    0.12, /* l_A_prime */
+    0.13 /* k */
+};
+
+double class_k_of(const class_parameters *p)
+{
+    return class_k(
+        p->lambda,
+        p->int_,
+        p->I_,
+        p->n,
+        p->i,
+        p->np,
+        p->beta_3,
+        p->beta,
+        p->beta_2,
+        p->double_,
+        p->l_A_prime,
+        p->k);
+}
+
+double class_k_n_of(const class_parameters *p)
+{
+    return class_k_n(p->I_, p->np);
+}
+
+double class_int_of(const class_parameters *p)
+{
+    return class_int(p->beta_3, p->beta);
+}
+
+double class_int_of_2(const class_parameters *p)
+{
+    return class_int_(p->int_, p->double_);
+}
+
+double class_seven_of(const class_parameters *p)
+{
+    (void)p;
+    return class_seven();
+}
+
+int class_pose_of(const class_parameters *p, double *sin_lambda_out, double *NAN_out)
+{
+    return class_pose(
+        p->lambda,
+        p->int_,
+        p->I_,
+        p->n,
+        p->i,
+        p->np,
+        p->beta_3,
+        p->beta,
+        p->beta_2,
+        p->double_,
+        p->l_A_prime,
+        p->k,
+        sin_lambda_out,
+        NAN_out);
+}

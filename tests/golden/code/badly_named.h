@@ -152,8 +152,8 @@ void class_seven_n(size_t n, double *MECHC_RESTRICT seven);
  *   double_: m; double in the formula, 110 mm, in 55 mm .. 110 mm
  *   l_A_prime: m; l_A' in the formula, 120 mm, in 60 mm .. 120 mm
  *   k: m; 130 mm, in 65 mm .. 130 mm
- *   sin_lambda_out: sin_lambda
- *   NAN_out: NAN
+ *   sin_lambda_out: sin_lambda, in rad
+ *   NAN_out: NAN, in rad
  *
  * The second form computes the elements 0 .. n_2 - 1; its arrays must not overlap.
  */
@@ -189,6 +189,35 @@ void class_pose_n(
     double *MECHC_RESTRICT sin_lambda_out,
     double *MECHC_RESTRICT NAN_out,
     int *MECHC_RESTRICT status);
+
+/*
+ * All parameters by name. The defaults are the values of the description, NAN where it has none:
+ * copy them, set what is to differ, and pass the copy on. Each function below gives what the
+ * one without _of gives for these values.
+ */
+typedef struct class_parameters {
+    double lambda; /* m; 20 mm, in 10 mm .. 20 mm */
+    double int_; /* m; int in the formula, 30 mm, in 15 mm .. 30 mm */
+    double I_; /* m; I in the formula, 40 mm, in 20 mm .. 40 mm */
+    double n; /* m; 50 mm, in 25 mm .. 50 mm */
+    double i; /* m; 60 mm, in 30 mm .. 60 mm */
+    double np; /* m; 70 mm, in 35 mm .. 70 mm */
+    double beta_3; /* m; β in the formula, 80 mm, in 40 mm .. 80 mm */
+    double beta; /* m; 90 mm, in 45 mm .. 90 mm */
+    double beta_2; /* m; 100 mm, in 50 mm .. 100 mm */
+    double double_; /* m; double in the formula, 110 mm, in 55 mm .. 110 mm */
+    double l_A_prime; /* m; l_A' in the formula, 120 mm, in 60 mm .. 120 mm */
+    double k; /* m; 130 mm, in 65 mm .. 130 mm */
+} class_parameters;
+
+extern const class_parameters class_defaults;
+
+double class_k_of(const class_parameters *p);
+double class_k_n_of(const class_parameters *p);
+double class_int_of(const class_parameters *p);
+double class_int_of_2(const class_parameters *p);
+double class_seven_of(const class_parameters *p);
+int class_pose_of(const class_parameters *p, double *sin_lambda_out, double *NAN_out);
 
 #ifdef __cplusplus
 }

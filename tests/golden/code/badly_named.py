@@ -151,6 +151,9 @@ def pose(lambda_, int_, I, n, i, np_, beta_3, beta, beta_2, double, l_A_prime, k
     Status 0: all are there; 1: the loops do not close, or a branch has ended on the way
     from the default pose. What is not there is NaN.
 
+    sin_lambda, in rad
+    NAN, in rad
+
     Args:
         lambda_: m; lambda in the formula, 20 mm, in 10 mm .. 20 mm
         int_: m; int in the formula, 30 mm, in 15 mm .. 30 mm

@@ -300,3 +300,36 @@ void chained_pose_n(
         status[i] = chained_pose(a[i], b[i], phi[i], theta_out + i, reach_out + i);
     }
 }
+
+const chained_parameters chained_defaults = {
+    0.1, /* a */
+    0.25, /* b */
+    0.6981317007977318, /* phi */
+    3.0, /* m */
+    NAN /* M */
+};
+
+double chained_k_of(const chained_parameters *p)
+{
+    return chained_k(p->a, p->b, p->phi);
+}
+
+double chained_P_of(const chained_parameters *p)
+{
+    return chained_P(p->a, p->b, p->phi, p->m, p->M);
+}
+
+double chained_F_of(const chained_parameters *p)
+{
+    return chained_F(p->m);
+}
+
+double chained_twice_of(const chained_parameters *p)
+{
+    return chained_twice(p->a, p->b, p->phi, p->m, p->M);
+}
+
+int chained_pose_of(const chained_parameters *p, double *theta_out, double *reach_out)
+{
+    return chained_pose(p->a, p->b, p->phi, theta_out, reach_out);
+}

@@ -124,8 +124,8 @@ void chained_twice_n(
  *   a: m; 100 mm, in 50 mm .. 100 mm
  *   b: m; 250 mm, in 125 mm .. 250 mm
  *   phi: rad; 40 deg, in 20 deg .. 40 deg
- *   theta_out: theta
- *   reach_out: reach
+ *   theta_out: theta, in rad
+ *   reach_out: reach, in rad
  *
  * The second form computes the elements 0 .. n - 1; its arrays must not overlap.
  */
@@ -138,6 +138,27 @@ void chained_pose_n(
     double *MECHC_RESTRICT theta_out,
     double *MECHC_RESTRICT reach_out,
     int *MECHC_RESTRICT status);
+
+/*
+ * All parameters by name. The defaults are the values of the description, NAN where it has none:
+ * copy them, set what is to differ, and pass the copy on. Each function below gives what the
+ * one without _of gives for these values.
+ */
+typedef struct chained_parameters {
+    double a; /* m; 100 mm, in 50 mm .. 100 mm */
+    double b; /* m; 250 mm, in 125 mm .. 250 mm */
+    double phi; /* rad; 40 deg, in 20 deg .. 40 deg */
+    double m; /* kg; 3 kg, in 1.5 kg .. 3 kg */
+    double M; /* N*m */
+} chained_parameters;
+
+extern const chained_parameters chained_defaults;
+
+double chained_k_of(const chained_parameters *p);
+double chained_P_of(const chained_parameters *p);
+double chained_F_of(const chained_parameters *p);
+double chained_twice_of(const chained_parameters *p);
+int chained_pose_of(const chained_parameters *p, double *theta_out, double *reach_out);
 
 #ifdef __cplusplus
 }

@@ -158,6 +158,9 @@ def pose(a, b, phi):
     Status 0: all are there; 1: the loops do not close, or a branch has ended on the way
     from the default pose. What is not there is NaN.
 
+    theta, in rad
+    reach, in rad
+
     Args:
         a: m; 100 mm, in 50 mm .. 100 mm
         b: m; 250 mm, in 125 mm .. 250 mm

@@ -117,3 +117,15 @@ void packet_clamp_k_n(
         }
     }
 }
+
+const packet_clamp_parameters packet_clamp_defaults = {
+    0.1, /* a */
+    0.25, /* b */
+    0.20943951023931953, /* alpha */
+    0.12217304763960307 /* beta */
+};
+
+double packet_clamp_k_of(const packet_clamp_parameters *p)
+{
+    return packet_clamp_k(p->a, p->b, p->alpha, p->beta);
+}

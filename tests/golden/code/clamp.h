@@ -45,6 +45,22 @@ void packet_clamp_k_n(
     const double *MECHC_RESTRICT beta,
     double *MECHC_RESTRICT k);
 
+/*
+ * All parameters by name. The defaults are the values of the description, NAN where it has none:
+ * copy them, set what is to differ, and pass the copy on. Each function below gives what the
+ * one without _of gives for these values.
+ */
+typedef struct packet_clamp_parameters {
+    double a; /* m; 100 mm, in 50 mm .. 100 mm */
+    double b; /* m; 250 mm, in 125 mm .. 250 mm */
+    double alpha; /* rad; 12 deg, in 6 deg .. 12 deg */
+    double beta; /* rad; 7 deg, in 3.5 deg .. 7 deg */
+} packet_clamp_parameters;
+
+extern const packet_clamp_parameters packet_clamp_defaults;
+
+double packet_clamp_k_of(const packet_clamp_parameters *p);
+
 #ifdef __cplusplus
 }
 #endif

@@ -3,10 +3,12 @@
 LONGEST_LINE = 100
 
 
-def wrapped(head: str, arguments: list[str]) -> str:
-    """Return a function's head on one line, or with one argument on each."""
+def wrapped(head: str, arguments: list[str], indent: str = "    ") -> str:
+    """Return a function's head, or a call, on one line or with one argument on each."""
     line = f"{head}{', '.join(arguments)})"
-    return line if len(line) <= LONGEST_LINE else head + "\n    " + ",\n    ".join(arguments) + ")"
+    if len(indent) - 4 + len(line) <= LONGEST_LINE:
+        return line
+    return f"{head}\n{indent}" + f",\n{indent}".join(arguments) + ")"
 
 
 def harmless(words: str) -> str:

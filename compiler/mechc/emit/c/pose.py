@@ -4,9 +4,11 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ...formula.tree import Symbol
-from ...routine.steps import Common, Pose, Routine, Solver, mentioned, names_of
+from ...routine.dimensions import closed_dimensions
+from ...routine.steps import Common, Pose, Solver, mentioned, names_of
 from .. import describe
 from ..names import Names, mangle
+from ..target import Compiled
 from .layout import broken, harmless, wrapped
 from .printer import CPrinter
 from .reserved import RESERVED
@@ -42,8 +44,10 @@ class Forms(NamedTuple):
 
 
 class PoseContext(NamedTuple):
-    """Fields are what ``c/pose.jinja`` and ``c/declarations.jinja`` mention."""
+    """Fields are what ``c/pose.jinja`` and ``c/declarations.jinja`` mention, and what it fills."""
 
+    name: str
+    outputs: list[str]
     remarks: list[str]
     single: str
     batch: str
@@ -58,13 +62,15 @@ class PoseContext(NamedTuple):
 
 
 def pose_contexts(
-    routine: Routine, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+    compiled: Compiled, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
 ) -> list[PoseContext]:
     """Return the functions of a mechanism's pose and its points, each for one and for many."""
+    routine = compiled.routine
     pose, points = (Forms.of(f"{routine.name}_{what}", space) for what in ("pose", "points"))
     found: list[PoseContext] = []
     if routine.pose:
-        meanings = {name: name for name in routine.pose.outputs}
+        measured = closed_dimensions(routine.pose, compiled.mechanism)
+        meanings = {name: describe.measured_words(name, d) for name, d in measured.items()}
         found.append(_context(routine.pose, pose, POSE, meanings, arguments, solvers))
     if routine.points:
         meanings = {q.name: describe.quantity_words(q) for q in routine.points.quantities}
@@ -92,6 +98,8 @@ def _context(
     inputs = list(own.values())
     given = [*(f"{a}[{loop}]" for a in inputs), *(f"{o} + {loop}" for o in outputs.values())]
     return PoseContext(
+        single,
+        list(outputs.values()),
         [*remarks, "", *map(harmless, _remarks(pose, own, outputs, meanings, number))],
         wrapped(
             f"int {single}(",

@@ -65,10 +65,23 @@ def macro_restrict() -> str:
     return "".join(_parts)
 
 
-def macro_declarations(functions: Any) -> str:
+def macro_by_parameters(parameters: Any) -> str:
+    _parts: list[str] = []
+    _parts += ['\n/*\n * All parameters by name. The defaults are the values of the description, NAN where it has none:\n * copy them, set what is to differ, and pass the copy on. Each function below gives what the\n * one without _of gives for these values.\n */\ntypedef struct ', str(parameters.struct), ' {\n']
+    for field in parameters.fields:
+        _parts += ['    double ', str(field.name), '; /* ', str(field.words), ' */\n']
+    _parts += ['} ', str(parameters.struct), ';\n\nextern const ', str(parameters.struct), ' ', str(parameters.defaults), ';\n\n']
+    for f in parameters.functions:
+        _parts += [str(f.head), ';\n']
+    return "".join(_parts)
+
+
+def macro_declarations(functions: Any, parameters: Any) -> str:
     _parts: list[str] = []
     for f in functions:
         _parts += ['\n', macro_remark(f.remarks), str(f.single), ';\n', str(f.batch), ';\n']
+    if parameters:
+        _parts += [macro_by_parameters(parameters)]
     return "".join(_parts)
 
 
@@ -121,6 +134,8 @@ def _functions(_known: Mapping[str, Any]) -> str:
         _parts += [TEMPLATES['c/pose.jinja']({**_known, "pose": pose})]
     if _known["gradients"]:
         _parts += [TEMPLATES['c/gradient.jinja'](_known)]
+    if _known["parameters"]:
+        _parts += [TEMPLATES['c/parameters.jinja'](_known)]
     return "".join(_parts)
 
 
@@ -160,7 +175,21 @@ def _guards(_known: Mapping[str, Any]) -> str:
 
 def _header(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
-    _parts += [macro_remark(_known["preface"]), '#ifndef ', str(_known["guard"]), '\n#define ', str(_known["guard"]), '\n\n#include <stddef.h>\n\n', macro_restrict(), '\n#ifdef __cplusplus\nextern "C" {\n#endif\n', macro_declarations(_known["functions"]), '\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n']
+    _parts += [macro_remark(_known["preface"]), '#ifndef ', str(_known["guard"]), '\n#define ', str(_known["guard"]), '\n\n#include <stddef.h>\n\n', macro_restrict(), '\n#ifdef __cplusplus\nextern "C" {\n#endif\n', macro_declarations(_known["functions"], _known["parameters"]), '\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n']
+    return "".join(_parts)
+
+
+def _parameters(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\nconst ', str(_known["parameters"].struct), ' ', str(_known["parameters"].defaults), ' = {\n']
+    for loop, field in turns(_known["parameters"].fields):
+        _parts += ['    ', str(field.value), str((',' if (not loop.last) else '')), ' /* ', str(field.name), ' */\n']
+    _parts += ['};\n']
+    for f in _known["parameters"].functions:
+        _parts += ['\n', str(f.head), '\n{\n']
+        if ('->' not in f.call):
+            _parts += ['    (void)', str(_known["parameters"].pointer), ';\n']
+        _parts += ['    ', str(f.call), ';\n}\n']
     return "".join(_parts)
 
 
@@ -230,7 +259,7 @@ def _source(_known: Mapping[str, Any]) -> str:
     if _known["roots"]:
         _parts += ['\n/* A root that leaves no trace of its failure but NaN: loops over it become vector code. */\n#ifdef __GNUC__\n#pragma GCC diagnostic push\n#pragma GCC diagnostic ignored "-Wredundant-decls"\n#ifndef __cplusplus\ndouble sqrt(double) __attribute__((const));\n#elif defined(__GLIBC__)\nextern "C" double sqrt(double) __THROW __attribute__((const));\n#endif\n#pragma GCC diagnostic pop\n#endif\n']
     if (not _known["header"]):
-        _parts += ['\n', macro_restrict(), macro_declarations(_known["public"]), '\n']
+        _parts += ['\n', macro_restrict(), macro_declarations(_known["public"], _known["parameters"]), '\n']
     if _known["pi"]:
         _parts += ['\n#define MECHC_PI 3.14159265358979323846\n']
     for choice in _known["choices"]:
@@ -283,6 +312,7 @@ TEMPLATES = {
     "c/gradient.jinja": _gradient,
     "c/guards.jinja": _guards,
     "c/header.jinja": _header,
+    "c/parameters.jinja": _parameters,
     "c/pose.jinja": _pose,
     "c/solver.jinja": _solver,
     "c/source.jinja": _source,

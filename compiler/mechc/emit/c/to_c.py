@@ -23,6 +23,7 @@ from .checks import ChecksContext, checks_context
 from .functions import FileScope, FunctionContext, Symbols, function_context, symbols_of
 from .helpers import BITS, helpers
 from .layout import harmless
+from .parameters import ParametersContext, parameters_context
 from .pose import CommonContext, PoseContext, common_context, pose_contexts
 from .printer import CPrinter
 from .real import FLOAT, Real, in_single_precision, named
@@ -53,6 +54,7 @@ class HeaderContext(NamedTuple):
     preface: list[str]
     guard: str
     functions: list[Declared]
+    parameters: ParametersContext | None
 
 
 class CodeContext(NamedTuple):
@@ -64,6 +66,7 @@ class CodeContext(NamedTuple):
     solvers: list[SolverContext]
     commons: list[CommonContext]
     gradients: "list[GradientContext]"
+    parameters: ParametersContext | None
     newton: ModuleType
     real: Real
 
@@ -74,6 +77,7 @@ class SourceContext(NamedTuple):
     preface: list[str]
     header: str
     public: list[Declared]
+    parameters: ParametersContext | None
     helpers: Set[str]
     choices: list[Line]
     conditions: list[Line]
@@ -93,6 +97,7 @@ class Parts(NamedTuple):
     solvers: list[SolverContext]
     commons: list[CommonContext]
     gradients: "list[GradientContext]"
+    parameters: ParametersContext | None
 
     @property
     def public(self) -> list[Declared]:
@@ -118,7 +123,7 @@ class CTarget:
         if options.single:
             return (source,)
         guard = f"MECHC_{transliterate(compiled.routine.name).upper()}_H"
-        context = HeaderContext(preface, guard, parts.public)
+        context = HeaderContext(preface, guard, parts.public, parts.parameters)
         return (source, _file(header, render("c/header.jinja", context), real))
 
 
@@ -146,6 +151,7 @@ def _source(parts: Parts, preface: list[str], header: str, real: Real) -> str:
         preface=preface,
         header=header,
         public=parts.public,
+        parameters=parts.parameters,
         helpers=called,
         choices=[Line(name, sign) for name, sign in _CHOICES.items() if name in called],
         conditions=[Line(name, _SIGNS[name]) for name in SIGNS if name in called],
@@ -197,7 +203,8 @@ def _parts(compiled: Compiled, slopes: bool) -> Parts:
     commons = [p for p in written if isinstance(p, Common)]
     handing = {c.number: space.claim(f"{routine.name}_values_{c.number}") for c in commons}
     scope = FileScope(linked, arguments, solvers, handing)
-    poses = pose_contexts(routine, space, arguments, solvers)
+    poses = pose_contexts(compiled, space, arguments, solvers)
+    gradients = _gradients(routine, space, arguments) if slopes else []
     return Parts(
         [function_context(f, scope, listed) for f in listed],
         poses,
@@ -206,7 +213,8 @@ def _parts(compiled: Compiled, slopes: bool) -> Parts:
         else None,
         [solver_context(solver, name) for solver, name in solvers.items()],
         [common_context(c, handing, arguments, solvers) for c in commons],
-        _gradients(routine, space, arguments) if slopes else [],
+        gradients,
+        parameters_context(routine, scope.singles, poses, status, space, arguments),
     )
 
 

@@ -4,10 +4,10 @@ from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
 from ...formula.tree import Formula, Symbol
+from ...routine.dimensions import closed_dimensions
 from ...routine.steps import (
     Common,
     Pose,
-    Routine,
     Solve,
     Solver,
     Statement,
@@ -17,6 +17,7 @@ from ...routine.steps import (
 from .. import describe
 from ..names import Names, mangle
 from ..render import Line
+from ..target import Compiled
 from .printer import RESERVED, PythonPrinter
 from .solvers import line
 
@@ -40,13 +41,16 @@ class PoseContext(NamedTuple):
 
 
 def pose_contexts(
-    routine: Routine, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
+    compiled: Compiled, space: Names, arguments: Mapping[str, str], solvers: Mapping[Solver, str]
 ) -> list[PoseContext]:
     """Return the functions of a mechanism's pose and of its points, as far as there are any."""
+    routine = compiled.routine
     pose, points = (space.claim(name) for name in ("pose", "points"))
     found: list[PoseContext] = []
     if routine.pose:
-        found.append(_context(routine.pose, pose, "intermediates", (), arguments, solvers))
+        measured = closed_dimensions(routine.pose, compiled.mechanism)
+        words = [describe.measured_words(name, d) for name, d in measured.items()]
+        found.append(_context(routine.pose, pose, "intermediates", words, arguments, solvers))
     if routine.points:
         meanings = describe.quantity_lines(routine.points.quantities)
         program = routine.points.program

@@ -119,7 +119,7 @@ def _module(compiled: Compiled, slopes: bool) -> ModuleContext:
     solvers = solver_names(step for part in parts for step in part.steps)
     functions = [_function(f, names, arguments, solvers, listed) for f in listed]
     inputs = {i.name: i for part in parts for i in part.inputs}.values()
-    poses = pose_contexts(routine, space, arguments, solvers)
+    poses = pose_contexts(compiled, space, arguments, solvers)
     status = space.claim("status") if routine.checks else ""
     gradients = _gradients(routine, space, arguments) if slopes else []
     programs_of_slopes = (gradient.program for gradient in gradients)
