@@ -74,6 +74,12 @@ def test_the_values(name: str, given: dict[str, float], expected: float) -> None
     assert array == pytest.approx([expected, expected], rel=1e-12, nan_ok=True)
 
 
+def test_a_size_that_is_just_right_is_shown() -> None:
+    """A hair more would take the next one: that is no error of rounding of this one."""
+    found = sheet("sheet s\nparam d = 8 mm\nlist l = 5 mm, 8 mm, 20 mm\nlet D = next d in l\n")
+    assert [result.default for result in found.results] == [0.008]
+
+
 GRID = {
     "v": np.array([0.5, 1.0, 1.5, 2.0, 3.5, math.nan]),
     "r": np.array([0.05, 0.1, 0.45, 0.5, 1.0, 0.2]),

@@ -118,6 +118,9 @@ class Rounding:
             case Call("choose", arguments):
                 part = chosen(arguments, lambda p: self._of(p).value)
                 return Rounded(math.nan, 0.0) if part is None else self._of(part)
+            case Call("next", (least, *sizes)):
+                wanted, listed = self._of(least).value, map(self._of, sizes)
+                return next((size for size in listed if wanted <= size.value), Rounded(math.nan, 0))
             case Call(function, arguments):
                 return _call(function, [*map(self._of, arguments)])
             case Implicit(system, index, arguments):
