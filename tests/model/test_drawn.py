@@ -189,3 +189,25 @@ def test_a_pin_a_little_off_its_slot_is_laid_on_it():
     rounded = text.replace("A at (20 mm, 20 mm)", "A at (20.0 mm, 20.1 mm)")
     assert value(rounded) == pytest.approx(value(text), rel=0.01)
     assert codes(text.replace("A at (20 mm, 20 mm)", "A at (20.0 mm, 21.0 mm)")) == ["E322"]
+
+
+def test_a_vector_given_whole_draws_the_point_that_it_leads_to():
+    undrawn = re.sub(r"A at .*", "OA = 40 mm @ phi", FOUR_BAR)
+    told = undrawn.replace("drive OA", "param phi = 60 deg\ndrive phi")
+    closed = re.sub(r"drive .*", "param phi = 60 deg", undrawn)
+    assert value(told) == pytest.approx(value(FOUR_BAR), rel=1e-4)
+    assert value(closed) == pytest.approx(value(told), rel=1e-12)
+
+
+@pytest.mark.parametrize("drive", ["", "drive phi from 0 deg to 360 deg\n"])
+def test_a_pin_that_a_crank_leads_lies_in_its_slot_where_the_end_alone_is_drawn(drive):
+    ends = "OA = 2 m @ phi\nC at (0 m, 2.1 m)\nparam phi = atan2(1.6, 1.2)\n"
+    text = re.sub(r"A at .*\n", ends + drive, without_drive(DRAWN["quick_return"]))
+    assert codes(text) == []
+    assert value(text) == pytest.approx(value(DRAWN["quick_return"]), rel=1e-9)
+
+
+def test_an_angle_with_a_range_alone_follows_from_the_loop():
+    ranged = FOUR_BAR + "param psi in 60 deg .. 120 deg\nCB = @ psi\n"
+    assert codes(ranged) == ["W303"]
+    assert value(ranged) == pytest.approx(value(FOUR_BAR), rel=1e-12)

@@ -44,6 +44,37 @@ def length_without_value(at: Span, name: str) -> Message:
     )
 
 
+@coded("E344")
+def angle_without_value(at: Span, name: str, inside: str) -> Message:
+    """An angle in a loop has a range and no value, and the loop does not determine it.
+
+    Behind a drive a loop gives the angles that have no value. A five-bar linkage needs one
+    of them as a second input::
+
+        param psi in 70 deg .. 90 deg            # wrong: a range is no value
+        param psi = 75 deg in 70 deg .. 90 deg   # right
+    """
+    return Message(
+        at,
+        f"{name} has no value, and the loops do not determine it",
+        f"give it one: `param {name} = {inside}`",
+    )
+
+
+@coded("W303")
+def range_of_found(at: Span, name: str) -> Message:
+    """A loop gives a parameter its value along the drive, and its range holds nothing there.
+
+    ::
+
+        param psi in 70 deg .. 90 deg     # warned of
+        param psi: angle                  # right: CB = c @ psi follows from the drive
+        require 70 deg < psi < 90 deg     # where it must stay within
+    """
+    message = f"a loop gives {name} its value, and its range bounds nothing"
+    return Message(at, message, f"declare it without a range: `param {name}: angle`")
+
+
 @coded("E314")
 def guide_without_line(at: Span, slider: str, through: str) -> Message:
     """A guide has a direction and no line, so no loop closes through its slider.

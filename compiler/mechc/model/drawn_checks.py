@@ -37,12 +37,16 @@ def _coinciding(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
 
 
 def _off_line(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield the points that are drawn off the line along which they slide."""
+    """Yield the points that are drawn off the line along which they slide.
+
+    One to which a vector leads is on its line where the loop closes: what is drawn gives way.
+    """
     slack = {d.point: d.slack for d in mechanism.drawn}
     for point, start, line, turned in _lines(mechanism, sketch):
         x, y = sketch.way(start, point)
         gap = abs(y * math.cos(turned) - x * math.sin(turned))
-        if gap > slack.get(point, 0.0) + slack.get(start, 0.0) + sketch.rounding:
+        allowed = slack.get(point, 0.0) + slack.get(start, 0.0) + sketch.rounding
+        if point not in sketch.led and gap > allowed:
             yield messages.drawn_off_guide(sketch.span(point), point, line, sketch.shown(gap))
 
 

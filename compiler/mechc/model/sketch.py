@@ -19,6 +19,7 @@ from ..source import Span
 from ..units import ANGLE, LENGTH, Dimension, in_unit
 from .constants import number_of
 from .entries import points_of, unit_of_drawing
+from .led_points import led_points
 from .mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
 from .polar import Polar, polar
 
@@ -76,7 +77,7 @@ IMAGES = (*PARALLELS, *MIRRORED, Image(1, 90), Image(1, -90))
 
 
 class Sketch:
-    """The drawn points and the pivots with a place.
+    """The drawn points, the pivots with a place, and where vectors lead from these.
 
     ``parameters`` are the named quantities so far, ``unit`` is that of the drawing.
     """
@@ -94,6 +95,11 @@ class Sketch:
                 self._place(entry.head, entry.x, entry.y, entry.span)
         for drawn in mechanism.drawn:
             self._place(drawn.point, drawn.x, drawn.y, drawn.span)
+        placed = {name: (place.x, place.y) for name, place in self.places.items()}
+        led = led_points(mechanism.geometry, placed, values) if mechanism.drawn else {}
+        self.led = frozenset(led)
+        for point, ((x, y), span) in led.items():
+            self._place(point, x, y, span)
 
     def _place(self, point: str, x: Formula, y: Formula, span: Span) -> None:
         if symbols(x) | symbols(y) <= self.values.keys():

@@ -10,8 +10,9 @@ from ..diagnostics import Diagnostic
 from ..diagnostics import open_loops as messages
 from ..diagnostics import pose as plain
 from ..model.mechanism import Along, Arrow, Link, Mechanism, Parameter, Pivot, Slider
+from ..model.values import bounds
 from ..source import Span
-from ..units import ANGLE, LENGTH
+from ..units import ANGLE, LENGTH, in_unit
 from .loops.groups import Open
 from .loops.vector_graph import Names, mentioned
 from .vectors import Vectors
@@ -74,9 +75,14 @@ def _is_open(parameter: Parameter) -> bool:
 
 
 def _without_value(parameters: Sequence[Parameter], unknown: Names) -> Iterator[Diagnostic]:
+    """Yield the lengths that loops wait for, and the angles of which a range alone is given."""
     for parameter in parameters:
         if parameter.name in unknown and parameter.dimension == LENGTH:
             yield messages.length_without_value(parameter.span, parameter.name)
+        elif parameter.name in unknown and parameter.range:
+            middle = sum(bounds(parameter)) / 2
+            shown = in_unit(middle, parameter.unit or "deg", 4)
+            yield messages.angle_without_value(parameter.span, parameter.name, shown)
 
 
 def _without_place(mechanism: Mechanism, vectors: Vectors) -> Iterator[Diagnostic]:

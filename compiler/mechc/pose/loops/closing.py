@@ -88,7 +88,7 @@ def close(
     vectors.put(state.directions, short)
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
     limits, loops = tuple(state.limits), tuple(state.loops)
-    mechanism = _with_solved(mechanism, state)
+    mechanism = _with_solved(mechanism, state, report)
     left, idle, found = left_open(state), closing.idle, frozenset(state.found)
     put_in, solved = frozenset(short), tuple(state.solved)
     return Closed(mechanism, found, state.rates, limits, loops, left, idle, put_in, solved)
@@ -135,16 +135,21 @@ def _sought_parameters(mechanism: Mechanism) -> frozenset[str]:
 
 
 def _is_open(parameter: Parameter) -> bool:
-    valueless = parameter.value is None and parameter.range is None
-    return valueless and parameter.dimension in (ANGLE, LENGTH)
+    """Return whether a parameter waits for a value from a loop; a length with a range is given."""
+    is_length = parameter.dimension == LENGTH and parameter.range is None
+    return parameter.value is None and (is_length or parameter.dimension == ANGLE)
 
 
-def _with_solved(mechanism: Mechanism, state: State) -> Mechanism:
+def _with_solved(mechanism: Mechanism, state: State, report: Report) -> Mechanism:
+    """Return the mechanism with the parameters that loops gave; W303 tells one with a range."""
     solved: dict[str, Formula] = {
         d.name: d.formula for d in state.definitions if d.name in state.named
     }
+    for parameter in mechanism.parameters:
+        if parameter.name in solved and parameter.range:
+            report.add(open_words.range_of_found(parameter.span, parameter.name))
     parameters = tuple(
-        replace(p, value=solved[p.name], dependent=True) if p.name in solved else p
+        replace(p, value=solved[p.name], range=None, dependent=True) if p.name in solved else p
         for p in mechanism.parameters
     )
     return replace(mechanism, parameters=parameters)
