@@ -1,0 +1,52 @@
+"""The textbook's rule for each relation of the plan, and what it is applied to."""
+
+from typing import assert_never
+
+from ...kinematics.graph import Graph, Relation
+from ...kinematics.graph import Rule as Law
+from ...model.mechanism import Joint, WheelPair
+from .steps import Rule
+
+
+def rule_of(relation: Relation, graph: Graph) -> tuple[Rule, tuple[str, ...]]:
+    """Return the textbook's rule for a relation, and the points and links it is applied to."""
+    match relation.rule:
+        case Law.PROJECTION:
+            return Rule.PROJECTION, relation.points
+        case Law.GUIDE:
+            return Rule.GUIDE, relation.points
+        case Law.ROTATION if graph.spins.get(relation.link) not in relation.form:
+            return Rule.PROJECTION, relation.points
+        case Law.BODY:
+            return Rule.BODY, (relation.link, *relation.points)
+        case Law.ROTATION | Law.JOINT | Law.REST:
+            return Rule.ROTATION, (relation.link, *relation.points)
+        case Law.TURNING:
+            return Rule.TURNING, _joint_of(relation, graph).bodies[::-1]
+        case Law.SLOT | Law.CONTACT:
+            return Rule(relation.rule.value), (*relation.points, relation.link)
+        case Law.GEAR | Law.BELT | Law.RACK:
+            joint = _joint_of(relation, graph)
+            if isinstance(joint, WheelPair) and joint.arm:
+                return Rule.ON_ARM, (joint.arm, *relation.points)
+            return Rule(relation.rule.value), relation.points
+        case Law.SCREW:
+            return Rule.SCREW, (relation.link, *relation.points)
+        case Law.ROPE:
+            return Rule.ROPE, relation.points
+        case Law.HELD:
+            raise ValueError("only a released joint is held, and no step of a motion")
+        case _:
+            assert_never(relation.rule)
+
+
+def involved(relation: Relation, graph: Graph) -> tuple[str, ...]:
+    """Return the wheels, the link, or the point that a relation holds for."""
+    if relation.rule in (Law.GEAR, Law.BELT):
+        return _joint_of(relation, graph).bodies
+    return (relation.link or relation.points[0],)
+
+
+def _joint_of(relation: Relation, graph: Graph) -> Joint:
+    """Return the joint that demands a relation."""
+    return graph.pose.mechanism.joint(relation.joint)

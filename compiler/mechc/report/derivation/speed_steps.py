@@ -1,0 +1,166 @@
+"""The steps that lead from the drive to every speed that is needed, under textbooks' names."""
+
+from collections.abc import Iterator, Sequence
+
+from ...formula.tree import ZERO, Formula, Symbol, product, total
+from ...kinematics.forms import spin
+from ...kinematics.graph import Form, Kind, Relation
+from ...kinematics.plan import Block
+from ...model.mechanism import Force, Torque
+from ...power.balance import Balance
+from .notation import Named, Names, Notation, linear, times
+from .outputs import needed_unknowns, output_points
+from .ratios import Ratios
+from .rules import involved, rule_of
+from .steps import Equation, NamedRatio, Rule, Step
+
+
+class SpeedSteps:
+    """Writes steps in order, naming each unknown by the speed under which it is first met."""
+
+    def __init__(self, balance: Balance) -> None:
+        self.balance, self.plan, self._graph = balance, balance.plan, balance.plan.graph
+        self._notation = Notation(balance)
+        self._ratios = Ratios(balance.reading, self._notation)
+        self._names: dict[int, Named] = {}
+        self._levered: set[str] = set()
+
+    @property
+    def names(self) -> Names:
+        """Return the names of the unknowns that the steps so far have met."""
+        return self._names
+
+    @property
+    def ratios(self) -> Sequence[NamedRatio]:
+        """Return the ratios of speeds that the steps so far have given a name."""
+        return self._ratios.found
+
+    def names_at(self, form: Form, at: str) -> Names:
+        """Return the names of a form's unknowns, by the speed of a point where it has one."""
+        own = {u: named for u in form if (named := self._notation.of_point(u, at))}
+        return {**self._names, **own}
+
+    def steps(self) -> Iterator[Step]:
+        """Yield the steps that what was asked for rests on."""
+        if held := self._graph.pose.mechanism.held:
+            yield Step(Rule.HELD, tuple(drive.parameter for drive in held), (), ())
+        for drive in self.plan.drives:
+            self._names[drive] = self._first_name(drive)
+        needed = needed_unknowns(self.balance)
+        for block in self.plan.blocks:
+            if not needed.isdisjoint(block.unknowns):
+                yield from self._block(block)
+        for point in output_points(self.balance):
+            for flow in self._graph.velocities.get(point, ()):
+                if named := self._notation.of_point(flow.unknown, point):
+                    yield from self._lever(flow.unknown, named)
+
+    def _first_name(self, unknown: int) -> Named:
+        """Name a drive by the first loaded point that moves with it."""
+        for term in self.balance.terms:
+            if isinstance(term.load, Force):
+                if named := self._notation.of_point(unknown, term.load.point):
+                    return named
+            elif isinstance(term.load, Torque) and spin(self._graph, term.load.link).keys() == {
+                unknown
+            }:
+                break
+        return self._notation.of_itself(unknown)
+
+    # ---------------------------------------------------------------------- relations
+
+    def _block(self, block: Block) -> Iterator[Step]:
+        relations = [self.plan.relations[r] for r in block.relations]
+        if len(relations) == 1:
+            yield from self._single(relations[0], block.unknowns[0])
+        else:
+            yield self._together(relations, block.unknowns)
+
+    def _single(self, relation: Relation, unknown: int) -> Iterator[Step]:
+        """Yield the lever steps that a relation needs first, then the relation itself."""
+        local: dict[int, Named] = {}
+        for point in relation.points:
+            for u in relation.form:
+                if named := self._notation.of_point(u, point):
+                    local[u] = named
+                    if u != unknown:
+                        yield from self._lever(u, named)
+        self._names[unknown] = local.get(unknown) or self._notation.of_itself(unknown)
+        names = {**self._names, **local}
+        said, solved = self._written(relation.form, unknown, names)
+        results = [solved]
+        others = {names[u] for u in relation.form if u != unknown}
+        if ratio := self._ratios.of(unknown):
+            results += ratio
+        elif len(others) > 1 and others != {self._names[d] for d in self.plan.drives}:
+            results.append(self._solved(unknown))
+        rule, subject = rule_of(relation, self._graph)
+        yield Step(rule, subject, (said,), tuple(results))
+
+    def _together(self, relations: Sequence[Relation], unknowns: Sequence[int]) -> Step:
+        for unknown in unknowns:
+            self._names[unknown] = self._notation.of_itself(unknown)
+        equations = tuple(Equation(linear(r.form, self._names), ZERO) for r in relations)
+        results = tuple(e for u in unknowns for e in self._ratios.of(u) or (self._solved(u),))
+        links = tuple(dict.fromkeys(n for r in relations for n in involved(r, self._graph)))
+        return Step(Rule.TOGETHER, links, equations, results)
+
+    def _solved(self, unknown: int) -> Equation:
+        return Equation(self._names[unknown].symbol, self._by_drives(unknown))
+
+    def _by_drives(self, unknown: int) -> Formula:
+        """Return an unknown's symbol in terms of the drives' symbols."""
+        speeds = zip(self.balance.reading.speeds[unknown], self.plan.drives, strict=True)
+        own = self._names[unknown].factor
+        return total(
+            times(speed * self._names[drive].factor / own, self._names[drive])
+            for speed, drive in speeds
+            if speed
+        )
+
+    def _written(self, form: Form, unknown: int, names: Names) -> tuple[Equation, Equation]:
+        """Return a relation with the new speed on the left, positive, and solved for it."""
+        lead = form[unknown] * names[unknown].factor
+        rest = {u: -p for u, p in form.items() if u != unknown}
+        if self._notation.sign(lead) < 0:
+            lead, rest = -lead, {u: -p for u, p in rest.items()}
+        solved = {u: p / lead for u, p in rest.items()}
+        left = times(lead, names[unknown])
+        return (
+            Equation(left, linear(rest, names)),
+            Equation(names[unknown].symbol, linear(solved, names)),
+        )
+
+    # ------------------------------------------------------------------------- levers
+
+    def _lever(self, unknown: int, named: Named) -> Iterator[Step]:
+        """Yield the step from the speed a pivoted link is known by to another of its points."""
+        known = self._names[unknown]
+        what = self._graph.unknowns[unknown]
+        if what.kind is not Kind.SPIN or named.symbol == known.symbol:
+            return
+        if named.symbol.name in self._levered:
+            return
+        self._levered.add(named.symbol.name)
+        ratio = known.factor / named.factor
+        result = Equation(named.symbol, times(ratio, known))
+        pivot = self._pivot_of(what.of)
+        arms = [(self._arm(pivot, named.point), 1)]
+        if known.point:
+            arms.append((self._arm(pivot, known.point), -1))
+        said = Equation(named.symbol, product([*arms, (known.symbol, 1)]))
+        points = (known.point, named.point) if known.point else (named.point,)
+        rule = Rule.LEVER if known.point else Rule.ARM
+        # Signed speeds may differ in sign from their arms.
+        relation = said if self._notation.sign(ratio) > 0 else result
+        yield Step(rule, (pivot, *points), (relation,), (result,))
+
+    def _pivot_of(self, link: str) -> str:
+        mechanism = self._graph.pose.mechanism
+        return next(p for p in mechanism.link(link).points if p in mechanism.fixed)
+
+    def _arm(self, pivot: str, point: str) -> Formula:
+        """Return the length from a pivot to a point, under the name it has."""
+        given = f"len_{point}{pivot}"
+        known = given in self._graph.pose.placeholders
+        return Symbol(given if known else f"len_{pivot}{point}")
