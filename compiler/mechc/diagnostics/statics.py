@@ -60,7 +60,7 @@ def pose_does_not_close(span: Span, what: str, gap: float) -> Message:
 
 
 @coded("W601")
-def not_judged(span: Span, result: str, reason: str) -> Message:
+def not_checked(span: Span, result: str, reason: str) -> Message:
     """A result could not be checked by the equilibrium of the free bodies.
 
     Each result is checked in numbers at the default pose and at poses drawn from the ranges

@@ -165,7 +165,7 @@ class Acts:
 
     # ------------------------------------------------------------------ what follows
 
-    def settle_couples(self) -> None:
+    def balance_couples(self) -> None:
         """Let what holds a pin take the friction of all that turns on it."""
         for acts in self.on_pins.values():
             rest = math.fsum(acting.moment for acting in acts.values())

@@ -13,10 +13,10 @@ from ..model.result import Result
 from .answers import pushes
 from .balanced import Balanced
 from .poses import free_values
-from .tolerances import PULL
+from .tolerances import NO_TENSION
 
 Forces = Mapping[tuple[str, str], float]
-"""What each body does to a pin, by pin and body; a pull is negative. A rope's is its tension."""
+"""What each body does to a pin, by pin and body; tension is negative. A rope's is its tension."""
 
 
 def pulling(results: Sequence[Result], at: Balanced) -> Iterator[Diagnostic]:
@@ -45,7 +45,7 @@ def _wrong(
         for key in joints:
             found = {load: f.get(key, 0.0) for load, f in forces.items()}
             worst = min(found, key=lambda load: found[load], default="")
-            if worst and found[worst] < -PULL and max(found.values()) < PULL:
+            if worst and found[worst] < -NO_TENSION and max(found.values()) < NO_TENSION:
                 if key not in refused:
                     yield key, worst, found[worst]
                 refused.add(key)

@@ -56,7 +56,7 @@ def cut_free(solution: Solution, places: Sweep) -> tuple[FreeBody, ...]:
         acts.unknown(unknown, None if column in solution.open else solution.found[column])
     for name, size in solution.sizes.items():
         acts.load(name, size, solution.frictions.get(name))
-    acts.settle_couples()
+    acts.balance_couples()
     acts.forget(solution.bearings)
     bodies = [_shared(body, solution.common) for body in _Drawn(acts).bodies()]
     for rod in (body for body in bodies if body.name in acts.frames and acts.frames[body.name].arc):

@@ -2,7 +2,7 @@
 
 On each pair of surfaces friction is its factor times the force that equilibrium gives
 there, against the slip. What the pressing forces are depends on friction again: see
-:mod:`.settled`. Slips have their signs from statics too (see
+:mod:`.friction_sizes`. Slips have their signs from statics too (see
 :mod:`.speeds`): by the motion in which the driving load does work.
 """
 
@@ -34,8 +34,8 @@ from .answers import STANDS, UNBALANCED, UNSETTLED, Answer
 from .assembly import Action, direction, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
+from .friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 from .joint_forces import Weights, wanted_of
-from .settled import SurfacePair, others, settled
 from .solve import Factors, factor
 from .speeds import dual_speed
 from .tolerances import EPSILON, INCONSISTENT, NO_SLIP
@@ -115,7 +115,7 @@ def with_friction(
     loaded = _loaded(unfolding, target.sense, driving, given)
     if isinstance(loaded, str):
         return Answer(math.nan, math.inf, loaded)
-    found = settled(loaded.pressed)
+    found = friction_sizes(loaded.pressed)
     if found is None:
         return Answer(math.nan, math.inf, UNSETTLED)
     return _answered(unfolding, target, driving, loaded.under(found))
@@ -127,7 +127,7 @@ def others_with_friction(
     """Yield the same for other frictions that balance, as far as some are found."""
     loaded = _loaded(unfolding, target.sense, driving, given)
     if not isinstance(loaded, str):
-        for found in others(loaded.pressed):
+        for found in other_friction_sizes(loaded.pressed):
             yield _answered(unfolding, target, driving, loaded.under(found))
 
 
@@ -138,7 +138,7 @@ def friction_forces(
     loaded = _loaded(unfolding, sense, driving, given)
     if isinstance(loaded, str):
         return loaded
-    found = settled(loaded.pressed)
+    found = friction_sizes(loaded.pressed)
     return UNSETTLED if found is None else loaded.under(found)
 
 
@@ -316,9 +316,9 @@ def _of(given: JointFriction, unfolding: Unfolding) -> Iterator[Pair]:
             name, couples = f"collar on {point}", unfolding.couple(link, arm)
             yield Pair("transmission", name, couples, link, point, size, thrust=thrust)
         case RopeFriction(joint, point, factor=factor_):
-            size, pulls = evaluate(factor_, unfolding.values), unfolding.around(given)
+            size, forces = evaluate(factor_, unfolding.values), unfolding.around(given)
             more = tuple(_along(given, unfolding))
-            yield Pair("rope", f"pulley on {point}", pulls, joint, "", size, more)
+            yield Pair("rope", f"pulley on {point}", forces, joint, "", size, more)
         case FaceFriction(point, factor_):
             yield _face(point, evaluate(factor_, unfolding.values), unfolding)
         case _:

@@ -78,8 +78,8 @@ def _on_link_or_point(
             case "tension" if by == link:
                 tail, head = unfolding.pose.frames[link]
                 arm = unfolding.arm(link, tail, head)
-                pull = arm.dot(along) / math.hypot(*arm)
-                weights[column] = pull if point == head else -pull
+                share = arm.dot(along) / math.hypot(*arm)
+                weights[column] = share if point == head else -share
     return weights
 
 

@@ -1,6 +1,6 @@
 """The referee: every result against the equilibrium of the free bodies, pose by pose.
 
-It judges at the default pose and at three random feasible ones. A disagreement is a bug
+It compares at the default pose and at three random feasible ones. A disagreement is a bug
 in mechc, whatever was written: nothing may be emitted then.
 """
 
@@ -16,7 +16,7 @@ from ..diagnostics.statics import (
     friction_not_counted,
     methods_disagree,
     no_equilibrium,
-    not_judged,
+    not_checked,
     pose_does_not_close,
     several_balances,
 )
@@ -49,7 +49,7 @@ from .tolerances import SMALLEST
 from .verdict import Trial, Verdict
 
 POSES = 4
-"""How many poses a result is judged at: the default one and three more."""
+"""How many poses a result is checked at: the default one and three more."""
 
 DRAWS = 40
 """How many poses are drawn, at most, to find them."""
@@ -98,7 +98,7 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     Raises :class:`RefereeDisagrees` where the two methods differ by more than the
     condition of the pose explains, where virtual power has an answer at every pose and
     equilibrium at none, or where the pose does not fit the description. A result that no
-    pose can judge earns a warning.
+    pose can decide earns a warning.
     """
     poses = Replay(candidates(pose, DRAWS))
     _measure(pose, poses, report)
@@ -111,21 +111,21 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
     trials: list[Trial] = []
     remarks: list[str] = []
     for question in _questions(results, pose.mechanism):
-        found, troubles = _judge(question, iter(balanced))
+        found, troubles = _cross_check(question, iter(balanced))
         trials.extend(found)
         if one := next((trial for trial in found if trial.is_one_of_several), None):
             report.add(_one_of_several(one, pose))
         if len(found) < POSES:
             remarks.append(_remark(question.name, found, troubles))
         if not found:
-            report.add(_unjudged(question.name, troubles, pose.mechanism.span))
+            report.add(_unchecked(question.name, troubles, pose.mechanism.span))
     verdict = Verdict(tuple(trials), tuple(remarks))
     _stop_on_disagreement(verdict, pose.mechanism.span, report)
     return verdict
 
 
 def _measure(pose: Pose, poses: Iterable[Values], report: Report) -> None:
-    """See that the mechanism stands as described at the poses that are judged first."""
+    """See that the mechanism stands as described at the poses that are checked first."""
     gaps = (worst_gap(pose, values) for values in islice(poses, POSES))
     gap = next((gap for gap in gaps if gap is not None), None)
     if gap is not None:
@@ -152,15 +152,15 @@ def _questions(results: tuple[Result, ...], mechanism: Mechanism) -> Iterator[Qu
             case LoadForm(load):
                 yield from _coefficients(result, load, given)
             case Reaction(part="direction"):
-                pass  # it follows from the components, which are judged
+                pass  # it follows from the components, which are checked
             case Reaction() | Axial() | Normal():
                 yield from _forces(result, target, mechanism)
             case WithFriction(Reaction(part="direction")):
-                pass  # it follows from the components, which are judged
+                pass  # it follows from the components, which are checked
             case WithFriction(order="exact") if mechanism.friction.efficiency is None:
                 yield _with_friction(result, target, mechanism)
             case WithFriction() | Efficiency():
-                pass  # an approximation, and quotients of what is judged
+                pass  # an approximation, and quotients of what is checked
             case SpeedRatio():
                 yield Question(name, formula, where, partial(speed_ratio, target=target))
             case None:
@@ -182,7 +182,7 @@ def _forces(
 ) -> Iterator[Question]:
     """Ask for a force at a joint under one given load after another.
 
-    The size of a force is judged where one load makes it; under several it follows from
+    The size of a force is checked where one load makes it; under several it follows from
     the components.
     """
     from .joint_forces import joint_force
@@ -244,7 +244,7 @@ def _single(result: Result, mechanism: Mechanism) -> Mapping[str, Formula]:
     return {n: substitute(result.formula, {n: ONE}) for n in loads} if len(loads) == 1 else {}
 
 
-def _judge(question: Question, poses: Iterator[Balanced]) -> CrossChecked:
+def _cross_check(question: Question, poses: Iterator[Balanced]) -> CrossChecked:
     """Try poses until enough of them give an answer by both methods."""
     trials: list[Trial] = []
     troubles: list[str] = []
@@ -304,11 +304,11 @@ def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> 
     return f"{name} was judged at {len(trials)} of {POSES} poses: {reason}"
 
 
-def _unjudged(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
+def _unchecked(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:
     """Return a warning, or an error where only equilibrium failed, and at every pose."""
     if troubles and not {NO_VALUE, NEAR_SINGULAR, STANDS, UNSETTLED} & set(troubles):
         return no_equilibrium(span, name, troubles[-1])
-    return not_judged(span, name, troubles[-1] if troubles else "no pose was found")
+    return not_checked(span, name, troubles[-1] if troubles else "no pose was found")
 
 
 def _stop_on_disagreement(verdict: Verdict, span: Span, report: Report) -> None:

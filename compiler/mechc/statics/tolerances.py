@@ -28,8 +28,8 @@ INCONSISTENT = 1e-9
 LOOP_GAP = 1e-6
 """A gap below this part of the largest length is rounding: arc cosines lose half the digits."""
 
-PULL = 1e-9
-"""A pull below this part of the load is rounding."""
+NO_TENSION = 1e-9
+"""A tension below this part of the load is rounding."""
 
 FORCE_CHANGE = 1e-9
 """A change of a force below this part of the largest one is rounding."""

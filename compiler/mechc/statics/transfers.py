@@ -22,7 +22,7 @@ def transfers(halves: Halves) -> Iterator[Transfer]:
             case Screw():
                 yield from _both(halves, Transfer(joint.id, _thread(halves, joint)))
             case Rope():
-                yield from _both(halves, Transfer(joint.id, tuple(pulls(halves, joint))))
+                yield from _both(halves, Transfer(joint.id, tuple(rope_forces(halves, joint))))
             case Slot(link=link, guided=guided) if guided:
                 couples = Couple(guided, 1.0), Couple(link, -1.0)
                 yield from _both(halves, Transfer(joint.id, couples))
@@ -68,8 +68,8 @@ def _teeth(halves: Halves, rack: Rack) -> tuple[Action, Action]:
     return Push(rack.point, along), back
 
 
-def pulls(halves: Halves, rope: Rope, tensions: Sequence[float] = ()) -> Iterator[Action]:
-    """Yield what tensions of falls do, of 1 in each: they draw its ends towards each other.
+def rope_forces(halves: Halves, rope: Rope, tensions: Sequence[float] = ()) -> Iterator[Action]:
+    """Yield the forces of tensions in the falls, of 1 in each: these draw its ends together.
 
     A pulley that turns freely on its axle has the same tension on both sides.
     """

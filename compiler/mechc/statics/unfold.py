@@ -31,7 +31,7 @@ from ..model.mechanism import (
 from ..pose.pose import PointContact, evaluate_vector
 from .assembly import GROUND, Action, Assembly, Couple, Plane, Push, Wrench, direction
 from .halves import Halves
-from .transfers import pulls, transfers
+from .transfers import rope_forces, transfers
 from .unfolded import bodies, guides, pivots, point_contacts, slides, telescopes
 
 
@@ -175,7 +175,7 @@ class Unfolding(Halves):
         rope = self.pose.mechanism.joint(friction.joint)
         assert isinstance(rope, Rope), "friction of a rope is on a rope"
         tensions = [-0.5 if i < friction.place else 0.5 for i in range(len(rope.ways))]
-        half = tuple(pulls(self, rope, tensions))
+        half = tuple(rope_forces(self, rope, tensions))
         if friction.reach is not None:
             half = (*half, Couple(friction.link, evaluate(friction.reach, self.values)))
         if self.axis is None or all(map(self.acts_on_shared, half)):

@@ -9,7 +9,7 @@ import mechc
 from force_trains import train
 from mechc.driver import Compilation, complete
 from mechc.source import Source
-from mechc.statics.settled import SurfacePair, others, settled
+from mechc.statics.friction_sizes import SurfacePair, friction_sizes, other_friction_sizes
 
 
 def drawn(seed, size, largest):
@@ -41,33 +41,35 @@ def test_frictions_follow_from_the_forces_that_they_make(size, largest, least):
     number = 0
     for seed in range(60):
         pairs = drawn(seed, size, largest)
-        found = settled(pairs)
+        found = friction_sizes(pairs)
         if found is not None:
             number += 1
             agree(pairs, found)
-        for other in others(pairs):
+        for other in other_friction_sizes(pairs):
             agree(pairs, other)
     assert number >= least
 
 
 def test_what_takes_thousands_of_repetitions_is_followed():
     """f = 0.9999·|1 + f| comes to 9999, each repetition a ten-thousandth nearer."""
-    assert settled([SurfacePair(0.9999, [(1.0, [1.0])])]) == pytest.approx([9999], rel=1e-9)
+    assert friction_sizes([SurfacePair(0.9999, [(1.0, [1.0])])]) == pytest.approx([9999], rel=1e-9)
 
 
 def test_what_overshoots_is_followed():
     """f = 3·|1 - f| comes to 3/4, and repetition to anything but that."""
-    assert settled([SurfacePair(3.0, [(1.0, [-1.0])])]) == pytest.approx([0.75], rel=1e-12)
-    assert pytest.approx(settled([SurfacePair(3.0, [(1.0, [-1.0])])]), rel=1e-12) == [0.75]
+    assert friction_sizes([SurfacePair(3.0, [(1.0, [-1.0])])]) == pytest.approx([0.75], rel=1e-12)
+    assert pytest.approx(friction_sizes([SurfacePair(3.0, [(1.0, [-1.0])])]), rel=1e-12) == [0.75]
 
 
 def test_what_grows_without_end_has_no_end():
-    assert settled([SurfacePair(2.0, [(1.0, [1.0])])]) is None
+    assert friction_sizes([SurfacePair(2.0, [(1.0, [1.0])])]) is None
 
 
 def test_a_second_balance_is_found():
     """f = 3·|1 - f| holds at 3/4, and at 3/2, where the joint is pressed the other way."""
-    found = sorted({round(f, 9) for (f,) in others([SurfacePair(3.0, [(1.0, [-1.0])])])})
+    found = sorted(
+        {round(f, 9) for (f,) in other_friction_sizes([SurfacePair(3.0, [(1.0, [-1.0])])])}
+    )
     assert found == [0.75, 1.5]
 
 

@@ -64,13 +64,13 @@ class SurfacePair(NamedTuple):
     components: Components
 
 
-def settled(pairs: Sequence[SurfacePair]) -> list[float] | None:
+def friction_sizes(pairs: Sequence[SurfacePair]) -> list[float] | None:
     """Return the frictions that grow from none; None where none are found."""
     found = _repeated(pairs)
     return _followed(pairs) if found is None else found
 
 
-def others(pairs: Sequence[SurfacePair]) -> Iterator[list[float]]:
+def other_friction_sizes(pairs: Sequence[SurfacePair]) -> Iterator[list[float]]:
     """Yield frictions that agree with their forces as well, from various starts.
 
     They are no more than are found: there may be others.
