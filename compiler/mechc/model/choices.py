@@ -1,4 +1,4 @@
-"""Formulas of one's own that are more than an expression: choices, tables, sizes of a list."""
+"""User-defined formulas that are more than an expression: choices, tables, sizes of a list."""
 
 from collections.abc import Iterator, Mapping, Sequence
 from itertools import pairwise
@@ -27,7 +27,7 @@ class Tables(NamedTuple):
 
 
 class Chosen(NamedTuple):
-    """A formula of one's own, and the conditions under which it has a value."""
+    """A user-defined formula, and the conditions under which it has a value."""
 
     quantity: Quantity
     requires: tuple[Require, ...] = ()
@@ -94,7 +94,7 @@ def _value(quantity: Quantity) -> float:
 # ------------------------------------------------------------------------ formulas
 
 
-def read_worth(let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
+def read_let_value(let: ast.Let, tables: Tables, scope: Scope) -> Chosen | None:
     """Read what a ``let`` stands for; None where an error in it was reported."""
     match let.value:
         case ast.Choice() as choice:

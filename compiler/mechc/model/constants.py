@@ -44,14 +44,14 @@ def out_of_reach(value: float, dimension: Dimension) -> bool:
     return value != 0 and not 1 / far <= abs(value) <= far
 
 
-def names_in_worth(value: ast.Worth) -> Iterator[ast.Symbol]:
-    """Yield the symbols of what a formula of one's own may be, left to right."""
+def names_in_let_value(value: ast.LetValue) -> Iterator[ast.Symbol]:
+    """Yield the symbols of a user-defined formula, left to right."""
     for expression in expressions_in(value):
         yield from names_in(expression)
 
 
-def expressions_in(value: ast.Worth) -> Iterator[ast.Expr]:
-    """Yield the expressions that a formula of one's own is made of."""
+def expressions_in(value: ast.LetValue) -> Iterator[ast.Expr]:
+    """Yield the expressions that a user-defined formula is made of."""
     match value:
         case ast.Choice(branches, otherwise):
             for branch in branches:

@@ -14,8 +14,8 @@ from ..formula.tree import Formula, Symbol
 from ..formula.walk import substitute, symbols, walk
 from ..syntax import ast
 from ..units import UNITS
-from .choices import read_tables, read_worth
-from .constants import names_in_worth
+from .choices import read_let_value, read_tables
+from .constants import names_in_let_value
 from .expressions import Quantity, Reader
 from .mechanism import Let, Parameter, Require, Subject
 from .order import ordered
@@ -53,7 +53,7 @@ def read_definitions(file: ast.File, scope: Scope) -> Definitions:
                 scope.define(name, dimension)
                 scope.used.update(symbol.name for symbol in used)
             case ast.Let() as statement:
-                if chosen := read_worth(statement, tables, scope):
+                if chosen := read_let_value(statement, tables, scope):
                     found.requires.extend(chosen.requires)
                     if let := _let(statement, chosen.quantity, scope):
                         found.lets[name] = let
@@ -89,7 +89,7 @@ def _needs(statement: Definition, known: Mapping[str, Definition]) -> set[str]:
         return {symbol.name for symbol in statement.rests_on if symbol.name in known}
     if statement.value is None:
         return set()
-    return {s.name for s in names_in_worth(statement.value) if s.name in known}
+    return {s.name for s in names_in_let_value(statement.value) if s.name in known}
 
 
 def _let(statement: ast.Let, found: Quantity, scope: Scope) -> Let | None:
@@ -160,7 +160,7 @@ def spread_feeding(found: Definitions, scope: Scope) -> None:
         waiting.extend(fresh)
 
 
-def settled(
+def in_file_order(
     found: Definitions, file: ast.File, scope: Scope
 ) -> tuple[tuple[Parameter, ...], tuple[Let, ...]]:
     """Return parameters and lets in the order of the file; feeding lets are parameters."""

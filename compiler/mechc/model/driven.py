@@ -13,7 +13,7 @@ from .mechanism import Absolute, Arrow, Mechanism, Offset, Turn
 from .values import Chain, dependent
 
 
-def judged(mechanism: Mechanism, report: Report) -> Mechanism:
+def checked(mechanism: Mechanism, report: Report) -> Mechanism:
     """Return the mechanism with what its drive is; remark on one that is no motion."""
     drive = mechanism.drive
     if drive is None:

@@ -12,10 +12,10 @@ from ..frozen import replace
 from ..source import Span
 from ..syntax import ast
 from ..units import FORCE, TORQUE
-from .definitions import Definitions, read_definitions, settled, spread_feeding
+from .definitions import Definitions, in_file_order, read_definitions, spread_feeding
 from .doubts import doubts
 from .drawn import with_drawn
-from .driven import judged
+from .driven import checked
 from .finds import read_finds
 from .force_pairs import inside_telescopes, spring_name
 from .friction import read_friction
@@ -78,7 +78,7 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
         return as_written(mechanism, file)
     for doubt in doubts(mechanism):
         report.add(doubt)
-    return with_names(judged(mechanism, report), file, scope.constants.values())
+    return with_names(checked(mechanism, report), file, scope.constants.values())
 
 
 def _headed(file: ast.File, report: Report) -> Mechanism:
@@ -134,7 +134,7 @@ def _asked(mechanism: Mechanism, file: ast.File, found: Definitions, scope: Scop
     spread_feeding(found, scope)
     requires = read_requires(file, found, scope)
     expects = read_expects(file, mechanism.finds, found, scope)
-    parameters, lets = settled(found, file, scope)
+    parameters, lets = in_file_order(found, file, scope)
     _check_asked(file, scope.report)
     return replace(
         mechanism,

@@ -94,7 +94,7 @@ def _load_name(statement: ast.Statement) -> str:
 
 
 def _resting_on(behind: set[str], own: Sequence[ast.Statement]) -> set[str]:
-    """Return the formulas of one's own that rest on what stays behind, one by way of another."""
+    """Return the user-defined formulas that rest on what stays behind, one by way of another."""
     found: set[str] = set()
     lets = [s for s in own if isinstance(s, ast.Let)]
     while more := {s.name.text for s in lets if _rests(s, behind | found)} - found:

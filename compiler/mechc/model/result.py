@@ -1,7 +1,7 @@
 """What is found: each result as a readable formula.
 
 It stands beside what was asked for (``mechanism.Find``): power and friction fill it, statics
-judges it, and neither needs to know of the other.
+checks it, and neither needs to know of the other.
 
 All formulas are in SI and radians and mention free parameters and the names in
 ``where`` only.

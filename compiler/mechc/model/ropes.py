@@ -21,7 +21,7 @@ from .statements import every
 
 
 def read_ropes(file: ast.File, scope: Scope) -> Iterator[Rope]:
-    """Yield the ropes; their lengths settle no pose, so that none stands beside a drive."""
+    """Yield the ropes; their lengths determine no pose, so that none goes with a drive."""
     for statement in every(file, ast.Rope):
         rope = _rope(statement, scope)
         if rope:

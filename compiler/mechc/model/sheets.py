@@ -58,7 +58,7 @@ def as_written(mechanism: Mechanism, file: ast.File) -> Mechanism:
         assert isinstance(line, ast.Let)
         unit = let.unit or _unit(let, line, units, mechanism.parameters)
         units[let.name] = unit
-        shown = written.worth(line.value)
+        shown = written.let_value(line.value)
         lets.append(replace(let, unit=unit, label=remarks[let.name], written=shown))
     return replace(
         mechanism,

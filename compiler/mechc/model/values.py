@@ -59,7 +59,7 @@ class Chain:
         return used
 
     def complete(self, values: Values) -> dict[str, float]:
-        """Return values with those that follow from them; what has one keeps it."""
+        """Return values with those that follow from them; a name that has one keeps it."""
         known = frozenset(values)
         if known not in self._codes:
             self._codes[known] = None
@@ -167,12 +167,12 @@ def own_unit(name: str, mechanism: Mechanism) -> str:
 
 
 def allowed(mechanism: Mechanism, values: Values) -> bool:
-    """Return whether every ``require`` holds; one on what has no value cannot be judged."""
+    """Return whether every ``require`` holds; one on what has no value is left out."""
     return all(holds(condition, values) for condition in mechanism.requires)
 
 
 def holds(condition: Require, values: Values) -> bool:
-    """Return whether a condition holds; True where it cannot be judged."""
+    """Return whether a condition holds; True where it has no value."""
     if not symbols(condition.left) | symbols(condition.right) <= values.keys():
         return True
     left, right = evaluate(condition.left, values), evaluate(condition.right, values)
@@ -182,15 +182,15 @@ def holds(condition: Require, values: Values) -> bool:
 def standing(result: Result, values: Values) -> Result | None:
     """Return the form of a result that has a value: itself, or the one for elsewhere.
 
-    None where a condition of either is broken. What cannot be judged stands. Definitions that
+    None where a condition of either is broken. What has no value stands. Definitions that
     have a value keep it: what loops find may have been followed there from another pose.
     """
     known = completed(values, (d for d in result.where if d.name not in values))
     sound = all(holds(guard, known) for guard in result.guards)
     if result.elsewhere is None:
         return result if sound else None
-    judged = sound and symbols(result.formula) <= known.keys()
-    if sound and not (judged and math.isnan(evaluate(result.formula, known))):
+    is_known = sound and symbols(result.formula) <= known.keys()
+    if sound and not (is_known and math.isnan(evaluate(result.formula, known))):
         return result
     return standing(result.elsewhere, values)
 

@@ -39,7 +39,7 @@ class WrittenTable:
 
 @frozen
 class Written:
-    """A formula of one's own as it is written.
+    """A user-defined formula as it is written.
 
     One that is looked up has the ``kind`` of what it is ``of``; the formula is what that is asked
     for.
@@ -59,8 +59,8 @@ class WrittenSides:
     label: str = ""
 
 
-def worth(value: ast.Worth) -> Written:
-    """Return a formula of one's own as it is written."""
+def let_value(value: ast.LetValue) -> Written:
+    """Return a user-defined formula as it is written."""
     match value:
         case ast.Choice():
             return Written(_choice(value))

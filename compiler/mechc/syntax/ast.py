@@ -617,8 +617,8 @@ class NextSize:
     span: Span = field(compare=False)
 
 
-Worth = Expr | Choice | Lookup | NextSize
-"""What a formula of one's own may be."""
+LetValue = Expr | Choice | Lookup | NextSize
+"""The value of a ``let``."""
 
 
 @frozen
@@ -626,7 +626,7 @@ class Let(Statement):
     """``let p = 4*P/(pi*d^2) in MPa as "label"``."""
 
     name: Name
-    value: Worth
+    value: LetValue
     unit: Name | None = None
     label: str = ""
 

@@ -75,7 +75,7 @@ SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "report": frozenset({("report", 0)}),
     "plot": frozenset({("report", EACH), ("reported", EACH)}),
     "over": frozenset({("report", EACH), ("reported", EACH)}),
-    "next": frozenset({("let", 3), ("worth", 0)}),
+    "next": frozenset({("let", 3), ("let_value", 0)}),
 }
 """Words that are names but in one kind of statement, by its first word or two, at one place in it.
 

@@ -357,9 +357,9 @@ SECTIONS: tuple[Section, ...] = (
         Entry(
             ast.Let,
             NAMED,
-            plain(Kind.WORTH, "value"),
+            plain(Kind.LET_VALUE, "value"),
             (
-                key("value", Kind.WORTH),
+                key("value", Kind.LET_VALUE),
                 optional("unit", Kind.UNIT),
                 optional("label", Kind.TEXT),
             ),

@@ -62,7 +62,10 @@ KINDS: dict[Kind, Schema] = {
     Kind.EXPECTATION: {"type": "string", "description": "k = 7.1 at alpha = 35 deg"},
     Kind.REPORTED: {"type": "string", "description": "scheme, k, plot k over alpha"},
     Kind.MEASURE: {**EXPRESSION, "description": "a value: 40 mm, 2*a, 40 mm +- 0.1 mm"},
-    Kind.WORTH: {**EXPRESSION, "description": "2*a, 1 when a < b else 2, m49 at r, next d in pins"},
+    Kind.LET_VALUE: {
+        **EXPRESSION,
+        "description": "2*a, 1 when a < b else 2, m49 at r, next d in pins",
+    },
     Kind.UNIT: {"type": "string", "description": "a unit: MPa, N*m"},
     Kind.ROWS: {"type": "array", "items": CARTESIAN, "minItems": 1},
     Kind.SIZES: {"type": "array", "items": EXPRESSION, "minItems": 1},

@@ -36,7 +36,7 @@ class Kind(Enum):
     EXPECTATION = auto()
     REPORTED = auto()  # scheme, k, plot k over alpha
     MEASURE = auto()  # 40 mm +- 0.1 mm
-    WORTH = auto()  # 2*a, 1 when a < b else 2, m49 at r, next d in pins
+    LET_VALUE = auto()  # 2*a, 1 when a < b else 2, m49 at r, next d in pins
     UNIT = auto()
     ROWS = auto()  # [[1, 0.388], [0.9, 0.400]]
     SIZES = auto()  # [32 mm, 40 mm]

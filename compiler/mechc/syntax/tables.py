@@ -26,7 +26,7 @@ Start = Literal[
     "rim",
     "route",
     "measure",
-    "worth",
+    "let_value",
     "row",
     "unit",
 ]

@@ -169,12 +169,12 @@ def _fall(point: ast.Name, along: ast.Direction | None) -> str:
     return point.text if along is None else f"{point.text} along {direction(along)}"
 
 
-def worth(value: ast.Worth) -> str:
+def let_value(value: ast.LetValue) -> str:
     """Return a user-defined formula: an expression, a choice, a size, a look-up."""
     match value:
         case ast.Choice(branches=branches, otherwise=otherwise):
             listed = ", ".join(map(branch, branches))
-            return f"{listed} else {worth(otherwise)}" if otherwise else listed
+            return f"{listed} else {let_value(otherwise)}" if otherwise else listed
         case ast.Lookup(table=table, at=at):
             return f"{table.text} at {expression(at)}"
         case ast.NextSize(least=least, sizes=sizes):

@@ -209,7 +209,7 @@ def written(field: str, value: Any) -> str:
         case tuple():
             return " ".join(name.text for name in value)
         case ast.Choice() | ast.Lookup() | ast.NextSize():
-            return text.worth(value)
+            return text.let_value(value)
         case ast.Name(text=name):
             return quoted(name) if field == "used" and not NAME.fullmatch(name) else name
         case ast.Polar() | ast.Cartesian():

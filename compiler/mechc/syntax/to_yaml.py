@@ -216,8 +216,8 @@ def kind_text(kind: Kind, fields: list[Any], flow: bool) -> str:
             return scalar(text.condition(required), flow)
         case Kind.MEASURE, [value, tolerance]:
             return scalar(text.measure(value, tolerance), flow)
-        case Kind.WORTH, [value]:
-            return scalar(text.worth(value), flow)
+        case Kind.LET_VALUE, [value]:
+            return scalar(text.let_value(value), flow)
         case Kind.ROWS, [rows]:
             return f"[{', '.join(f'[{_listed(row)}]' for row in rows)}]"
         case Kind.SIZES, [sizes]:

@@ -110,7 +110,7 @@ def unit_behind(text: str, at: int) -> re.Match[str] | None:
 def is_word(found: Sequence[Token], formula: bool) -> bool:
     """Return whether the word ``in``, the first of these, is no inch.
 
-    It begins a range or, in a formula of one's own, stands before a unit or a list:
+    It begins a range or, in a user-defined formula, stands before a unit or a list:
     ``F/d^2 in MPa``.
     """
     before = formula and len(found) > 1 and found[1].type in ("NAME", "NUMBER")

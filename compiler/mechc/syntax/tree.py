@@ -56,7 +56,7 @@ def sizes(name: ast.Name, source: Token | None, *listed: ast.Expr) -> ast.Sizes:
     return ast.Sizes(NOWHERE, name, listed, unquoted(source))
 
 
-def let(name: ast.Name, value: ast.Worth, unit: ast.Name | None, label: Token | None) -> ast.Let:
+def let(name: ast.Name, value: ast.LetValue, unit: ast.Name | None, label: Token | None) -> ast.Let:
     """Return ``let p = 4*P/(pi*d^2) in MPa as "label"``."""
     return ast.Let(NOWHERE, name, value, unit, unquoted(label))
 

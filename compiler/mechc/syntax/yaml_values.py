@@ -231,9 +231,9 @@ def measure(node: Node, source: Source) -> Fields:
     return value, tolerance
 
 
-def worth(node: Node, source: Source) -> Fields:
+def let_value(node: Node, source: Source) -> Fields:
     """Read an expression, or a choice, a size of a list, a value of a table."""
-    return (parsed("worth", "an expression", node, source),)
+    return (parsed("let_value", "an expression", node, source),)
 
 
 def unit(node: Node, source: Source) -> Fields:
@@ -354,7 +354,7 @@ READERS: Mapping[Kind, Callable[[Node, Source], Fields]] = {
     Kind.EXPECTATION: expectation,
     Kind.REPORTED: reported,
     Kind.MEASURE: measure,
-    Kind.WORTH: worth,
+    Kind.LET_VALUE: let_value,
     Kind.UNIT: unit,
     Kind.ROWS: rows,
     Kind.SIZES: sizes,
