@@ -58,7 +58,7 @@ def blocks(columns: Columns, matched: Mapping[int, int]) -> list[list[int]]:
     index: dict[int, int] = {}
     low: dict[int, int] = {}
     path: list[int] = []
-    settled: set[int] = set()
+    done: set[int] = set()
     found: list[list[int]] = []
     for root in sorted(needs):
         if root in index:
@@ -74,7 +74,7 @@ def blocks(columns: Columns, matched: Mapping[int, int]) -> list[list[int]]:
                     path.append(other)
                     work.append((other, iter(needs[other])))
                     break
-                if other not in settled:
+                if other not in done:
                     low[node] = min(low[node], index[other])
             else:
                 work.pop()
@@ -82,7 +82,7 @@ def blocks(columns: Columns, matched: Mapping[int, int]) -> list[list[int]]:
                     low[work[-1][0]] = min(low[work[-1][0]], low[node])
                 if low[node] == index[node]:
                     found.append(_popped(path, node))
-                    settled.update(found[-1])
+                    done.update(found[-1])
     return found
 
 

@@ -65,7 +65,7 @@ class Constant(Length):
     value: Formula
 
     def evaluate(self, values: Mapping[str, float]) -> float:
-        """Return the value, whatever symbols are worth."""
+        """Return the value, whatever the symbols' values."""
         if isinstance(self.value, Number):
             return self.value.value.numerator / self.value.value.denominator
         return evaluate(self.value, {})

@@ -16,7 +16,7 @@ Poly = dict[tuple[int, ...], int]
 """Exponents, none negative, → residue, without zeros. The empty one is 0."""
 
 LIMIT = 4000
-"""A remainder with more terms than this is not worth what could cancel."""
+"""A remainder with more terms than this costs more than what could cancel."""
 
 
 HIGHEST = 4096

@@ -127,8 +127,8 @@ class Forces:
         if acting.chosen or (acting.kind == "load" and acting.by == self.diagram.per):
             return ()
         if not self.diagram.per:
-            unit, worth = self._newtons
-            return (*measured(size / worth), Run(f"{unit}{by}", unit=True))
+            unit, newtons = self._newtons
+            return (*measured(size / newtons), Run(f"{unit}{by}", unit=True))
         length = {(True, -1): "/m", (True, 1): "\u2009m"}.get((scaled, metres), "")
         number = measured(size, of_another=True)
         return (*number, *name(self.diagram.per), *([Run(length, unit=True)] if length else []))

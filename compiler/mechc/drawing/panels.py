@@ -32,7 +32,7 @@ CURVES = tuple(
 
 @frozen
 class Layout:
-    """A panel with its frame, whose corners are worth values in the units shown, and its ticks."""
+    """A panel with its frame, whose corners have values in the units shown, and its ticks."""
 
     plot: Plot
     panel: Panel

@@ -18,13 +18,13 @@ TICK = 1.2
 
 def scale_bar(size: float, unit: tuple[Run, ...]) -> Drawing:
     """Return a bar as long as a round number of units, one of which is ``size`` millimetres."""
-    worth = _round(LONGEST / size)
-    end = Plane(worth * size, 0.0)
+    units = _round(LONGEST / size)
+    end = Plane(units * size, 0.0)
     sheet = Sheet()
     up = Plane(0.0, TICK)
     bar = [line(at.minus(up), at.plus(up), SYMBOL) for at in (NOWHERE, end)]
     sheet.draw(Layer.MEASURES, [line(NOWHERE, end, SYMBOL), *bar])
-    sheet.name(Around(end, (Run(f"{worth:g}\u2009"), *unit), SYMBOL, 0.0, TICK))
+    sheet.name(Around(end, (Run(f"{units:g}\u2009"), *unit), SYMBOL, 0.0, TICK))
     return sheet.finished("", "")
 
 

@@ -1,7 +1,7 @@
 """A printer of formulas in the arithmetic of most languages.
 
 A target's printer says how it writes numbers, names and calls; precedence, fractions
-and minus signs are settled here, in the order of :mod:`mechc.routine.quotient`.
+and minus signs are decided here, in the order of :mod:`mechc.routine.quotient`.
 """
 
 from abc import ABC, abstractmethod

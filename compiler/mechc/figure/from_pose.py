@@ -26,7 +26,7 @@ def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
     """
     known = {**defaults(pose.mechanism), **(given or {})}
     chosen = {p.name: _middle(p) for p in _open(pose, known)}
-    values = _settled(pose, {**chosen, **known})
+    values = _solved(pose, {**chosen, **known})
     layout = None if values is None else _laid_out(pose, values)
     if values is None or layout is None:
         return None
@@ -55,7 +55,7 @@ def _middle(parameter: Parameter) -> float:
     return sum(bounds(parameter)) / 2
 
 
-def _settled(pose: Pose, given: Mapping[str, float]) -> dict[str, float] | None:
+def _solved(pose: Pose, given: Mapping[str, float]) -> dict[str, float] | None:
     """Return all that has a value; None where a loop does not close.
 
     What closing found and nothing needs may well have none where the loop lies flat.

@@ -41,7 +41,7 @@ QUICK = 8
 """So many operations on floats take as long as one step of algebra."""
 
 OFTEN = 64
-"""What is computed so often is worth being compiled."""
+"""What is computed so often is compiled."""
 
 NESTED = 32
 """Python reads products of more factors than this more slowly than they are computed."""

@@ -1,7 +1,7 @@
 """A formula set on paper, piece by piece: what is the same on a terminal and in LaTeX.
 
 What stands in parentheses, which functions are raised before their argument, what counts
-as a fraction and what leads a product is settled here once, on top of
+as a fraction and what leads a product is decided here once, on top of
 :mod:`mechc.formula.layout`. A :class:`Typesetter` says how the pieces look: text on one
 line, or boxes that know how wide they will be.
 """

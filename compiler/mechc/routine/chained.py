@@ -1,6 +1,6 @@
 """Long functions of ever more inputs, each of which rests on much of the one before.
 
-Formulas of one's own that each add a parameter share no arguments, so that no one function can
+User-defined formulas that each add a parameter share no arguments, so that no one function can
 compute them all. Written out each by itself, they would make a file grow with the square of
 their number. So one program is made of all, and every so many steps of it become a function that
 calls the one before: each result takes the last of these that it rests on and adds its own steps.

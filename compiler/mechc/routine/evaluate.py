@@ -107,7 +107,7 @@ def status(function: Function, ideal: Function, values: Mapping[str, Value]) -> 
             np.logical_and, (_holds(g, scope) for g in asked.guards), ~np.isnan(without)
         )
     ahead, none = without >= 0, np.isnan(value)
-    found = np.where(ahead, *asked.stuck)
+    found = np.where(ahead, *asked.standstill)
     *loops, friction = solved or [np.asarray(2.0)]
     found = np.where(none & (friction == 2), 2, found)
     found = np.where(none & ~is_pose, 1, found)

@@ -1,6 +1,6 @@
 """A result and its slopes by all inputs in one pass: the steps forwards, then back.
 
-Backwards each step hands on what it is worth to the result (its adjoint) to what it was
+Backwards each step hands on the result's derivative by it (its adjoint) to what it was
 computed from. So all slopes together cost a few times the result, however many inputs
 there are, where differences cost as many results as there are inputs.
 """
@@ -79,7 +79,7 @@ MINUS_ONE = number(-1)
 
 
 class _Backwards:
-    """Gathers what each name is worth to the result; ``written`` are the definitions for it."""
+    """Gathers the adjoint of each name; ``written`` are the definitions of adjoints."""
 
     def __init__(self, steps: Sequence[Step], inputs: Sequence[str], taken: set[str]) -> None:
         self.taken = taken
@@ -96,43 +96,43 @@ class _Backwards:
         return total(self._terms[name])
 
     def run(self, steps: Sequence[Step]) -> None:
-        """Hand on what steps are worth, the last first."""
+        """Hand on the adjoints of steps, the last first."""
         for step in reversed(steps):
             if self._terms[step.name]:
                 title = fresh(f"by_{step.name}", self.taken)
                 self.written.append((title, self.slope(step.name)))
                 self.add(step.formula, Symbol(title), Symbol(step.name))
 
-    def add(self, formula: Formula, worth: Formula, value: Formula | None = None) -> None:
-        """Hand on what a formula is worth to the names in it; ``value`` is a name for it."""
+    def add(self, formula: Formula, adjoint: Formula, value: Formula | None = None) -> None:
+        """Hand on a formula's adjoint to the names in it; ``value`` is a name for the formula."""
         if self._moving.isdisjoint(symbols(formula)):
             return
         match formula:
             case Symbol(name):
-                self._terms[name].append(worth)
+                self._terms[name].append(adjoint)
             case Sum(terms):
-                named = self._named(worth)
+                named = self._named(adjoint)
                 for term in terms:
                     self.add(term, named)
             case Product(factors):
-                self._add_factors(factors, worth, value or formula)
+                self._add_factors(factors, adjoint, value or formula)
             case Power(base, exponent):
-                self._add_power(base, exponent, worth, value or formula)
+                self._add_power(base, exponent, adjoint, value or formula)
             case Call(function, arguments):
                 for argument, slope in zip(arguments, _slopes(function, arguments), strict=True):
-                    self.add(argument, _times(worth, slope))
+                    self.add(argument, _times(adjoint, slope))
             case Implicit():
                 raise TypeError("a solution is a step of its own")
 
-    def _add_factors(self, factors: tuple[Formula, ...], worth: Formula, value: Formula) -> None:
+    def _add_factors(self, factors: tuple[Formula, ...], adjoint: Formula, value: Formula) -> None:
         below = [f.base for f in factors if isinstance(f, Power) and f.exponent == MINUS_ONE]
         above = [f for f in factors if not (isinstance(f, Power) and f.exponent == MINUS_ONE)]
-        share_of_each = self._named(product([(worth, 1), *((base, -1) for base in below)]))
+        share_of_each = self._named(product([(adjoint, 1), *((base, -1) for base in below)]))
         for i, factor in enumerate(above):
             others = ((other, 1) for j, other in enumerate(above) if j != i)
             self.add(factor, product([(share_of_each, 1), *others]))
         for base in below:
-            self.add(base, _over(_times(worth, negative(value)), base))
+            self.add(base, _over(_times(adjoint, negative(value)), base))
 
     def _named(self, formula: Formula) -> Formula:
         """Return a name for what is used several times; numbers and names stay as they are."""
@@ -142,13 +142,15 @@ class _Backwards:
         self.written.append((title, formula))
         return Symbol(title)
 
-    def _add_power(self, base: Formula, exponent: Formula, worth: Formula, value: Formula) -> None:
+    def _add_power(
+        self, base: Formula, exponent: Formula, adjoint: Formula, value: Formula
+    ) -> None:
         if isinstance(exponent, Number) and exponent.value > 0:
             lower = power(base, Number(exponent.value - 1))
-            self.add(base, product([(worth, 1), (exponent, 1), (lower, 1)]))
+            self.add(base, product([(adjoint, 1), (exponent, 1), (lower, 1)]))
         else:
-            self.add(base, _over(product([(worth, 1), (exponent, 1), (value, 1)]), base))
-        self.add(exponent, product([(worth, 1), (value, 1), (Call("log", (base,)), 1)]))
+            self.add(base, _over(product([(adjoint, 1), (exponent, 1), (value, 1)]), base))
+        self.add(exponent, product([(adjoint, 1), (value, 1), (Call("log", (base,)), 1)]))
 
 
 def _slopes(function: str, arguments: tuple[Formula, ...]) -> list[Formula]:

@@ -126,7 +126,7 @@ def used_outer(system: System) -> tuple[int, ...]:
 
 
 def _used_twice(table: Table, roots: Sequence[int]) -> frozenset[int]:
-    """Return the entries worth a name that the roots reach by more than one way."""
+    """Return the entries that get a name: those that the roots reach by more than one way."""
     uses = Counter(roots)
     for index in range(len(table.entries) - 1, -1, -1):
         entry = table.entries[index]
@@ -159,7 +159,7 @@ def _is_step(entry: Entry, table: Table) -> bool:
 
 
 def _is_work(entry: Entry, table: Table) -> bool:
-    """Return whether an entry is worth a step: no symbol, minus sign or multiple of a symbol."""
+    """Return whether an entry gets a step: no symbol, minus sign or multiple of a symbol."""
     match entry:
         case Leaf() | Scaled(Fraction(numerator=-1, denominator=1), _):
             return False

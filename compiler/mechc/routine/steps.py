@@ -43,7 +43,7 @@ class Step:
 class Solver:
     """A system in straight lines: what Newton's method needs at each correction.
 
-    ``equations`` are for the reader. ``residuals`` are worth their left sides, the rows
+    ``equations`` are for the reader. ``residuals`` have the values of their left sides, the rows
     of ``jacobian`` these sides' slopes by the unknowns, and ``steps`` are what all share;
     they mention unknowns, outer symbols and earlier steps only. ``anchor`` and ``start``
     are the values of outer symbols and unknowns where the way begins, ``corrections`` how many
@@ -65,7 +65,7 @@ class Solver:
 
 @frozen
 class Solve:
-    """``names = the solver's unknowns`` where its outer symbols are worth ``arguments``.
+    """``names = the solver's unknowns`` where its outer symbols have the values ``arguments``.
 
     All are NaN where the branch ends or corrections run out.
     """
@@ -133,7 +133,7 @@ class Status:
         return (*compared, *(self.drive if isinstance(self.drive, Drive) else ()))
 
     @property
-    def stuck(self) -> tuple[int, int]:
+    def standstill(self) -> tuple[int, int]:
         """Return the codes where nothing moves: with the ideal result positive, and negative."""
         return (4, 3) if self.sense > 0 else (3, 4)
 

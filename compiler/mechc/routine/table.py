@@ -69,7 +69,7 @@ class Raised(NamedTuple):
 
 
 class Unknown(NamedTuple):
-    """An unknown of a system, whose outer symbols are worth entries."""
+    """An unknown of a system, whose outer symbols have the values of entries."""
 
     system: System
     which: int

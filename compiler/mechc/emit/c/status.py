@@ -28,7 +28,7 @@ class StatusContext(NamedTuple):
     conditions: list[str]
     loops: list[str]
     friction: str
-    stuck: tuple[int, int]
+    standstill: tuple[int, int]
     call: str
     number: str
     loop: str
@@ -71,7 +71,7 @@ def status_context(
         [printer.condition(g) for g in asked.guards],
         statuses[:-1],
         statuses[-1] if statuses else "2",
-        asked.stuck,
+        asked.standstill,
         f"{single}({', '.join(f'{a}[i]' for a in inputs)})",
         "n",
         "i",

@@ -296,7 +296,7 @@ def _status(_known: Mapping[str, Any]) -> str:
     _parts += ['        if (ideal != ideal']
     for condition in _known["s"].conditions:
         _parts += [' || !(', str(condition), ')']
-    _parts += [') {\n            return 1;\n        }\n        if (', str(_known["s"].friction), ' == 2) {\n            return 2;\n        }\n    }\n    return is_ahead ? ', str(_known["s"].stuck[0]), ' : ', str(_known["s"].stuck[1]), ';\n}\n\n', str(_known["s"].batch), '\n{\n    for (size_t ', str(_known["s"].loop), ' = 0; ', str(_known["s"].loop), ' < ', str(_known["s"].number), '; ++', str(_known["s"].loop), ') {\n        status[', str(_known["s"].loop), '] = ', str(_known["s"].call), ';\n    }\n}\n']
+    _parts += [') {\n            return 1;\n        }\n        if (', str(_known["s"].friction), ' == 2) {\n            return 2;\n        }\n    }\n    return is_ahead ? ', str(_known["s"].standstill[0]), ' : ', str(_known["s"].standstill[1]), ';\n}\n\n', str(_known["s"].batch), '\n{\n    for (size_t ', str(_known["s"].loop), ' = 0; ', str(_known["s"].loop), ' < ', str(_known["s"].number), '; ++', str(_known["s"].loop), ') {\n        status[', str(_known["s"].loop), '] = ', str(_known["s"].call), ';\n    }\n}\n']
     return "".join(_parts)
 
 

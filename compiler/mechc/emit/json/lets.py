@@ -1,4 +1,4 @@
-"""Formulas of one's own that rest on many others: their intermediates, each defined once."""
+"""User-defined formulas that rest on many others: their intermediates, each defined once."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

@@ -27,7 +27,7 @@ class StatusContext(NamedTuple):
     conditions: list[str]
     loops: list[str]
     friction: str
-    stuck: tuple[int, int]
+    standstill: tuple[int, int]
     nothing: float = NOTHING
 
 
@@ -66,5 +66,5 @@ def status_context(
         [printer.condition(g) for g in asked.guards],
         statuses[:-1],
         statuses[-1] if statuses else "2",
-        asked.stuck,
+        asked.standstill,
     )
