@@ -417,7 +417,7 @@ class Compilation:
     def along(self, formulas: Settings) -> "Compilation":
         """Return the same description with parameters that follow formulas.
 
-        What it expects is written for values, and is not judged there.
+        What it expects is written for values, and is not compared there.
         """
         if not formulas:
             return self

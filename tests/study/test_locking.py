@@ -335,7 +335,7 @@ def test_the_stroke_takes_signs_from_each_pose():
 def test_the_stroke_tells_where_nothing_moves():
     stroke = mechc.loads(SLIDER_CRANK).stroke()
     first, last = stretches(SLIDER_CRANK, "k_f")
-    assert [(s.result, s.state, s.low, s.high) for s in stroke.stuck] == [
+    assert [(s.result, s.state, s.low, s.high) for s in stroke.standstills] == [
         ("k_f", "jammed", *(first.within or ())),
         ("k_f", "jammed", *(last.within or ())),
     ]

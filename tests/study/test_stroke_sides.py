@@ -62,7 +62,7 @@ def test_a_row_is_what_code_comes_to_on_both_sides_or_undetermined(ratio):
 @pytest.mark.parametrize("ratio", ["M/F", "F/M"])
 def test_no_dead_centre_is_in_a_stuck_interval(ratio, tmp_path, capsys):
     _, stroke, _ = rows(ratio)
-    ends = {end for s in stroke.stuck for end in (s.low, s.high)}
+    ends = {end for s in stroke.standstills for end in (s.low, s.high)}
     dead = [row.drive for row in stroke.rows[::4]]
     assert all(any(math.isclose(d, e, abs_tol=1e-12) for e in ends) for d in dead)
     table = told(f"{CRANK}find k = {ratio}", tmp_path, capsys, "stroke", "-n", "9")

@@ -46,7 +46,7 @@ class BodyForce(NamedTuple):
     couple: Product = ZERO
 
     def scaled(self, size: Product) -> "BodyForce":
-        """Return the pull times a size."""
+        """Return the force times a size."""
         return self._replace(size=self.size * size, couple=self.couple * size)
 
     def along(self, direction: Angle) -> Product:
@@ -73,7 +73,7 @@ class Surface(NamedTuple):
 
 @frozen
 class Task:
-    """What a chain has to find: the driving load, the given ones, and how all are pressed.
+    """The sequential solver's task: the driving load, the given ones, and the loaded pairs.
 
     ``owners`` gives of each load the free load that it is a multiple of, and the multiple.
     """

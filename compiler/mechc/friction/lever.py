@@ -54,7 +54,7 @@ Sides = tuple[Formula, Formula]
 
 
 class Balanced(NamedTuple):
-    """The size of the pull that balances a lever; it does so where ``turns`` is positive.
+    """The size of the force that balances a lever; it does so where ``turns`` is positive.
 
     ``quadratic`` is the equation of which it is a root, where it is one.
     """
@@ -71,7 +71,7 @@ def on_lever(
     bearing: Bearing | None,
     signs: Signs,
 ) -> Balanced:
-    """Return the size of the unknown pull on a lever that is in balance."""
+    """Return the size of the unknown force on a lever that is in balance."""
     if unknown.line is not None and unknown.size != ONE:
         part = ONE / unknown.size
         found = on_lever(unknown.scaled(part), known, arms, bearing, signs)
@@ -164,7 +164,7 @@ def _root(
 
 
 def moment(force: BodyForce, arms: Arms) -> Product:
-    """Return the moment of a pull about the pivot, counter-clockwise."""
+    """Return the moment of a force about the pivot, counter-clockwise."""
     if force.line is None:
         return force.couple
     parts = (part.length * force.across(part.angle) for part in arms[force.point])

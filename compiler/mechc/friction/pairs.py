@@ -207,7 +207,7 @@ def _at_radius(link: str, radius: Product) -> Measure:
 def _along_rope(given: RopeFriction, pose: Pose) -> Measure:
     """Return how fast a drum overtakes the rope around it, or the rope runs back.
 
-    Friction in the rope is half a pull behind the pulley and half a pull less in front of it:
+    Friction in the rope adds half of itself behind the pulley and takes half in front of it:
     what presses then is the mean of both tensions.
     """
     rope = mesh_of(pose, given.joint)

@@ -64,7 +64,7 @@ class SequentialSolver:
     def _solves(self, body: str) -> bool:
         """Solve a body if it has no more unknowns than equations."""
         kind = self._bodies.kind(body)
-        forces = list(self._pulls(body))
+        forces = list(self._forces(body))
         unknown = [p for p in forces if p.name not in self.sizes]
         if len(unknown) != (2 if kind == "pin" else 1):
             return False
@@ -92,17 +92,17 @@ class SequentialSolver:
 
     # ---------------------------------------------------------------------------- rods
 
-    def _pulls(self, body: str) -> Iterator[BodyForce]:
+    def _forces(self, body: str) -> Iterator[BodyForce]:
         """Yield the forces on a body, those of rods under a unit of force."""
         yield from self._bodies.loads_on(body)
         for rod, point in self._bodies.rods_at(body):
-            yield self._push(rod, point)
+            yield self._rod_force(rod, point)
         for touch, is_under in self._bodies.touches_at(body):
             line = self._face(touch)
             place, ahead = (under(touch), line + HALF_TURN) if is_under else (touch.point, line)
             yield BodyForce(f"R_{touch.point}", place, ahead)
 
-    def _push(self, rod: Link, point: str) -> BodyForce:
+    def _rod_force(self, rod: Link, point: str) -> BodyForce:
         """Return the force of a rod, under a unit axial force, on the body at a point."""
         line, surface = self._line(rod), self._bodies.surface(point, rod)
         pressed, counted = self._pressed(rod), self._counted(rod)
@@ -113,9 +113,9 @@ class SequentialSolver:
         )
 
     def _counted(self, rod: Link) -> Product:
-        """Return 1 where compression counts as positive, -1 where people read of a pull."""
-        pulled = self._signs.is_read and self._pressed(rod) == -ONE
-        return -ONE if pulled else ONE
+        """Return 1 where compression counts as positive, -1 where people read of tension."""
+        is_tension = self._signs.is_read and self._pressed(rod) == -ONE
+        return -ONE if is_tension else ONE
 
     def _line(self, rod: Link) -> Angle:
         """Return the line of a rod's force: the tangent of the friction circles at its ends."""

@@ -21,7 +21,7 @@ QUARTER = Angle.constant(90)
 
 
 class Pairing(NamedTuple):
-    """What it takes to settle a pair: the vectors, the mirror line, where to report."""
+    """What it takes to place a pair: the vectors, the mirror line, where to report."""
 
     mechanism: Mechanism
     terms: Terms

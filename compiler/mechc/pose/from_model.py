@@ -1,4 +1,4 @@
-"""From the mechanism to its pose: directions settled, loops checked, frames laid out."""
+"""From the mechanism to its pose: directions found, loops checked, frames laid out."""
 
 from collections.abc import Mapping
 
@@ -82,8 +82,8 @@ def _remark(pose: Pose, vectors: Vectors, closed: Closed, report: Report) -> Non
             report.add(remark)
     given = {p.name for p in pose.mechanism.parameters} - closed.found
     for condition in pose.mechanism.requires:
-        judged = symbols(condition.left) | symbols(condition.right) <= given
-        if not judged and not holds(condition, default):
+        is_given = symbols(condition.left) | symbols(condition.right) <= given
+        if not is_given and not holds(condition, default):
             report.add(condition_broken(condition.span))
     for fault in drawn_elsewhere(pose.mechanism.drawn, vectors, default):
         report.add(fault)

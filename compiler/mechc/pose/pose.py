@@ -110,7 +110,7 @@ class PointContact(NamedTuple):
 
 @frozen
 class Pose:
-    """A mechanism with its directions settled.
+    """A mechanism with its directions found.
 
     ``frames[link][point]`` is the vector from the link's first point to the point;
     ``guides[point]`` the direction of a slider's guide; ``lines[force]`` the direction

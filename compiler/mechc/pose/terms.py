@@ -38,10 +38,10 @@ class Terms:
             if name in waiting:
                 self._define(waiting[name], waiting)
         formula = self._inside(parameter.value)
-        settled = _angle_formula(formula) if parameter.dimension == ANGLE else _length(formula)
+        inner = _angle_formula(formula) if parameter.dimension == ANGLE else _length(formula)
         is_named = is_constant(parameter)
-        if settled is not None and not is_named and count_operations(settled) <= LONG:
-            self._inner[parameter.name] = settled
+        if inner is not None and not is_named and count_operations(inner) <= LONG:
+            self._inner[parameter.name] = inner
         else:
             self.definitions.append(Definition(parameter.name, formula))
 

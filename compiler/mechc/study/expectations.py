@@ -74,7 +74,7 @@ def compare(
     """
     named, known = {r.name: r for r in results}, (*definitions, *_of_lets(results))
     findings = tuple(
-        _judge(e, _with_names_of(e, named[e.subject], known), mechanism, definitions)
+        _finding(e, _with_names_of(e, named[e.subject], known), mechanism, definitions)
         for e in mechanism.expects
     )
     for finding in findings:
@@ -104,7 +104,7 @@ def _with_names_of(expect: Expect, result: Result, definitions: Sequence[Definit
     return replace(result, where=tuple(where)) if chosen else result
 
 
-def _judge(
+def _finding(
     expect: Expect, result: Result, mechanism: Mechanism, definitions: Sequence[Definition]
 ) -> Finding:
     if _is_number(expect):
@@ -119,7 +119,7 @@ def _judge(
 
 
 def _is_number(expect: Expect) -> bool:
-    """Tell a figure, which may be a whole number without a tolerance, from a formula."""
+    """Return whether a figure is expected, maybe a whole number without a tolerance, no formula."""
     return bool(expect.tolerance or (expect.at and not symbols(expect.value)))
 
 

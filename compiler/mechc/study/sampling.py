@@ -1,8 +1,8 @@
 """At which places of a range friction is looked at: evenly, and closely where much happens.
 
-Beside a dead centre k is small or large against friction, so that something is stuck
+Beside a dead centre k is small or large against friction, so that something stands
 there, on however short a stretch. Between places where the efficiency is lowest something
-may be stuck, too, and between stuck ones something may move where least is missing. Cells in
+may stand, too, and between two such something may move where least is missing. Cells in
 which the ratio without friction is not nearly straight are halved, so that no dead centres
 hide in them, be it a zero and a pole or two zeros.
 """

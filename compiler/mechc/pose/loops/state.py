@@ -123,12 +123,12 @@ class State:
         self._rate_twins(closure)
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
-        settled = dict(closure.directions)
-        self.directions = {n: a.put(settled) for n, a in self.directions.items()} | settled
-        self.graph.put(settled)
-        self.guide_lines = [r._replace(angle=r.angle.put(settled)) for r in self.guide_lines]
+        directions = dict(closure.directions)
+        self.directions = {n: a.put(directions) for n, a in self.directions.items()} | directions
+        self.graph.put(directions)
+        self.guide_lines = [r._replace(angle=r.angle.put(directions)) for r in self.guide_lines]
         for values in self.values:
-            for name in settled:
+            for name in directions:
                 values.pop(name, None)
         turn = self._is_clockwise(points) if kind == "triangle" else None
         self.found.update(unknown)

@@ -23,10 +23,10 @@ NEAR = 1e-13
 
 
 def held(row: Row, stroke: Stroke) -> str:
-    """Return which results are stuck at a place: ``k_f jammed, k_hold locked``."""
+    """Return which results stand still at a place: ``k_f jammed, k_hold locked``."""
     near = NEAR * (stroke.high - stroke.low)
-    stuck = (s for s in stroke.stuck if _is_in(row.drive, s, near))
-    return ", ".join(f"{s.result} {s.state}" for s in stuck)
+    found = (s for s in stroke.standstills if _is_in(row.drive, s, near))
+    return ", ".join(f"{s.result} {s.state}" for s in found)
 
 
 def _is_in(place: float, found: JammedInterval, near: float) -> bool:
@@ -76,7 +76,7 @@ def said(stroke: Stroke) -> Iterator[str]:
     yield from (_branch(b, stroke) for b in stroke.branches)
     yield from (_singular(s, stroke) for s in stroke.singular)
     yield from (_extremum(e, stroke) for e in stroke.extrema)
-    yield from (_stuck(s, stroke) for s in stroke.stuck)
+    yield from (_standstill(s, stroke) for s in stroke.standstills)
     yield from (_course(name, course, stroke) for name, course in stroke.courses)
     yield from _looked(stroke)
 
@@ -170,7 +170,7 @@ def _extremum(found: Extremum, stroke: Stroke) -> str:
     return f"{found.result} has a {found.kind} {found.value:.13g} at {_at(found.drive, stroke)}"
 
 
-def _stuck(found: JammedInterval, stroke: Stroke) -> str:
+def _standstill(found: JammedInterval, stroke: Stroke) -> str:
     says = {
         "free": "",
         "locked": "self-locking, the load alone moves nothing,",

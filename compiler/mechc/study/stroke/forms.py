@@ -33,12 +33,12 @@ def form(formula: Formula, where: Result | None, names: Set[str]) -> Form:
     if where.elsewhere is None:
         return lambda values: asked(values) if is_sound(values) else math.nan
     own = asked if formula is where.formula else _value(where.formula, definitions, known, names)
-    judged = symbols(where.formula) <= known
+    is_known = symbols(where.formula) <= known
     beside = where.elsewhere.formula if formula is where.formula else formula
     elsewhere = form(beside, where.elsewhere, names)
 
     def value(values: Values) -> float:
-        stands = is_sound(values) and not (judged and math.isnan(own(values)))
+        stands = is_sound(values) and not (is_known and math.isnan(own(values)))
         return (asked if stands else elsewhere)(values)
 
     return value

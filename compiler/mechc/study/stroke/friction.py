@@ -30,7 +30,7 @@ def in_code(result: Analysis, solution: Solution) -> Analysis:
     return replace(result, formula=whole.formula, where=whole.where, guards=whole.guards)
 
 
-def stuck(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
+def standstills(results: Iterable[Analysis], drive: str) -> Iterator[JammedInterval]:
     """Yield where friction lets nothing move."""
     for result in results:
         for reach in result.locking.reaches if result.locking else ():

@@ -14,7 +14,7 @@ from ..analysis import Analysis
 from .along import EXCLUDED
 from .columns import named_apart
 from .extrema import extrema_along
-from .friction import courses, some, stuck
+from .friction import courses, some, standstills
 from .points import Asked, asked
 from .reached import with_reached
 from .rows import columns, row
@@ -78,7 +78,7 @@ def _stroke(run: Run, paths: Asked, points: int) -> Stroke:
         singular,
         tuple(branches),
         extrema_along(run, stretches, singular, crossings),
-        tuple(stuck(run.results, drive.name)),
+        tuple(standstills(run.results, drive.name)),
         tuple(courses(run.results, drive.name)),
         along.defaults,
         run.open,

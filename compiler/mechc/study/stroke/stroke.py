@@ -120,7 +120,7 @@ class Stroke:
     singular: tuple[Singular, ...]
     branches: tuple[Branch, ...]
     extrema: tuple[Extremum, ...]
-    stuck: tuple[JammedInterval, ...]
+    standstills: tuple[JammedInterval, ...]
     courses: tuple[tuple[str, EfficiencyRange], ...]
     defaults: Mapping[str, float]
     without: tuple[tuple[str, tuple[str, ...]], ...] = ()
