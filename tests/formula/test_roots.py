@@ -13,7 +13,7 @@ PLACES = [i / 720 for i in range(721)]
 def test_a_zero_is_found_whether_crossed_or_touched(zero):
     for power in (1, 2, 3):
         (found,) = roots(lambda x, power=power: (x - zero) ** power, PLACES)
-        assert found.place == pytest.approx(zero, abs=1e-7 if power == 2 else 1e-12)
+        assert found.x == pytest.approx(zero, abs=1e-7 if power == 2 else 1e-12)
 
 
 def test_rounding_is_no_zero_and_costs_nothing():

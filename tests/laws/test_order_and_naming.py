@@ -139,7 +139,7 @@ def assert_same_friction(one: Result, two: Result, new: dict[str, str], where: s
 
 def ends_of(stretch: Stretch) -> list[float]:
     """Return the ends of a stretch, where it has them."""
-    return [end.place for end in (stretch.low, stretch.high) if end]
+    return [end.x for end in (stretch.low, stretch.high) if end]
 
 
 # ----------------------------------------------------------------------------- changes

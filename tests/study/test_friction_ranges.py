@@ -61,7 +61,7 @@ def test_locking_at_a_zero_that_is_only_touched():
     (stuck,) = reach.stretches
     width = math.asin(2 * 0.0002 / 0.1)
     assert stuck.state == "locked"
-    assert (stuck.low.place, stuck.high.place) == pytest.approx((-width, width), rel=1e-6)
+    assert (stuck.low.x, stuck.high.x) == pytest.approx((-width, width), rel=1e-6)
 
 
 def hold_to_free_bodies(seed: int, places: int) -> int:

@@ -132,12 +132,12 @@ def test_a_knee_locks_up_to_the_turn_of_its_rods():
     assert stretch.state == "locked"
     assert stretch.low is not None
     assert stretch.low.is_dead_centre
-    assert stretch.low.place == 0
+    assert stretch.low.x == 0
     assert stretch.high is not None
     assert stretch.high.exact is not None
     assert text(stretch.high.exact) == "delta_OB"
     turn = math.asin(0.1 * 10 / 100)
-    assert stretch.high.place == pytest.approx(turn, rel=1e-14)
+    assert stretch.high.x == pytest.approx(turn, rel=1e-14)
     assert stretch.within == pytest.approx((math.radians(0.1), turn), rel=1e-12)
 
 
@@ -161,7 +161,7 @@ def test_fedoriv_locks_up_to_both_angles_of_friction():
     assert stretch.high.exact is not None
     assert text(stretch.high.exact) == "delta_AC + atan(d/(10*D))"
     by_hand = math.asin(0.1 / 8) + math.atan(0.1 / 3)
-    assert stretch.high.place == pytest.approx(by_hand, rel=1e-14)
+    assert stretch.high.x == pytest.approx(by_hand, rel=1e-14)
 
 
 @pytest.mark.parametrize(("along", "name"), [("x", "k_hold"), ("-x", "k_f")])
@@ -172,7 +172,7 @@ def test_a_wedge_locks_up_to_twice_the_angle_of_friction(along, name):
     assert stretch.high is not None
     assert stretch.high.exact is not None
     assert text(stretch.high.exact) == "phi_A + atan(mu)"
-    assert stretch.high.place == pytest.approx(2 * math.atan(0.1), rel=1e-14)
+    assert stretch.high.x == pytest.approx(2 * math.atan(0.1), rel=1e-14)
     assert locking(description, name).state == "locked"
 
 
@@ -209,7 +209,7 @@ def test_a_slider_crank_jams_near_both_dead_centres():
     assert first.high is not None
     assert last.low is not None
     mechanism = mechc.loads(SLIDER_CRANK)
-    for end, way in ((first.high.place, 1), (last.low.place, -1)):
+    for end, way in ((first.high.x, 1), (last.low.x, -1)):
         beside, inside = (mechanism.evaluate(phi=end + way * x) for x in (1e-9, -1e-4))
         assert beside["k_f"] > 1e5 * abs(beside["k"])
         assert math.isnan(inside["k_f"])
@@ -473,7 +473,7 @@ def test_faces_of_a_wedge_lock_between_both_slopes():
     assert text(over.low.exact) == "gamma"
     assert text(over.high.exact) == "gamma + phi_A + atan(mu)"
     turn = math.degrees(2 * math.atan(0.1))
-    assert degrees(over.low.place, over.high.place) == pytest.approx([5, 5 + turn])
+    assert degrees(over.low.x, over.high.x) == pytest.approx([5, 5 + turn])
     assert under.within is not None
     assert degrees(*under.within) == pytest.approx([2, 5])
 
@@ -586,8 +586,8 @@ def test_an_eccentric_locks_while_it_is_small_against_the_friction_on_its_rim():
     assert mu is not None
     assert e.exact is not None
     assert text(e.exact) == "R*sin(phi_A)/cos(phi + phi_A)"
-    assert e.place == pytest.approx(0.15 * 0.03 / (math.cos(phi) - 0.15 * math.sin(phi)))
-    assert mu.place == pytest.approx(3 * math.cos(phi) / (30 + 3 * math.sin(phi)))
+    assert e.x == pytest.approx(0.15 * 0.03 / (math.cos(phi) - 0.15 * math.sin(phi)))
+    assert mu.x == pytest.approx(3 * math.cos(phi) / (30 + 3 * math.sin(phi)))
     assert found["phi"].within == pytest.approx((math.radians(-80), math.radians(80)))
 
 
@@ -598,8 +598,8 @@ def test_a_nut_locks_below_the_pitch_that_friction_holds():
     assert pitch is not None
     assert mu is not None
     assert [text(b.exact) for b in (pitch, mu) if b.exact] == ["pi*d*mu", "p/(pi*d)"]
-    assert pitch.place == pytest.approx(math.pi * 0.02 * 0.1)
-    assert mu.place == pytest.approx(0.004 / (math.pi * 0.02))
+    assert pitch.x == pytest.approx(math.pi * 0.02 * 0.1)
+    assert mu.x == pytest.approx(0.004 / (math.pi * 0.02))
 
 
 def test_what_an_efficiency_runs_through_over_a_coefficient():
@@ -792,6 +792,6 @@ def test_a_stretch_ends_at_the_place_of_which_nothing_is_known():
     tongs = mechc.load("karpenko_fig4_with_friction")
     reaches = {r.parameter: r for r in tongs.results["k_hold"].locking.reaches}
     before, beyond = reaches["theta"].stretches
-    assert before.high.place == beyond.low.place == 0
+    assert before.high.x == beyond.low.x == 0
     assert before.high.left_out
     assert beyond.low.left_out

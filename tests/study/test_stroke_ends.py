@@ -11,7 +11,7 @@ from mechc.formula.roots import roots
 from mechc.frozen import replace
 from mechc.report.text.stroke import to_table
 from mechc.source import Source
-from mechc.study.stroke.places import GRADED, graded, looked_at
+from mechc.study.stroke.grid import GRADED, graded, looked_at
 from mechc.study.stroke.stroke import Stretch
 from paths import CORPUS
 
@@ -195,7 +195,7 @@ def test_only_cells_next_to_the_end_of_a_loop_are_divided():
 def test_two_zeros_in_one_cell_are_two():
     places = [i / 10 for i in range(11)]
     found = roots(lambda x: (x - 0.52) * (x - 0.57), places)
-    assert [r.place for r in found] == pytest.approx([0.52, 0.57], abs=1e-12)
+    assert [r.x for r in found] == pytest.approx([0.52, 0.57], abs=1e-12)
 
 
 def test_a_stroke_says_at_how_many_places_it_was_looked_at() -> None:

@@ -22,7 +22,7 @@ from mechc.study.poses import complete, default_pose, random_poses
 from mechc.study.ratios import sizes
 from mechc.study.stroke.columns import Filled, named_apart
 from mechc.study.stroke.extrema import extrema, turns_between
-from mechc.study.stroke.places import ENOUGH, GRADED, graded, looked_at
+from mechc.study.stroke.grid import ENOUGH, GRADED, graded, looked_at
 from mechc.study.stroke.reached import with_reached
 from mechc.study.stroke.sides import from_both_sides
 from mechc.study.stroke.stroke import Column, Extremum, Stretch

@@ -3,7 +3,7 @@
 The solutions of n equations in n unknowns and one drive are a curve. It is followed by its
 arc length, along which nothing is singular where the drive turns back: the tangent has no
 part along the drive there (H. B. Keller, *Numerical solution of bifurcation and nonlinear
-eigenvalue problems*, 1977). As the drive is stationary at the place, its value comes out to
+eigenvalue problems*, 1977). As the drive is stationary at the fold, its value comes out to
 the last bits.
 """
 
@@ -25,7 +25,7 @@ NEAR = 1.5e-3
 CORRECTIONS = 12
 
 CLOSED = 1e-12
-"""A correction behind which a point lies on the curve."""
+"""A correction behind which a point lies on the curve, and a step behind which it turns back."""
 
 DIFFERENCE = 1e-6
 """By how much the drive is moved to see how equations change with it."""
@@ -35,9 +35,9 @@ Point = list[float]
 
 
 class End(NamedTuple):
-    """A place that a branch reaches; ``turns`` where it turns back, unless something else ends."""
+    """The end that a branch reaches; ``turns`` where it turns back, unless something else ends."""
 
-    place: float
+    x: float
     turns: bool
 
 
@@ -50,12 +50,12 @@ class Curve:
         outer: Callable[[float], Sequence[float]],
         scales: Sequence[float],
     ) -> None:
-        """``outer`` gives the outer symbols at a place of the drive; ``scales`` has its, last."""
+        """``outer`` gives the outer symbols at a value of the drive; ``scales`` has its, last."""
         self._equations, self._outer, self._scales = equations, outer, scales
 
-    def near(self, unknowns: Sequence[float], place: float) -> tuple[list[float], float] | None:
+    def near(self, unknowns: Sequence[float], x: float) -> tuple[list[float], float] | None:
         """Return a point of the curve that Newton's method leads to, by the shortest steps."""
-        point = self._scaled([*unknowns, place])
+        point = self._scaled([*unknowns, x])
         for _ in range(40):
             gaps, matrix = self._at(point)
             step = _shortest(matrix, gaps)
@@ -67,10 +67,10 @@ class Curve:
                 return found, there
         return None
 
-    def end(self, unknowns: Sequence[float], place: float, goal: float) -> End:
+    def end(self, unknowns: Sequence[float], x: float, goal: float) -> End:
         """Return where the branch through a point ends on the way to a goal."""
-        point = self._scaled([*unknowns, place])
-        sense = 1.0 if goal > place else -1.0
+        point = self._scaled([*unknowns, x])
+        sense = 1.0 if goal > x else -1.0
         tangent = self._tangent(point, [*([0.0] * len(unknowns)), sense])
         step = STEP
         for _ in range(STEPS):
@@ -88,14 +88,14 @@ class Curve:
             point, tangent, step = ahead, turned, min(STEP, 1.5 * step)
         return End(point[-1] * self._scales[-1], False)
 
-    def crossing(self, unknowns: Sequence[float], place: float, goal: float) -> float | None:
-        """Return the place on the way to a goal where another branch crosses, if there is one.
+    def crossing(self, unknowns: Sequence[float], x: float, goal: float) -> float | None:
+        """Return the drive on the way to a goal where another branch crosses, if one does.
 
-        The determinant changes its sign there while the drive goes on. At the place itself
+        The determinant changes its sign there while the drive goes on. At the crossing itself
         nothing can be solved for, so it is interpolated from both sides.
         """
-        point = self._scaled([*unknowns, place])
-        sense = 1.0 if goal > place else -1.0
+        point = self._scaled([*unknowns, x])
+        sense = 1.0 if goal > x else -1.0
         tangent = self._tangent(point, [*([0.0] * len(unknowns)), sense])
         here = self._determinant(point)
         while tangent and tangent[-1] * sense > 0 and (goal - self._drive(point)) * sense > 0:
@@ -133,7 +133,7 @@ class Curve:
         """Return the drive between two points where the tangent has no part along it."""
         sense, low, high = math.copysign(1.0, tangent[-1]), 0.0, step
         found = point
-        while high - low > 1e-12:
+        while high - low > CLOSED:
             middle = (low + high) / 2
             ahead = self._corrected(point, tangent, middle)
             turned = self._tangent(ahead, tangent) if ahead else None
@@ -172,12 +172,10 @@ class Curve:
 
     def _at(self, point: Point) -> tuple[list[float], list[list[float]]]:
         """Return the residual of the closure, and its slopes by the unknowns and the drive."""
-        *unknowns, place = self._plain(point)
-        gaps, matrix = self._equations(unknowns, self._outer(place))
+        *unknowns, x = self._plain(point)
+        gaps, matrix = self._equations(unknowns, self._outer(x))
         step = DIFFERENCE * self._scales[-1]
-        after, before = (
-            self._equations(unknowns, self._outer(place + s))[0] for s in (step, -step)
-        )
+        after, before = (self._equations(unknowns, self._outer(x + s))[0] for s in (step, -step))
         rows = [
             [*(m * s for m, s in zip(row, self._scales, strict=False)), (a - b) / (2 * DIFFERENCE)]
             for row, a, b in zip(matrix, after, before, strict=True)

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 Function = Callable[[float], float]
 
-NIL = 1e-7
+TOUCHED = 1e-7
 """A minimum below this part of the greatest value is a zero that is touched.
 
 Half the digits: nothing nearer separates a double zero from one that is just missed.
@@ -38,8 +38,17 @@ STEADY = 0.1
 NARROW, BESIDE = 1e-11, 1e-8
 """To what part of the range a jump is narrowed down, and from how far its sides are seen.
 
-What is infinite at the place itself is rounded worse, the nearer that is.
+What is infinite at the pole itself is rounded worse, the nearer that is.
 """
+
+HALF_DIGITS = 1e-8
+"""How exact a zero is that is touched, as a part of it: a minimum is known to half the digits."""
+
+SMALL = 1e-3
+"""A zero nearer to 0 than this is as exact as one there."""
+
+SAME_ROOT = 1e-9
+"""Roots nearer to each other than this part of the grid are one within rounding."""
 
 GOLDEN = (math.sqrt(5) - 1) / 2
 
@@ -57,56 +66,56 @@ def spaced(low: float, high: float, parts: int) -> list[float]:
 class Root(NamedTuple):
     """A zero, and the width of the interval that holds it."""
 
-    place: float
+    x: float
     bracket: float
 
 
-def roots(function: Function, places: Sequence[float]) -> list[Root]:
-    """Return the zeros of a function between the places given.
+def roots(function: Function, grid: Sequence[float]) -> list[Root]:
+    """Return the zeros of a function between the points of a grid.
 
-    >>> [round(r.place, 12) for r in roots(lambda x: x * x - 2, [0.0, 1.0, 2.0])]
+    >>> [round(r.x, 12) for r in roots(lambda x: x * x - 2, [0.0, 1.0, 2.0])]
     [1.414213562373]
     """
-    values = [function(x) for x in places]
+    values = [function(x) for x in grid]
     size = max((abs(y) for y in values if math.isfinite(y)), default=0.0)
-    found = [Root(places[i], 0.0) for i in range(len(places)) if _alone(values, i, size)]
-    for (a, b), (u, v) in zip(pairwise(places), pairwise(values), strict=True):
+    found = [Root(grid[i], 0.0) for i in range(len(grid)) if _alone(values, i, size)]
+    for (a, b), (u, v) in zip(pairwise(grid), pairwise(values), strict=True):
         if u * v < 0 and max(abs(u), abs(v)) > NOISE * size:
             root = halved(function, a, b)
-            if abs(function(root.place)) <= JUMP * max(abs(u), abs(v)):
+            if abs(function(root.x)) <= JUMP * max(abs(u), abs(v)):
                 found.append(root)
-    found.extend(_touched(function, places, values, size))
-    ends = ((places[0], values[0]), (places[-1], values[-1]))
+    found.extend(_touched(function, grid, values, size))
+    ends = ((grid[0], values[0]), (grid[-1], values[-1]))
     found.extend(Root(x, math.ulp(x)) for x, y in ends if abs(y) < ROUNDED * size)
-    return _distinct(found, places)
+    return _distinct(found, grid)
 
 
 class Jump(NamedTuple):
-    """A place at which a function is finite on either side, but not the same, and its sides."""
+    """An x at which a function is finite on either side, but not the same, and its sides."""
 
-    place: float
+    x: float
     bracket: float
     before: float
     after: float
 
 
-def jumps(function: Function, places: Sequence[float]) -> list[Jump]:
+def jumps(function: Function, grid: Sequence[float]) -> list[Jump]:
     """Return where a function jumps from one finite value to another.
 
-    >>> [round(j.place, 9) for j in jumps(lambda x: 1.0 if x < 0.3 else 2.0, [0.0, 0.25, 0.5])]
+    >>> [round(j.x, 9) for j in jumps(lambda x: 1.0 if x < 0.3 else 2.0, [0.0, 0.25, 0.5])]
     [0.3]
     """
-    values = [function(x) for x in places]
+    values = [function(x) for x in grid]
     steps = [abs(v - u) for u, v in pairwise(values)]
     sizes = sorted(abs(y) for y in values if math.isfinite(y))
-    least = NIL * sizes[len(sizes) // 2] if sizes else 0.0
-    range_ = abs(places[-1] - places[0])
+    least = TOUCHED * sizes[len(sizes) // 2] if sizes else 0.0
+    range_ = abs(grid[-1] - grid[0])
     found: list[Jump] = []
     for i, step in enumerate(steps):
         beside = [*steps[max(i - 1, 0) : i], *steps[i + 1 : i + 2]]
         turns = values[i] * values[i + 1] < 0
         if step > least and (turns or step > STEEP * max(beside, default=0.0)):
-            jump = _narrowed(function, places[i], places[i + 1], range_)
+            jump = _narrowed(function, grid[i], grid[i + 1], range_)
             left = abs(jump.after - jump.before)
             if left > JUMP * step and _is_steady(function, jump, range_, STEADY * left):
                 found.append(jump)
@@ -114,7 +123,7 @@ def jumps(function: Function, places: Sequence[float]) -> list[Jump]:
 
 
 def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
-    """Return a jump between two places: what is between is on the side that it is more like."""
+    """Return a jump between two points: what is between is on the side that it is more like."""
     before, after = function(a), function(b)
     while b - a > NARROW * range_ and (middle := (a + b) / 2) not in (a, b):
         value = function(middle)
@@ -129,7 +138,7 @@ def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
 def _is_steady(function: Function, jump: Jump, range_: float, most: float) -> bool:
     """Tell a jump from a pole: ten times as far from it the values are nearly the same."""
     away = 10 * BESIDE * range_
-    before, after = (function(jump.place + side * away) for side in (-1, 1))
+    before, after = (function(jump.x + side * away) for side in (-1, 1))
     return abs(before - jump.before) <= most and abs(after - jump.after) <= most
 
 
@@ -154,29 +163,29 @@ def halved(function: Function, a: float, b: float) -> Root:
 
 
 def _touched(
-    function: Function, places: Sequence[float], values: Sequence[float], size: float
+    function: Function, grid: Sequence[float], values: Sequence[float], size: float
 ) -> Iterator[Root]:
-    for i in range(1, len(places) - 1):
+    for i in range(1, len(grid) - 1):
         before, here, after = (abs(v) for v in values[i - 1 : i + 2])
         alike = values[i - 1] * values[i] > 0 and values[i] * values[i + 1] > 0
         if alike and here <= min(before, after) and max(before, after) - here > NOISE * size:
-            yield from _lowest(function, (places[i - 1], places[i + 1]), values[i], size)
+            yield from _lowest(function, (grid[i - 1], grid[i + 1]), values[i], size)
 
 
 def _lowest(
     function: Function, within: tuple[float, float], beside: float, size: float
 ) -> Iterator[Root]:
-    """Yield the zeros about a place where a function comes nearest to zero: none, one or two.
+    """Yield the zeros about a point where a function comes nearest to zero: none, one or two.
 
     ``beside`` is a value of the function nearby.
     """
     sense = math.copysign(1.0, beside)
-    place = lowest(lambda x: sense * function(x), *within)
-    least = sense * function(place)
+    x = lowest(lambda x: sense * function(x), *within)
+    least = sense * function(x)
     if least < -NOISE * size:
-        yield from (halved(function, *sorted((end, place))) for end in within)
-    elif least < NIL * size:
-        yield Root(place, 1e-8 * max(abs(place), 1e-3))
+        yield from (halved(function, *sorted((end, x))) for end in within)
+    elif least < TOUCHED * size:
+        yield Root(x, HALF_DIGITS * max(abs(x), SMALL))
 
 
 def lowest(function: Function, a: float, b: float, sections: int = 90) -> float:
@@ -198,11 +207,11 @@ def lowest(function: Function, a: float, b: float, sections: int = 90) -> float:
     return (a + b) / 2
 
 
-def _distinct(found: list[Root], places: Sequence[float]) -> list[Root]:
+def _distinct(found: list[Root], grid: Sequence[float]) -> list[Root]:
     """Return roots in order, those that are one within rounding once."""
-    width = 1e-9 * (abs(places[-1] - places[0]) or 1.0)
+    width = SAME_ROOT * (abs(grid[-1] - grid[0]) or 1.0)
     kept: list[Root] = []
     for root in sorted(found):
-        if not kept or root.place - kept[-1].place > width:
+        if not kept or root.x - kept[-1].x > width:
             kept.append(root)
     return kept

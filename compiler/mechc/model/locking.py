@@ -21,17 +21,17 @@ class Bound(NamedTuple):
     """An end of a stretch, and the same as a formula where one is known.
 
     At a dead centre the stretch ends because the ratio changes its sign there. A bound is
-    ``left_out`` where nothing is known of the place itself.
+    ``left_out`` where nothing is known of the end itself.
     """
 
-    place: float
+    x: float
     exact: Formula | None = None
     is_dead_centre: bool = False
     left_out: bool = False
 
     @property
     def is_strict(self) -> bool:
-        """Return whether the stretch reaches up to the place, but not to it."""
+        """Return whether the stretch reaches up to its end, but not to it."""
         return self.is_dead_centre or self.left_out
 
 
@@ -40,7 +40,7 @@ class Stretch(NamedTuple):
 
     None is an end at which nothing changes before the parameter's range ends, or, beyond
     that, before the next dead centre. ``within`` is what of it lies in the range. A stretch
-    is ``sampled`` where it was found by looking at many places and its ends were narrowed
+    is ``sampled`` where it was found by looking at many values and its ends were narrowed
     down, not solved for.
     """
 

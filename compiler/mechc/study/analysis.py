@@ -40,9 +40,9 @@ class Break(NamedTuple):
 
 
 class Extreme(NamedTuple):
-    """A place of a parameter, and what a result is there, in SI."""
+    """A value of a parameter, and that of a result there, in SI."""
 
-    place: float
+    x: float
     value: float
 
 

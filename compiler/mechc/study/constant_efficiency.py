@@ -31,8 +31,8 @@ STEEP = 8.0
 """|d ln k/dφ| per radian at which pins of an eighth of a rod's length with f = 0.1, δ = 0.0125,
 take a tenth of the force."""
 
-PLACES = 48
-"""Places at which a range is looked at for steep ratios."""
+CELLS = 48
+"""Cells of a range whose ends are looked at for steep ratios."""
 
 
 def remark_on_constant(solution: Solution, report: Report) -> None:
@@ -86,25 +86,25 @@ class _Beside:
             report.add(messages.efficiency_beside_friction(self._find.span, given, found))
 
     def _moving(self, name: str) -> Moving:
-        places = Sweep(self._solution.plan, name, self._loads or {})
-        return Moving(places, self._ideal, self._real, self._sense)
+        sweep = Sweep(self._solution.plan, name, self._loads or {})
+        return Moving(sweep, self._ideal, self._real, self._sense)
 
-    def _given(self, moving: Moving, place: float) -> float:
-        efficiency, values = self._mechanism.friction.efficiency, moving.places.values(place)
+    def _given(self, moving: Moving, x: float) -> float:
+        efficiency, values = self._mechanism.friction.efficiency, moving.sweep.values(x)
         known = efficiency is not None and symbols(efficiency) <= values.keys()
         return evaluate(efficiency, values) if efficiency is not None and known else math.nan
 
-    def _is_far(self, moving: Moving, place: float) -> bool:
-        return abs(self._given(moving, place) - moving.efficiency(place)) > FAR
+    def _is_far(self, moving: Moving, x: float) -> bool:
+        return abs(self._given(moving, x) - moving.efficiency(x)) > FAR
 
     def _along(self, name: str) -> Iterator[str]:
         """Yield what friction makes of the efficiency where both differ."""
         ends, moving = range_of(name, self._mechanism), self._moving(name)
         if ends is None:
             return
-        places = looked_at(moving, *ends)
-        for part in spans(places, lambda x: self._is_far(moving, x)):
-            inside = [x for x in places if part[0] <= x <= part[1]]
+        grid = looked_at(moving, *ends)
+        for part in spans(grid, lambda x: self._is_far(moving, x)):
+            inside = [x for x in grid if part[0] <= x <= part[1]]
             values = [moving.efficiency(x) for x in (*part, *inside)]
             span = shown(name, part, self._mechanism)
             yield f"{min(values):.3g} … {max(values):.3g} for {span}"
@@ -120,13 +120,13 @@ def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
     if loads is None or ideal.default is None:
         return
     for name in moved(mechanism, (ideal,)):
-        places, ends = Sweep(solution.plan, name, loads), range_of(name, mechanism)
-        here = places.defaults[name]
+        sweep, ends = Sweep(solution.plan, name, loads), range_of(name, mechanism)
+        here = sweep.defaults[name]
         whole = ends or (here, here)
         scale = 1.0 if turns(name, mechanism) else whole[1] - whole[0]
-        slope = _Slope(places, ideal, scale)
+        slope = _Slope(sweep, ideal, scale)
         if ends:
-            for part in spans(spaced(*ends, PLACES), slope.is_steep):
+            for part in spans(spaced(*ends, CELLS), slope.is_steep):
                 yield f"for {shown(name, part, mechanism)}"
         elif scale and slope.is_steep(here):
             yield f"at the default {name}"
@@ -135,13 +135,13 @@ def _steep(solution: Solution, ideal: Result) -> Iterator[str]:
 class _Slope:
     """The logarithmic slope of a ratio along a parameter, per radian or per stroke."""
 
-    def __init__(self, places: Sweep, ideal: Result, scale: float) -> None:
-        self._places, self._ideal, self._scale = places, ideal, scale
+    def __init__(self, sweep: Sweep, ideal: Result, scale: float) -> None:
+        self._sweep, self._ideal, self._scale = sweep, ideal, scale
 
-    def is_steep(self, place: float) -> bool:
+    def is_steep(self, x: float) -> bool:
         """Return whether the ratio changes fast, passes zero or has no value."""
-        step, here = DIFFERENCE * self._scale, self._places.of(self._ideal, place)
-        before, after = (self._places.of(self._ideal, place + s) for s in (-step, step))
+        step, here = DIFFERENCE * self._scale, self._sweep.of(self._ideal, x)
+        before, after = (self._sweep.of(self._ideal, x + s) for s in (-step, step))
         first, last = (v if math.isfinite(v) else here for v in (before, after))
         if not first * last > 0:
             return True

@@ -33,11 +33,11 @@ class _Run:
 
     def __init__(self, moving: Moving, low: float, high: float) -> None:
         self._moving, self._low, self._high = moving, low, high
-        self._places = looked_at(moving, low, high)
+        self._sweep = looked_at(moving, low, high)
 
     def course(self, name: str, unit: str) -> EfficiencyRange | None:
         """Return the whole, None where there is no efficiency anywhere."""
-        values = [v for x in self._places if math.isfinite(v := self._moving.efficiency(x))]
+        values = [v for x in self._sweep if math.isfinite(v := self._moving.efficiency(x))]
         if not values:
             return None
         ends, usual = (self._low, self._high), tuple(self._usual())
@@ -46,8 +46,8 @@ class _Run:
     def _usual(self) -> Iterator[Range]:
         """Yield the stretches on which it is usual, if it only passes through that, too."""
         low, high = USUAL
-        enough = spans(self._places, lambda x: self._moving.efficiency(x) >= low)
+        enough = spans(self._sweep, lambda x: self._moving.efficiency(x) >= low)
         for first, last in list(enough):
-            inside = [x for x in self._places if first < x < last]
-            places = [first, *inside, last]
-            yield from spans(places, lambda x: self._moving.efficiency(x) <= high)
+            inside = [x for x in self._sweep if first < x < last]
+            grid = [first, *inside, last]
+            yield from spans(grid, lambda x: self._moving.efficiency(x) <= high)

@@ -14,7 +14,7 @@ from .ranges import scale_of, unit_of
 from .stroke.extent import along_the_stroke
 from .sweep import Sweep
 
-PLACES = 192
+CELLS = 192
 """Cells of a range in which a result is looked at."""
 
 
@@ -44,7 +44,7 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
         ends = range_of(name, mechanism)
         if trend == "turns" and ends is not None:
             sweep = Sweep(solution.plan, name, {})
-            extremes = _extremes(sweep, result, spaced(*ends, PLACES))
+            extremes = _extremes(sweep, result, spaced(*ends, CELLS))
             if extremes:
                 low, high = (f(extremes, key=lambda e: e.value) for f in (min, max))
                 unit = unit_of(name, mechanism)
@@ -52,16 +52,16 @@ def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
                 yield Extent(name, unit, ends, (), (), low, high, scale, False)
 
 
-def _extremes(sweep: Sweep, result: Analysis, places: Sequence[float]) -> list[Extreme]:
+def _extremes(sweep: Sweep, result: Analysis, grid: Sequence[float]) -> list[Extreme]:
     """Return the values at the ends of a range and where they turn; none where some are missing."""
-    values = [sweep.of(result, x) for x in places]
+    values = [sweep.of(result, x) for x in grid]
     if not all(map(math.isfinite, values)):
         return []
-    turning = [places[0], places[-1]]
-    for i in range(1, len(places) - 1):
+    turning = [grid[0], grid[-1]]
+    for i in range(1, len(grid) - 1):
         for sense in (1, -1):
             if sense * values[i] <= min(sense * values[i - 1], sense * values[i + 1]):
-                turning.append(_turning(sweep, result, sense, places[i - 1], places[i + 1]))
+                turning.append(_turning(sweep, result, sense, grid[i - 1], grid[i + 1]))
     return [Extreme(x, sweep.of(result, x)) for x in turning]
 
 

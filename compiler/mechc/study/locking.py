@@ -16,7 +16,7 @@ from ..model.result import Result
 from ..model.values import range_of
 from .ranges import last, turns, unit_of, varying
 from .ratios import Study
-from .sampling import PLACES, before_dead_centre, dead_centre, looked_at, nearest
+from .sampling import CELLS, before_dead_centre, dead_centre, looked_at, nearest
 from .states import Moving
 from .tolerances import EXACT, NEARLY
 
@@ -68,7 +68,7 @@ def _window(name: str, moving: Moving, study: Study) -> Range | None:
     given = range_of(name, pose.mechanism)
     if pose.definitions or moving.is_slow or not turns(name, pose.mechanism):
         return given
-    here = moving.places.defaults[name]
+    here = moving.sweep.defaults[name]
     low, high = given or (here, here)
     return (
         _next_dead_centre(low, -BEYOND, moving),
@@ -77,15 +77,15 @@ def _window(name: str, moving: Moving, study: Study) -> Range | None:
 
 
 def _next_dead_centre(start: float, beyond: float, moving: Moving) -> float:
-    """Return the place of the next dead centre, or where nothing more is looked at."""
+    """Return the next dead centre, or where nothing more is looked at."""
     driven = moving.driven(start)
     if driven is None:
         return start
-    places = [start + beyond * step / PLACES for step in range(PLACES + 1)]
-    for before, place in pairwise(places):
-        if moving.driven(place) != driven:
-            return before_dead_centre(moving, before, place)
-    return places[-1]
+    grid = [start + beyond * step / CELLS for step in range(CELLS + 1)]
+    for before, x in pairwise(grid):
+        if moving.driven(x) != driven:
+            return before_dead_centre(moving, before, x)
+    return grid[-1]
 
 
 # --------------------------------------------------------------------------- stretches
@@ -102,18 +102,18 @@ class _Stretches:
 
     def found(self, low: float, high: float) -> Iterator[Stretch]:
         """Yield the stretches in their order."""
-        places = looked_at(self.moving, low, high, self.range or ()) if low < high else []
+        grid = looked_at(self.moving, low, high, self.range or ()) if low < high else []
         first = 0
-        for state, group in groupby(places, lambda x: self.moving.at(x).state):
+        for state, group in groupby(grid, lambda x: self.moving.at(x).state):
             last = first + len(list(group)) - 1
             if state in ("locked", "jammed"):
-                yield self._stretch(places, first, last, state)
+                yield self._stretch(grid, first, last, state)
             first = last + 1
 
-    def _stretch(self, places: Sequence[float], first: int, last: int, state: State) -> Stretch:
-        low, high = self._end(places, first, -1), self._end(places, last, 1)
-        begins = places[first] if low is None else low.place
-        ends = places[last] if high is None else high.place
+    def _stretch(self, grid: Sequence[float], first: int, last: int, state: State) -> Stretch:
+        low, high = self._end(grid, first, -1), self._end(grid, last, 1)
+        begins = grid[first] if low is None else low.x
+        ends = grid[last] if high is None else high.x
         sampled, within = self._is_sampled(low, high), self._within(begins, ends)
         low, high = low or self._end_of_window(begins), high or self._end_of_window(ends)
         return Stretch(state, low, high, within, sampled)
@@ -123,29 +123,29 @@ class _Stretches:
         solved = [end.exact is not None for end in ends if end]
         return self.moving.is_iterated or not solved or not all(solved)
 
-    def _end(self, places: Sequence[float], i: int, way: int) -> Bound | None:
-        """Return where a state ends that the place i is the last to have."""
-        if not 0 <= i + way < len(places):
+    def _end(self, grid: Sequence[float], i: int, way: int) -> Bound | None:
+        """Return where a state ends that the i-th value is the last to have."""
+        if not 0 <= i + way < len(grid):
             return None
-        a, b = places[i], places[i + way]
+        a, b = grid[i], grid[i + way]
         here, there = self.moving.at(a), self.moving.at(b)
         if here.driven != there.driven:
-            is_pose = bool(self.moving.places.values(b))
+            is_pose = bool(self.moving.sweep.values(b))
             return self._bound(
                 dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
             )
-        if there.state is None and abs(b - a) <= 2 * nearest(places[-1] - places[0]):
+        if there.state is None and abs(b - a) <= 2 * nearest(grid[-1] - grid[0]):
             return Bound(b, left_out=True)
         state = here.state
         width = NEARLY if self.moving.is_slow else EXACT
-        place = last(lambda x: self.moving.at(x).state == state, a, b, width)
-        return self._bound(place, self.printed, (zeros if state == "locked" else poles,))
+        x = last(lambda x: self.moving.at(x).state == state, a, b, width)
+        return self._bound(x, self.printed, (zeros if state == "locked" else poles,))
 
-    def _end_of_window(self, place: float) -> Bound | None:
+    def _end_of_window(self, x: float) -> Bound | None:
         """Return the end of what was looked at beyond the range; the range ends as it is given."""
-        if self.range is None or self.range[0] <= place <= self.range[1]:
+        if self.range is None or self.range[0] <= x <= self.range[1]:
             return None
-        return self._bound(place, self.moving.ideal, (zeros, poles), True)
+        return self._bound(x, self.moving.ideal, (zeros, poles), True)
 
     def _within(self, low: float, high: float) -> Range | None:
         if self.range is None:
@@ -154,19 +154,19 @@ class _Stretches:
         return (first, last) if first < last else None
 
     def _bound(
-        self, place: float, result: Result, ways: Sequence[Solve], is_dead_centre: bool = False
+        self, x: float, result: Result, ways: Sequence[Solve], is_dead_centre: bool = False
     ) -> Bound:
         """Return an end with its formula, if it has one of names that do not vary themselves."""
         if count_operations(result.formula) > LONG:
-            return Bound(place, None, is_dead_centre)
-        values = self.moving.places.named(result, place)
-        varying = self.moving.places.varying(result)
+            return Bound(x, None, is_dead_centre)
+        values = self.moving.sweep.named(result, x)
+        varying = self.moving.sweep.varying(result)
         for solution in chain(*(solve(result.formula, self.name) for solve in ways)):
-            exact = solution.at(place, values)
+            exact = solution.at(x, values)
             if exact is not None and symbols(exact).isdisjoint(varying) and _is_short(exact):
                 shown = exact if solution.period else to_product(exact).formula()
                 return Bound(evaluate(exact, values), shown, is_dead_centre)
-        return Bound(place, None, is_dead_centre)
+        return Bound(x, None, is_dead_centre)
 
 
 def _is_short(exact: Formula) -> bool:

@@ -80,7 +80,7 @@ def scale_of(result: Result, mechanism: Mechanism) -> str:
 
 
 def last(holds: Callable[[float], bool], good: float, bad: float, width: float = EXACT) -> float:
-    """Return the last place at which something holds that no longer does at another."""
+    """Return the last value at which something holds that no longer does at another."""
     least = width * max(abs(good), abs(bad))
     while abs(bad - good) > least and (middle := (good + bad) / 2) not in (good, bad):
         if holds(middle):
@@ -90,16 +90,16 @@ def last(holds: Callable[[float], bool], good: float, bad: float, width: float =
     return good
 
 
-def spans(places: Sequence[float], holds: Callable[[float], bool]) -> Iterator[Range]:
+def spans(grid: Sequence[float], holds: Callable[[float], bool]) -> Iterator[Range]:
     """Yield the stretches on which something holds."""
     first = 0
-    for so, group in groupby(places, holds):
+    for so, group in groupby(grid, holds):
         final = first + len(list(group)) - 1
         if so:
-            low = last(holds, places[first], places[first - 1], NEARLY) if first else places[0]
-            high = places[-1]
-            if final + 1 < len(places):
-                high = last(holds, places[final], places[final + 1], NEARLY)
+            low = last(holds, grid[first], grid[first - 1], NEARLY) if first else grid[0]
+            high = grid[-1]
+            if final + 1 < len(grid):
+                high = last(holds, grid[final], grid[final + 1], NEARLY)
             yield low, high
         first = final + 1
 

@@ -15,7 +15,7 @@ class Study:
         self.solution = solution
         self.mechanism = solution.plan.graph.pose.mechanism
         self._moving: dict[tuple[str, Sense, str], Moving] = {}
-        self._places: dict[tuple[str, frozenset[str]], Sweep] = {}
+        self._sweep: dict[tuple[str, frozenset[str]], Sweep] = {}
 
     def ideal(self, of: LoadRatio | LoadForm) -> Result:
         """Return the ratio without friction."""
@@ -38,11 +38,11 @@ class Study:
         return self._moving[key]
 
     def _along(self, parameter: str, loads: dict[str, float]) -> Sweep:
-        """Return the places along a parameter: poses are the same in both senses of motion."""
+        """Return the sweep along a parameter: poses are the same in both senses of motion."""
         key = parameter, frozenset(loads)
-        if key not in self._places:
-            self._places[key] = Sweep(self.solution.plan, parameter, loads)
-        return self._places[key]
+        if key not in self._sweep:
+            self._sweep[key] = Sweep(self.solution.plan, parameter, loads)
+        return self._sweep[key]
 
 
 def sizes(mechanism: Mechanism, real: Result) -> dict[str, float] | None:

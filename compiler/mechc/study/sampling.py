@@ -1,7 +1,7 @@
-"""At which places of a range friction is looked at: evenly, and closely where much happens.
+"""At which values in a range friction is looked at: evenly, and closely where much happens.
 
 Beside a dead centre k is small or large against friction, so that something stands
-there, on however short a stretch. Between places where the efficiency is lowest something
+there, on however short a stretch. Between values where the efficiency is lowest something
 may stand, too, and between two such something may move where least is missing. Cells in
 which the ratio without friction is not nearly straight are halved, so that no dead centres
 hide in them, be it a zero and a pole or two zeros.
@@ -15,19 +15,19 @@ from itertools import pairwise
 from ..formula.roots import lowest, spaced
 from .ranges import last
 from .states import Moving
-from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_PLACE, TOUCHED
+from .tolerances import JUMP_WIDTH, NEARLY, SAME_EFFICIENCY, SAME_VALUE, TOUCHED
 
-PLACES = 36
-"""Places between which dead centres are looked for."""
+CELLS = 36
+"""Cells between which dead centres are looked for."""
 
 SELDOM = 3
 """Only one in so many is looked at where friction is found by iteration, which takes long."""
 
 HALVINGS = 8
-"""Further places beside a dead centre, each half as far from it as the one before."""
+"""Further values beside a dead centre, each half as far from it as the one before."""
 
 NEAREST = 2.0**-20
-"""How near the last place is: as near as friction is sure to be larger than k, or k than it."""
+"""How near the last of them is: as near as friction is sure to be larger than k, or k than it."""
 
 BENT = 0.02
 """A cell is halved where its middle is off the straight line by this part of the values."""
@@ -43,29 +43,29 @@ SECTIONS, FEWER = 16, 13
 
 
 def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = ()) -> list[float]:
-    """Return places from one end to the other, ``also`` among them if they lie between.
+    """Return values from one end to the other, ``also`` among them if they lie between.
 
     None is nearer to a dead centre than what rounding leaves to be solved there.
     """
-    even = spaced(low, high, PLACES)
+    even = spaced(low, high, CELLS)
     still = [z for a, b in pairwise(even) for z in _dead_centres(moving, a, b)]
     beside = [c + away for c in (low, high, *still) for away in _near(moving, even[1] - low)]
     chosen = even[::SELDOM] if moving.is_slow else even
-    places = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
-    jumps = (x for a, b in pairwise(places) for x in _jumps(moving, a, b))
+    grid = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
+    jumps = (x for a, b in pairwise(grid) for x in _jumps(moving, a, b))
     far = nearest(high - low) / 2
-    places = sorted({*places, *(x for x in jumps if all(abs(x - c) > far for c in still))})
-    edges = [x for a, b in pairwise(places) for x in _edge(moving, a, b)]
-    places = sorted({*places, *edges})
-    beside_jumps = _turning_beside_jumps(moving, places)
-    loose = _loose(moving, places)
-    places = sorted({*places, *_bulging(moving, places), *beside_jumps, *loose})
-    return sorted({*places, *_extremes(moving, places)})
+    grid = sorted({*grid, *(x for x in jumps if all(abs(x - c) > far for c in still))})
+    edges = [x for a, b in pairwise(grid) for x in _edge(moving, a, b)]
+    grid = sorted({*grid, *edges})
+    beside_jumps = _turning_beside_jumps(moving, grid)
+    loose = _loose(moving, grid)
+    grid = sorted({*grid, *_bulging(moving, grid), *beside_jumps, *loose})
+    return sorted({*grid, *_extremes(moving, grid)})
 
 
 def nearest(width: float) -> float:
     """Return how near to a dead centre is looked at, where so much is looked at altogether."""
-    return NEAREST * width / PLACES
+    return NEAREST * width / CELLS
 
 
 def _near(moving: Moving, step: float) -> Iterator[float]:
@@ -79,7 +79,7 @@ def _near(moving: Moving, step: float) -> Iterator[float]:
 
 
 def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> Iterator[float]:
-    """Yield the dead centres between two places; ``depth`` falls with every halving."""
+    """Yield the dead centres between two values; ``depth`` falls with every halving."""
     if moving.driven(b) != moving.driven(a):
         yield dead_centre(moving, a, b)
         return
@@ -108,17 +108,17 @@ def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:
 
 
 def dead_centre(moving: Moving, a: float, b: float) -> float:
-    """Return the dead centre between two places, 0 where it is nearly that.
+    """Return the dead centre between two values, 0 where it is nearly that.
 
     It may be the end of a loop, beyond which there is nothing: it is come to from where there is.
     """
     ends = (a, b) if moving.driven(a) is not None else (b, a)
-    place = before_dead_centre(moving, *ends)
-    return 0.0 if abs(place) < SAME_PLACE * abs(b - a) else place
+    x = before_dead_centre(moving, *ends)
+    return 0.0 if abs(x) < SAME_VALUE * abs(b - a) else x
 
 
 def before_dead_centre(moving: Moving, a: float, b: float) -> float:
-    """Return the last place, from the first of two on, that is still before the dead centre."""
+    """Return the last value, from the first of two on, that is still before the dead centre."""
     driven = moving.driven(a)
     return last(lambda x: driven is not None and moving.driven(x) == driven, a, b)
 
@@ -127,13 +127,13 @@ def before_dead_centre(moving: Moving, a: float, b: float) -> float:
 
 
 def _jumps(moving: Moving, a: float, b: float) -> Iterator[float]:
-    """Yield the places on either side of each change of a sign of a slip or force."""
+    """Yield the values on either side of each change of a sign of a slip or force."""
     width = (b - a) * JUMP_WIDTH
     while moving.signs(a) != moving.signs(b) and b - a > 2 * width:
-        place = _last_alike(moving, a, b)
-        yield place
-        yield place + width
-        a = place + width
+        x = _last_alike(moving, a, b)
+        yield x
+        yield x + width
+        a = x + width
 
 
 def _last_alike(moving: Moving, a: float, b: float) -> float:
@@ -142,7 +142,7 @@ def _last_alike(moving: Moving, a: float, b: float) -> float:
 
 
 def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
-    """Yield the last place at which it moves as at the first, where it sticks at the second.
+    """Yield the last value at which it moves as at the first, where it sticks at the second.
 
     There an efficiency may fall to nothing at once.
     """
@@ -152,36 +152,36 @@ def _edge(moving: Moving, a: float, b: float) -> Iterator[float]:
         yield last(lambda x: moving.at(x).state == beyond, b, a, NEARLY)
 
 
-def _loose(moving: Moving, places: Sequence[float]) -> Iterator[float]:
-    """Yield where something moves among places where nothing does: where least is missing."""
+def _loose(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+    """Yield where something moves among values where nothing does: where least is missing."""
     sections = FEWER if moving.is_slow else SECTIONS
-    margins = [moving.margin(x) for x in places]
-    for (a, _, c), (before, here, after) in zip(_triples(places), _triples(margins), strict=True):
+    margins = [moving.margin(x) for x in grid]
+    for (a, _, c), (before, here, after) in zip(_triples(grid), _triples(margins), strict=True):
         if -math.inf < here <= 0 and max(before, after) <= here:
             top = lowest(lambda x: -moving.margin(x), a, c, sections)
             if moving.margin(top) > 0:
                 yield top
 
 
-def _bulging(moving: Moving, places: Sequence[float]) -> Iterator[float]:
+def _bulging(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield the middles of cells in which an efficiency turns: they are above or below both ends.
 
     Beside a jump the cell itself may hold its lowest or highest.
     """
-    for a, b in pairwise(places):
+    for a, b in pairwise(grid):
         middle = (a + b) / 2
         first, here, final = (moving.efficiency(x) for x in (a, middle, b))
         if here > max(first, final) or here < min(first, final):
             yield middle
 
 
-def _turning_beside_jumps(moving: Moving, places: Sequence[float]) -> Iterator[float]:
+def _turning_beside_jumps(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
     """Yield where an efficiency is lowest or highest within a cell that ends at a jump.
 
-    Its neighbour beyond the jump shows nothing of that; a place just before it does.
+    Its neighbour beyond the jump shows nothing of that; a value just before it does.
     """
     sections = FEWER if moving.is_slow else SECTIONS
-    for far, end, beyond in (*_triples(places), *_triples(places[::-1])):
+    for far, end, beyond in (*_triples(grid), *_triples(grid[::-1])):
         if moving.signs(end) == moving.signs(beyond):
             continue
         first, final = moving.efficiency(far), moving.efficiency(end)
@@ -192,25 +192,25 @@ def _turning_beside_jumps(moving: Moving, places: Sequence[float]) -> Iterator[f
                 yield lowest(efficiency, min(far, end), max(far, end), sections)
 
 
-def _triples(places: Sequence[float]) -> Iterator[tuple[float, float, float]]:
-    return zip(places, places[1:], places[2:], strict=False)
+def _triples(grid: Sequence[float]) -> Iterator[tuple[float, float, float]]:
+    return zip(grid, grid[1:], grid[2:], strict=False)
 
 
-def _extremes(moving: Moving, places: Sequence[float]) -> Iterator[float]:
-    """Yield where the efficiency is lowest or highest between places."""
-    values = [moving.efficiency(x) for x in places]
+def _extremes(moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+    """Yield where the efficiency is lowest or highest between values."""
+    values = [moving.efficiency(x) for x in grid]
     sections = FEWER if moving.is_slow else SECTIONS
-    for i in range(1, len(places) - 1):
+    for i in range(1, len(grid) - 1):
         before, here, after = values[i - 1 : i + 2]
         if not max(abs(here - before), abs(here - after)) > SAME_EFFICIENCY or here == 0:
             continue
         for sense in (1, -1):
             if sense * here <= sense * before and sense * here <= sense * after:
                 efficiency = partial(_signed, moving, sense)
-                yield lowest(efficiency, places[i - 1], places[i + 1], sections)
+                yield lowest(efficiency, grid[i - 1], grid[i + 1], sections)
 
 
-def _signed(moving: Moving, sense: int, place: float) -> float:
+def _signed(moving: Moving, sense: int, x: float) -> float:
     """Return an efficiency times a sign, infinite where there is none."""
-    value = moving.efficiency(place)
+    value = moving.efficiency(x)
     return math.inf if math.isnan(value) else sense * value

@@ -1,4 +1,4 @@
-"""Whether a mechanism moves at a place: freely, or held by friction, or not at all.
+"""Whether a mechanism moves in a pose: freely, or held by friction, or not at all.
 
 Between k while releasing and k while tightening nothing moves. If 0 lies between them the
 load alone moves nothing, which is self-locking: the ratio of the motion that the load
@@ -26,7 +26,7 @@ from .tolerances import NEGLIGIBLE
 
 
 class Found(NamedTuple):
-    """What a place is like: ``share`` is the ratio with friction over the one without.
+    """The state in a pose: ``share`` is the ratio with friction over the one without.
 
     It is NaN where nothing balances. ``driven`` is whether the load drives the motion, not
     the drive, None at a dead centre. There is no state there, and where nothing was found.
@@ -43,8 +43,8 @@ NOWHERE = Found(None, math.nan, None)
 class Moving:
     """A ratio with friction next to the one without, along one parameter."""
 
-    def __init__(self, places: Sweep, ideal: Result, real: FrictionResult, sense: Sense) -> None:
-        self.places, self.ideal, self.real = places, ideal, real
+    def __init__(self, sweep: Sweep, ideal: Result, real: FrictionResult, sense: Sense) -> None:
+        self.sweep, self.ideal, self.real = sweep, ideal, real
         self._sign = SIGNS[sense]
         self._known: dict[float, Found] = {}
 
@@ -58,46 +58,46 @@ class Moving:
         """Return whether friction or the pose is found by iteration."""
         return any(isinstance(f, Implicit) for d in self.real.where for f in walk(d.formula))
 
-    def at(self, place: float) -> Found:
+    def at(self, x: float) -> Found:
         """Return the state at a value of the parameter."""
-        if place not in self._known:
-            self._known[place] = self._look(place)
-        return self._known[place]
+        if x not in self._known:
+            self._known[x] = self._look(x)
+        return self._known[x]
 
-    def driven(self, place: float) -> bool | None:
+    def driven(self, x: float) -> bool | None:
         """Return whether the motion is the one that the load drives; None at a dead centre."""
-        return None if self.is_dead_centre(place) else self._sign * self.without(place) < 0
+        return None if self.is_dead_centre(x) else self._sign * self.without(x) < 0
 
-    def is_dead_centre(self, place: float) -> bool:
+    def is_dead_centre(self, x: float) -> bool:
         """Return whether the ratio without friction is 0 or infinite, but for rounding, or none.
 
         Rounding is looked at only where the ratio is far from what it is by default.
         """
-        ideal = self.without(place)
+        ideal = self.without(x)
         if not math.isfinite(ideal) or not ideal:
             return True
         if self._usual and NEGLIGIBLE < abs(ideal / self._usual) < 1 / NEGLIGIBLE:
             return False
-        return not self._beyond_rounding(place)
+        return not self._beyond_rounding(x)
 
     @cached_property
     def _usual(self) -> float:
         """Return the ratio without friction by default, 0 at a dead centre."""
-        return self._beyond_rounding(self.places.default)
+        return self._beyond_rounding(self.sweep.default)
 
-    def _beyond_rounding(self, place: float) -> float:
+    def _beyond_rounding(self, x: float) -> float:
         """Return the ratio without friction, 0 where it is 0 or infinite but for rounding."""
-        ideal = self.places.beyond_rounding(self.ideal, place)
+        ideal = self.sweep.beyond_rounding(self.ideal, x)
         return ideal if ideal is not None and math.isfinite(ideal) else 0.0
 
-    def without(self, place: float) -> float:
+    def without(self, x: float) -> float:
         """Return the ratio without friction."""
-        return self.places.of(self.ideal, place)
+        return self.sweep.of(self.ideal, x)
 
-    def signs(self, place: float) -> tuple[float, ...]:
+    def signs(self, x: float) -> tuple[float, ...]:
         """Return the signs of slips and forces: where one changes, friction may jump."""
         names, signed = self._signed
-        values = self.places.named(signed, place) if self.places.values(place) else {}
+        values = self.sweep.named(signed, x) if self.sweep.values(x) else {}
         return tuple(values[name] for name in names if name in values)
 
     @cached_property
@@ -117,28 +117,28 @@ class Moving:
         alone = replace(self.real, formula=ZERO, where=tuple(where), guards=())
         return [sign.name for sign in signs], alone
 
-    def _look(self, place: float) -> Found:
-        driven = self.driven(place)
+    def _look(self, x: float) -> Found:
+        driven = self.driven(x)
         if driven is None:
             return NOWHERE
-        real = self._real(place)
+        real = self._real(x)
         if real is None:
             return Found(None, math.nan, driven)
-        share = real / self.without(place)
+        share = real / self.without(x)
         if share > 0:
             return Found("free", share, driven)
         return Found("locked" if driven else "jammed", share, driven)
 
-    def _real(self, place: float) -> float | None:
+    def _real(self, x: float) -> float | None:
         """Return the ratio with friction, NaN where nothing balances, None where none is found."""
-        found = self._value(self.real, place)
+        found = self._value(self.real, x)
         if found is None and self.real.elsewhere:
-            return self._value(self.real.elsewhere, place)
+            return self._value(self.real.elsewhere, x)
         return found
 
-    def _value(self, result: Result, place: float) -> float | None:
+    def _value(self, result: Result, x: float) -> float | None:
         """Return a result's value, NaN where its system says that there is none."""
-        values = self.places.named(result, place)
+        values = self.sweep.named(result, x)
         found = guarded(result, values)
         if math.isfinite(found):
             return found
@@ -147,16 +147,16 @@ class Moving:
         ways = {status(unknown, values) for unknown in known}
         return math.nan if ways and 2 not in ways else None
 
-    def efficiency(self, place: float) -> float:
+    def efficiency(self, x: float) -> float:
         """Return the efficiency, 0 where nothing moves, NaN at a dead centre."""
-        state = self.at(place).state
+        state = self.at(x).state
         if state is None:
             return math.nan
-        return self.margin(place) if state == "free" else 0.0
+        return self.margin(x) if state == "free" else 0.0
 
-    def margin(self, place: float) -> float:
+    def margin(self, x: float) -> float:
         """Return the efficiency, below 0 where no power arrives, -inf where no force balances."""
-        _, share, driven = self.at(place)
+        _, share, driven = self.at(x)
         if driven is None or math.isnan(share) or not (driven or share):
             return -math.inf
         return share if driven else 1 / share

@@ -31,26 +31,26 @@ class Sweep:
         self._rounding: dict[float, Rounding] = {}
         self._last: tuple[Result, float, dict[str, float]] | None = None
 
-    def values(self, place: float) -> dict[str, float]:
-        """Return all that has a value at a place; nothing where no pose is allowed."""
-        if place not in self._known:
-            values = self._chain.complete({**self.defaults, self._parameter: place})
-            self._known[place] = values if allowed(self._mechanism, values) else {}
-        return self._known[place]
+    def values(self, x: float) -> dict[str, float]:
+        """Return the values of all names that have one; nothing where no pose is allowed."""
+        if x not in self._known:
+            values = self._chain.complete({**self.defaults, self._parameter: x})
+            self._known[x] = values if allowed(self._mechanism, values) else {}
+        return self._known[x]
 
     @property
     def default(self) -> float:
-        """Return the parameter's own value; any place where it is none of the mechanism."""
+        """Return the parameter's own value; any value where it is none of the mechanism."""
         return self.defaults.get(self._parameter, 0.0)
 
-    def beyond_rounding(self, result: Result, place: float) -> float | None:
+    def beyond_rounding(self, result: Result, x: float) -> float | None:
         """Return a result's value without what is nothing but rounding; None where it has none."""
-        if place not in self._rounding:
-            rounding = Rounding({**self.defaults, self._parameter: place})
+        if x not in self._rounding:
+            rounding = Rounding({**self.defaults, self._parameter: x})
             rounding.define(self._chain.definitions)
-            self._rounding[place] = rounding
-        number = self.of(result, place)
-        rounding = self._rounding[place]
+            self._rounding[x] = rounding
+        number = self.of(result, x)
+        rounding = self._rounding[x]
         return beyond_rounding(number, result.formula, result.where, rounding).number
 
     def varying(self, result: Result) -> set[str]:
@@ -63,22 +63,22 @@ class Sweep:
             varying |= {n for n, needs in needed.items() if not varying.isdisjoint(needs)}
         return varying
 
-    def of(self, result: Result, place: float) -> float:
+    def of(self, result: Result, x: float) -> float:
         """Return a result's value, NaN where it has none."""
-        key = id(result), place
+        key = id(result), x
         if key not in self._found:
-            self._found[key] = self.named(result, place).get(VALUE, math.nan)
+            self._found[key] = self.named(result, x).get(VALUE, math.nan)
         return self._found[key]
 
-    def named(self, result: Result, place: float) -> dict[str, float]:
-        """Return the values at a place, those of the names in a result among them."""
-        if self._last and self._last[0] is result and self._last[1] == place:
+    def named(self, result: Result, x: float) -> dict[str, float]:
+        """Return the values at ``x``, those of the names in a result among them."""
+        if self._last and self._last[0] is result and self._last[1] == x:
             return self._last[2]
         key = id(result)
         if key not in self._chains:
             self._chains[key] = result, Chain(_formulas(result))
-        found = self._chains[key][1].complete(self.values(place))
-        self._last = result, place, found
+        found = self._chains[key][1].complete(self.values(x))
+        self._last = result, x, found
         return found
 
 

@@ -1,7 +1,7 @@
-"""What counts as zero, equal or one place where a result is studied: each with its reason.
+"""What counts as zero, equal or one value where a result is studied: each with its reason.
 
-Three sizes come back. A place that is narrowed down is exact to some thirteen digits, so that
-places are one at 1e-9 of the stroke. What is near a branch point comes from angles of a
+Three sizes come back. A value that is narrowed down is exact to some thirteen digits, so that
+values are one at 1e-9 of the stroke. What is near a branch point comes from angles of a
 triangle that is nearly flat, and a difference quotient from two values that are nearly equal:
 both have half the digits, 1e-6. What only rounding makes of a zero is 1e-12 of what is usual.
 """
@@ -9,7 +9,7 @@ both have half the digits, 1e-6. What only rounding makes of a zero is 1e-12 of 
 EXACT, NEARLY = 1e-13, 1e-10
 """Widths, against the size of what is looked at, to which an end is narrowed down."""
 
-SAME_PLACE = 1e-9
+SAME_VALUE = 1e-9
 """Places closer than this part of the range are one; k with a zero and a pole is undetermined."""
 
 VANISHED_SUM = 1e-9
@@ -31,7 +31,7 @@ TOUCHED = 1e-6
 """A ratio that comes nearer to zero than this, against its value next to it, touches it."""
 
 JUMP_WIDTH = 1e-6
-"""The width of a jump, where a sign changes, against the distance of places."""
+"""The width of a jump, where a sign changes, against the distance in the grid."""
 
 NARROW_RANGE = 1e-9
 """A range of a parameter narrower than this, against its size, is not halved again."""
@@ -43,7 +43,7 @@ VANISHED_MARGIN = 1e-12
 """A margin below this part of its greatest value is zero; twice what rounding makes of one."""
 
 TOUCHING_WIDTH = 1e-8
-"""How exact a place is where a margin touches zero, as a part of the stroke.
+"""How exact a value is where a margin touches zero, as a part of the stroke.
 
 A minimum is known to half the digits.
 """
@@ -55,43 +55,43 @@ Angles of a triangle that is nearly flat have half the digits.
 """
 
 AT_BRANCH_POINT = 1e-3 * BRANCH_POINT
-"""A place this near to a branch point is that point: every loop counts as flat there."""
+"""A value this near to a branch point is that point: every loop counts as flat there."""
 
 CROSSING = 1e-12
-"""How exact a place is at which branches cross that are found by iteration."""
+"""How exact a value is at which branches cross that are found by iteration."""
 
 STRAIGHT = 1e-12
 """A transmission angle below this, in radians, is 0 but for rounding."""
 
 FLAT_LOOP = 1e-6
-"""A part of the stroke that is narrower is a place where a loop lies flat, rounded."""
+"""A part of the stroke that is narrower is a pose in which a loop lies flat, rounded."""
 
 CONSTANT = 1e-11
-"""What changes by less from one place to the next, as a part of its usual size, is constant."""
+"""What changes by less from one value to the next, as a part of its usual size, is constant."""
 
 LOST = 1e-6
 """What rounding may leave of a zero, as a part of what is usual."""
 
 SIDE = 1e-9
-"""The part of the stroke from a place at which its sides are looked at."""
+"""The part of the stroke from a value at which its sides are looked at."""
 
 JUMP_SIDES = (1e-9, 1e-8)
 """The parts of the stroke from a jump at which is seen what grows without end towards it."""
 
 VANISHING = 1e-3
-"""What is left at a place, against half the distance, of what vanishes there, at most."""
+"""What is left at a value, against half the distance, of what vanishes there, at most."""
 
 SAME_SIDES = 1e-6
 """By what part two sides may differ, and a value between them lie beyond one, by rounding."""
 
 NEARBY = (1e-7, 1e-6, 1e-5, 1e-4)
-"""The parts of the stroke from a place at which its order is seen, the nearest that does first.
+"""The parts of the stroke from a value at which its order is seen, the nearest that does first.
 
 Farther away another zero or pole, so near as 1e-6 of the stroke, hides it; nearer, rounding.
 """
 
 STEADY = 1e-3
-"""What a function that is finite changes by from one side of a place to the other, at most."""
+"""What a function that is finite changes by from one side of a value to the other, at most."""
 
 DIFFERENCE = 1e-6
 """The part of a radian, a metre or a stretch by which the drive is moved to see what changes.

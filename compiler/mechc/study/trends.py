@@ -17,8 +17,8 @@ PARTS = 48
 """A factor's sign is looked for on at most this many parts of the box."""
 
 
-PLACES = 16
-"""Values along a parameter at which a divisor's sign is looked at."""
+CELLS = 16
+"""Cells along a parameter at whose ends the sign of a divisor is looked at."""
 
 
 def trend(value: Product, slope: Product, name: str, box: Box) -> Trend:
@@ -57,8 +57,8 @@ def _changes_sign(divisor: Product, name: str, box: Box) -> bool:
     if name not in box:
         return False
     low, high = box[name]
-    places = [low + (high - low) * i / PLACES for i in range(PLACES + 1)]
-    signs = {sign(divisor, {**_corner(box, name, 0), name: widened(x, x)}) for x in places}
+    grid = [low + (high - low) * i / CELLS for i in range(CELLS + 1)]
+    signs = {sign(divisor, {**_corner(box, name, 0), name: widened(x, x)}) for x in grid}
     return {1, -1} <= signs
 
 

@@ -149,12 +149,12 @@ def _is_refuted(
     names = {root.name, *root.value.names}
     if not names <= near.keys() or any(d.name in names for d in item.result.where):
         return False
-    place = root.value.evaluate(near)
+    x = root.value.evaluate(near)
     defined = {d.name for d in item.result.where}
     given = {name: value for name, value in near.items() if name not in defined}
 
     def is_otherwise(step: float) -> bool:
-        here = ({**given, root.name: place + h} for h in (step, step / 2))
+        here = ({**given, root.name: x + h} for h in (step, step / 2))
         sizes = [abs(chain.complete(values).get(_SIZE, math.nan)) for values in here]
         if not all(math.isfinite(size) and size for size in sizes):
             return False
@@ -168,7 +168,7 @@ _SIZE = ""
 
 
 def _chain(item: Solved) -> Chain:
-    """Return a result with what it rests on, to be found at many places."""
+    """Return a result with what it rests on, to be found at many values."""
     return Chain({**dict(item.result.where), _SIZE: item.result.formula})
 
 
@@ -209,8 +209,8 @@ def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
         return False
     if not symbols(factor.formula()) <= near.keys():
         return False
-    place = root.value.evaluate(near)
-    here, there = (abs(factor.evaluate({**near, root.name: place + h})) for h in (0, 1))
+    x = root.value.evaluate(near)
+    here, there = (abs(factor.evaluate({**near, root.name: x + h})) for h in (0, 1))
     return here < VANISHED_SUM * there
 
 

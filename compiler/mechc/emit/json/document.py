@@ -132,7 +132,7 @@ _NUMBERS = list_of(FLOAT)
 BOUND: Kind[Bound] = record(
     "bound",
     "An end of a stretch.",
-    member("place", "SI and radians.", FLOAT, lambda b: b.place),
+    member("place", "SI and radians.", FLOAT, lambda b: b.x),
     member("formula", "The same, where one is known.", optional(FORMULA), lambda b: b.exact),
     member("dead_centre", "The ratio changes its sign.", TRUTH, lambda b: b.is_dead_centre),
 )

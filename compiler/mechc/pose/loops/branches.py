@@ -32,7 +32,7 @@ def branches(block: Block, state: State) -> list[Stretch]:
     curve = _curve(block, state, drive.parameter, parameter.dimension == ANGLE)
     for unknowns, place in _closed(block, state, curve):
         if low <= place <= high and not any(s.low <= place <= s.high for s in found):
-            least, greatest = (curve.end(unknowns, place, goal).place for goal in (low, high))
+            least, greatest = (curve.end(unknowns, place, goal).x for goal in (low, high))
             found.append(Stretch(least, greatest, parameter.dimension))
     return _joined(found)
 

@@ -34,9 +34,9 @@ LONGEST = 80
 
 
 class End(NamedTuple):
-    """A place at which a stretch may end, and what it is by a formula, '' where there is none."""
+    """A value at which a stretch may end, and its formula, '' where there is none."""
 
-    place: float
+    x: float
     exact: str = ""
 
 
@@ -52,13 +52,12 @@ def reach_of(state: State, closure: Closure, limit: Limit | None) -> list[Stretc
     ends = reach.ends([m for one in limits for m in one.margins], low, high)
     found: list[Stretch] = []
     for start, end in pairwise(ends):
-        if not reach.closes((start.place + end.place) / 2):
+        if not reach.closes((start.x + end.x) / 2):
             continue
-        if found and found[-1].high == start.place:
+        if found and found[-1].high == start.x:
             start = End(found[-1].low, found[-1].low_exact)
             found.pop()
-        place = (start.place, end.place)
-        found.append(Stretch(*place, parameter.dimension, start.exact, end.exact))
+        found.append(Stretch(start.x, end.x, parameter.dimension, start.exact, end.exact))
     return found
 
 
@@ -84,16 +83,16 @@ class _Reach:
         self._drive = drive
         self._moving = moved_by(drive, (*state.definitions, *closure.definitions))
 
-    def _values(self, place: float) -> dict[str, float]:
-        return self._chain.complete({**self._given, self._drive: place})
+    def _values(self, x: float) -> dict[str, float]:
+        return self._chain.complete({**self._given, self._drive: x})
 
-    def closes(self, place: float) -> bool:
+    def closes(self, x: float) -> bool:
         """Return whether everything has a value."""
-        return all(map(math.isfinite, self._values(place).values()))
+        return all(map(math.isfinite, self._values(x).values()))
 
     def ends(self, margins: Iterable[Product], low: float, high: float) -> list[End]:
         """Return where a margin vanishes, and the ends of the drive, in order."""
-        inner = [e for m in margins for e in self._zeros(m, low, high) if low < e.place < high]
+        inner = [e for m in margins for e in self._zeros(m, low, high) if low < e.x < high]
         return [End(low), *sorted(inner), End(high)]
 
     def _zeros(self, margin: Product, low: float, high: float) -> Iterator[End]:
@@ -101,30 +100,30 @@ class _Reach:
         forms = _closed_forms(margin, self._drive, self._moving)
         exact = [(i, c) for i, c in forms if symbols(total([i, c.formula()])) <= known.keys()]
         for inverse, constant in exact:
-            place = evaluate(total([inverse, constant.formula()]), known)
-            for turn in _turns(place, low, high):
+            x = evaluate(total([inverse, constant.formula()]), known)
+            for turn in _turns(x, low, high):
                 whole = total([inverse, (constant + Angle.constant(360 * turn)).formula()])
-                yield End(place + turn * 2 * math.pi, _shown(whole))
+                yield End(x + turn * 2 * math.pi, _shown(whole))
         if not exact:
-            places = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
-            yield from (End(root.place) for root in roots(self._function(margin), places))
+            grid = [low + (high - low) * i / SAMPLES for i in range(SAMPLES + 1)]
+            yield from (End(root.x) for root in roots(self._function(margin), grid))
 
     def _function(self, margin: Product) -> Callable[[float], float]:
-        def at(place: float) -> float:
+        def at(x: float) -> float:
             try:
-                return margin.evaluate(self._values(place))
+                return margin.evaluate(self._values(x))
             except (KeyError, ZeroDivisionError):
                 return math.nan
 
         return at
 
 
-def _turns(place: float, low: float, high: float) -> range:
-    """Return the full turns by which a place comes between two others."""
-    if not math.isfinite(place):
+def _turns(x: float, low: float, high: float) -> range:
+    """Return the full turns by which an angle comes between two others."""
+    if not math.isfinite(x):
         return range(0)
-    first = math.ceil((low - place) / (2 * math.pi))
-    return range(first, math.floor((high - place) / (2 * math.pi)) + 1)
+    first = math.ceil((low - x) / (2 * math.pi))
+    return range(first, math.floor((high - x) / (2 * math.pi)) + 1)
 
 
 def _closed_forms(

@@ -6,7 +6,7 @@ from ...formula.tree import Symbol
 from ...study.analysis import Analysis, Extent, Extreme
 from ...units import behind, size_of
 from ..languages.locale import Locale
-from .locking import place, span
+from .locking import rounded_value, span
 from .speller import Speller
 from .wording import enumeration
 
@@ -48,13 +48,13 @@ def _extreme(extent: Extent, symbol: str, locale: Locale, spell: Speller) -> Ite
         for kind, extreme, value in zip(
             ("least", "greatest"), (least, greatest), values, strict=True
         ):
-            at = _at(extreme.place, extent, locale, spell)
+            at = _at(extreme.x, extent, locale, spell)
             yield locale.extents[kind].format(result=symbol, place=at, value=value)
 
 
 def _at(x: float, extent: Extent, locale: Locale, spell: Speller) -> str:
     """Return ``α = 45°``."""
-    sides = (Symbol(extent.parameter), place(x, extent, spell))
+    sides = (Symbol(extent.parameter), rounded_value(x, extent, spell))
     shown = spell.relation(sides, ("=",), extent.parameter in spell.angles)
     return shown + behind(locale.units.get(extent.unit, extent.unit))
 

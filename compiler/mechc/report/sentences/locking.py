@@ -16,7 +16,7 @@ Along = LockingIntervals | EfficiencyRange | Extent
 """What is stated along a parameter."""
 
 DIGITS = 4
-"""Significant digits of a place; two are enough for an efficiency."""
+"""Significant digits of a value; two are enough for an efficiency."""
 
 HALF_CIRCLE = 180 / 3.141592653589793
 
@@ -75,8 +75,8 @@ def _condition(stretch: Stretch, reach: LockingIntervals, spell: Speller, locale
         signs.append("<" if high.is_strict else "<=")
     said = spell.relation(tuple(sides), tuple(signs), reach.parameter in spell.angles)
     bounds = [b for b in (low, high) if b]
-    known = [b.place for b in bounds if b.exact and not _is_figure(b.exact)]
-    figures = [_figure(place, reach, locale, spell) for place in known]
+    known = [b.x for b in bounds if b.exact and not _is_figure(b.exact)]
+    figures = [_figure(x, reach, locale, spell) for x in known]
     unit = _unit(reach, locale) if any(not b.exact for b in bounds) else ""
     return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")
 
@@ -95,14 +95,14 @@ def _shown_ends(stretch: Stretch, reach: LockingIntervals) -> tuple[Bound | None
         return low, high
     first, last = reach.range
     return (
-        low if low and (low.place > first or (low.is_strict and low.place == first)) else None,
-        high if high and (high.place < last or (high.is_strict and high.place == last)) else None,
+        low if low and (low.x > first or (low.is_strict and low.x == first)) else None,
+        high if high and (high.x < last or (high.is_strict and high.x == last)) else None,
     )
 
 
 def _side(bound: Bound, reach: Along, spell: Speller) -> Formula:
     if bound.exact is None:
-        return place(bound.place, reach, spell)
+        return rounded_value(bound.x, reach, spell)
     terms = getattr(bound.exact, "terms", (bound.exact,))
     return total(positive_first(terms))
 
@@ -142,18 +142,18 @@ def _usual(course: EfficiencyRange, locale: Locale, spell: Speller) -> str:
 
 def span(part: Range, reach: Along, locale: Locale, spell: Speller) -> str:
     """Return ``1° ≤ α ≤ 45°``."""
-    low, high = (place(end, reach, spell) for end in part)
+    low, high = (rounded_value(end, reach, spell) for end in part)
     sides, angle = (low, Symbol(reach.parameter), high), reach.parameter in spell.angles
     return spell.relation(sides, ("<=", "<="), angle) + _unit(reach, locale)
 
 
 def _figure(at: float, reach: LockingIntervals, locale: Locale, spell: Speller) -> str:
-    shown = spell.relation((place(at, reach, spell),), (), reach.parameter in spell.angles)
+    shown = spell.relation((rounded_value(at, reach, spell),), (), reach.parameter in spell.angles)
     return shown + _unit(reach, locale)
 
 
-def place(at: float, reach: Along, spell: Speller) -> Formula:
-    """Return a place with few digits, an angle in degrees."""
+def rounded_value(at: float, reach: Along, spell: Speller) -> Formula:
+    """Return a value with few digits, an angle in degrees."""
     if reach.parameter in spell.angles:
         return degrees(Fraction(f"{at * HALF_CIRCLE:.{DIGITS}g}"))
     return number(Fraction(f"{at / size_of(reach.unit):.{DIGITS}g}"))

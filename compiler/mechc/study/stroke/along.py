@@ -19,11 +19,11 @@ EXCLUDED = "excluded by a condition of use"
 
 
 _Known = tuple[Formula, Result | None, Form, dict[float, float]]
-"""What was asked for, which keeps its identity, its code, and its values at places."""
+"""What was asked for, which keeps its identity, its code, and its values along the drive."""
 
 
 class Along:
-    """Evaluates formulas at places of the drive, the other parameters at their defaults."""
+    """Evaluates formulas at values of the drive, the other parameters at their defaults."""
 
     def __init__(self, plan: Plan, lets: Mapping[str, Formula], ends: Sequence[float] = ()) -> None:
         pose = plan.graph.pose
@@ -47,56 +47,56 @@ class Along:
         """The names of what is found by closing loops."""
         return self._definitions
 
-    def given(self, place: float) -> Values:
+    def given(self, x: float) -> Values:
         """Return the given values at a value of the drive."""
-        return {**self._open, **self.defaults, self._drive: place}
+        return {**self._open, **self.defaults, self._drive: x}
 
-    def values(self, place: float) -> Values:
-        """Return all that has a value at a place of the drive."""
-        if place not in self._known:
-            self._known[place] = self._chain.complete(self.given(place))
-        return self._known[place]
+    def values(self, x: float) -> Values:
+        """Return the value of every name that has one, at a value of the drive."""
+        if x not in self._known:
+            self._known[x] = self._chain.complete(self.given(x))
+        return self._known[x]
 
-    def rounding(self, place: float) -> Rounding:
-        """Return the values at a place of the drive with what rounding makes of them.
+    def rounding(self, x: float) -> Rounding:
+        """Return the values at one of the drive with what rounding makes of them.
 
-        The place itself is as near as the ends of the stroke and the steps between them are.
+        The drive itself is as near as the ends of the stroke and the steps between them are.
         """
-        rounding = Rounding(self.given(place))
-        rounding.values[self._drive] = Rounded(place, self._near)
+        rounding = Rounding(self.given(x))
+        rounding.values[self._drive] = Rounded(x, self._near)
         rounding.define(self._chain.definitions)
         rounding.define(self._inner.definitions)
         return rounding
 
-    def of(self, formula: Formula, where: Result | None, place: float) -> float:
+    def of(self, formula: Formula, where: Result | None, x: float) -> float:
         """Return a formula's value, with the definitions of a result; NaN where it has none.
 
         It has none either where a condition of the result is broken; where the result has a
         form for elsewhere, its value is that of the form that stands.
         """
-        values = self.values(place)
+        values = self.values(x)
         key = id(formula), id(where)
         if key not in self._forms:
             self._forms[key] = formula, where, form(formula, where, values.keys()), {}
         _, _, value, known = self._forms[key]
-        if place not in known:
-            known[place] = value(values)
-        return known[place]
+        if x not in known:
+            known[x] = value(values)
+        return known[x]
 
-    def inside(self, value: Product, place: float) -> float:
+    def inside(self, value: Product, x: float) -> float:
         """Return the value of something that the compiler found on its way, NaN at a pole."""
-        if place not in self._known_inside:
-            self._known_inside[place] = self._inner.complete(self.values(place))
+        if x not in self._known_inside:
+            self._known_inside[x] = self._inner.complete(self.values(x))
         try:
-            return value.evaluate(self._known_inside[place])
+            return value.evaluate(self._known_inside[x])
         except (KeyError, ZeroDivisionError, ValueError, OverflowError):
             return math.nan
 
-    def trouble(self, place: float) -> str:
-        """Return why there is no pose at a place, '' where there is one."""
-        if place not in self._troubles:
-            self._troubles[place] = self._trouble(self.values(place))
-        return self._troubles[place]
+    def trouble(self, x: float) -> str:
+        """Return why there is no pose at a value of the drive, '' where there is one."""
+        if x not in self._troubles:
+            self._troubles[x] = self._trouble(self.values(x))
+        return self._troubles[x]
 
     def _trouble(self, values: Values) -> str:
         named = ((n, f) for n, f in self._definitions.items() if n in values)

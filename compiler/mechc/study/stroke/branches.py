@@ -1,7 +1,7 @@
-"""Branch points: places at which the two closures of a loop meet and the drive can go on.
+"""Branch points: poses in which the two closures of a loop meet and the drive can go on.
 
 A margin that vanishes there and is positive on either side has its least value at the
-place, so it is the zero of its slope: found to the last bits, where a zero that is only
+pose, so it is the zero of its slope: found to the last bits, where a zero that is only
 touched is found to half of them.
 """
 
@@ -13,54 +13,54 @@ from ...algebra.sums import add
 from ...formula.roots import Function, Root, lowest, roots
 from ...formula.walk import symbols
 from ...pose.pose import Pose
-from ..tolerances import SAME_PLACE, TOUCHING_WIDTH, VANISHED_MARGIN
+from ..tolerances import SAME_VALUE, TOUCHING_WIDTH, VANISHED_MARGIN
 from .along import Along
 from .stroke import Branch
 
 TOUCHING = 0.25
-"""What is left of a margin beside a place where it is touched, at most: a ninth of a parabola's."""
+"""What is left of a margin beside where it is touched, at most: a ninth of a parabola's."""
 
 
-def branch_points(pose: Pose, along: Along, places: Sequence[float]) -> tuple[Branch, ...]:
-    """Return the branch points between the first and the last of the places, in their order."""
+def branch_points(pose: Pose, along: Along, grid: Sequence[float]) -> tuple[Branch, ...]:
+    """Return the branch points between the first and the last point of a grid, in their order."""
     found = [
         Branch(limit.loop, *root)
         for limit in pose.limits
         for margin in limit.margins
-        for root in _touched(margin, pose, along, places)
+        for root in _touched(margin, pose, along, grid)
     ]
     kept: list[Branch] = []
     for branch in sorted(found, key=lambda b: (b.loop, b.drive)):
         last = kept[-1] if kept else None
-        width = SAME_PLACE * (places[-1] - places[0])
+        width = SAME_VALUE * (grid[-1] - grid[0])
         if not last or last.loop != branch.loop or branch.drive - last.drive > width:
             kept.append(branch)
     return tuple(sorted(kept, key=lambda b: b.drive))
 
 
-def _touched(product: Product, pose: Pose, along: Along, places: Sequence[float]) -> Iterator[Root]:
-    def margin(place: float) -> float:
-        return along.inside(product, place)
+def _touched(product: Product, pose: Pose, along: Along, grid: Sequence[float]) -> Iterator[Root]:
+    def margin(x: float) -> float:
+        return along.inside(product, x)
 
-    size = max((abs(v) for v in map(margin, places) if v == v), default=0.0)
-    for root in _turning(margin, _slope(product, pose), along, places):
-        if abs(margin(root.place)) <= VANISHED_MARGIN * size:
+    size = max((abs(v) for v in map(margin, grid) if v == v), default=0.0)
+    for root in _turning(margin, _slope(product, pose), along, grid):
+        if abs(margin(root.x)) <= VANISHED_MARGIN * size:
             yield root
 
 
 def _turning(
-    margin: Function, slope: Product | None, along: Along, places: Sequence[float]
+    margin: Function, slope: Product | None, along: Along, grid: Sequence[float]
 ) -> Iterator[Root]:
     """Yield where a margin may be least; one that only changes its sign is the end of a loop."""
     if slope is not None:
-        yield from roots(lambda place: along.inside(slope, place), places)
+        yield from roots(lambda x: along.inside(slope, x), grid)
         return
-    values = [margin(x) for x in places]
-    for i in range(1, len(places) - 1):
+    values = [margin(x) for x in grid]
+    for i in range(1, len(grid) - 1):
         before, here, after = values[i - 1 : i + 2]
         if before >= here <= after and here <= TOUCHING * max(before, after):
-            place = lowest(margin, places[i - 1], places[i + 1])
-            yield Root(place, TOUCHING_WIDTH * (places[-1] - places[0]))
+            x = lowest(margin, grid[i - 1], grid[i + 1])
+            yield Root(x, TOUCHING_WIDTH * (grid[-1] - grid[0]))
 
 
 def _slope(margin: Product, pose: Pose) -> Product | None:

@@ -9,7 +9,7 @@ from .stroke import Column
 
 
 class Filled(NamedTuple):
-    """A column, its value at a place, and the formula of that with its definitions, if any."""
+    """A column, its value along the drive, and the formula of that with its definitions."""
 
     column: Column
     at: Callable[[float], float]

@@ -1,7 +1,7 @@
 """The ends of what can be assembled, where a loop that is closed by iteration comes to its own.
 
-Newton's method gives up a hair before the place at which two solutions meet; the curve of
-solutions is followed to the place itself. Where the curve does not turn back there, another
+Newton's method gives up a hair before the fold at which two solutions meet; the curve of
+solutions is followed to the fold itself. Where the curve does not turn back there, another
 one crosses it: a branch point, at which the drive can go on and the loop in two ways.
 """
 
@@ -18,16 +18,19 @@ from ...units import LENGTH
 from .along import Along
 
 Outer = Callable[[float], Sequence[float]]
-"""The outer symbols of a system at a place of the drive."""
+"""The outer symbols of a system at a value of the drive."""
 
 BACK = 1e-3
 """The part of the stroke by which one goes back before the curve is followed."""
 
+SHORT = 1e-3
+"""A length counts as this long at least, in metres, when steps are measured by it."""
+
 
 class End(NamedTuple):
-    """The last place that can be reached, and the loop that another branch crosses there."""
+    """The last value that can be reached, and the loop that another branch crosses there."""
 
-    place: float
+    x: float
     crossed: str = ""
 
 
@@ -44,8 +47,8 @@ def end_of_branch(pose: Pose, along: Along, edge: float, range_: float) -> End:
         scales = [*_scales(system, start, pose), 1.0 if _turns(pose) else abs(range_)]
         curve = Curve(numeric(system), outer, scales)
         end = curve.end(start, inside, goal)
-        if end.turns and (end.place - goal) * range_ < 0:
-            return End(end.place)
+        if end.turns and (end.x - goal) * range_ < 0:
+            return End(end.x)
         if (crossing := curve.crossing(start, inside, goal)) is not None:
             return End(crossing, loop)
     return End(edge)
@@ -65,8 +68,8 @@ def _solves(known: Formula, formula: Implicit) -> bool:
     return isinstance(known, Implicit) and known.system == formula.system
 
 
-def _outer(formula: Implicit, chain: Chain, along: Along, place: float) -> list[float]:
-    values = chain.complete(along.given(place))
+def _outer(formula: Implicit, chain: Chain, along: Along, x: float) -> list[float]:
+    values = chain.complete(along.given(x))
     return [evaluate(argument, values) for argument in formula.arguments]
 
 
@@ -74,7 +77,7 @@ def _scales(system: System, start: Sequence[float], pose: Pose) -> list[float]:
     """Return a radian for each unknown angle, and for each unknown length what it is."""
     named = {p.name for p in pose.mechanism.parameters if p.dimension == LENGTH}
     lengths = [name in named or name.startswith("len_") for name in system.unknowns]
-    return [max(abs(s), 1e-3) if length else 1.0 for s, length in zip(start, lengths, strict=True)]
+    return [max(abs(s), SHORT) if length else 1.0 for s, length in zip(start, lengths, strict=True)]
 
 
 def _turns(pose: Pose) -> bool:

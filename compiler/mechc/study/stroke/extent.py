@@ -69,8 +69,8 @@ def _extent(result: Analysis, stroke: Stroke, stretch: Stretch, along: Along) ->
     )
 
 
-def _is_on(place: float, stretch: Stretch) -> bool:
-    return stretch.low <= place <= stretch.high
+def _is_on(x: float, stretch: Stretch) -> bool:
+    return stretch.low <= x <= stretch.high
 
 
 def _extremes(result: Analysis, stroke: Stroke, stretch: Stretch, along: Along) -> list[Extreme]:

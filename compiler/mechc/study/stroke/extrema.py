@@ -11,10 +11,10 @@ from ..analysis import Analysis
 from ..tolerances import BRANCH_POINT, CONSTANT
 from .along import Along
 from .friction import is_shown, some
-from .places import SAMPLES
+from .grid import SAMPLES
 from .rounded import is_nil, rounded
 from .run import Run
-from .singular import order_of, places_of
+from .singular import order_of, roots_at
 from .stroke import Branch, Extremum, Singular, Stretch
 
 KINDS: Mapping[int, Literal["minimum", "maximum"]] = {1: "minimum", -1: "maximum"}
@@ -47,7 +47,7 @@ def _on_stretch(
 ) -> Iterator[Extremum]:
     """Yield the extrema of a result on a stretch.
 
-    Where a place that is looked at is a pole, what is next to it may be none.
+    Where a value that is looked at is a pole, what is next to it may be none.
     """
     along, within = run.along, run.within(stretch)
     poles = [*_poles(run, result, singular), *_own_poles(run, result, stretch)]
@@ -56,7 +56,7 @@ def _on_stretch(
             continue
         near_by = [p for p in poles if abs(one.drive - p) <= 2 * run.range / SAMPLES]
         if not near_by or turns_between(one, near_by, result, along):
-            yield from rounded(one, result, along, run.places)
+            yield from rounded(one, result, along, run.grid)
 
 
 def _poles(run: Run, result: Analysis, singular: Sequence[Singular]) -> list[float]:
@@ -70,29 +70,27 @@ def _own_poles(run: Run, result: Analysis, stretch: Stretch) -> list[float]:
     """Return where a result that is no ratio of loads is infinite on a stretch."""
     if isinstance(result.target, LoadRatio):
         return []
-    places = run.within(stretch)
+    grid = run.within(stretch)
     return [
-        root.place
-        for pole in result.poles
-        for root in places_of(result, pole, run.along, stretch, places)
+        root.x for pole in result.poles for root in roots_at(result, pole, run.along, stretch, grid)
     ]
 
 
 def extrema(
-    result: Analysis, drive: str, along: Along, places: Sequence[float]
+    result: Analysis, drive: str, along: Along, grid: Sequence[float]
 ) -> Iterator[Extremum]:
-    """Yield the extrema between places that lie close together."""
-    values = [along.of(result.formula, result, x) for x in places]
+    """Yield the extrema between values that lie close together."""
+    values = [along.of(result.formula, result, x) for x in grid]
     least = CONSTANT * _usual(values)
-    for i in range(1, len(places) - 1):
+    for i in range(1, len(grid) - 1):
         before, here, after = values[i - 1 : i + 2]
         turns = before > here <= after or before < here >= after
         if turns and max(abs(before - here), abs(after - here)) > least:
             sense = 1 if here <= after else -1
-            near = _turning(result, drive, along, sense, (places[i - 1], places[i + 1]))
+            near = _turning(result, drive, along, sense, (grid[i - 1], grid[i + 1]))
             value = along.of(result.formula, result, near)
             if not sense * value <= sense * here:
-                near, value = places[i], here
+                near, value = grid[i], here
             yield Extremum(result.name, KINDS[sense], near, value)
 
 
@@ -118,10 +116,10 @@ def _usual(values: Sequence[float]) -> float:
 def _turning(
     result: Analysis, drive: str, along: Along, sense: int, within: tuple[float, float]
 ) -> float:
-    """Return the place between two others at which a result turns: where its slope is 0."""
+    """Return the value between two others at which a result turns: where its slope is 0."""
     slope = (result.derivatives or {}).get(drive)
     if slope is not None:
         found = roots(lambda x: along.of(slope, result, x), within)
         if found:
-            return found[0].place
+            return found[0].x
     return lowest(lambda x: sense * along.of(result.formula, result, x), *within)

@@ -12,16 +12,16 @@ from ..analysis import Analysis
 from .stroke import Extremum, JammedInterval
 
 APART = 12
-"""Of so many places one is enough where friction is found by iteration, which takes long."""
+"""Of so many values one is enough where friction is found by iteration, which takes long."""
 
 
-def some(places: Sequence[float], result: Analysis) -> Sequence[float]:
-    """Return the places at which a result is looked at, the ends among them."""
+def some(grid: Sequence[float], result: Analysis) -> Sequence[float]:
+    """Return the values at which a result is looked at, the ends among them."""
     formulas = (d.formula for d in result.where)
     iterated = any(isinstance(part, Implicit) for f in formulas for part in walk(f))
     if not iterated or not isinstance(result.target, WithFriction | Efficiency):
-        return places
-    return [*places[:-1:APART], places[-1]]
+        return grid
+    return [*grid[:-1:APART], grid[-1]]
 
 
 def in_code(result: Analysis, solution: Solution) -> Analysis:
@@ -45,8 +45,8 @@ def _left_out(stretch: Stretch, low: float, high: float) -> tuple[bool, bool]:
     """Return of either end of what lies in the range whether the stretch only reaches up to it."""
     first, last = stretch.low, stretch.high
     return (
-        first is not None and first.is_strict and first.place == low,
-        last is not None and last.is_strict and last.place == high,
+        first is not None and first.is_strict and first.x == low,
+        last is not None and last.is_strict and last.x == high,
     )
 
 

@@ -87,5 +87,5 @@ def _stroke(run: Run, paths: Asked, points: int) -> Stroke:
 
 
 def _looked(run: Run, result: Analysis, stretches: Sequence[Stretch]) -> int:
-    """Return at how many places of the stroke a result was looked at."""
+    """Return at how many values of the drive a result was looked at."""
     return sum(len(some(run.within(stretch), result)) for stretch in stretches)

@@ -29,31 +29,31 @@ def remark(plan: Plan, report: Report) -> tuple[Part, ...]:
         return ()
     parameter = mechanism.parameter(drive.parameter)
     wide = FLAT_LOOP * (ends[1] - ends[0])
-    along, places = Along(plan, {}), spaced(*ends, CELLS)
-    parts = _parts(along, places)
+    along, grid = Along(plan, {}), spaced(*ends, CELLS)
+    parts = _parts(along, grid)
     found = tuple((low, high) for low, high in parts if high - low > wide)
     if found:
-        is_known = all(along.trouble(x) != NOT_FOUND for x in places)
+        is_known = all(along.trouble(x) != NOT_FOUND for x in grid)
         shown = drive.parameter, found, parameter.dimension, CELLS + 1, is_known
         report.add(messages.not_assembled(drive.span, *shown))
     return found
 
 
-def _parts(along: Along, places: list[float]) -> Iterator[Part]:
-    closed = [along.trouble(x) not in NO_POSE for x in places]
-    start = None if closed[0] else places[0]
-    for (a, b), (before, after) in zip(pairwise(places), pairwise(closed), strict=True):
+def _parts(along: Along, grid: list[float]) -> Iterator[Part]:
+    closed = [along.trouble(x) not in NO_POSE for x in grid]
+    start = None if closed[0] else grid[0]
+    for (a, b), (before, after) in zip(pairwise(grid), pairwise(closed), strict=True):
         if before and not after:
             start = _edge(along, a, b)
         elif after and not before and start is not None:
             yield start, _edge(along, b, a)
             start = None
     if start is not None:
-        yield start, places[-1]
+        yield start, grid[-1]
 
 
 def _edge(along: Along, good: float, bad: float) -> float:
-    """Return the last place that closes between one that does and one that does not."""
+    """Return the last value that closes between one that does and one that does not."""
     for _ in range(HALVINGS):
         middle = (good + bad) / 2
         if along.trouble(middle) in NO_POSE:

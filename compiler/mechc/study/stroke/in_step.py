@@ -39,24 +39,24 @@ def out_of_step(plan: Plan) -> tuple[Link, ...]:
 
 
 def at_default(plan: Plan) -> tuple[Along, float] | None:
-    """Return the default pose as a place of the drive, None where nothing is to be seen there."""
+    """Return the default pose as a value of the drive, None where nothing is to be seen there."""
     pose = plan.graph.pose
     drive = pose.mechanism.drive
     if drive is None or drive.reshapes or plan.mobility != 1:
         return None
     along = Along(plan, {})
-    place = along.defaults.get(drive.parameter)
-    if place is None or not _mentioned(pose) <= along.values(place).keys():
+    x = along.defaults.get(drive.parameter)
+    if x is None or not _mentioned(pose) <= along.values(x).keys():
         return None
-    stands = not any(along.trouble(place + s) for s in (-DIFFERENCE, 0, DIFFERENCE))
-    return (along, place) if stands else None
+    stands = not any(along.trouble(x + s) for s in (-DIFFERENCE, 0, DIFFERENCE))
+    return (along, x) if stands else None
 
 
-def links_astray(plan: Plan, along: Along, place: float) -> Iterator[Link]:
-    """Yield the links that do not follow the drive at a place of it."""
+def links_astray(plan: Plan, along: Along, x: float) -> Iterator[Link]:
+    """Yield the links that do not follow the drive at a value of it."""
     pose = plan.graph.pose
-    drawn = {link.name: _turning(pose, link, along, place) for link in pose.mechanism.links}
-    demanded, doubled = (_demanded(plan, along.values(place), size) for size in (1.0, 2.0))
+    drawn = {link.name: _turning(pose, link, along, x) for link in pose.mechanism.links}
+    demanded, doubled = (_demanded(plan, along.values(x), size) for size in (1.0, 2.0))
     leader = _leader(pose, drawn)
     if not demanded or not demanded.get(leader):
         return
@@ -67,7 +67,7 @@ def links_astray(plan: Plan, along: Along, place: float) -> Iterator[Link]:
             # Its length is open: only whether it turns is known.
             here, there = float(abs(here) > SAME_RATE), float(abs(there) > SAME_RATE)
         fastest = max(abs(there), *map(abs, drawn.values()))
-        if abs(here - there) > SAME_RATE * fastest or _is_bent(pose, link, along, place, fastest):
+        if abs(here - there) > SAME_RATE * fastest or _is_bent(pose, link, along, x, fastest):
             yield link
 
 
@@ -82,23 +82,23 @@ def _mentioned(pose: Pose) -> set[str]:
     }
 
 
-def _turning(pose: Pose, link: Link, along: Along, place: float) -> float:
+def _turning(pose: Pose, link: Link, along: Along, x: float) -> float:
     """Return how fast a link turns in the drawing, per unit of the drive.
 
     The point that turns fastest counts: others may stand for what a part touches just now.
     """
-    before, after = along.values(place - DIFFERENCE), along.values(place + DIFFERENCE)
+    before, after = along.values(x - DIFFERENCE), along.values(x + DIFFERENCE)
     first, *others = link.points
     turns = [_turn(pose.vector(link.name, first, point), before, after) for point in others]
     return max(turns, key=abs) / (2 * DIFFERENCE)
 
 
-def _is_bent(pose: Pose, link: Link, along: Along, place: float, fastest: float) -> bool:
+def _is_bent(pose: Pose, link: Link, along: Along, x: float, fastest: float) -> bool:
     """Return whether pins of a link turn at different rates, so that it would have to bend.
 
     A point that has a load alone may stand for what the link touches just now.
     """
-    before, after = along.values(place - DIFFERENCE), along.values(place + DIFFERENCE)
+    before, after = along.values(x - DIFFERENCE), along.values(x + DIFFERENCE)
     pivots = pose.mechanism.fixed
     others = {p for k in pose.mechanism.links if k is not link for p in k.points}
     pins = [p for p in link.points if p in pivots | others]

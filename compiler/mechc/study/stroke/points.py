@@ -70,8 +70,8 @@ class _Moving:
         needed = self._chain.needed_by(symbols(formula))
         return tuple(d for d in self._definitions if d.name in needed)
 
-    def at(self, formula: Formula, place: float) -> float:
-        """Return the value of a formula at a place of the drive."""
-        if self._last is None or self._last[0] != place:
-            self._last = place, self._chain.complete(self._along.values(place))
+    def at(self, formula: Formula, x: float) -> float:
+        """Return the value of a formula at a value of the drive."""
+        if self._last is None or self._last[0] != x:
+            self._last = x, self._chain.complete(self._along.values(x))
         return evaluate(formula, self._last[1])

@@ -1,4 +1,4 @@
-"""Whether points stand where the drive takes them: only then is their place a path."""
+"""Whether points stand where the drive takes them: only then do their positions make a path."""
 
 import math
 from collections.abc import Collection, Iterator, Mapping
@@ -30,15 +30,15 @@ def astray(plan: Plan) -> frozenset[str]:
     return frozenset((*(link.name for link in links), *_points(plan, links, *found)))
 
 
-def _points(plan: Plan, lost: Collection[Link], along: Along, place: float) -> Iterator[str]:
-    """Yield the points whose places do not change as the joints demand."""
+def _points(plan: Plan, lost: Collection[Link], along: Along, x: float) -> Iterator[str]:
+    """Yield the points whose positions do not change as the joints demand."""
     pose = plan.graph.pose
-    places = paths(pose, lost)
+    located = paths(pose, lost)
     closing = Chain(dict(pose.closing))
     before, here, after = (
-        closing.complete(along.values(place + step)) for step in (-DIFFERENCE, 0, DIFFERENCE)
+        closing.complete(along.values(x + step)) for step in (-DIFFERENCE, 0, DIFFERENCE)
     )
-    drawn = {point: _rate(vector, before, after) for point, vector in places.items()}
+    drawn = {point: _rate(vector, before, after) for point, vector in located.items()}
     demanded = _demanded(plan, here)
     leader = max(drawn, key=lambda point: abs(drawn[point]), default="")
     if not demanded.get(leader):

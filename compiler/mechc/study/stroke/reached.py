@@ -7,7 +7,7 @@ again farther on. It is the same closure by its root, and another assembly of th
 import math
 from collections.abc import Sequence
 
-from ..tolerances import SAME_PLACE
+from ..tolerances import SAME_VALUE
 from .stroke import Stretch
 
 FULL_TURN = 2 * math.pi
@@ -43,9 +43,9 @@ def _together(stretches: Sequence[Stretch], excluded: str) -> list[list[Stretch]
 
 
 def _comes_round(first: Stretch, last: Stretch, turns: bool) -> bool:
-    whole = math.isclose(last.high - first.low, FULL_TURN, rel_tol=SAME_PLACE)
+    whole = math.isclose(last.high - first.low, FULL_TURN, rel_tol=SAME_VALUE)
     return turns and whole and not first.before and not last.after
 
 
-def _holds(stretches: Sequence[Stretch], place: float) -> bool:
-    return any(s.low <= place <= s.high for s in stretches)
+def _holds(stretches: Sequence[Stretch], x: float) -> bool:
+    return any(s.low <= x <= s.high for s in stretches)

@@ -15,7 +15,7 @@ FEW = 8
 
 
 def rounded(
-    found: Extremum, result: Result, along: Along, places: Sequence[float]
+    found: Extremum, result: Result, along: Along, grid: Sequence[float]
 ) -> Iterator[Extremum]:
     """Yield an extremum, 0 where that is nothing but rounding; none where there is no value.
 
@@ -24,25 +24,25 @@ def rounded(
     number = _beyond(found.value, found.drive, result, along)
     if number is None or not math.isfinite(number):
         return
-    if number or abs(found.value) <= LOST * _usual(result, along, places):
+    if number or abs(found.value) <= LOST * _usual(result, along, grid):
         yield found._replace(value=number)
 
 
 def is_nil(result: Result, along: Along, stretch: Stretch) -> bool:
     """Tell a result that is zero but for rounding all over a stretch: it does nothing there."""
-    places = spaced(stretch.low, stretch.high, FEW)[1:-1]
-    values = (along.of(result.formula, result, x) for x in places)
-    return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, places, strict=True))
+    grid = spaced(stretch.low, stretch.high, FEW)[1:-1]
+    values = (along.of(result.formula, result, x) for x in grid)
+    return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, grid, strict=True))
 
 
-def _beyond(number: float, place: float, result: Result, along: Along) -> float | None:
-    """Return a result's value at a place without what is nothing but rounding."""
-    rounding = along.rounding(place)
+def _beyond(number: float, x: float, result: Result, along: Along) -> float | None:
+    """Return a result's value at ``x`` without what is nothing but rounding."""
+    rounding = along.rounding(x)
     return beyond_rounding(number, result.formula, result.where, rounding).number
 
 
-def _usual(result: Result, along: Along, places: Sequence[float]) -> float:
+def _usual(result: Result, along: Along, grid: Sequence[float]) -> float:
     """Return a size that half of a result's values do not exceed."""
-    values = (along.of(result.formula, result, x) for x in places)
+    values = (along.of(result.formula, result, x) for x in grid)
     sizes = sorted(abs(value) for value in values if math.isfinite(value))
     return sizes[len(sizes) // 2] if sizes else 0.0

@@ -53,8 +53,8 @@ def _slopes(run: Run) -> Iterator[Filled]:
             yield Filled(column, run.values(slope, result), slope, result.where)
 
 
-def _angle(along: Along, angle: Transmission, place: float) -> float:
-    size = angle.at(along.values(place))
+def _angle(along: Along, angle: Transmission, x: float) -> float:
+    size = angle.at(along.values(x))
     return 0.0 if abs(size) < STRAIGHT else size
 
 
@@ -66,29 +66,29 @@ def _unit(mechanism: Mechanism, dimension: Dimension) -> str:
     return next((p.unit for p in listed if p.dimension == LENGTH and p.unit), "")
 
 
-def row(run: Run, place: float, filled: Sequence[Filled], stretches: Sequence[Stretch]) -> Row:
-    """Return the row of a place: values, or why there are none."""
-    why = trouble(run, place)
-    if run.along.trouble(place):
-        why = (beyond(place, stretches) if why in NO_POSE else "") or why
-        return Row(place, (math.nan,) * len(filled), why)
-    rounding = run.along.rounding(place)
-    sizes = [_size(run, f, place, rounding) for f in filled]
+def row(run: Run, x: float, filled: Sequence[Filled], stretches: Sequence[Stretch]) -> Row:
+    """Return the row at a value of the drive: values, or why there are none."""
+    why = trouble(run, x)
+    if run.along.trouble(x):
+        why = (beyond(x, stretches) if why in NO_POSE else "") or why
+        return Row(x, (math.nan,) * len(filled), why)
+    rounding = run.along.rounding(x)
+    sizes = [_size(run, f, x, rounding) for f in filled]
     values = tuple(math.nan if s.number is None else s.number for s in sizes)
     open_ = (f.column.name for f, s in zip(filled, sizes, strict=True) if s.undetermined)
-    return Row(place, values, why, tuple(open_))
+    return Row(x, values, why, tuple(open_))
 
 
-def _size(run: Run, filled: Filled, place: float, rounding: Rounding) -> Size:
-    """Return a column's value at a place without what is nothing but rounding."""
-    number, formula = filled.at(place), filled.formula
+def _size(run: Run, filled: Filled, x: float, rounding: Rounding) -> Size:
+    """Return a column's value at ``x`` without what is nothing but rounding."""
+    number, formula = filled.at(x), filled.formula
     size = beyond_rounding(number, formula, filled.where, rounding)
     if formula and math.isnan(number) and not filled.has_friction:
         return without_value(formula, filled.where, rounding)
     if filled.has_friction and is_on_a_side(size, filled.where, rounding):
-        return from_both_sides(filled.at, partial(_is_pose, run), place, run.range)
+        return from_both_sides(filled.at, partial(_is_pose, run), x, run.range)
     return size
 
 
-def _is_pose(run: Run, place: float) -> bool:
-    return not run.along.trouble(place)
+def _is_pose(run: Run, x: float) -> bool:
+    return not run.along.trouble(x)

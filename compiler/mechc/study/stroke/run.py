@@ -13,7 +13,7 @@ from ..analysis import Analysis
 from .along import Along
 from .branches import branch_points
 from .friction import in_code
-from .places import SAMPLES, looked_at
+from .grid import SAMPLES, looked_at
 from .stroke import Branch, Stretch
 
 
@@ -21,7 +21,7 @@ from .stroke import Branch, Stretch
 class Run:
     """A stroke from ``low`` to ``high`` of the drive, and the ``results`` that have values on it.
 
-    ``open`` names the others, with the loads whose size nobody gives. ``places`` lie evenly
+    ``open`` names the others, with the loads whose size nobody gives. ``grid`` lies evenly
     along it; at the ``branches`` a loop lies flat.
     """
 
@@ -32,7 +32,7 @@ class Run:
     along: Along
     results: tuple[Analysis, ...]
     open: tuple[tuple[str, tuple[str, ...]], ...]
-    places: tuple[float, ...]
+    grid: tuple[float, ...]
     branches: tuple[Branch, ...]
 
     @property
@@ -52,11 +52,11 @@ class Run:
 
     def values(self, formula: Formula, of: Analysis) -> Callable[[float], float]:
         """Return a formula of a result as a function of the drive."""
-        return lambda place: self.along.of(formula, of, place)
+        return lambda x: self.along.of(formula, of, x)
 
     def within(self, stretch: Stretch) -> list[float]:
-        """Return the places at which a stretch is looked at."""
-        return looked_at(stretch, self.places)
+        """Return the values at which a stretch is looked at."""
+        return looked_at(stretch, self.grid)
 
 
 def run_of(
@@ -70,9 +70,9 @@ def run_of(
     without = {r.name: _loads_without_size(r, pose.mechanism) for r in shown}
     valued = tuple(r for r in shown if not without[r.name])
     open_ = tuple((r.name, without[r.name]) for r in shown if without[r.name])
-    places = tuple(spaced(low, high, SAMPLES))
-    branches = tuple(branch_points(pose, along, places))
-    return Run(solution, drive, low, high, along, valued, open_, places, branches)
+    grid = tuple(spaced(low, high, SAMPLES))
+    branches = tuple(branch_points(pose, along, grid))
+    return Run(solution, drive, low, high, along, valued, open_, grid, branches)
 
 
 def plain_lets(mechanism: Mechanism) -> Mapping[str, Formula]:

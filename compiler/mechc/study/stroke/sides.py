@@ -15,7 +15,7 @@ from ..states import is_sign
 from ..tolerances import SAME_SIDES, SIDE, VANISHING
 
 GROWS = 1.5
-"""How much larger what is infinite at a place is at half the distance, at least."""
+"""How much larger what is infinite somewhere is at half the distance, at least."""
 
 
 def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) -> bool:
@@ -30,25 +30,25 @@ def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) ->
 
 
 def from_both_sides(
-    at: Callable[[float], float], stands: Callable[[float], bool], place: float, range_: float
+    at: Callable[[float], float], stands: Callable[[float], bool], x: float, range_: float
 ) -> Size:
-    """Return the limit of a result at a place, undetermined where its sides are not alike.
+    """Return the limit of a result at ``x``, undetermined where its sides are not alike.
 
     A side on which no pose ``stands`` does not count.
     """
     steps = [s * SIDE * range_ for s in (-1, 1)]
-    ends = [_limit(at, place, step) for step in steps if stands(place + step)]
+    ends = [_limit(at, x, step) for step in steps if stands(x + step)]
     low, high = min(ends, default=math.nan), max(ends, default=math.nan)
     if all(map(math.isnan, ends)):
         return Size(math.nan)
     if any(map(math.isnan, ends)) or low * high < 0 or (math.isinf(high) and low < high):
         return Size(None, undetermined=True)
-    return Size(_between(at(place), low, high))
+    return Size(_between(at(x), low, high))
 
 
-def _limit(at: Callable[[float], float], place: float, step: float) -> float:
+def _limit(at: Callable[[float], float], x: float, step: float) -> float:
     """Return the limit of a result, on the line through its values one and two steps away."""
-    near, far = at(place + step), at(place + 2 * step)
+    near, far = at(x + step), at(x + 2 * step)
     if abs(near) > GROWS * abs(far):
         return math.copysign(math.inf, near)
     limit = 2 * near - far

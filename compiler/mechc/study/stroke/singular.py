@@ -10,7 +10,7 @@ from ...formula.roots import Function, Jump, Root, jumps, roots
 from ...formula.tree import Formula, degrees, number, product, total
 from ...formula.walk import evaluate, symbols
 from ..analysis import Analysis, Break, Vanishing
-from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_PLACE, STEADY
+from ..tolerances import BRANCH_POINT, DIFFERENCE, JUMP_SIDES, NEARBY, SAME_VALUE, STEADY
 from .along import Along
 from .rounded import is_nil
 from .run import Run
@@ -19,13 +19,13 @@ from .stroke import Branch, Kind, Singular, Stretch
 Value = Literal["0", "infinite"]
 
 Order = Literal["0", "infinite", "finite", "jump"]
-"""What a result does at a place; ``jump``: it is finite on either side, but not the same."""
+"""What a result does at a value; ``jump``: it is finite on either side, but not the same."""
 
 ALIKE, VARIES = 0.1, 0.3
 """What two exponents of one power may differ by, and which is none of a constant."""
 
 GROWS = 5.0
-"""How much larger what is infinite at a place is ten times nearer to it, at least."""
+"""How much larger what is infinite somewhere is ten times nearer to it, at least."""
 
 
 def singular_along(
@@ -44,64 +44,64 @@ def singular_along(
     return distinguished(found, branches, run.range, orders)
 
 
-def order_of(run: Run, result: Analysis, place: float) -> Order | None:
-    """Return the order of a result at a place of the stroke: zero, infinite, finite or a jump."""
-    return order_at(run.values(result.formula, result), place, run.range)
+def order_of(run: Run, result: Analysis, x: float) -> Order | None:
+    """Return the order of a result at a value of the drive: zero, infinite, finite or a jump."""
+    return order_at(run.values(result.formula, result), x, run.range)
 
 
 def singular_poses(
-    result: Analysis, drive: str, along: Along, stretch: Stretch, places: Sequence[float]
+    result: Analysis, drive: str, along: Along, stretch: Stretch, grid: Sequence[float]
 ) -> Iterator[Singular]:
     """Yield the singular poses of a ratio of loads on a stretch, by zeros, then by poles."""
     conditions: list[tuple[Vanishing, Value]] = [(v, "0") for v in result.zeros]
     conditions += [(v, "infinite") for v in result.poles]
     known = list[float]()
     for vanishing, value in conditions:
-        for root in places_of(result, vanishing, along, stretch, places):
+        for root in roots_at(result, vanishing, along, stretch, grid):
             exact = _exact(vanishing, drive, along, root)
-            known.append(root.place)
+            known.append(root.x)
             yield Singular(result.name, value, vanishing.kind, *root, exact)
-    size = cache(lambda place: along.of(result.formula, result, place))
-    for root in _other_zeros(size, places, known):
+    size = cache(lambda x: along.of(result.formula, result, x))
+    for root in _other_zeros(size, grid, known):
         yield Singular(result.name, "0", "other", *root, None)
     for broken in result.breaks:
-        for root in places_of(result, broken, along, stretch, places):
+        for root in roots_at(result, broken, along, stretch, grid):
             yield Singular(result.name, "undetermined", "far", *root, None)
-    for jump in jumps(size, places):
-        yield _jumping(result.name, jump, along, places[-1] - places[0])
+    for jump in jumps(size, grid):
+        yield _jumping(result.name, jump, along, grid[-1] - grid[0])
 
 
-def _other_zeros(size: Function, places: Sequence[float], known: Sequence[float]) -> Iterator[Root]:
+def _other_zeros(size: Function, grid: Sequence[float], known: Sequence[float]) -> Iterator[Root]:
     """Yield the zeros of a result that none of its factors has: of a sum too long to be split."""
-    near = BRANCH_POINT * (places[-1] - places[0])
-    for root in roots(size, places):
-        falls = abs(size(root.place + near / 10)) < abs(size(root.place + near))
-        if falls and all(abs(root.place - other) > near for other in known):
+    near = BRANCH_POINT * (grid[-1] - grid[0])
+    for root in roots(size, grid):
+        falls = abs(size(root.x + near / 10)) < abs(size(root.x + near))
+        if falls and all(abs(root.x - other) > near for other in known):
             yield root
 
 
 def _jumping(name: str, jump: Jump, along: Along, range_: float) -> Singular:
     """Return a jump as a singular pose: what grows without end towards it is far."""
-    near, away = (along.values(jump.place + part * range_) for part in JUMP_SIDES)
+    near, away = (along.values(jump.x + part * range_) for part in JUMP_SIDES)
     is_far = any(abs(near[n]) > GROWS * abs(away[n]) > 0 for n in along.closing if n in near)
     sides = (jump.before, jump.after)
     kind: Kind = "far" if is_far else "jump"
-    return Singular(name, "undetermined", kind, jump.place, jump.bracket, None, sides)
+    return Singular(name, "undetermined", kind, jump.x, jump.bracket, None, sides)
 
 
-def places_of(
+def roots_at(
     result: Analysis,
     vanishing: Vanishing | Break,
     along: Along,
     stretch: Stretch,
-    places: Sequence[float],
+    grid: Sequence[float],
 ) -> Iterator[Root]:
     """Yield where on a stretch a result's factor vanishes."""
 
-    def factor(place: float) -> float:
-        return along.of(vanishing.factor, result, place)
+    def factor(x: float) -> float:
+        return along.of(vanishing.factor, result, x)
 
-    yield from roots(factor, places)
+    yield from roots(factor, grid)
     yield from _at_the_ends(factor, stretch)
 
 
@@ -118,28 +118,26 @@ def _at_the_ends(factor: Function, stretch: Stretch) -> Iterator[Root]:
 
 
 def _exact(vanishing: Vanishing, drive: str, along: Along, root: Root) -> Formula | None:
-    """Return the drive as a constant formula, turned by half turns to the place found."""
+    """Return the drive as a constant formula, turned by half turns to the value found."""
     if vanishing.at is None or vanishing.at[0] != drive:
         return None
     formula = vanishing.at[1]
     if symbols(formula) - along.defaults.keys():
         return None
-    value = evaluate(formula, along.values(root.place))
-    turns = round((root.place - value) / math.pi)
+    value = evaluate(formula, along.values(root.x))
+    turns = round((root.x - value) / math.pi)
     shifted = total([formula, product([(number(turns), 1), (degrees(180), 1)])])
-    return (
-        shifted if math.isclose(value + turns * math.pi, root.place, abs_tol=SAME_PLACE) else None
-    )
+    return shifted if math.isclose(value + turns * math.pi, root.x, abs_tol=SAME_VALUE) else None
 
 
-def order_at(function: Function, place: float, range_: float) -> Order | None:
-    """Return the order of a function at a place; None where it is no power of the distance.
+def order_at(function: Function, x: float, range_: float) -> Order | None:
+    """Return the order of a function at ``x``; None where it is no power of the distance.
 
     >>> order_at(lambda x: (1e-6 - x) / x, 0.0, 1.0)
     'infinite'
     """
     for part in NEARBY:
-        sides = (_exponent(function, place, side * part * range_) for side in (-1, 1))
+        sides = (_exponent(function, x, side * part * range_) for side in (-1, 1))
         if exponents := [e for e in sides if e is not None]:
             if max(exponents) < -VARIES:
                 return "infinite"
@@ -147,14 +145,14 @@ def order_at(function: Function, place: float, range_: float) -> Order | None:
                 return "0"
             if max(map(abs, exponents)) > VARIES:
                 return None
-            before, after = (function(place + side * part / 16 * range_) for side in (-1, 1))
+            before, after = (function(x + side * part / 16 * range_) for side in (-1, 1))
             return "jump" if abs(before - after) > STEADY * abs(after) else "finite"
     return None
 
 
-def _exponent(function: Function, place: float, distance: float) -> float | None:
+def _exponent(function: Function, x: float, distance: float) -> float | None:
     """Return the power of the distance by which a function varies, None where it is none."""
-    sizes = [abs(function(place + distance * part)) for part in (1, 1 / 4, 1 / 16)]
+    sizes = [abs(function(x + distance * part)) for part in (1, 1 / 4, 1 / 16)]
     if not all(0 < size < math.inf for size in sizes):
         return None
     first, second = (math.log(far / near, 4) for far, near in pairwise(sizes))
@@ -169,8 +167,8 @@ def distinguished(
 ) -> tuple[Singular, ...]:
     """Return singular poses in their order, those left out that only a branch point makes.
 
-    ``orders`` say of each result what it does at a place: which of a zero and a pole that are
-    at one place, where neither of them leaves it undetermined; or that what vanishes there
+    ``orders`` say of each result what it does there: which of a zero and a pole that are
+    at one value, where neither of them leaves it undetermined; or that what vanishes there
     makes it neither, as something else is infinite.
     """
     beside = BRANCH_POINT * range_
@@ -186,7 +184,7 @@ def distinguished(
         if len({one.value for one in ones}) == 1:
             kept.append(ones[0]._replace(drive=branch.drive, bracket=branch.bracket))
     kept.sort(key=lambda s: (s.result, s.drive))
-    merged = _merged(kept, SAME_PLACE * range_, orders)
+    merged = _merged(kept, SAME_VALUE * range_, orders)
     return tuple(sorted(merged, key=lambda s: s.drive))
 
 
@@ -195,7 +193,7 @@ def _merged(
     width: float,
     orders: Mapping[str, Callable[[float], Order | None]],
 ) -> Iterator[Singular]:
-    """Yield singular poses, those of a result at one place as what it comes to there."""
+    """Yield singular poses, those of a result at one value as its order there."""
     groups: list[list[Singular]] = []
     for one in found:
         last = groups[-1][-1] if groups else None

@@ -20,7 +20,7 @@ FLAT = "branch point"
 class End(NamedTuple):
     """Where a stretch ends, why, and the branch point that it ends at, if it does."""
 
-    place: float
+    x: float
     why: str
     crossing: Branch | None = None
 
@@ -28,46 +28,46 @@ class End(NamedTuple):
 def stretches_of(run: Run) -> tuple[list[Stretch], list[Branch]]:
     """Return the stretches in order, and the branch points at which some of them end."""
     found, crossings = list[Stretch](), list[Branch]()
-    start = End(run.places[0], "") if stands(run, run.places[0]) else None
-    for a, b in pairwise(run.places):
+    start = End(run.grid[0], "") if stands(run, run.grid[0]) else None
+    for a, b in pairwise(run.grid):
         if stands(run, b) == stands(run, a):
             continue
         end = _end(run, a, b) if stands(run, b) else _end(run, b, a)
         crossings += [end.crossing] if end.crossing else []
         if start is not None:
-            found.append(Stretch(start.place, end.place, start.why, end.why))
+            found.append(Stretch(start.x, end.x, start.why, end.why))
         start = end if stands(run, b) else None
     if start is not None:
-        found.append(Stretch(start.place, run.places[-1], start.why, ""))
+        found.append(Stretch(start.x, run.grid[-1], start.why, ""))
     return found, crossings
 
 
-def stands(run: Run, place: float) -> bool:
+def stands(run: Run, x: float) -> bool:
     """Return whether there is a pose, be it one in which a loop lies flat."""
-    return trouble(run, place) in ("", FLAT)
+    return trouble(run, x) in ("", FLAT)
 
 
-def trouble(run: Run, place: float) -> str:
+def trouble(run: Run, x: float) -> str:
     """Return why there is no pose, or that a loop lies flat.
 
     Rounding decides whether a loop that is all but flat closes.
     """
-    why = run.along.trouble(place)
-    gaps = [abs(place - branch.drive) for branch in run.branches]
+    why = run.along.trouble(x)
+    gaps = [abs(x - branch.drive) for branch in run.branches]
     if why in NO_POSE and any(gap <= BRANCH_POINT * run.range for gap in gaps):
         return FLAT
     return why or (FLAT if any(gap <= AT_BRANCH_POINT * run.range for gap in gaps) else "")
 
 
 def _end(run: Run, bad: float, good: float) -> End:
-    """Return the last place before a bad one, and what ends there."""
+    """Return the last value before a bad one, and what ends there."""
     edge, why = _edge(run, bad, good), trouble(run, bad)
     if why not in NO_POSE:
         return End(edge, why)
     end = end_of_branch(run.pose, run.along, edge, math.copysign(run.range, bad - good))
     if not end.crossed:
-        return End(end.place, why)
-    return End(end.place, BEYOND, Branch(end.crossed, end.place, CROSSING))
+        return End(end.x, why)
+    return End(end.x, BEYOND, Branch(end.crossed, end.x, CROSSING))
 
 
 def _edge(run: Run, bad: float, good: float) -> float:
@@ -79,8 +79,8 @@ def _edge(run: Run, bad: float, good: float) -> float:
     return good
 
 
-def beyond(place: float, stretches: Sequence[Stretch]) -> str:
-    """Return the remark on a place between stretches one of which ends at a branch point."""
-    before = [s.after for s in stretches if s.high < place]
-    after = [s.before for s in stretches if s.low > place]
+def beyond(x: float, stretches: Sequence[Stretch]) -> str:
+    """Return the remark on a value between stretches one of which ends at a branch point."""
+    before = [s.after for s in stretches if s.high < x]
+    after = [s.before for s in stretches if s.low > x]
     return BEYOND if BEYOND in (*before[-1:], *after[:1]) else ""

@@ -15,7 +15,7 @@ Content = Literal["result", "slope", "velocity", "angle", "path"]
 
 
 class Row(NamedTuple):
-    """One place: the drive, each column's value (NaN where it has none), and what is wrong.
+    """One pose: the drive, each column's value (NaN where it has none), and what is wrong.
 
     ``trouble`` is '' at a pose that stands. Columns that are 0/0 there are ``undetermined``;
     what is infinite has no sign.
@@ -51,10 +51,10 @@ class Stretch(NamedTuple):
 
 
 class Singular(NamedTuple):
-    """A place at which a result is zero or infinite, or jumps, and which kind of pose that is.
+    """A pose in which a result is zero or infinite, or jumps, and which kind of pose that is.
 
     ``exact`` is the drive as a formula, where a factor that vanishes can be solved for it.
-    The place lies within ``bracket``. A result that jumps, where something is infinitely ``far``
+    The drive lies within ``bracket``. A result that jumps, where something is infinitely ``far``
     or for another reason, comes to both ``sides`` and is undetermined between them.
     """
 
@@ -68,9 +68,9 @@ class Singular(NamedTuple):
 
 
 class Branch(NamedTuple):
-    """A place at which two closures of a loop are one and it can go on in two ways: a change point.
+    """A pose in which two closures of a loop are one and it can go on in two ways: a change point.
 
-    Results may well be finite there. The place lies within ``bracket``.
+    Results may well be finite there. The drive lies within ``bracket``.
     """
 
     loop: str
@@ -79,7 +79,7 @@ class Branch(NamedTuple):
 
 
 class Extremum(NamedTuple):
-    """A place at which a result is least or greatest nearby."""
+    """A pose in which a result is least or greatest nearby."""
 
     result: str
     kind: Literal["minimum", "maximum"]
@@ -106,7 +106,7 @@ class Stroke:
 
     ``courses`` are the values that each efficiency runs through. ``without`` are the loads asked
     for that rest on loads without a value, with these. ``looked`` states of each result at how many
-    places it was looked at: what is found between two of them is refined.
+    values it was looked at: what is found between two of them is refined.
     """
 
     drive: str

@@ -1,7 +1,7 @@
-"""The places at which a stroke is looked at: closer together where results vary fastest.
+"""The values at which a stroke is looked at: closer together where results vary fastest.
 
 Where a loop comes to its end, what it finds varies as the root of the distance from there. There
-places are spaced evenly by that root. Where a loop that lies flat can go on, nothing does.
+values are spaced evenly by that root. Where a loop that lies flat can go on, nothing does.
 """
 
 from collections.abc import Iterator, Sequence
@@ -13,15 +13,15 @@ SAMPLES = 720
 """Cells in which the stroke is looked at for singular poses and extrema."""
 
 ENOUGH = 180
-"""Places that are enough for a stretch."""
+"""Values that are enough for a stretch."""
 
 GRADED = 16
 """Cells that one next to the end of a loop is divided into."""
 
 
-def looked_at(stretch: Stretch, places: Sequence[float]) -> list[float]:
-    """Return places of a stretch, those that were looked at already where they are enough."""
-    inner = [x for x in places if stretch.low < x < stretch.high]
+def looked_at(stretch: Stretch, grid: Sequence[float]) -> list[float]:
+    """Return values in a stretch, those that were looked at already where they are enough."""
+    inner = [x for x in grid if stretch.low < x < stretch.high]
     if len(inner) < ENOUGH:
         inner = spaced(stretch.low, stretch.high, SAMPLES)[1:-1]
     first = graded(stretch.low, inner[0]) if stretch.before else ()
@@ -30,5 +30,5 @@ def looked_at(stretch: Stretch, places: Sequence[float]) -> list[float]:
 
 
 def graded(root: float, far: float) -> Iterator[float]:
-    """Yield places between an end and another place, evenly by the root of the distance."""
+    """Yield values between an end and another value, evenly by the root of the distance."""
     yield from (root + (far - root) * (i / GRADED) ** 2 for i in range(1, GRADED))
