@@ -176,16 +176,20 @@ class SolvedMechanism(Plotting):
             raise ValueError("the mechanism cannot be assembled at these values")
         return drawn
 
-    def draw(self, **values: float | str) -> "Picture":
+    def draw(self, language: str = "en", **values: float | str) -> "Picture":
         """Return the kinematic scheme at given values, as for :meth:`figure`.
 
-        In a notebook it shows itself; ``save("clamp.svg")`` writes it, also .tex and .png.
+        ``language`` is that of its title and of its text alternative: en, uk or ru. In a notebook
+        it shows itself; ``save("clamp.svg")`` writes it, also .tex, .pdf and .png.
         """
-        from .drawing.from_figure import scheme
+        from .drawing.letters import in_letters
         from .emit.picture import Picture
-        from .report.languages.pictured import EN
+        from .report.languages.letters import letters
+        from .report.languages.registry import locale
 
-        return Picture(scheme(self.figure(**values), EN))
+        drawing = self._compilation.drawn_scheme(language, figure=self.figure(**values))
+        assert drawing is not None, "a figure has a scheme"
+        return Picture(in_letters(drawing, letters(locale(language))))
 
     def free_bodies(self, **values: float | str) -> "tuple[Diagram, ...]":
         """Return each body with the forces on it, at given values of parameters and loads.

@@ -363,28 +363,35 @@ class Compilation:
         texts = mechanism.translations.get(language, {})
         return texts.get(mechanism.title, mechanism.title or mechanism.name)
 
-    def drawn_scheme(self, language: str, marks: "Marks | None" = None) -> "Drawing | None":
-        """Return the scheme in the words of a language, with marks of how the mechanism moves."""
+    def drawn_scheme(
+        self, language: str, marks: "Marks | None" = None, figure: "Figure | None" = None
+    ) -> "Drawing | None":
+        """Return the scheme in the words of a language, with marks of how the mechanism moves.
+
+        It is that of the default pose, or of the pose that a figure shows.
+        """
         from .drawing.from_figure import scheme
         from .drawing.moving import NO_MARKS
 
-        figure, words = self._pictured(language)
-        return scheme(figure, words, marks or NO_MARKS) if figure else None
+        shown, words = self._pictured(language, figure or self.figure)
+        return scheme(shown, words, marks or NO_MARKS) if shown else None
 
     @of_linkages
     def drawn_bodies(self, language: str) -> "Drawing | None":
         """Return the free bodies drawn, in the words of a language; None where there are none."""
         from .drawing.from_diagrams import free_bodies
 
-        figure, words = self._pictured(language)
+        figure, words = self._pictured(language, self.figure)
         return free_bodies(figure, self.free_bodies, words) if figure else None
 
-    def _pictured(self, language: str) -> "tuple[Figure | None, Mapping[str, str]]":
-        """Return the figure with its title in a language, and the words of its pictures."""
+    def _pictured(
+        self, language: str, figure: "Figure | None"
+    ) -> "tuple[Figure | None, Mapping[str, str]]":
+        """Return a figure with its title in a language, and the words of its pictures."""
         from .report.languages.registry import locale
 
-        figure = self.figure and replace(self.figure, title=self.titled(language))
-        return figure, locale(language).pictures
+        titled = figure and replace(figure, title=self.titled(language))
+        return titled, locale(language).pictures
 
     @Stage
     @of_linkages
@@ -399,7 +406,7 @@ class Compilation:
         """Return the plans of velocities and forces, in the words of a language, if any."""
         from .drawing.from_plans import plans
 
-        figure, words = self._pictured(language)
+        figure, words = self._pictured(language, self.figure)
         return plans(figure, self.velocities, self.free_bodies, words) if figure else None
 
     @of_linkages

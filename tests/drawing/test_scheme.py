@@ -21,9 +21,9 @@ from mechc.drawing.from_figure import scheme
 from mechc.drawing.lettering import name as lettering_of
 from mechc.drawing.paper import on_paper
 from mechc.driver import Compilation
-from mechc.emit.png.picture import to_png
 from mechc.emit.svg.picture import to_svg
 from mechc.emit.tikz.picture import to_tikz
+from mechc.emit.typst.picture import to_png
 from mechc.figure.figure import Actuator, Force, Spring, Torque
 from mechc.files import find, mechanisms, read
 from mechc.formula.names import split_points
@@ -174,7 +174,7 @@ def test_svg_is_a_picture_with_a_text_for_who_cannot_see_it():
     about = root.find(f"{space}desc").text
     assert "Links: OBA, BK, O'B'A', B'K." in about
     assert "P at A, F at K, P at A'" in about
-    assert "Not to scale: nothing gives len_BK." in about
+    assert "Not to scale: nothing gives BK." in about
     assert {child.tag.removeprefix(space) for child in root.iter()} <= {
         "svg", "title", "desc", "rect", "g", "path", "text", "tspan",
     }  # fmt: skip
@@ -211,16 +211,16 @@ def test_hostile_names_run_nothing():
 
 
 def test_png(tmp_path):
-    pytest.importorskip("resvg_py")
+    pytest.importorskip("typst")
     assert main(["draw", "crank_slider", "-o", str(tmp_path / "k.png")]) == 0
     assert (tmp_path / "k.png").read_bytes().startswith(b"\x89PNG")
 
 
 def test_png_without_its_library(monkeypatch, tmp_path, capsys):
     """E721: nothing is written."""
-    monkeypatch.setitem(sys.modules, "resvg_py", None)
+    monkeypatch.setitem(sys.modules, "typst", None)
     importlib.invalidate_caches()
-    with pytest.raises(MechcError, match="expected the library resvg_py"):
+    with pytest.raises(MechcError, match="PNG cannot be written"):
         to_png(drawn("crank_slider"))
     paths = [str(tmp_path / name) for name in ("k.svg", "k.png")]
     assert main(["draw", "crank_slider", "-o", paths[0], "-o", paths[1]]) == 3
@@ -315,6 +315,14 @@ def test_a_picture_saves_itself_and_shows_itself(tmp_path):
     assert picture._repr_svg_() != mechc.load("crank_rocker").draw()._repr_svg_()
     with pytest.raises(ValueError, match=r"none of the suffixes \.svg"):
         picture.save(tmp_path / "k.bmp")
+
+
+def test_a_picture_speaks_a_language():
+    drawing = mechc.load("crank_rocker").draw(language="uk", phi=math.radians(120)).drawing
+    assert "кривошип" in drawing.title.lower()
+    assert "Нерухомі шарніри: O1, O2" in drawing.description
+    russian = mechc.load("whitworth").draw(language="ru").drawing.description
+    assert russian.endswith("Не в масштабе: не заданы QC.")
 
 
 @pytest.mark.slow

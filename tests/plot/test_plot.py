@@ -244,7 +244,7 @@ def test_latex_has_the_same_axes_and_values(clamp, tmp_path):
 
 
 def test_every_format_is_written(tmp_path, capsys):
-    suffixes = (".svg", ".tex", ".csv", *([".png"] if find_spec("resvg_py") else []))
+    suffixes = (".svg", ".tex", ".csv", *([".png"] if find_spec("typst") else []))
     paths = [tmp_path / f"k{suffix}" for suffix in suffixes]
     line = ["plot", CLAMP, "--x", "alpha", "--y", "k", "--family", "beta=10,20deg", "-n", "3"]
     assert main([*line, *(word for p in paths for word in ("-o", str(p)))]) == 0
@@ -273,16 +273,16 @@ def test_pdf_is_a_page(tmp_path, clamp):
     assert (tmp_path / "k.pdf").read_bytes().startswith(b"%PDF")
 
 
-@pytest.mark.parametrize("suffix", ["pdf", "xlsx"])
+@pytest.mark.parametrize("suffix", ["pdf", "png", "xlsx"])
 def test_a_library_that_is_missing(suffix, tmp_path, monkeypatch, capsys):
-    """E590, as an exit status of the environment."""
+    """E721, as an exit status of the environment."""
 
     def missing(name):
         if name in ("typst", "xlsxwriter"):
             raise ImportError(f"no module {name}")
         return import_module(name)
 
-    for module in ("mechc.emit.pdf.picture", "mechc.emit.table.xlsx_table"):
+    for module in ("mechc.emit.typst.picture", "mechc.emit.table.xlsx_table"):
         monkeypatch.setattr(f"{module}.import_module", missing)
     target = tmp_path / f"k.{suffix}"
     assert main(["plot", CLAMP, "--x", "alpha", "-o", str(target)]) == 3

@@ -77,7 +77,7 @@ def command(
 
     The mechanism at its default pose, or at values set with -D: links, joints in the symbols
     of ISO 3952, loads, lengths and angles by their names. Without -o, or with -o -, the
-    picture goes to standard output as SVG. PNG needs `pip install 'mechc[png]'`, PDF `mechc[pdf]`.
+    picture goes to standard output as SVG. PNG and PDF need `pip install 'mechc[pdf]'`.
 
     With --bodies each link is drawn by itself, without friction and then with it, with the
     forces on it to one scale: in newtons or kilonewtons, or in units of a load whose size

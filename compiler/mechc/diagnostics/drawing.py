@@ -2,7 +2,7 @@
 
 from .diagnostic import Message, coded
 
-LACKING = frozenset({"E590", "E721"})
+LACKING = frozenset({"E721"})
 """Codes that say that the machine lacks something: the description is not wrong."""
 
 
@@ -24,19 +24,19 @@ def nothing_to_draw() -> Message:
 
 
 @coded("E721")
-def no_png(reason: str) -> Message:
-    """A picture as PNG needs a library that is not there.
+def no_library(what: str, extra: str, reason: str) -> Message:
+    """A format needs a library that is not there.
 
-    SVG and LaTeX need none. For PNG mechc asks resvg, which no other output needs, so that
-    it is not installed by itself.
+    SVG, LaTeX and CSV need none. For PDF and PNG mechc asks typst, for Excel xlsxwriter, which no
+    other output needs, so that they are not installed by themselves.
 
     Wrong: ``mechc draw clamp.mech -o clamp.png`` without it
     Right: ``pip install 'mechc[png]'`` before, or ``mechc draw clamp.mech -o clamp.svg``
     """
     return Message(
         None,
-        f"PNG cannot be written: expected the library resvg_py, found {reason}",
-        "pip install 'mechc[png]', or write -o NAME.svg",
+        f"{what} cannot be written: expected a library, found {reason}",
+        f"pip install 'mechc[{extra}]'",
     )
 
 

@@ -107,23 +107,6 @@ def too_many_curves(number: int, most: int) -> Message:
     )
 
 
-@coded("E590")
-def no_library(what: str, extra: str, reason: str) -> Message:
-    """A format needs a library that is not there.
-
-    SVG, LaTeX and CSV need none. For PDF mechc asks typst, for Excel xlsxwriter, which no other
-    output needs, so that they are not installed by themselves.
-
-    Wrong: ``mechc plot clamp.mech --x alpha -o k.xlsx`` without it
-    Right: ``pip install 'mechc[xlsx]'`` before, or ``-o k.csv``
-    """
-    return Message(
-        None,
-        f"{what} cannot be written: expected a library, found {reason}",
-        f"pip install 'mechc[{extra}]'",
-    )
-
-
 @coded("E598")
 def zone_of_a_family() -> Message:
     """A zone is asked for of a family: each of its curves has a zone of its own.

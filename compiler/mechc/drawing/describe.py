@@ -25,7 +25,8 @@ def _sentences(figure: Figure, words: Words) -> Iterator[str]:
     if figure.copies > 1:
         yield words["branches"].format(count=figure.copies)
     if figure.chosen:
-        yield words["open_scale"].format(names=", ".join(figure.chosen))
+        lengths = (name.removeprefix("len_") for name in figure.chosen)
+        yield words["open_scale"].format(names=", ".join(lengths))
 
 
 def _bodies(parts: Iterable[Part], kind: type[Link] | type[Slide]) -> Iterator[str]:

@@ -6,10 +6,9 @@ from pathlib import Path
 from ..drawing.drawing import Drawing
 from ..files import write_all
 from ..frozen import frozen
-from .pdf.picture import to_pdf
-from .png.picture import to_png
 from .svg.picture import to_svg
 from .tikz.picture import to_tikz
+from .typst.picture import to_pdf, to_png
 
 FORMATS: Mapping[str, Callable[[Drawing], str | bytes]] = {
     ".svg": to_svg,

@@ -11,7 +11,7 @@ from ...plot.query import Query
 from ...plot.usual import ROWS, usual
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
-from ...report.latex.notation import Notation, name
+from ...report.latex.notation import Notation, name, of_result
 from ...study.stroke.stroke import Stroke
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
@@ -98,7 +98,7 @@ def _plotted(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:
 def _tables(plots: Iterable[Plot], locale: Locale, style: Notation) -> Iterator[str]:
     """Yield the table of the values of each plot."""
     for plot in plots:
-        heads = [head(name(c.axis.name, style), c.axis.unit, locale) for c in plot.columns]
+        heads = [head(of_result(c.axis.name, style), c.axis.unit, locale) for c in plot.columns]
         columns = (_cells(column, style) for column in plot.columns)
         yield from tabular(heads, list(zip(*columns, strict=True)))
 
@@ -120,7 +120,7 @@ def _centred(lines: Iterable[str], caption: str) -> Iterator[str]:
 
 def _against(plot: Plot, locale: Locale, style: Notation) -> str:
     """Return the caption of a plot: its curves, and the parameter along its axis."""
-    names = ", ".join(f"${name(curve.name, style)}$" for curve in plot.curves)
+    names = ", ".join(f"${of_result(curve.name, style)}$" for curve in plot.curves)
     return locale.pictures["plot"].format(names=names, x=f"${name(plot.x.name, style)}$")
 
 

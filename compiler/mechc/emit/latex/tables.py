@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator, Sequence
 
 from ...report.languages.locale import Locale
-from ...report.latex.notation import Notation, name
+from ...report.latex.notation import Notation, name, of_result
 from ...report.latex.quantity import decimal, usual_unit
 from ...report.latex.unit_symbols import unit_symbol
 from ...study.stroke.stroke import Column, Stroke
@@ -69,10 +69,10 @@ def _written(column: Column, style: Notation) -> str:
     """Return a column's name: a ratio of speeds, a slope, or a quantity."""
     above, over, below = column.name.partition("/")
     if not over:
-        return name(above, style)
+        return of_result(above, style)
     above, bracket, load = above.removesuffix(")").partition("(")
     of = f"({name(load, style)})" if bracket else ""
     if column.content == "slope":
-        above, below = above.removeprefix("d"), below.removeprefix("d")
-        return rf"d{name(above, style)}/d{name(below, style)}"
+        result, below = of_result(above.removeprefix("d"), style), below.removeprefix("d")
+        return rf"d{f'({result})' if '/' in result else result}/d{name(below, style)}"
     return f"{name(above, style)}{of}/{name(below, style)}"

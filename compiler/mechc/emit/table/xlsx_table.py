@@ -7,7 +7,7 @@ from importlib import import_module
 from typing import Any
 
 from ...diagnostics import MechcError
-from ...diagnostics.plot import no_library
+from ...diagnostics.drawing import no_library
 from ...plot.plot import Plot
 from .heads import head, values
 
@@ -16,7 +16,7 @@ EPOCH = datetime(2000, 1, 1)
 
 
 def to_xlsx(plot: Plot) -> bytes:
-    """Return a workbook with one sheet; :class:`MechcError` (E590) without the library."""
+    """Return a workbook with one sheet; :class:`MechcError` (E721) without the library."""
     try:
         xlsxwriter: Any = import_module("xlsxwriter")
     except ImportError as error:

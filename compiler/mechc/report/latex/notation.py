@@ -8,7 +8,7 @@ from collections.abc import Iterable, Mapping
 from itertools import chain, count
 from types import MappingProxyType
 
-from ...formula.names import GREEK, Name, Point, split_name, split_points
+from ...formula.names import GREEK, Name, Point, split_name, split_points, split_ratio
 from ...formula.tree import Formula, Symbol
 from ...frozen import frozen
 from ...model.mechanism import Reaction
@@ -116,6 +116,15 @@ def name(symbol: str, style: Notation) -> str:
     ['\\alpha_1', 'l_A', '\\varphi', '\\mathrm{eff}', '\\omega_{O_{1}B}']
     """
     return style.spellings.get(symbol) or _by_rule(symbol, style)
+
+
+def of_result(symbol: str, style: Notation) -> str:
+    r"""Return a result's name, one that was asked for without a name as the ratio that it is.
+
+    >>> of_result("M_over_F", notation("en")), of_result("k", notation("en"))
+    ('M/F', 'k')
+    """
+    return "/".join(name(part, style) for part in split_ratio(symbol))
 
 
 def of_force(symbol: str, force: Reaction, style: Notation) -> str:

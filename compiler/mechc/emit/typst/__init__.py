@@ -1,0 +1,1 @@
+"""Pictures as PDF and PNG, by a library that brings its own letters."""
