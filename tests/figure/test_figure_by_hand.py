@@ -7,6 +7,7 @@ import pytest
 from mechc.figure.figure import Dimension, Rack
 from mechc.figure.from_pose import draw
 from mechc.figure.lengths import choose
+from mechc.figure.ropes import rope_runs
 from mechc.figure.ways import Linear, Way, Ways, along
 from mechc.formula.tree import Symbol
 from mechc.frozen import replace
@@ -144,3 +145,14 @@ def test_a_given_length_is_measured_along_its_vector():
     (mark,) = [part for part in figure.parts if isinstance(part, Dimension)]
     assert (mark.text, mark.value) == ("a", pytest.approx(A))
     assert mark.along == near(polar(1.0, ALPHA))
+
+
+@pytest.mark.parametrize(("down", "touches"), [(-1.0, 1.0), (1.0, -1.0)])
+def test_a_rope_runs_on_the_outside_of_a_bend(down, touches):
+    """From the left over a pulley at the origin: bent down it lies on top, bent up below."""
+    ends = (Plane(-3.0, 0.0), Plane(0.0, 0.0), Plane(3.0, down))
+    first, second = rope_runs(ends, (None, None, None), 0.5)
+    for run, rim in ((first, first.end), (second, second.start)):
+        assert math.hypot(*rim) == pytest.approx(0.5)
+        assert rim.y * touches > 0.4
+        assert run.end.minus(run.start).dot(rim) == pytest.approx(0.0, abs=1e-12)

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from mechc.algebra.product import ONE, Product
-from mechc.formula.tree import Call, Symbol, number
+from mechc.formula.tree import ZERO, Call, Symbol, number, product
 from mechc.formula.walk import evaluate
 from mechc.model.values import completed
 from mechc.pose.loops.continuation import given_rates, moved_by
@@ -15,6 +15,7 @@ from mechc.pose.loops.rates import loop_rates, rate
 from mechc.pose.loops.triangle import along, common_turn, heron, principal
 from mechc.pose.loops.vector_graph import Edge, chained, known_span, loop_name, mentioned
 from mechc.pose.pose import Arm, Definition, Limit, gathered, reverse, turned_by
+from mechc.pose.rates import Rates
 from mechc.pose.samples import is_behind
 from small_poses import HERE, VALUES, arm, at, number_of, size
 
@@ -196,3 +197,11 @@ def test_vectors_are_gathered_turned_and_reversed():
 def test_a_negative_length_is_behind():
     assert is_behind(Product.symbol("s"), [{}, {"s": -1.0}])
     assert not is_behind(Product.symbol("s"), [{"s": 1.0}])
+
+
+def test_what_rests_on_a_name_without_a_rate_has_none():
+    rates = Rates({"phi": number(1)}, unknown=["psi"])
+    assert rates.of(Symbol("psi")) is None
+    assert rates.of(product([(Symbol("phi"), 1), (Symbol("psi"), 1)])) is None
+    assert rates.of(Symbol("r")) == ZERO
+    assert rates.of(product([(Symbol("r"), 1), (Symbol("phi"), 1)])) == Symbol("r")

@@ -21,6 +21,7 @@ from mechc.statics.acts import Acts
 from mechc.statics.balanced import Balanced
 from mechc.statics.cases import sizes_of
 from mechc.statics.contacts import pulling
+from mechc.statics.counted import uncounted
 from mechc.statics.free_bodies import Unknown
 from mechc.statics.joint_forces import joint_force
 from mechc.statics.speeds import speed_ratio
@@ -153,3 +154,10 @@ def test_a_contact_may_push_and_not_pull(turn, codes):
 def test_loads_have_the_sizes_that_are_given_first():
     mechanism = lever().mechanism
     assert sizes_of(mechanism, {"P": 2.0}, {"F": 3.0}) == {"P": 2.0, "F": 3.0}
+
+
+def test_a_pin_on_which_no_friction_acts_is_named():
+    """The crank turns on O, crank and rod on A; B is guided, and the rod turns on it."""
+    pins = list(uncounted(Unfolding(slider_crank(), ALL), ()))
+    assert pins == ["O on OA", "A on OA", "A on AB", "B on AB"]
+    assert list(uncounted(Unfolding(lever(), ALL), ())) == ["O on OAB"]
