@@ -128,6 +128,21 @@ def drawn_nowhere(at: Span, point: str, is_pivot: bool) -> Message:
     return Message(at, f"nothing says where {point} is", f"add its place: `{line}`")
 
 
+@coded("E345")
+def fall_drawn_backwards(at: Span, tail: str, head: str) -> Message:
+    """A fall of a rope is drawn one way, and its direction is the other.
+
+    Along a rope each fall has the direction from its first point to its second::
+
+        D at (0 m, 2 m)
+        K at (0 m, 1 m)
+        rope D, K along y, B along y     # wrong: from D to K it runs downwards
+        rope D, K along -y, B along y    # right
+    """
+    message = f"the fall from {tail} to {head} is drawn against its direction"
+    return Message(at, message, "turn the direction round, or correct the places")
+
+
 @coded("W320")
 def drawn_elsewhere(at: Span, point: str, place: str, gap: str) -> Message:
     """With the lengths and directions given, a point is not where it is drawn.

@@ -24,7 +24,7 @@ def load_not_balanced(at: Span, load: str, by: str, held: str = "") -> Message:
         return Message(
             at,
             f"nothing balances {load}: {by} does no work while {held} is held at its value",
-            f"put the drive that {by} moves first, it is then the one that moves",
+            f"leave the drives out, and all move; or put the one that {by} moves first",
         )
     return Message(
         at,
@@ -280,7 +280,7 @@ def load_does_no_work(at: Span, load: str, held: str = "") -> Message:
         return Message(
             at,
             f"{load} does no work while {held} is held at its value",
-            f"put the drive that {load} moves first to find what {load} has to be",
+            f"leave the drives out to find what {load} has to be, or put its drive first",
         )
     return Message(
         at, f"{load} does no work in any motion of the mechanism, so it has no influence"

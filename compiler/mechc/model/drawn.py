@@ -27,6 +27,7 @@ from .geared import Train, with_named_sizes
 from .mechanism import (
     Along,
     Arrow,
+    Contact,
     Drive,
     ForcePair,
     Geometry,
@@ -125,13 +126,16 @@ def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
 def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     """Yield two points between which a pair of forces or a rope acts, or which give a direction.
 
-    A slot has the direction of its pin where it is drawn by that only.
+    A slot has the direction of its pin where it is drawn by that only. What touches a link
+    pushes it on an arm.
     """
     yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
     yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
     yield from (ends for rope in mechanism.ropes for ends in pairwise(rope.route))
     drawn = {d.point for d in mechanism.drawn}
     yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.head not in drawn)
+    turning = {link.name for link in mechanism.links}
+    yield from ((c.tail, c.point) for c in mechanism.each(Contact) if c.link in turning)
 
 
 # ------------------------------------------------------------------- by closing the loops

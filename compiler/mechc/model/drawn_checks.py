@@ -2,6 +2,7 @@
 
 import math
 from collections.abc import Iterator
+from itertools import pairwise
 
 from ..diagnostics import Diagnostic
 from ..diagnostics import drawn as messages
@@ -9,12 +10,16 @@ from .entries import points_of
 from .mechanism import Mechanism, Slider, Slot
 from .sketch import Sketch
 
+BACKWARDS = -0.5
+"""The cosine of the angle to the drawn fall below which a rope is said to run the wrong way."""
+
 
 def faults(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
-    """Yield E321, E322 and E327."""
+    """Yield E321, E322, E327 and E345."""
     yield from _without_place(mechanism, sketch)
     yield from _coinciding(mechanism, sketch)
     yield from _off_line(mechanism, sketch)
+    yield from _turned_falls(mechanism, sketch)
 
 
 def _without_place(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
@@ -61,3 +66,15 @@ def _lines(mechanism: Mechanism, sketch: Sketch) -> Iterator[tuple[str, str, str
             x, y = sketch.way(slot.tail, slot.head)
             line = f"the slot {slot.tail}{slot.head}"
             yield slot.point, slot.tail, line, math.atan2(y, x)
+
+
+def _turned_falls(mechanism: Mechanism, sketch: Sketch) -> Iterator[Diagnostic]:
+    """Yield the falls of ropes whose direction is against the way from point to point."""
+    for rope in mechanism.ropes:
+        for (tail, head), along in zip(pairwise(rope.route), rope.ways, strict=True):
+            turned = sketch.turned(along)
+            if turned is not None and sketch.has_all((tail, head)):
+                x, y = sketch.way(tail, head)
+                ahead = x * math.cos(turned) + y * math.sin(turned)
+                if ahead < BACKWARDS * math.hypot(x, y):
+                    yield messages.fall_drawn_backwards(along.span, tail, head)

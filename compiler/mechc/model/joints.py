@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 
 from ..diagnostics import drawn as drawn_words
 from ..diagnostics.model import joints as messages
+from ..diagnostics.model import names
 from ..source import Span
 from ..syntax import ast
 from ..units import LENGTH, UNITS
@@ -107,7 +108,8 @@ def read_drawn(file: ast.File, scope: Scope) -> tuple[list[Drawn], list[Offset]]
     for statement in every(file, ast.Drawn):
         point, span = statement.point.text, statement.at.span
         place = read_place("", point, statement.at, scope)
-        if not scope.points.known(statement.point) or place is None:
+        hint = names.point_of_link(point, scope.points.links)
+        if not scope.points.known(statement.point, hint) or place is None:
             continue
         if first.setdefault(point, span) != span:
             scope.report.add(drawn_words.drawn_again(span, point, first[point]))

@@ -62,7 +62,7 @@ class Points:
             self.places.setdefault(point, place)
         return points
 
-    def known(self, name: ast.Name) -> tuple[str, ...] | None:
+    def known(self, name: ast.Name, hint: str = "") -> tuple[str, ...] | None:
         """Return the points of a name if all are declared; report others where first met."""
         points = self.split(name)
         strange = [p for p in points or () if p not in self.places]
@@ -70,7 +70,7 @@ class Points:
         for point in strange:
             if point not in self._strange:
                 self._strange.add(point)
-                self.report.add(messages.unknown_point(places[point], point, self.places))
+                self.report.add(messages.unknown_point(places[point], point, self.places, hint))
         return None if strange else points
 
     def acting(self, name: ast.Name) -> tuple[str, ...] | None:

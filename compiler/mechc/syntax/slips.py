@@ -8,7 +8,7 @@ from .grammar import keywords, spelling
 from .lalr import Token
 from .spans import span_of
 from .vocabulary import FUNCTIONS, NAME, RANGE, TWINS, split_quantity
-from .written import example, words_behind
+from .written import WRITTEN, example, words_behind
 
 ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
 """An operand ends with one of these."""
@@ -25,6 +25,10 @@ STATED = {
     ("PIVOT", "("): "the place of a pivot stands behind 'at': pivot O at (0 mm, 0 mm)",
     ("SPRING", "between"): "the rate comes first: spring 5 N/mm between A and B",
     ("WEIGHT", "="): "a weight has a mass: weight W mass 2 kg at G",
+    ("ROPE", "along"): "a rope begins at a point, and each further one has the direction of the "
+    "fall that ends there: rope A, K along -y, H along y",
+    ("ACTUATOR", "in"): "a cylinder is a telescope, and the actuator acts between its ends: "
+    "actuator P between A and B",
     ("WEIGHT", "at"): "a weight has a mass: weight W mass 2 kg at G",
 }
 """What is said otherwise in a statement, by its word and what does not fit in it."""
@@ -67,6 +71,7 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
         _of_decimals(line, position)
         or _of_list(token, line[0])
         or STATED.get((line[0].type, str(token)), "")
+        or _of_radius(line, position)
         or _of_name(line, position)
         or _of_vector(line, position, allowed)
         or _of_neighbours(token, before, allowed)
@@ -132,6 +137,14 @@ def _of_list(token: Token, first: Token) -> str:
         return "a telescope has no title: say it in a comment, behind '#'"
     listed = token == "," and first.type in ONE_EACH
     return f"each {first} has a line of its own" if listed else ""
+
+
+def _of_radius(line: Sequence[Token], position: int) -> str:
+    """Return a hint where the radius of a wheel is announced by a word."""
+    words = [str(token) for token in line[:position]]
+    if line[0].type in ("RACK", "GEAR", "BELT") and words[-1] in ("radius", "diameter", "r"):
+        return f"the radius stands without a word: {WRITTEN[words[0]]}"
+    return ""
 
 
 def _of_name(line: Sequence[Token], position: int) -> str:

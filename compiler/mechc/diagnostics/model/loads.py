@@ -100,7 +100,11 @@ def load_on_another_link(span: Span, point: str, link: str) -> Message:
     force F at P on HE along -y     # wrong
     """
     message = f"link {link} has no point {point}, so it cannot carry the load there"
-    return Message(span, message, f"name a link through {point}")
+    return Message(
+        span,
+        message,
+        f"name a link through {point}, or let {point} be a point of this one: `link {link}{point}`",
+    )
 
 
 @coded("E258")

@@ -65,7 +65,7 @@ def angle_from_vector() -> str:
 
 
 @coded("E202")
-def unknown_point(span: Span, point: str, known: Collection[str]) -> Message:
+def unknown_point(span: Span, point: str, known: Collection[str], hint: str = "") -> Message:
     """A statement names a point that stands on no link, pivot or slider.
 
     Points come into being with ``link``, ``pivot`` and ``slider``. A vector, a load or
@@ -75,8 +75,16 @@ def unknown_point(span: Span, point: str, known: Collection[str]) -> Message:
         force P at B along x     # wrong: no link goes through B
         force P at A along x     # right
     """
-    hint = offered(point, known, "points")
+    hint = hint or offered(point, known, "points")
     return Message(span, f"point {point} stands on no link, pivot or slider", hint)
+
+
+def point_of_link(point: str, links: Collection[str]) -> str:
+    """Return the hint at a point that is drawn and is on no link, '' where there are none."""
+    link = max(links, key=len, default="")
+    return (
+        f"a point is named by the link that carries it, as in `link {link}{point}`" if link else ""
+    )
 
 
 @coded("E203")
