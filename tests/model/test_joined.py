@@ -202,6 +202,12 @@ def test_what_rests_on_its_own_results_stays_behind(tmp_path: Path) -> None:
     assert mechanism.translations["uk"]["upper (toggle)"] == "верхня (toggle)"
 
 
+def test_coordinates_that_a_part_asks_for_stay_behind(tmp_path: Path) -> None:
+    toggle = f"{TOGGLE}let up = y_B\nlet twice = 2*up\n"
+    mechanism = Compilation(files.read(written(tmp_path, JOINED, toggle=toggle))).mechanism
+    assert [let.name for let in mechanism.lets] == ["T_h"]
+
+
 def test_a_frame_is_turned(tmp_path: Path) -> None:
     """A toggle that lies on its side, whose crank is turned back by as much, has the same k."""
     turned = JOINED.replace("at (110 mm, 60 mm)", "at (-60 mm, 110 mm) turned 90 deg")

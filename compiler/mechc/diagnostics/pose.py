@@ -223,6 +223,22 @@ def length_open(at: Span, points: str) -> Message:
     )
 
 
+@coded("E346")
+def point_without_place(at: Span, point: str) -> Message:
+    """A formula asks where a point is, and nothing leads there from the origin.
+
+    ``x_B`` and ``y_B`` are the coordinates of B, where vectors that are given or found lead to
+    it from a pivot with a place, or from the first pivot where none has one::
+
+        pivot O
+        OA = @ alpha         # the length is open
+        let h = y_A          # wrong
+        OA = a @ alpha       # right
+    """
+    message = f"the formula needs the place of {point}, and nothing gives it"
+    return Message(at, message, "give the vectors that lead to it their lengths")
+
+
 @coded("E311")
 def side_of_the_mirror(at: Span, point: str, load: str) -> Message:
     """A pair acts across the mirror line, and the place of that line is undetermined.

@@ -30,7 +30,7 @@ from ..source import Span
 from ..syntax import ast
 from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension
 from .constants import LARGEST_EXPONENT, rational, too_large
-from .forms import FORMS, Form, form_of
+from .forms import COORDINATES, FORMS, Form, form_of_pose
 from .scope import Bare, Scope, Usage
 from .sorts import Nature, Sort, agreed, multiplied, raised
 
@@ -148,7 +148,7 @@ class Reader:
     def _symbol(self, node: ast.Symbol) -> Quantity | None:
         if node.name == "pi":
             return Quantity(PI, Sort(NUMBER, Nature.LOOSE), node.span)
-        if (form := form_of(node.name)) and node.name not in self.scope.entries:
+        if self._is_asked_of_the_pose(node.name) and (form := form_of_pose(node.name)):
             return self._of_the_pose(node, form)
         entry = self.scope.look_up(node, self.usage)
         if entry is None or entry.dimension is None:
@@ -156,9 +156,17 @@ class Reader:
         known = Sort(NUMBER, Nature.UNITLESS) if entry.unitless else Sort.of(entry.dimension)
         return Quantity(Symbol(node.name), known, node.span)
 
+    def _is_asked_of_the_pose(self, name: str) -> bool:
+        """Return whether no name of the user's own is meant; ``x_B`` is one where B is no point."""
+        form = form_of_pose(name)
+        is_own = (
+            form and form.prefix in COORDINATES and form.points[0] not in self.scope.points.places
+        )
+        return name not in self.scope.entries and not is_own
+
     def _of_the_pose(self, node: ast.Symbol, form: Form) -> Quantity | None:
         """Return a direction or a length that the pose has; refuse other such quantities."""
-        if form.prefix not in ("phi", "len"):
+        if form.prefix not in ("phi", "len", *COORDINATES):
             self._refuse(node, form)
             return None
         if len(form.points) > 2:
@@ -167,7 +175,7 @@ class Reader:
         if not self.scope.points.acting(ast.Name("".join(form.points), node.span)):
             return None
         if not self.usage.posed:
-            what = f"{FORMS[form.prefix]}, which follows from the description"
+            what = f"{(FORMS | COORDINATES)[form.prefix]}, which follows from the description"
             wanted = self.usage.wanted
             hint = names.angle_from_vector() if form.prefix == "phi" else ""
             self.report.add(names.name_out_of_place(node.span, node.name, what, wanted, hint))

@@ -7,7 +7,7 @@ from ..diagnostics.model import reactions as reaction_words
 from ..diagnostics.model import results as messages
 from ..syntax import ast
 from ..units import FREQUENCY, NUMBER, VELOCITY, Dimension
-from .forms import Form, form_of
+from .forms import COORDINATES, Form, form_of, form_of_pose
 from .mechanism import (
     Axial,
     Efficiency,
@@ -151,8 +151,11 @@ def read_target(target: ast.Expr, scope: Scope, on: ast.Name | None = None) -> A
 
 
 def _single(symbol: ast.Symbol, scope: Scope) -> Asked | None:
-    if form_of(symbol.name):
-        hint = "velocities are asked for as a ratio, as in V_D / V_A"
+    form = form_of_pose(symbol.name) if symbol.name not in scope.entries else None
+    if form and (form.prefix not in COORDINATES or form.points[0] in scope.points.places):
+        is_speed = form.prefix in ("V", "omega")
+        ratio = "velocities are asked for as a ratio, as in V_D / V_A"
+        hint = ratio if is_speed else f"where things are is a formula: `let place = {symbol.name}`"
         scope.report.add(messages.not_findable(symbol.span, hint))
         return None
     part = _load(symbol, scope, alone=True)

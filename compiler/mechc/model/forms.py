@@ -16,6 +16,10 @@ FORMS = {
 }
 """Quantities of the mechanism itself, as ``V_D``: their prefixes and meanings."""
 
+COORDINATES = {"x": "the place of a point along x", "y": "the place of a point along y"}
+"""Quantities of a point, as ``x_B``; such a name may be a user's own as well."""
+
+_COORDINATE = re.compile(r"([xy])_([^_]+)")
 _FORM = re.compile(rf"({'|'.join(FORMS)})_([^_]+)(?:_([xy]))?")
 AXES: Mapping[str | None, Literal["", "x", "y"]] = {None: "", "x": "x", "y": "y"}
 _SEVERAL_POINTS = frozenset({"omega", "phi", "len"})
@@ -44,3 +48,15 @@ def form_of(name: str) -> Form | None:
         return None
     misfits = _ONE_POINT if len(points) > 1 else _SEVERAL_POINTS
     return None if match[1] in misfits else Form(match[1], points, AXES[match[3]])
+
+
+def form_of_pose(name: str) -> Form | None:
+    """Take a name apart that stands for something of the pose, ``x_B`` too where none has it.
+
+    >>> form_of_pose("y_B"), form_of_pose("y_AB"), form_of_pose("phi_AB")
+    (Form(prefix='y', points=('B',), axis=''), None, Form(prefix='phi', points=('A', 'B'), axis=''))
+    """
+    if match := _COORDINATE.fullmatch(name):
+        points = points_of(match[2])
+        return Form(match[1], points) if len(points) == 1 else None
+    return form_of(name)

@@ -20,7 +20,7 @@ from .at_joints import AtJoints
 from .brought import Used, declared, given_to, labels, parameter, translated, with_origin
 from .carriers import is_held
 from .force_pairs import spring_name
-from .forms import form_of
+from .forms import COORDINATES, form_of, form_of_pose
 from .framed import Frame, between, literal, same
 from .joint_points import Joining, Part, Whole, is_a_part, joints, move_alike
 from .part_names import declared_points, numbered, of_a_part, renamed, symbols_in
@@ -76,7 +76,10 @@ def _left_behind(joining: Joining, report: Report) -> frozenset[str]:
         if load not in behind and rests:
             place, tied = use.used.span, statement.span
             report.add(messages.rests_on_what_stays(place, load, min(rests), tied))
-    return frozenset(behind | _resting_on(behind | set(_results(joining.own)), joining.own))
+    places = set(_coordinates(joining.own))
+    return frozenset(
+        behind | places | _resting_on(behind | {*_results(joining.own), *places}, joining.own)
+    )
 
 
 def _results(own: Iterable[ast.Statement]) -> Iterator[str]:
@@ -85,6 +88,15 @@ def _results(own: Iterable[ast.Statement]) -> Iterator[str]:
         match statement:
             case ast.Find(name=ast.Name(text=name)) | ast.Find(target=ast.Symbol(name=name)):
                 yield name
+
+
+def _coordinates(own: Sequence[ast.Statement]) -> Iterator[str]:
+    """Yield the coordinates that formulas ask for: a part has its place in the whole."""
+    names = {name.text for statement in own for name in declared(statement)}
+    for symbol in (symbol for statement in own for symbol in symbols_in(statement)):
+        form = form_of_pose(symbol.name)
+        if form and form.prefix in COORDINATES and symbol.name not in names:
+            yield symbol.name
 
 
 def _load_name(statement: ast.Statement) -> str:

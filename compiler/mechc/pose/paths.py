@@ -3,13 +3,11 @@
 from collections import deque
 from collections.abc import Collection, Iterator
 
-from ..model.mechanism import Link, Pivot, Slider
+from ..model.mechanism import Link
 from ..syntax.vocabulary import points_of
 from .loops.vector_graph import mentioned
 from .pose import Pose, Vector, gathered, measured_by, reverse
-
-ORIGIN = ""
-"""The name of the plane's origin among the points that vectors join."""
+from .vectors import start_of
 
 
 def paths(pose: Pose, astray: Collection[Link] = ()) -> dict[str, Vector]:
@@ -23,7 +21,7 @@ def paths(pose: Pose, astray: Collection[Link] = ()) -> dict[str, Vector]:
     for tail, head, vector in _given(pose, astray):
         ways.setdefault(tail, {}).setdefault(head, vector)
         ways.setdefault(head, {}).setdefault(tail, reverse(vector))
-    start = _start(pose, ways)
+    start = start_of(pose.mechanism, ways)
     found: dict[str, Vector] = {start: ()}
     waiting = deque([start])
     while waiting:
@@ -57,9 +55,3 @@ def _vectors(pose: Pose) -> Iterator[tuple[str, str, Vector]]:
     for touch in pose.touches:
         if touch.reach:
             yield touch.tail, touch.point, touch.reach
-
-
-def _start(pose: Pose, ways: dict[str, dict[str, Vector]]) -> str:
-    mechanism = pose.mechanism
-    grounded = [j.point for j in (*mechanism.each(Pivot), *mechanism.each(Slider))]
-    return ORIGIN if ORIGIN in ways else next(iter([*grounded, *ways]), ORIGIN)

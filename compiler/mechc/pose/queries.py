@@ -1,4 +1,4 @@
-"""Directions and lengths that formulas ask for by the points: ``phi_AB``, ``len_AB``.
+"""What formulas ask for by the points: ``phi_AB``, ``len_AB``, ``x_B``, ``y_B``.
 
 What a loop gives keeps its name, being a definition of the pose; what the description
 gives is put in.
@@ -8,30 +8,38 @@ from collections.abc import Iterator, Mapping
 
 from ..algebra.angle import Angle
 from ..algebra.from_formula import to_angle, to_product
+from ..algebra.sums import add
+from ..algebra.trigonometry import cosine
 from ..diagnostics import Report
 from ..diagnostics import pose as messages
 from ..formula.layout import TRIGONOMETRIC
 from ..formula.tree import Call, Formula
 from ..formula.walk import children, rebuild, substitute, symbols
 from ..frozen import replace
-from ..model.forms import Form, form_of
+from ..model.forms import COORDINATES, Form, form_of_pose
 from ..model.mechanism import ForcePair, Mechanism
 from ..source import Span
 from .loops.triangle import principal
-from .vectors import Vectors
+from .vectors import Vectors, start_of
 
 
 def with_directions(mechanism: Mechanism, vectors: Vectors, report: Report) -> Mechanism:
     """Return the mechanism with what its formulas ask for of vectors.
 
-    Reports E301, E305, E306 and E310 where a vector has none of that.
+    Reports E301, E305, E306 and E310 where a vector has none of that, E346 where a point has
+    no place.
     """
     found: dict[str, Formula] = {}
+    start = start_of(mechanism, [point for ends in vectors.given() for point in ends])
+    own = {named.name for named in (*mechanism.parameters, *mechanism.lets, *mechanism.loads)}
     for formula, span in _formulas(mechanism):
         for name in sorted(symbols(formula) - found.keys()):
-            form = form_of(name)
-            if form and form.prefix in ("phi", "len"):
-                answer = _answer(form, vectors, span, report)
+            form = form_of_pose(name) if name not in own else None
+            if form and form.prefix in ("phi", "len", *COORDINATES):
+                if form.prefix in COORDINATES:
+                    answer = _coordinate(form, start, vectors, span, report)
+                else:
+                    answer = _answer(form, vectors, span, report)
                 if answer is not None:
                     found[name] = answer
     return _with(mechanism, found) if found else mechanism
@@ -71,6 +79,19 @@ def _answer(form: Form, vectors: Vectors, span: Span, report: Report) -> Formula
         size = length if length.coefficient > 0 else -length
         return principal(direction).formula() if form.prefix == "phi" else size.formula()
     return None
+
+
+def _coordinate(
+    form: Form, start: str, vectors: Vectors, span: Span, report: Report
+) -> Formula | None:
+    """Return how far a point is from where places count from, along an axis."""
+    (point,) = form.points
+    vector = vectors.path(start, point)
+    if vector is None or vectors.is_open(vector):
+        report.add(messages.point_without_place(span, point))
+        return None
+    axis = Angle.constant(0 if form.prefix == "x" else 90)
+    return add(arm.length * cosine(arm.angle - axis) for arm in vector).formula()
 
 
 def _with(mechanism: Mechanism, found: Mapping[str, Formula]) -> Mechanism:

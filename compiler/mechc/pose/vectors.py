@@ -8,12 +8,24 @@ from typing import NamedTuple
 from ..algebra.angle import Angle
 from ..algebra.product import Product
 from ..formula.walk import symbols
-from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Turn
+from ..model.mechanism import Arrow, Geometry, Mechanism, Offset, Pivot, Slider, Turn
 from ..source import Span
 from .directions import Directions
 from .loops.vector_graph import Edge
 from .pose import Arm, Vector, components, gathered, measured_by, reverse, turned_by
 from .terms import Terms
+
+ORIGIN = ""
+"""The name of the plane's origin among the points that vectors join."""
+
+
+def start_of(mechanism: Mechanism, ways: Collection[str]) -> str:
+    """Return the point from which places count: the origin, or the first point on the ground.
+
+    ``ways`` are the points that vectors join.
+    """
+    grounded = [j.point for j in (*mechanism.each(Pivot), *mechanism.each(Slider))]
+    return ORIGIN if ORIGIN in ways else next(iter([*grounded, *ways]), ORIGIN)
 
 
 class Loop(NamedTuple):
