@@ -5,6 +5,8 @@ import math
 import pytest
 
 import mechc
+from mechc.driver import compile_source
+from mechc.source import Source
 
 CAPSTAN = """
 param mu = 0.3 in 0.1 .. 0.5
@@ -98,6 +100,12 @@ def test_a_differential_band_brake_has_both_ends_on_its_lever(near, far):
 def test_a_band_cannot_push():
     with pytest.raises(mechc.MechcError, match="would have to push"):
         mechc.loads(BRAKE.format(near=50, far=450, way=0).replace("along -y", "along y"))
+
+
+def test_a_rope_may_be_wound_several_times():
+    """Turns beyond one are no slip of radians for degrees there (W245)."""
+    text = "param theta = 900 deg" + CAPSTAN.replace("{wrap} deg", "theta")
+    assert not compile_source(Source("capstan.mech", text)).report.diagnostics
 
 
 def test_words_of_ropes_are_names_elsewhere():

@@ -211,3 +211,9 @@ def test_an_angle_with_a_range_alone_follows_from_the_loop():
     ranged = FOUR_BAR + "param psi in 60 deg .. 120 deg\nCB = @ psi\n"
     assert codes(ranged) == ["W303"]
     assert value(ranged) == pytest.approx(value(FOUR_BAR), rel=1e-12)
+
+
+def test_a_value_that_is_given_is_none_of_the_drawing():
+    """Only the remark stands that it lies outside its range, wherever it was given."""
+    ranged = FOUR_BAR + "param psi = 60 deg in 70 deg .. 80 deg\nlet twice = 2*psi\n"
+    assert codes(ranged) == ["W220"]

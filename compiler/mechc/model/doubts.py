@@ -10,6 +10,7 @@ from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH
+from .joint_friction import RopeFriction
 from .mechanism import (
     Absolute,
     Along,
@@ -67,10 +68,16 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
 
 
 def _turns(mechanism: Mechanism) -> Iterator[Diagnostic]:
-    """Yield the angles beyond a turn: values, ends of ranges and strokes, directions."""
+    """Yield the angles beyond a turn: values, ends of ranges and strokes, directions.
+
+    A rope may be wound around a pulley several times.
+    """
     ranged = {p.name for p in mechanism.parameters if p.range}
+    wraps = (j.wrap for j in mechanism.friction.joints if isinstance(j, RopeFriction))
+    wound = {name for wrap in wraps for name in symbols(wrap)}
     for parameter in mechanism.parameters:
-        if parameter.dimension == ANGLE and not parameter.dependent:
+        turns = parameter.dimension == ANGLE and parameter.name not in wound
+        if turns and not parameter.dependent:
             yield from _turn_of(parameter)
     drive = mechanism.drive
     angles = {p.name for p in mechanism.parameters if p.dimension == ANGLE}

@@ -67,16 +67,20 @@ def with_drawn(mechanism: Mechanism, report: Report) -> Mechanism:
     is_given = _is_given(mechanism, sketch)
     drawn = _closing(mechanism, sketch, report) if is_given else _as_drawn(mechanism, sketch)
     parameters = (*drawn.parameters, *sketch.parameters.values())
-    return replace(drawn, parameters=_in_range(parameters, drive, report))
+    given = {p.name for p in mechanism.parameters if p.value}
+    return replace(drawn, parameters=_in_range(parameters, given, drive, report))
 
 
 def _in_range(
-    parameters: Iterable[Parameter], drive: Drive | None, report: Report
+    parameters: Iterable[Parameter], given: Collection[str], drive: Drive | None, report: Report
 ) -> tuple[Parameter, ...]:
-    """Report a value of the drawing outside the range given; a stroke is no such range."""
+    """Report a value of the drawing outside the range given; a stroke is no such range.
+
+    Values that are ``given`` are none of the drawing.
+    """
     found = list[Parameter]()
     for parameter in parameters:
-        outside = is_outside(parameter)
+        outside = parameter.name not in given and is_outside(parameter)
         is_stroke = drive is not None and drive.ends and parameter.name == drive.parameter
         if outside and not is_stroke:
             report.add(messages.drawn_outside_range(parameter.span, parameter.name))
