@@ -82,9 +82,9 @@ def test_lets_that_are_numbers_have_their_unit() -> None:
     compilation = compile_source(Source("m.mech", text))
     derived = render(compilation.derivation, compilation.mechanism)
     assert derived.count("\nResults\n") == 1
-    assert {"d = 0.025 m", "s = 30°", "n = 2"} <= {line.strip() for line in derived.splitlines()}
+    assert {"d = 25 mm", "s = 30°", "n = 2"} <= {line.strip() for line in derived.splitlines()}
     tex = mechc.loads(text).emit("latex")
-    for shown in (r"d=0.025\,\text{m}", r"s=30^\circ", "n=2"):
+    for shown in (r"d=25\,\text{mm}", r"s=30^\circ", "n=2"):
         assert rf"\boxed{{{shown}}}" in tex
 
 
@@ -93,8 +93,8 @@ def test_a_let_is_given_in_the_unit_that_it_names() -> None:
     found = mechc.loads(LEVER.replace("find k = F/T\n", named), "u.mech")
     assert "    = 1.25 MPa at the default pose" in report(found._compilation, False)
     shown = render(found._compilation.derivation, found._compilation.mechanism)
-    assert "p = 1.25 MPa" in shown
-    assert "w = 0.785398 rad" in shown
+    assert "p = 2 kN / (40 mm)² = 1.25 MPa" in shown
+    assert "= 0.785398 rad" in shown
     assert r"1{,}25\,\text{МПа}" in found.emit("latex", language="uk")
 
 

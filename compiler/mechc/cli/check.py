@@ -13,10 +13,11 @@ from ..model.mechanism import GRAVITY, Parameter
 from ..model.result import Definition
 from ..report.definitions import Letters, Solved, as_written, grouped, letters
 from ..report.languages.en import LOCALE
+from ..report.note import own_lines
 from ..report.sections import Shown, in_short
 from ..report.sentences.locking import friction_remarks
 from ..report.sentences.remarks import own_conditions, reaction
-from ..report.text.note import in_brief
+from ..report.text.note import in_brief, in_language
 from ..report.text.overview import overview
 from ..report.text.speller import speller
 from ..report.text.verdict import to_text
@@ -99,14 +100,16 @@ def report(compilation: Compilation, verbose: bool) -> Iterator[str]:
         return
     earlier, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
     known = letters(compilation.mechanism, compilation.results)
+    own = own_lines(compilation.mechanism, compilation.results)
     before: Analysis | None = None
     for result in compilation.results:
         where = [d for d in earlier.of(result) if d.name not in given]
-        formulas = [result.formula, *(d.formula for d in where)]
+        formulas = [d.formula for d in where] + ([] if result.name in own else [result.formula])
         literals = [*earlier.new_literals(formulas, compilation.mechanism)]
         shown = in_short(result, compilation.results)
         unit = scale_of(result, compilation.mechanism)
-        yield from _of_result(shown, where, literals, known, before, unit)
+        formula = in_language(own[result.name]) if result.name in own else text(shown.formula)
+        yield from _of_result(shown, formula, where, literals, known, before, unit)
         before = result
         yield from (f"    {line}" for line in friction_remarks(result, LOCALE, spell))
     yield from _of_findings(compilation)
@@ -120,6 +123,7 @@ def _is_given(result: Analysis) -> bool:
 
 def _of_result(
     result: Analysis,
+    formula: str,
     where: Iterable[Definition],
     literals: Iterable[Parameter],
     known: Letters,
@@ -130,7 +134,7 @@ def _of_result(
     if _is_given(result) and result.default is not None:
         yield f"  {result.name} = {in_unit(result.default, unit, 9)}"
         return
-    yield f"  {result.name} = {text(result.formula)}"
+    yield f"  {result.name} = {formula}"
     for literal in literals:
         assert literal.value
         yield f"    where {literal.name} = {in_unit(evaluate(literal.value, {}), literal.unit, 6)}"

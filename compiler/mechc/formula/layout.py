@@ -182,12 +182,12 @@ def unsigned(formula: Formula) -> Formula:
 def short_decimal(value: Fraction) -> str | None:
     """Return a decimal that is exact and reads better than the fraction, else None.
 
-    Halves, quarters and eighths stay fractions; at most six decimals.
+    Halves, quarters and so on stay fractions, as in ``pi*d^4/64``; at most six decimals.
 
-    >>> short_decimal(Fraction(98, 10)), short_decimal(Fraction(1, 4))
+    >>> short_decimal(Fraction(98, 10)), short_decimal(Fraction(1, 64))
     ('9.8', None)
     """
-    return None if value.denominator in {1, 2, 4, 8} else decimal(value)
+    return None if value.denominator in {1, 2, 4, 8, 16, 32, 64} else decimal(value)
 
 
 LONGEST = 12

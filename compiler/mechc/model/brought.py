@@ -83,7 +83,8 @@ def brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Stateme
         return f"{prefix}_{name}" if name in names else name
 
     for statement in own:
-        there = moved(with_origin(statement, used.mechanism.name), used.start, renamed)
+        told = with_origin(_labelled(statement), used.mechanism.name)
+        there = moved(told, used.start, renamed)
         match statement, there:
             case ast.Param(name=name), ast.Param():
                 yield parameter(there, _measured(used, name.text), given.get(name.text), use)
@@ -185,7 +186,7 @@ def parameter(
         use.span if given else statement.span,
         statement.name,
         value,
-        ast.Name(parameter.unit, statement.span) if parameter.unit else None,
+        ast.Name(parameter.unit, statement.span) if parameter.unit and not given else None,
         statement.label,
         comments=statement.comments,
         remark=statement.remark,
@@ -216,6 +217,13 @@ def labels(statements: Iterable[ast.Statement]) -> set[str]:
             case ast.Require():
                 said.add(statement.remark)
     return said
+
+
+def _labelled(statement: ast.Statement) -> ast.Statement:
+    """Return a statement whose remark is its text, as it is in a sheet, also where it is used."""
+    if isinstance(statement, ast.Param | ast.Let) and not statement.label:
+        return replace(statement, label=statement.remark)
+    return statement
 
 
 def with_origin(statement: ast.Statement, origin: str) -> ast.Statement:

@@ -22,6 +22,7 @@ from .order import ordered
 from .parameters import constant, note_unitless, read_parameter
 from .scope import FORMULA, Scope
 from .statements import every
+from .written import WrittenSides, expression
 
 LONGEST = 200
 """Parts of a let that is written out: lets of lets can double in length with each."""
@@ -115,11 +116,13 @@ def _within_range(statement: ast.Let, let: Let, scope: Scope) -> Iterator[Requir
     if not isinstance(statement, ast.Given):
         return
     parameter, place = statement.parameter, statement.value.span
-    ends = [constant(e, scope, "an end of a range") for e in (parameter.low, parameter.high) if e]
-    for end, operator in zip(filter(None, ends), _ENDS, strict=False):
-        subject = Subject("range", parameter.name.text, let.name, end.span)
-        sides = (Symbol(let.name), operator, end.formula)
-        yield Require(*sides, place, subject, dimension=let.dimension)
+    for written, operator in zip((parameter.low, parameter.high), _ENDS, strict=True):
+        end = constant(written, scope, "an end of a range") if written else None
+        if written and end:
+            subject = Subject("range", parameter.name.text, let.name, end.span)
+            sides = (Symbol(let.name), operator, end.formula)
+            shown = WrittenSides(Symbol(let.name), expression(written))
+            yield Require(*sides, place, subject, shown, let.dimension)
 
 
 def _unit(statement: ast.Let, found: Quantity, scope: Scope) -> str:

@@ -2,6 +2,7 @@
 
 import re
 from collections.abc import Sequence
+from operator import attrgetter
 from pathlib import PurePath
 
 from ..diagnostics import Report
@@ -17,6 +18,7 @@ from .doubts import doubts
 from .drawn import with_drawn
 from .driven import checked
 from .finds import read_finds
+from .for_readers import for_readers, label_or_remark
 from .force_pairs import inside_telescopes, spring_name
 from .friction import read_friction
 from .geometry import read_geometry
@@ -33,7 +35,7 @@ from .reactions import check_rods
 from .reported import read_reported
 from .results import read_expects, read_requires
 from .scope import Scope
-from .sheets import as_written, refuse_links_in_a_sheet, written_as_sheet
+from .sheets import refuse_links_in_a_sheet, written_as_sheet
 from .statements import check_doubled, every, only
 from .symmetry import check_shared_vectors, read_copies, read_mirror
 from .translations import read_translations
@@ -75,7 +77,8 @@ def resolve(file: ast.File, report: Report) -> Mechanism:
     warn_idle(mechanism.joints, points)
     _warn_lonely(points)
     if sheet:
-        return as_written(mechanism, file)
+        return for_readers(mechanism, file, report.source, label_or_remark)
+    mechanism = for_readers(mechanism, file, report.source, attrgetter("label"))
     for doubt in doubts(mechanism):
         report.add(doubt)
     return with_names(checked(mechanism, report), file, scope.constants.values())

@@ -87,7 +87,8 @@ class Parameter:
     ``value`` is None (declared by dimension only), a constant in SI, or a formula of
     other parameters (a *dependent* parameter). ``unit`` is what the user wrote, for
     output ('' when bare). ``low`` … ``high`` is the range of a free parameter, and
-    ``tolerance`` how far its value may be off, a constant in SI.
+    ``tolerance`` how far its value may be off, a constant in SI. A formula is there as it was
+    ``written``, too.
     """
 
     name: str
@@ -100,6 +101,7 @@ class Parameter:
     about: str = ""
     dependent: bool = False
     tolerance: Formula | None = None
+    written: Written | None = None
 
 
 # ------------------------------------------------------------------------ geometry
@@ -194,8 +196,8 @@ class Find:
 class Let:
     """A formula of the user's own; it may mention parameters, loads, finds and other lets.
 
-    ``unit`` is the one to give its value in ('' for that of the SI), ``label`` its text; of a
-    calculation sheet there is what was ``written``.
+    ``unit`` is the one to give its value in ('' for that of the SI), ``label`` its text. It is
+    there as it was ``written``, too.
     """
 
     name: str
@@ -240,8 +242,8 @@ class Subject(NamedTuple):
 class Require:
     """A condition of use, ``left OP right``; a chain is split into its links.
 
-    One with a ``subject`` follows from a formula, which has no value where it fails. Of a
-    calculation sheet there is what was ``written``, and the ``unit`` to give both sides in.
+    One with a ``subject`` follows from a formula, which has no value where it fails. Another one
+    is there as it was ``written``, too; ``unit`` is the one to give both sides in.
     """
 
     left: Formula

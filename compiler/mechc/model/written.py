@@ -9,6 +9,7 @@ from itertools import pairwise
 from typing import Literal, assert_never
 
 from ..formula.choices import CONDITIONS
+from ..formula.layout import short_decimal
 from ..formula.tree import (
     PI,
     Call,
@@ -21,11 +22,12 @@ from ..formula.tree import (
     product,
     total,
 )
-from ..formula.walk import walk
+from ..formula.walk import constants, substitute, walk
 from ..frozen import frozen
 from ..syntax import ast
 from ..syntax.vocabulary import split_quantity
 from ..units import UNITS, behind
+from .constants import rational
 
 
 @frozen
@@ -109,13 +111,28 @@ def expression(node: ast.Expr) -> Formula:
             parts = ((sign, expression(term)) for sign, term in terms)
             return total(part if sign > 0 else negative(part) for sign, part in parts)
         case ast.Product(factors):
-            return product((expression(factor), sign) for sign, factor in factors)
+            return product((_factor(factor, sign), sign) for sign, factor in factors)
         case ast.Power(base, exponent):
-            return power(_bracketed(expression(base)), expression(exponent))
+            return power(_bracketed(expression(base)), _exponent(exponent))
         case ast.Call(function, arguments):
             return Call(function, tuple(map(expression, arguments)))
         case _:
             assert_never(node)
+
+
+def _factor(node: ast.Expr, sign: int) -> Formula:
+    """Return a factor; a whole number below the line stays there, where it could be a decimal."""
+    found = expression(node)
+    if sign < 0 and isinstance(found, Number) and found.value and short_decimal(1 / found.value):
+        return Constant(str(found.value), found)
+    return found
+
+
+def _exponent(node: ast.Expr) -> Formula:
+    """Return an exponent; one that is a number as such, so that halves are roots."""
+    found = expression(node)
+    exact = rational(substitute(found, {c.name: c.value for c in constants([found])}))
+    return found if exact is None else Number(exact)
 
 
 def _bracketed(base: Formula) -> Formula:

@@ -10,11 +10,12 @@ from ..formula.tree import Formula, Implicit, Symbol
 from ..formula.walk import constants, evaluate, substitute, symbols, walk
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
-from ..model.values import Chain, defaults, dependent, own_unit, usual_length
+from ..model.values import Chain, defaults, dependent, usual_length
 from ..study.analysis import Analysis
-from ..units import ANGLE, LENGTH, NUMBER, UNITS, Dimension, si_unit, size_of
+from ..units import ANGLE, NUMBER, UNITS, si_unit, size_of
 from .homogeneous import is_homogeneous
-from .put_in import Quantity, put_in
+from .note import NoteLine
+from .put_in import Quantity, put_in, usual_unit
 from .sections import Outline
 from .sentences.remarks import asked
 
@@ -43,18 +44,35 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
             numbers = _numbers(formula, given, value.unit in ("", "deg"))
             yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
     usual = usual_length(mechanism)
-    for result in (r for section in whole.results for r in section.results):
-        unit = own_unit(result.name, mechanism)
-        yield from _of_result(result, given, unit or _unit_of(result.dimension, usual))
+    for section in whole.results:
+        for result in section.results:
+            if line := section.lines.get(result.name):
+                yield from _of_line(line)
+            else:
+                yield from _of_result(result, given, usual_unit(result.dimension, usual))
 
 
 def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
     """Return whether a number that stands for units of the SI is in a formula of the report."""
     given = _given(whole, mechanism)
-    results = (result for section in whole.results for result in section.results)
+    results = (r for section in whole.results for r in section.results)
+    results = (r for r in results if r.target is not None)
     formulas = [*(d.formula for d in _definitions(whole)), *(r.formula for r in results)]
     known = (f for f in formulas if _names(f) <= given.keys() and not _is_solved(f))
     return any(_has_units(formula, {n: given[n] for n in _names(formula)}) for formula in known)
+
+
+def constants_shown(whole: Outline) -> frozenset[Formula]:
+    """Return the user's own names of numbers, which stand with their unit where they are given."""
+    lines = (line for section in whole.results for line in section.lines.values())
+    return frozenset(Symbol(line.name) for line in lines if line.is_number)
+
+
+def _of_line(line: NoteLine) -> Iterator[Evaluated]:
+    """Yield what a formula of the user's own comes to, if that is news."""
+    if line.value and math.isfinite(line.value.value) and not line.is_number:
+        numbers = None if line.kind else line.numbers
+        yield Evaluated(Symbol(line.name), numbers, line.value, line.value.unit == "deg")
 
 
 def _definitions(whole: Outline) -> Iterator[Definition]:
@@ -82,7 +100,7 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals)}
     units = {name: _unit(p) for name, p in named.items()}
     usual = usual_length(mechanism)
-    units |= {r.name: _unit_of(r.dimension, usual) for r in whole.ratios}
+    units |= {r.name: usual_unit(r.dimension, usual) for r in whole.ratios}
     angles = {name for name, unit in units.items() if unit == "deg"}
     for definition in where:
         if definition.name not in units and (unit := _found_unit(definition, usual, angles)):
@@ -91,13 +109,6 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
     known = {name: value for name, value in values.items() if math.isfinite(value)}
     return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
-
-
-def _unit_of(dimension: Dimension, usual: str) -> str:
-    """Return the unit of a value that none is given for; '' for a number."""
-    if dimension == ANGLE:
-        return "deg"
-    return usual if dimension == LENGTH else si_unit(dimension)
 
 
 def _unit(parameter: Parameter) -> str:

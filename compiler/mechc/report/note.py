@@ -13,11 +13,10 @@ from ..formula.tree import Call, Constant, Formula, Implicit, Number, Symbol
 from ..formula.walk import constants, evaluate, symbols, walk
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
-from ..model.values import Chain, defaults, dependent
-from ..model.written import WrittenTable
+from ..model.values import Chain, defaults, dependent, usual_length
 from ..study.analysis import as_printed
 from ..units import ANGLE, NUMBER, Dimension, si_unit
-from .put_in import Quantity, put_in
+from .put_in import Quantity, put_in, usual_unit
 
 
 class NoteLine(NamedTuple):
@@ -43,7 +42,7 @@ class NoteLine(NamedTuple):
     @property
     def is_number(self) -> bool:
         """Return whether the formula is a number alone: a constant."""
-        return isinstance(self.formula, Number | Constant)
+        return not self.kind and isinstance(self.formula, Number | Constant)
 
 
 class NoteCheck(NamedTuple):
@@ -61,7 +60,6 @@ class NoteCheck(NamedTuple):
 class Note(NamedTuple):
     """A calculation sheet as people read it."""
 
-    tables: tuple[WrittenTable, ...]
     lines: tuple[NoteLine, ...]
     checks: tuple[NoteCheck, ...]
 
@@ -76,7 +74,32 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     given = {name: Quantity(value, units[name]) for name, value in values.items()}
     lines = tuple(_lines(mechanism, results, given))
     checks = [_check(r, given) for r in mechanism.requires if not r.subject]
-    return Note(mechanism.tables, lines, tuple(_with_the_least(checks)))
+    return Note(lines, tuple(_with_the_least(checks)))
+
+
+def own_lines(mechanism: Mechanism, results: Sequence[Result]) -> Mapping[str, NoteLine]:
+    """Return the formulas of the user's own in a mechanism, by their names."""
+    quantities: tuple[Parameter | Let, ...]
+    quantities = (*mechanism.parameters, *mechanism.literals, *mechanism.lets)
+    units = {q.name: q.unit or usual_unit(q.dimension, "m") for q in quantities}
+    lengths = usual_length(mechanism)
+    units |= {r.name: usual_unit(r.dimension, lengths) for r in results if r.target is not None}
+    where = {d.name: d.formula for r in results for d in r.where}
+    units = {name: _unit_by_name(name, lengths) for name in where} | units
+    chain = Chain({**where, **dependent(mechanism)})
+    values = chain.complete(defaults(mechanism))
+    values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
+    values |= {r.name: r.default for r in results if r.default is not None}
+    given = {name: Quantity(values[name], unit) for name, unit in units.items() if name in values}
+    shown = {result.name for result in results if result.target is None}
+    return {let.name: _line(let, given) for let in mechanism.lets if let.name in shown}
+
+
+def _unit_by_name(name: str, lengths: str) -> str:
+    """Return the unit of what a loop gives, '' of what its name does not tell."""
+    if name.startswith("phi_"):
+        return "deg"
+    return lengths if name.startswith("len_") else ""
 
 
 def _lines(

@@ -7,8 +7,9 @@ from typing import NamedTuple
 
 from ..formula.layout import TRIGONOMETRIC
 from ..formula.tree import Call, Constant, Formula, Number, Power, Symbol, degrees
+from ..formula.typesetting import HALF
 from ..formula.walk import children, evaluate, rebuild, symbols
-from ..units import in_unit
+from ..units import ANGLE, LENGTH, Dimension, in_unit, si_unit
 
 DIGITS = 4
 """Significant digits of numbers that are put in."""
@@ -28,6 +29,13 @@ class Quantity(NamedTuple):
         return in_unit(self.value, self.unit, digits)
 
 
+def usual_unit(dimension: Dimension, lengths: str) -> str:
+    """Return the unit of a value that none is given for, ``lengths`` for one of these."""
+    if dimension == ANGLE:
+        return "deg"
+    return lengths if dimension == LENGTH else si_unit(dimension)
+
+
 def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     """Return a formula with quantities for symbols, in brackets where a power is taken of one.
 
@@ -45,6 +53,8 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
             values = {name: quantity.value for name, quantity in given.items()}
             return Call(function, (in_degrees(evaluate(angle, values), DIGITS),))
+        case Call(function, arguments):
+            return Call(function, tuple(_argument(a, given) for a in arguments))
         case Constant():
             return formula
         case Symbol(name) if given[name].unit == "deg":
@@ -53,13 +63,22 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             return _constant(given[name], bracketed=given[name].value < 0)
         case Power(Symbol(name) as base, exponent) if not isinstance(base, Constant):
             quantity = given[name]
-            is_divisor = exponent == Number(Fraction(-1))
-            bracketed = (bool(quantity.unit) and not is_divisor) or quantity.value < 0
+            is_root, is_divisor = exponent == HALF, exponent == Number(Fraction(-1))
+            is_raised = bool(quantity.unit) and not is_divisor
+            bracketed = not is_root and (is_raised or quantity.value < 0)
             return Power(_constant(quantity, bracketed), put_in(exponent, given))
         case _:
             parts = children(formula)
             found = tuple(put_in(part, given) for part in parts)
             return rebuild(formula, found) if parts else formula
+
+
+def _argument(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+    """Return what a function is taken of, which stands in brackets already."""
+    if isinstance(formula, Symbol) and not isinstance(formula, Constant):
+        quantity = given[formula.name]
+        return put_in(formula, given) if quantity.unit == "deg" else _constant(quantity, False)
+    return put_in(formula, given)
 
 
 def _constant(quantity: Quantity, bracketed: bool) -> Constant:

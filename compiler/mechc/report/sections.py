@@ -14,6 +14,7 @@ from ..model.result import Definition
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, letters
 from .derivation.steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
+from .note import NoteLine, own_lines
 from .sentences.remarks import reaction
 
 LONG = 24
@@ -24,7 +25,8 @@ LONG = 24
 class Section:
     """Results that are shown under one heading, how they came about, and what they rest on.
 
-    ``units`` are those of loads and lets that are numbers, ``literals`` the lengths that are.
+    ``units`` are those of loads and lets that are numbers, ``literals`` the lengths that are,
+    ``lines`` the formulas of the user's own among the results, as they are written.
     """
 
     paragraphs: tuple[Paragraph, ...]
@@ -33,6 +35,7 @@ class Section:
     has_usual_g: bool = False
     units: Mapping[str, str] = MappingProxyType({})
     literals: tuple[Parameter, ...] = ()
+    lines: Mapping[str, NoteLine] = MappingProxyType({})
 
 
 @frozen
@@ -74,19 +77,23 @@ def _position(
 def _results(
     derivation: Derivation, mechanism: Mechanism, earlier: "Shown", known: Letters
 ) -> Iterator[Section]:
+    lines = own_lines(mechanism, derivation.results)
     for explanation, results in _grouped(derivation):
         earlier.equations(explanation)
         rested = earlier.new_definitions(
             [Symbol(d.name) for d in explanation.where], explanation.where
         )
-        fresh = [*rested, *(d for r in results for d in earlier.of(r))]
+        needed = (d for r in results for d in earlier.of(r) if d.name not in lines)
+        fresh = [*rested, *needed]
         shown = tuple(in_short(r, results) for r in _conditioned_once(results))
         weighs = any(d.name in known.usual for d in fresh)
         where = tuple(as_written(fresh, known))
         said = (side for p in explanation.paragraphs for pair in p.equations for side in pair)
-        formulas = [*said, *(r.formula for r in shown), *(d.formula for d in where)]
+        found = (r.formula for r in shown if r.name not in lines)
+        formulas = [*said, *found, *(d.formula for d in where)]
         numbers = tuple(earlier.new_literals(formulas, mechanism))
-        yield Section(explanation.paragraphs, shown, where, weighs, known.units, numbers)
+        own = {r.name: lines[r.name] for r in shown if r.name in lines}
+        yield Section(explanation.paragraphs, shown, where, weighs, known.units, numbers, own)
 
 
 class Shown:

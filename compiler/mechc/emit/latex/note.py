@@ -3,18 +3,18 @@
 from collections.abc import Iterator, Mapping, Sequence
 from typing import NamedTuple
 
-from ...formula.tree import Formula, Symbol
 from ...frozen import replace
+from ...model.mechanism import Mechanism
 from ...report.languages.locale import Locale
 from ...report.latex.directions import math
-from ...report.latex.display import LINE, Line, display
+from ...report.latex.display import LINE
 from ...report.latex.given import ParameterRow, parameter_row
 from ...report.latex.notation import Notation, relation_sign, spellings, translated
-from ...report.latex.printer import Box, box, latex, plain, row
-from ...report.latex.quantity import decimal, in_unit
+from ...report.latex.note import in_numbers, measure, remark
+from ...report.latex.printer import Box, box, latex
+from ...report.latex.quantity import decimal
 from ...report.latex.text import escape
 from ...report.note import Note, NoteCheck, NoteLine, note
-from ...report.put_in import Quantity
 from ...units import ANGLE
 from ..target import Compiled
 
@@ -77,7 +77,7 @@ def note_report(compiled: Compiled, locale: Locale, style: Notation, fragment: b
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in mechanism.parameters),
-        tables=tuple(_tables(found, style)),
+        tables=tuple(table_blocks(mechanism, style)),
         lines=tuple(_line(line, locale, style) for line in found.lines),
         checks=tuple(_check(check, words, style) for check in found.checks),
     )
@@ -94,8 +94,9 @@ def _style(compiled: Compiled, found: Note, style: Notation) -> Notation:
     return replace(style, spellings=spellings(names, style))
 
 
-def _tables(found: Note, style: Notation) -> Iterator[TableBlock]:
-    for table in found.tables:
+def table_blocks(mechanism: Mechanism, style: Notation) -> Iterator[TableBlock]:
+    """Yield the tables and lists of sizes, in parts that a line holds."""
+    for table in mechanism.tables:
         name, source = escape(table.name), translated(table.source, style)
         for part in _parts([tuple(box(c, style) for c in cells) for cells in table.rows]):
             rows = tuple(
@@ -120,58 +121,17 @@ def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]
 
 
 def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:
-    words = locale.calculation
-    remarks = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
-    if line.decides:
-        remarks.append(words["decides"].format(formula=math(latex(line.decides, style))))
     return LineBlock(
-        translated(line.label, style), _display(line, locale.where, style), "; ".join(remarks)
+        translated(line.label, style),
+        in_numbers(line, locale.where, style),
+        remark(line, locale.calculation, style),
     )
-
-
-def _display(line: NoteLine, where: str, style: Notation) -> str:
-    """Return a formula, the numbers put in and what it comes to, as one display."""
-    left = box(Symbol(line.name), style)
-    if line.kind == "list" and line.formula and line.value and line.asked:
-        found, asked = _quantity(line.value, style), _quantity(line.asked, style)
-        needed = box(line.formula, style)
-        return rf"\[ {left.tex}={found.tex}\geq {needed.tex}={asked.tex} \]"
-    sides = [_side(line, formula, style) for formula in (line.formula, line.numbers) if formula]
-    if line.value and not line.is_number:
-        sides.append(_quantity(line.value, style))
-    if line.formula and max(side.width for side in sides) > LINE:
-        return _broken(line, line.formula, left, sides[-1], where, style)
-    if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
-        return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
-    rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
-    return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
-
-
-def _broken(
-    line: NoteLine, formula: Formula, left: Box, value: Box, where: str, style: Notation
-) -> str:
-    """Return a formula that no line holds, broken, and what it comes to, without the numbers."""
-    broken = display((Line(left, formula, line.dimension == ANGLE),), style, where)
-    return f"{broken}\n\\[ {left.tex}={value.tex} \\]" if line.value else broken
-
-
-def _side(line: NoteLine, formula: Formula, style: Notation) -> Box:
-    """Return a formula; of a table its name, applied to what it is asked for."""
-    if not line.of:
-        return box(formula, style, line.dimension == ANGLE)
-    inner = box(formula, style)
-    name = plain(rf"\text{{{escape(line.of)}}}")
-    return row((name, Box(rf"\left({inner.tex}\right)", inner.width + 1.0, inner.tall)))
-
-
-def _quantity(quantity: Quantity, style: Notation) -> Box:
-    return plain(in_unit(quantity.value, quantity.unit, style, style))
 
 
 def _check(check: NoteCheck, words: Mapping[str, str], style: Notation) -> CheckRow:
     sign = relation_sign(check.operator)
     sides = (latex(side, style) for side in (check.left, check.right))
-    values = [_quantity(side, style).tex for side in check.values or ()]
+    values = [measure(side, style).tex for side in check.values or ()]
     reserve = math(decimal(float(f"{check.reserve:.3g}"), style)) if check.reserve else ""
     verdict = words["least" if check.decides else "holds"] if values else ""
     condition = math(sign.join(sides))

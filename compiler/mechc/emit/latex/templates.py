@@ -31,6 +31,7 @@ def _body(_known: Mapping[str, Any]) -> str:
             for row in _known["vectors"]:
                 _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction), ' \\\\\n']
             _parts += ['\\bottomrule\n\\end{longtable}\n']
+    _parts += [TEMPLATES['latex/tables.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
     if _known["position"]:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].position), '}\n\\begin{enumerate}\n']
         for step in _known["position"]:
@@ -164,18 +165,7 @@ def _note(_known: Mapping[str, Any]) -> str:
     if _known["parameters"]:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].given), '}\n']
         _parts += [TEMPLATES['latex/given.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
-    if _known["tables"]:
-        _parts += ['\n\\', str(_known["section"]), '*{', str(_known["words"]['tables']), '}\n']
-        for table in _known["tables"]:
-            if table.name:
-                _parts += ['\\noindent\\textbf{', str(table.name), '}']
-                if table.source:
-                    _parts += [' (', str(table.source), ')']
-                _parts += [':\\par\\nopagebreak\n']
-            _parts += ['\\noindent\\begin{tabular}{@{}', str(table.columns), '@{}}\n\\toprule\n']
-            for row in table.rows:
-                _parts += [str(row), ' \\\\\n']
-            _parts += ['\\bottomrule\n\\end{tabular}\\par\\medskip\n']
+    _parts += [TEMPLATES['latex/tables.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
     _parts += ['\n\\', str(_known["section"]), '*{', str(_known["words"]['lines']), '}\n']
     for line in _known["lines"]:
         if line.label:
@@ -262,6 +252,23 @@ def _report(_known: Mapping[str, Any]) -> str:
     return "".join(_parts)
 
 
+def _tables(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    if _known["tables"]:
+        _parts += ['\n\\', str(_known["section"]), '*{', str(_known["words"]['tables']), '}\n']
+        for table in _known["tables"]:
+            if table.name:
+                _parts += ['\\noindent\\textbf{', str(table.name), '}']
+                if table.source:
+                    _parts += [' (', str(table.source), ')']
+                _parts += [':\\par\\nopagebreak\n']
+            _parts += ['\\noindent\\begin{tabular}{@{}', str(table.columns), '@{}}\n\\toprule\n']
+            for row in table.rows:
+                _parts += [str(row), ' \\\\\n']
+            _parts += ['\\bottomrule\n\\end{tabular}\\par\\medskip\n']
+    return "".join(_parts)
+
+
 def _vectors_abreast(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
     _parts += ['\\begin{longtable}[l]{@{}*{2}{>{\\raggedright\\arraybackslash}p{0.085\\linewidth}>{\\raggedright\\arraybackslash}p{0.19\\linewidth}>{\\raggedright\\arraybackslash}p{0.11\\linewidth}}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' & ', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
@@ -284,5 +291,6 @@ TEMPLATES = {
     "latex/notebook.jinja": _notebook,
     "latex/notebook_note.jinja": _notebook_note,
     "latex/report.jinja": _report,
+    "latex/tables.jinja": _tables,
     "latex/vectors_abreast.jinja": _vectors_abreast,
 }

@@ -4,7 +4,7 @@ A fragment needs amsmath, array, booktabs and longtable; where it holds Cyrillic
 also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple
 
 from ...formula.tree import ZERO
@@ -13,7 +13,7 @@ from ...model.sheets import is_sheet
 from ...report.brief import at_length, needed, relations, short
 from ...report.chosen import chosen
 from ...report.derivation.steps import Derivation, LastStep, Step
-from ...report.evaluated import evaluated, hides_units
+from ...report.evaluated import constants_shown, evaluated, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
@@ -42,7 +42,7 @@ from ...report.sentences.remarks import conditions
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
 from ..render import render
 from ..target import Compiled, Emitted, Options
-from .note import note_report
+from .note import TableBlock, note_report, table_blocks
 from .picture_lines import NONE, Pictures
 
 
@@ -72,6 +72,8 @@ class Report(NamedTuple):
     title: str
     source: str
     parameters: tuple[ParameterRow, ...]
+    words: Mapping[str, str]
+    tables: tuple[TableBlock, ...]
     scheme: tuple[str, ...]
     vectors: tuple[VectorRow, ...]
     position: tuple[PositionBlock, ...]
@@ -188,6 +190,8 @@ def report(
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
+        words=locale.calculation,
+        tables=tuple(table_blocks(mechanism, style)),
         scheme=scheme(mechanism, locale, style),
         vectors=tuple(vector_rows(mechanism, locale, style)),
         position=tuple(_position(section, locale, style) for section in whole.position),
@@ -199,7 +203,9 @@ def report(
         conditions=conditions(mechanism.requires, Speller(style)),
         values=values(full, locale, style),
         of_position=tuple(in_line(item, locale, style) for item in aside),
-        numbers=numbers(derivation.results, {e.left for e in full}, locale, style),
+        numbers=numbers(
+            derivation.results, {*constants_shown(whole), *(e.left for e in full)}, locale, style
+        ),
         check=check(verdict, locale, style),
         remarks=tuple(map(escape, verdict.remarks)),
         pictures=_pictures(compiled, locale, style)

@@ -23,6 +23,7 @@ from ...model.mechanism import (
     Turn,
 )
 from ...model.values import is_constant
+from ...model.written import Written
 from ...units import DIMENSIONS
 from ..definitions import by_letter, literal_unit, takes_usual_g
 from ..languages.locale import Locale
@@ -31,6 +32,7 @@ from .directions import direction, math
 from .friction import friction_sentences
 from .joints import joint_sentences
 from .notation import Notation, name, points, translated
+from .note import side
 from .printer import latex
 from .quantity import length_of, quantity, usual_unit
 from .text import escape
@@ -69,7 +71,8 @@ def _value(parameter: Parameter, locale: Locale, style: Notation) -> str:
     if parameter.value is None:
         return locale.any_value
     if parameter.dependent and not is_constant(parameter):
-        return math(latex(parameter.value, style, parameter.name in style.angles))
+        shown = parameter.written or Written(parameter.value)
+        return math(side(shown, shown.formula, style, parameter.name in style.angles).tex)
     dimension, unit = parameter.dimension, parameter.unit
     value = quantity(parameter.value, dimension, unit, locale, style)
     if parameter.tolerance is None:

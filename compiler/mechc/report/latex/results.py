@@ -20,6 +20,7 @@ from ..sections import Section
 from ..sentences.remarks import asked, heading, is_nameless, ratio, remarks, said
 from .display import LINE, Line, balance, display, vanishing
 from .notation import Notation, name, points, relation_sign
+from .note import alone
 from .numbers import short_derivatives, slope
 from .printer import Box, box, latex, plain
 from .quantity import decimal
@@ -61,10 +62,13 @@ def section_block(section: Section, locale: Locale, style: Notation) -> SectionB
     """
     paragraphs = tuple(_passage(p, locale, style) for p in section.paragraphs)
     units = {n: unit_symbol(unit, locale) for n, unit in section.units.items()}
-    main = _together(section.results, style, locale)
-    main = main or _main(section.results[0], locale, style, units)
+    first = section.results[0]
+    if first.name in section.lines:
+        main = tuple(alone(section.lines[first.name], locale, style))
+    else:
+        main = _together(section.results, style, locale) or _main(first, locale, style, units)
     return SectionBlock(
-        heading(section.results[0], locale, Speller(style)),
+        heading(first, locale, Speller(style)),
         paragraphs,
         (*main, *_where(section.where, locale, style, units)),
         tuple(_findings(r, locale, style) for r in section.results),

@@ -18,6 +18,7 @@ from ...model.mechanism import (
     SpeedRatio,
     WithFriction,
 )
+from ...model.written import WrittenSides
 from ...study.analysis import Analysis, Break, Scope, Trend, Vanishing
 from ..derivation.steps import Paragraph
 from ..languages.locale import Locale
@@ -221,11 +222,12 @@ def conditions(requires: Iterable[Require], spell: Speller) -> str:
     """Return the conditions of use, the links of a chain joined again."""
     chains: list[tuple[tuple[Formula, ...], tuple[str, ...]]] = []
     for require in requires:
-        if chains and chains[-1][0][-1] == require.left:
+        shown = require.written or WrittenSides(require.left, require.right)
+        if chains and chains[-1][0][-1] == shown.left:
             sides, signs = chains.pop()
-            chains.append(((*sides, require.right), (*signs, require.operator)))
+            chains.append(((*sides, shown.right), (*signs, require.operator)))
         else:
-            chains.append(((require.left, require.right), (require.operator,)))
+            chains.append(((shown.left, shown.right), (require.operator,)))
     return ", ".join(
         spell.relation(sides, signs, any(is_angle(s, spell.angles) for s in sides))
         for sides, signs in chains

@@ -40,9 +40,11 @@ def render(
     if is_sheet(mechanism):
         return note.render(mechanism, derivation.results, spell)
     whole = outline(derivation, mechanism)
+    tables = note.tables(mechanism, spell)
     lines = [
         *_title(mechanism, spell),
         *_given(mechanism, spell),
+        *(["", *tables] if tables else []),
         *_conventions(whole, mechanism, spell),
         *_position(whole.position, spell),
     ]
@@ -86,7 +88,7 @@ def render_brief(
     results = _equations(needed(derivation), spell)
     for section in whole.results:
         results += _equations([e for p in section.paragraphs for e in p.equations], spell)
-        results += [line for r in section.results for line in _result(r, spell, section.units)]
+        results += [line for r in section.results for line in _result(r, spell, section)]
         results += _where(section.literals, section.where, spell, section.units)
     parts = [_title(mechanism, spell), position, _equations(relations(derivation), spell), results]
     text = "\n\n".join("\n".join(part) for part in parts if part) + "\n"
@@ -186,7 +188,9 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
     if section.paragraphs:
         yield f"     {spell.locale.hence}"
     for result in section.results:
-        yield from _result(result, spell, section.units)
+        if result.name in section.lines and (label := section.lines[result.name].label):
+            yield from spell.wrapped(f"{spell.text(label)}:", "     ")
+        yield from _result(result, spell, section)
     if section.where:
         yield f"     {spell.locale.where}"
         yield from _where((), section.where, spell, section.units)
@@ -197,12 +201,14 @@ def _section(section: Section, spell: Speller) -> Iterator[str]:
             yield from spell.wrapped(remark, "   - ")
 
 
-def _result(result: Analysis, spell: Speller, units: Mapping[str, str]) -> list[str]:
+def _result(result: Analysis, spell: Speller, section: Section) -> list[str]:
+    if line := section.lines.get(result.name):
+        return spell.broken(spell.units(note.formula_alone(line, spell)))
     asked_for = ratio(result)
     left = (asked(result),) if is_nameless(result) or not asked_for else (asked(result), asked_for)
     angle = result.dimension == ANGLE or is_angle(result.formula, spell.angles)
     whole = spell.relation((*left, result.formula), ("=",) * len(left), angle)
-    return spell.broken(whole + _unit(result.name, units, spell))
+    return spell.broken(whole + _unit(result.name, section.units, spell))
 
 
 def _unit(name: str, units: Mapping[str, str], spell: Speller) -> str:

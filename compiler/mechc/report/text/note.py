@@ -5,15 +5,17 @@ from typing import NamedTuple
 
 from ...formula.choices import is_choice
 from ...formula.layout import is_angle
+from ...formula.to_text import text
 from ...formula.tree import Formula
 from ...formula.walk import evaluate
 from ...frozen import replace
 from ...model.mechanism import Mechanism, Parameter
 from ...model.result import Result
 from ...model.values import is_constant
+from ...model.written import Written, WrittenTable
 from ...units import ANGLE, in_unit, si_unit
 from ..languages.registry import locale
-from ..note import Note, NoteCheck, NoteLine, note
+from ..note import NoteCheck, NoteLine, note
 from .printer import ASCII, Signs, print_formula, print_name
 from .speller import SHOWN, Speller
 
@@ -34,9 +36,9 @@ def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> s
     words = spell.locale.calculation
     title = mechanism.title or mechanism.name, mechanism.source
     parts = [
-        [spell.text(text) for text in title if text],
+        [spell.text(part) for part in title if part],
         given(mechanism.parameters, spell),
-        _headed(words["tables"], [*_tables(found, signs)], spell),
+        tables(mechanism, spell),
         _headed(words["lines"], [_line(one, signs, words, True) for one in found.lines], spell),
         _headed(words["checks"], [_check(check, signs, words) for check in found.checks], spell),
     ]
@@ -81,7 +83,8 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
     if parameter.value is None:
         said = spell.locale.any_value
     elif parameter.dependent and not is_constant(parameter):
-        said = print_formula(parameter.value, signs, parameter.name in signs.angles)
+        shown = parameter.written or Written(parameter.value)
+        said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
     else:
         said = in_unit(evaluate(parameter.value, {}), unit, SHOWN)
     if parameter.range:
@@ -91,21 +94,50 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
     return Row(f"{print_name(parameter.name, signs)} = {said}", parameter.label)
 
 
-def _tables(found: Note, signs: Signs) -> Iterator[Row]:
-    for table in found.tables:
-        rows = (": ".join(_set(cell, signs) for cell in row) for row in table.rows)
-        yield Row(f"{table.name} = {', '.join(rows)}", table.source)
+def _tables(mechanism: Mechanism, signs: Signs) -> list[Row]:
+    return [_table(table, signs) for table in mechanism.tables]
+
+
+def _table(table: WrittenTable, signs: Signs) -> Row:
+    rows = (": ".join(_set(cell, signs) for cell in row) for row in table.rows)
+    return Row(f"{table.name} = {', '.join(rows)}", table.source)
 
 
 def _set(formula: Formula, signs: Signs) -> str:
     return print_formula(formula, signs, is_angle(formula, signs.angles))
 
 
+def formula_alone(line: NoteLine, spell: Speller) -> str:
+    """Return a formula of the user's own as it is written."""
+    bare, words = line._replace(value=None), spell.locale.calculation
+    return _line(bare, spell.signs, words, in_numbers=False).said
+
+
+def in_language(line: NoteLine) -> str:
+    """Return a formula of the user's own as the language has it, and its text."""
+    assert line.formula
+    inner = text(line.formula)
+    match line.kind:
+        case "table":
+            said = f"{line.of} at {inner}"
+        case "list":
+            said = f"next {inner} in {line.of}"
+        case "":
+            said = inner
+    return f"{said}  # {line.label}" if line.label else said
+
+
+def tables(mechanism: Mechanism, spell: Speller) -> list[str]:
+    """Return tables and lists of sizes, under their heading."""
+    return _headed(spell.locale.calculation["tables"], _tables(mechanism, spell.signs), spell)
+
+
 def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
     """Return a formula, the numbers put in if they are wanted, and what it comes to."""
-    sides = [_asked(line, line.formula, signs)] if line.formula else []
+    angle = line.dimension == ANGLE
+    sides = [_asked(line, line.formula, signs, angle)] if line.formula else []
     if in_numbers and line.numbers:
-        sides.append(_asked(line, line.numbers, signs))
+        sides.append(_asked(line, line.numbers, signs, angle))
     constant = not line.of and line.numbers is None and line.is_number
     if line.value and not constant:
         sides.append(line.value.text(SHOWN))
@@ -115,9 +147,9 @@ def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
     return Row(f"{print_name(line.name, signs)} = {' = '.join(sides)}{decides}", line.label)
 
 
-def _asked(line: NoteLine, formula: Formula, signs: Signs) -> str:
+def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool) -> str:
     """Return a formula, or what is asked of a table or list."""
-    inner = print_formula(formula, signs, line.dimension == ANGLE and not line.of)
+    inner = print_formula(formula, signs, angle and not line.of)
     match line.kind:
         case "table":
             return f"{line.of} at {inner}"

@@ -112,7 +112,10 @@ class _Terminal(Typesetter[str]):
         return self.signs.pi
 
     def name(self, name: str) -> str:
-        return name if name[0] in "0123456789.-(" else print_name(name, self.signs)
+        if name[0] in "0123456789.-(":
+            written = name.replace(" deg", self.signs.degree)
+            return written.replace("*", "·") if self.signs.fancy else written
+        return print_name(name, self.signs)
 
     def parentheses(self, inner: str) -> str:
         return f"({inner})"
@@ -193,9 +196,14 @@ DIFFERENTIAL = Symbol("d")
 
 
 def _is_letter(factor: Formula) -> bool:
-    """Return whether a factor may stand close: a number, a letter, a letter's power."""
+    """Return whether a factor may stand close: a number, a letter, a letter's power.
+
+    A number as it is written, ``5 mm``, may not: behind another one it would be read with it.
+    """
     base = factor.base if isinstance(factor, Power) else factor
     if isinstance(base, Symbol):
+        if base.name[0].isdigit():
+            return False
         head, _, indices = split_name(base.name)
         return (head in GREEK or len(head) == 1) and all(map(str.isdigit, indices))
     return isinstance(base, Number | Pi)

@@ -1,0 +1,81 @@
+"""The formulas of calculation sheets, and those of the user's own in mechanisms, as displays."""
+
+from collections.abc import Iterator, Mapping
+
+from ...formula.tree import Formula, Symbol
+from ...model.written import Written
+from ...units import ANGLE
+from ..languages.locale import Locale
+from ..note import NoteLine
+from ..put_in import Quantity
+from .directions import math
+from .display import LINE, Line, display
+from .notation import Notation, translated
+from .printer import Box, box, latex, plain, row
+from .quantity import in_unit
+from .text import escape
+
+
+def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
+    """Yield the text of a formula, the formula as it is written, and what there is to say of it."""
+    if line.label:
+        yield rf"\noindent {translated(line.label, style)}:"
+    assert line.formula
+    left, angle = box(Symbol(line.name), style), line.dimension == ANGLE
+    if line.of:
+        shown = side(line, line.formula, style, angle)
+        yield rf"\[ \boxed{{{left.tex}={shown.tex}}} \]"
+    else:
+        yield display((Line(left, line.formula, angle),), style, locale.where, boxed=True)
+    if said := remark(line, locale.calculation, style):
+        yield rf"\noindent ({said})\par"
+
+
+def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
+    """Return which list a size is of, and which of several things decides."""
+    remarks = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
+    if line.decides:
+        remarks.append(words["decides"].format(formula=math(latex(line.decides, style))))
+    return "; ".join(remarks)
+
+
+def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
+    """Return a formula, the numbers put in and what it comes to, as one display."""
+    left = box(Symbol(line.name), style)
+    if line.kind == "list" and line.formula and line.value and line.asked:
+        found, asked = measure(line.value, style), measure(line.asked, style)
+        needed = box(line.formula, style)
+        return rf"\[ {left.tex}={found.tex}\geq {needed.tex}={asked.tex} \]"
+    angle = line.dimension == ANGLE
+    formulas = (line.formula, line.numbers)
+    sides = [side(line, formula, style, angle) for formula in formulas if formula]
+    if line.value and not line.is_number:
+        sides.append(measure(line.value, style))
+    if line.formula and max(side.width for side in sides) > LINE:
+        return _broken(line, line.formula, left, sides[-1], where, style)
+    if left.width + sum(side.width + 1.2 for side in sides) <= LINE or len(sides) == 1:
+        return rf"\[ {'='.join(side.tex for side in (left, *sides))} \]"
+    rows = r" \\ ".join(rf"&={side.tex}" for side in sides)
+    return rf"\begin{{align*}} {left.tex}{rows} \end{{align*}}"
+
+
+def _broken(
+    line: NoteLine, formula: Formula, left: Box, value: Box, where: str, style: Notation
+) -> str:
+    """Return a formula that no line holds, broken, and what it comes to, without the numbers."""
+    broken = display((Line(left, formula, line.dimension == ANGLE),), style, where)
+    return f"{broken}\n\\[ {left.tex}={value.tex} \\]" if line.value else broken
+
+
+def side(line: NoteLine | Written, formula: Formula, style: Notation, angle: bool) -> Box:
+    """Return a formula; of a table its name, applied to what it is asked for."""
+    if not line.of:
+        return box(formula, style, angle)
+    inner = box(formula, style)
+    name = plain(rf"\text{{{escape(line.of)}}}")
+    return row((name, Box(rf"\left({inner.tex}\right)", inner.width + 1.0, inner.tall)))
+
+
+def measure(quantity: Quantity, style: Notation) -> Box:
+    """Return a value in its unit."""
+    return plain(in_unit(quantity.value, quantity.unit, style, style))
