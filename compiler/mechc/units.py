@@ -251,10 +251,11 @@ COMPOUNDS = """
     N*m N*mm N*cm kN*m kN*mm daN*m kgf*m kgf*cm kgf*mm
     lbf*ft ft*lbf lbf*in in*lbf ozf*in in*ozf
     N/mm^2 N/cm^2 N/m^2 kN/m^2 kgf/cm^2 kgf/mm^2 lbf/in^2
+    N*m/rad N*mm/rad N*cm/rad lbf*in/rad
     N/m N/cm N/mm kN/m kN/mm kgf/cm kgf/mm lbf/in lbf/ft
     m/s mm/s cm/s km/h m/min mm/min in/s in/min ft/s ft/min
     m/s^2 mm/s^2 cm/s^2 in/s^2 ft/s^2
-    rad/s deg/s °/s rev/s rev/min 1/s 1/min 1/m 1/mm 1/in
+    rad/s deg/s °/s rev/s rev/min rad/m rad/mm 1/s 1/min 1/m 1/mm 1/in
 """
 """The units made of others that are read behind a number, the usual ones only.
 

@@ -130,3 +130,15 @@ def test_formulas_stay_as_they_are_written(formula: str, shown: str) -> None:
     text = f"sheet s\nparam d = 20 mm\nlet z = d - 25 mm\nlet x = {formula}\n"
     compilation = mechc.loads(text)._compilation
     assert shown in render(compilation.derivation, compilation.mechanism)
+
+
+def test_units_that_are_asked_for_and_angles_in_them() -> None:
+    text = (
+        "sheet s\nparam c = 5 N*m/rad\nparam g = 2 rad/m\nparam x = 0.1 m\nlet t = 360 deg/6\n"
+        "let M = c*t\nlet phi = g*x in deg\nlet q = 12 l/min in m^3/s\n"
+    )
+    compilation = mechc.loads(text)._compilation
+    said = [s.strip() for s in render(compilation.derivation, compilation.mechanism).splitlines()]
+    assert "M = ct = 5 N·m/rad · 60° = 5.23599 N*m" in said
+    assert "φ = gx = 2 rad/m · 0.1 m = 11.4592°" in said
+    assert "q = 12 l/min = 0.0002 m^3/s" in said

@@ -64,14 +64,22 @@ class _Units:
             self._in_text.setdefault(text(line.span), []).extend(_units(line))
 
     def given(
-        self, name: str, dimension: Dimension, line: Iterable[str], rests_on: Iterable[str]
+        self,
+        name: str,
+        asked: str,
+        dimension: Dimension,
+        line: Iterable[str],
+        rests_on: Iterable[str],
     ) -> str:
-        """Return, and note, the unit of a quantity whose line has units and mentions names.
+        """Return, and note, the unit of a quantity: the one ``asked`` for, if any.
+
+        Else that of what its line has units of, and mentions, comes first.
 
         Degrees for an angle where there is none, a power of a unit of length for an area or the
         like, else ''.
         """
-        unit = self.first(dimension, line, rests_on, self._text_of.get(name, 0))
+        text = self._text_of.get(name, 0)
+        unit = asked or self.first(dimension, line, rests_on, text)
         self._known[name] = unit or si_unit(dimension)
         return unit
 
@@ -100,8 +108,7 @@ def _parameter(parameter: Parameter, line: Line | None, text: Callable[[Line], s
 
 def _let(let: Let, line: Line, units: _Units, text: Callable[[Line], str]) -> Let:
     assert isinstance(line, ast.Let)
-    named = [let.unit] if let.unit else []
-    unit = units.given(let.name, let.dimension, [*named, *_units(line)], symbols(let.value))
+    unit = units.given(let.name, let.unit, let.dimension, _units(line), symbols(let.value))
     return replace(let, unit=unit, label=text(line), written=written.let_value(line.value))
 
 
@@ -114,7 +121,7 @@ def _taken(file: ast.File, lets: Iterable[Let], units: _Units) -> Iterator[Taken
                 before += name.text in known
             case ast.Taken(name=name, measures=dimension, rests_on=used, remark=remark):
                 rests_on = [symbol.name for symbol in used]
-                unit = units.given(name.text, dimension, (), rests_on)
+                unit = units.given(name.text, "", dimension, (), rests_on)
                 yield Taken(name.text, dimension, name.span, before, unit, remark)
 
 
@@ -147,4 +154,5 @@ def _powers(units: Iterable[str], dimension: Dimension) -> Iterator[str]:
 
 
 def _measures(unit: str, dimension: Dimension) -> bool:
-    return unit in UNITS and UNITS[unit].dimension == dimension
+    """Return whether a unit is one to give a quantity in: ``N*m/rad`` measures no torque."""
+    return unit in UNITS and UNITS[unit].dimension == dimension and not unit.endswith("/rad")

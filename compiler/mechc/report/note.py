@@ -15,6 +15,7 @@ from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
 from ..model.values import Chain, defaults, dependent, usual_length
 from ..study.analysis import as_printed
+from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
 from .put_in import Quantity, put_in, usual_unit
 
@@ -41,8 +42,12 @@ class NoteLine(NamedTuple):
 
     @property
     def is_number(self) -> bool:
-        """Return whether the formula is a number alone: a constant."""
-        return not self.kind and isinstance(self.formula, Number | Constant)
+        """Return whether the formula is a number alone, in the unit of its value: a constant."""
+        if self.kind or not isinstance(self.formula, Number | Constant):
+            return False
+        if isinstance(self.formula, Number) or self.value is None:
+            return True
+        return split_quantity(self.formula.name)[1] in ("", self.value.unit)
 
 
 class NoteCheck(NamedTuple):

@@ -6,7 +6,7 @@ from fractions import Fraction
 from typing import NamedTuple
 
 from ..formula.layout import TRIGONOMETRIC
-from ..formula.tree import Call, Constant, Formula, Number, Power, Symbol, degrees
+from ..formula.tree import Call, Constant, Formula, Number, Power, Product, Symbol, degrees
 from ..formula.typesetting import HALF
 from ..formula.walk import children, evaluate, rebuild, symbols
 from ..units import ANGLE, LENGTH, Dimension, in_unit, si_unit
@@ -57,6 +57,8 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             return Call(function, tuple(_argument(a, given) for a in arguments))
         case Constant():
             return formula
+        case Product(factors) if sum(bool(symbols(f)) for f in factors) > 1:
+            return Product(tuple(_factor(factor, given) for factor in factors))
         case Symbol(name) if given[name].unit == "deg":
             return in_degrees(given[name].value, DIGITS)
         case Symbol(name):
@@ -71,6 +73,13 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
             parts = children(formula)
             found = tuple(put_in(part, given) for part in parts)
             return rebuild(formula, found) if parts else formula
+
+
+def _factor(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
+    """Return a factor in numbers; an angle among others is one by itself, not so many pi."""
+    if isinstance(formula, Symbol) and not isinstance(formula, Constant):
+        return _constant(given[formula.name], bracketed=given[formula.name].value < 0)
+    return put_in(formula, given)
 
 
 def _argument(formula: Formula, given: Mapping[str, Quantity]) -> Formula:

@@ -16,6 +16,7 @@ from ...model.written import Written, WrittenTable
 from ...units import ANGLE, in_unit, si_unit
 from ..languages.registry import locale
 from ..note import NoteCheck, NoteLine, note
+from ..put_in import Quantity
 from .printer import ASCII, Signs, print_formula, print_name
 from .speller import SHOWN, Speller
 
@@ -140,7 +141,7 @@ def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
         sides.append(_asked(line, line.numbers, signs, angle))
     constant = not line.of and line.numbers is None and line.is_number
     if line.value and not constant:
-        sides.append(line.value.text(SHOWN))
+        sides.append(_value(line.value, signs))
     decides = (
         f" ({words['decides'].format(formula=_set(line.decides, signs))})" if line.decides else ""
     )
@@ -159,12 +160,16 @@ def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool
             return f"({inner})" if is_choice(formula) else inner
 
 
+def _value(quantity: Quantity, signs: Signs) -> str:
+    return quantity.text(SHOWN).replace(" deg", signs.degree)
+
+
 def _check(check: NoteCheck, signs: Signs, words: Words) -> Row:
     operator = f" {signs.relations.get(check.operator, check.operator)} "
     said = operator.join(_set(side, signs) for side in (check.left, check.right))
     if check.values is None:
         return Row(f"{said}: {words['unknown']}", check.label)
-    said += f": {operator.join(side.text(SHOWN) for side in check.values)}"
+    said += f": {operator.join(_value(side, signs) for side in check.values)}"
     if check.reserve is not None:
         least = f", {words['least of all']}" if check.decides else ""
         said += f", {words['reserve'].lower()} {check.reserve:.3g}{least}"
