@@ -17,7 +17,8 @@ def shown(value: float, axis: Axis, digits: int = 4) -> str:
     '−28.65°'
     """
     number = f"{value / axis.size:.{digits}g}".replace("-", "−")
-    return f"{number}{behind('°' if axis.unit == 'deg' else axis.unit)}"
+    unit = "°" if axis.unit == "deg" else axis.unit.replace("*", "·")
+    return f"{number}{behind(unit.replace('^2', '²').replace('^3', '³'))}"
 
 
 def describe(plot: Plot, words: Words) -> str:

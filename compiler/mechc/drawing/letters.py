@@ -7,7 +7,7 @@ from typing import NamedTuple
 from ..frozen import replace
 from .drawing import Drawing, Run
 
-_BEHIND_A_NUMBER = re.compile(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[*·/^][A-Za-z0-9]+)*")
+_BEHIND_A_NUMBER = re.compile(r"(?<=\d[ \u2009])[A-Za-zµ]+(?:[²³]?[*·/^][A-Za-z0-9]+)*")
 _WORD = re.compile(r"[^\W\d_]+")
 _POINT = re.compile(r"(?<=\d)\.(?=\d)")
 

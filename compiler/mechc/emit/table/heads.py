@@ -5,6 +5,8 @@ import math
 from ...drawing.describe_plot import shown as in_words
 from ...plot.plot import Column
 
+_IN_ASCII = {"−": "-", "°": " deg", "·": "*", "²": "^2", "³": "^3"}
+
 
 def head(column: Column) -> str:
     """Return the name of a column, its setting and its unit: ``k (beta = 10 deg) [mm]``."""
@@ -17,10 +19,12 @@ def head(column: Column) -> str:
 def plain(text: str) -> str:
     """Return a value in ASCII.
 
-    >>> plain("−2.5°")
-    '-2.5 deg'
+    >>> plain("−2.5°"), plain("3 kN·m²")
+    ('-2.5 deg', '3 kN*m^2')
     """
-    return text.replace("−", "-").replace("°", " deg")
+    for sign, written in _IN_ASCII.items():
+        text = text.replace(sign, written)
+    return text
 
 
 def values(column: Column) -> list[float | None]:
