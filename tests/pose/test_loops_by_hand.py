@@ -9,7 +9,9 @@ from mechc.formula.tree import ZERO, Call, Symbol, number, product
 from mechc.formula.walk import evaluate
 from mechc.model.values import completed
 from mechc.pose.loops.continuation import given_rates, moved_by
-from mechc.pose.loops.dyads import Group
+from mechc.pose.loops.dyad_closures import dyad
+from mechc.pose.loops.dyad_sides import Sides
+from mechc.pose.loops.dyads import Loop
 from mechc.pose.loops.margins import in_closed_form
 from mechc.pose.loops.rates import loop_rates, rate
 from mechc.pose.loops.triangle import along, common_turn, heron, principal
@@ -30,9 +32,10 @@ def edge(tail, head, *arms):
 def closures(cycle, *unknown, kept=(), fixed=("O", "Q")):
     """Return the group of a loop and each of its closures as numbers of all names."""
     names = frozenset(unknown)
-    group = Group(cycle, names, frozenset(kept), frozenset(fixed), lambda name: name, VALUES)
+    sides = Sides(lambda name: name, frozenset(kept), frozenset(fixed), VALUES)
+    group = dyad(Loop.of(cycle, names), sides)
     found = []
-    for closure in group.closures() or ():
+    for closure in group.closures if group else ():
         known = completed(VALUES, closure.definitions)
         turned = {n: a.evaluate(known) for n, a in closure.directions.items()}
         found.append({**known, **turned})

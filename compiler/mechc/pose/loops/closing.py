@@ -29,7 +29,9 @@ from ..vectors import Vectors
 from .branches import branches
 from .choosing import Choice
 from .drawn import start
-from .dyads import Group
+from .dyad_closures import dyad
+from .dyad_sides import Sides
+from .dyads import Loop
 from .groups import NOTHING, Open, closures, left_open, remaining_blocks
 from .guide_lines import GuideLine, guide_lines
 from .margins import in_closed_form, iterated
@@ -254,16 +256,16 @@ class _Closing:
             return self._fit(next(iter(wanted)), cycle)
         state = self._state
         name, base, found = state.free_name, state.base, state.definitions
-        group = Group(cycle, wanted, state.named, self._fixed, name, base, state.signed, found)
-        ways = group.closures()
-        if not ways:
+        sides = Sides(name, state.named, self._fixed, base, state.signed, found)
+        group = dyad(Loop.of(cycle, wanted), sides)
+        if group is None:
             return False
         self._check_values(cycle)
         familiar = self._familiar(cycle)
-        candidates = [state.recognised(c, wanted, familiar) for c in ways]
+        candidates = [state.recognised(c, wanted, familiar) for c in group.closures]
         chosen = self._choice.choose(candidates, group, within)
         state.limits += [group.limit] if group.limit else []
-        if group.root is not None and any(chosen is way for way in ways):
+        if group.root is not None and any(chosen is each for each in group.closures):
             state.loops.append(in_closed_form(loop_name(cycle), chosen.definitions, group.root))
         points = group.triples()[0] if group.kind == "triangle" else points_around(cycle)
         side = tuple(arm for edge in cycle for arm in edge.arms)

@@ -1,0 +1,272 @@
+"""Assur groups of two links in closed form, all five kinds of them.
+
+A loop ``D + X + Y = 0`` has a known part D and two unknowns. Their kinds give the
+group: two directions (RRR), a direction and a length along a known one (RRP, and RPR with
+the guide on a moving link), a direction and a length that turns with it (RPR, the
+oscillating cylinder), two lengths (PRP, RPP). Each has at most two closures, told apart
+by the sign of one root.
+
+Accuracy: the angles of a triangle with sides d, p, q come from the product of the four
+factors d + p + q, p + q − d … (Heron; Kahan, Miscalculating Area and Angles of a
+Needle-like Triangle, 2014), which has no cancellation where the triangle is nearly flat.
+"""
+
+from collections.abc import Callable, Iterable, Iterator, Mapping
+
+from ...algebra.angle import Angle
+from ...algebra.factors import Length
+from ...algebra.product import Product
+from ...algebra.sums import add
+from ...algebra.trigonometry import cosine, sine
+from ...formula.tree import Call, Formula, negative, product, total
+from ...frozen import replace
+from ..pose import Arm, Definition, Limit, gathered
+from .dyad_sides import HALF_TURN, Sides
+from .dyads import Closure, Dyad, Loop, Reaching, Turning
+from .triangle import along, heron, principal
+from .vector_graph import loop_name, mentioned
+
+QUARTER = Angle.constant(90)
+
+
+def dyad(loop: Loop, sides: Sides) -> Dyad | None:
+    """Return how a loop closes; None for one of another kind."""
+    found = _dyad(loop, sides)
+    if found is None or not found.closures:
+        return None
+    closures = (_with(sides.definitions, closure) for closure in found.closures)
+    return replace(found, closures=tuple(closures))
+
+
+def _with(shared: Iterable[Definition], closure: Closure) -> Closure:
+    return closure._replace(definitions=(*shared, *closure.definitions))
+
+
+def _dyad(loop: Loop, sides: Sides) -> Dyad | None:
+    match _parts(loop, sides):
+        case [first, second], []:
+            return _triangle(loop, *_grounded_last(first, second, loop, sides), sides)
+        case [turn], [reach] if turn.name not in mentioned((Arm(reach.scale, reach.direction),)):
+            return _guided(loop, turn, reach, sides)
+        case [turn], [reach]:
+            return _sliding(loop, turn, reach, sides)
+        case [], [reach] if len(loop.unknown) == 2:
+            bare = _bare(loop, reach)
+            return _sliding(loop, bare, reach, sides) if abs(bare.sense) == 1 else None
+        case [], [first_reach, second_reach]:
+            return _two_lengths(loop, first_reach, second_reach, sides)
+        case _:
+            return None
+
+
+def _bare(loop: Loop, reach: Reaching) -> Turning:
+    """Return a part of no length that turns with what is reached along."""
+    (name,) = loop.unknown - {reach.name}
+    return Turning(name, int(dict(reach.direction.terms).get(name, 0)), Product(0), Angle())
+
+
+def _parts(loop: Loop, sides: Sides) -> tuple[list[Turning], list[Reaching]]:
+    """Return the arms of unknown angle and of unknown length; none where others are there."""
+    turns: dict[str, list[Arm]] = {}
+    reaches: dict[str, Reaching] = {}
+    for arm in loop.moving:
+        lengths = [n for n in sorted(loop.unknown) if Length(n) in arm.length.factors]
+        angles = [n for n, _ in arm.angle.terms if n in loop.unknown]
+        if lengths:
+            scale = arm.length / Product.symbol(lengths[0])
+            again = lengths[0] in reaches
+            if again or not loop.unknown.isdisjoint(mentioned((Arm(scale, Angle()),))):
+                return [], []
+            reaches[lengths[0]] = Reaching(lengths[0], scale, arm.angle)
+        elif len(angles) == 1:
+            turns.setdefault(angles[0], []).append(arm)
+        else:
+            return [], []
+    turning = [_turning(name, arms, sides) for name, arms in sorted(turns.items())]
+    if any(t is None for t in turning):
+        return [], []
+    return [t for t in turning if t], list(reaches.values())
+
+
+def _turning(name: str, arms: list[Arm], sides: Sides) -> Turning | None:
+    senses = {dict(arm.angle.terms)[name] for arm in arms}
+    sense = senses.pop()
+    if senses or abs(sense) != 1:
+        return None
+    within = gathered(Arm(a.length, a.angle - Angle.of(name) * sense) for a in arms)
+    size, offset = sides.polar(within, f"r_{name}")
+    return Turning(name, int(sense), size, offset)
+
+
+def _grounded_last(
+    first: Turning, second: Turning, loop: Loop, sides: Sides
+) -> tuple[Turning, Turning]:
+    """Put the part that hangs on a pivot last: the direction of the coupler is named."""
+
+    def is_on_pivot(turn: Turning) -> bool:
+        edges = [e for e in loop.cycle if turn.name in mentioned(e.arms)]
+        return any(p in sides.fixed for e in edges for p in (e.tail, e.head))
+
+    return (second, first) if is_on_pivot(first) > is_on_pivot(second) else (first, second)
+
+
+# --------------------------------------------------------------------------- two turns
+
+
+def _triangle(loop: Loop, first: Turning, second: Turning, sides: Sides) -> Dyad | None:
+    """RRR: a triangle of three known sides d, p, q."""
+    if not loop.known:
+        return None
+    d, psi = sides.known_side(loop, positive=True)
+    p, q = first.size, second.size
+    area = heron(d, p, q)
+    base, tip = (
+        Call("atan2", (area, add([a * a, b * b, -(c * c)]).formula()))
+        for a, b, c in ((d, p, q), (p, q, d))
+    )
+    mu = sides.angle("mu", loop.inner_pin() or first.name, tip)
+    outside = first.angle_at(psi + HALF_TURN)
+    closures = tuple(
+        _hinged(loop, (first, second), (outside, -sense * first.sense, base), mu * sense, sides)
+        for sense in (1, -1)
+    )
+    limit = Limit(loop_name(loop.cycle), "triangle", loop.known, (p, q))
+    return Dyad(loop, "triangle", closures, limit, area)
+
+
+def _hinged(
+    loop: Loop,
+    turns: tuple[Turning, Turning],
+    lead: tuple[Angle, int, Formula],
+    inner_angle: Angle,
+    sides: Sides,
+) -> Closure:
+    """Return a closure of a triangle: the angle at its base names or gives a direction."""
+    (first, second), (outside, sign, base) = turns, lead
+    if len(loop.known) > 1 or first.name in sides.kept:
+        turn = base if sign > 0 else negative(base)
+        named = [Definition(first.name, total([outside.formula(), turn]))]
+        other = second.angle_at(first.direction + HALF_TURN - inner_angle)
+        return _closure(named, {second.name: other}, sides)
+    gamma = sides.angle("gamma", loop.base_point() or first.name, base)
+    angle = principal(outside + gamma * sign)
+    direction = first.direction.put({first.name: angle})
+    other = second.angle_at(direction + HALF_TURN - inner_angle)
+    return _closure([], {first.name: angle, second.name: other}, sides)
+
+
+# -------------------------------------------------------------------- a turn and a length
+
+
+def _guided(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad:
+    """RRP: the part that turns spans the distance to the line that is reached along."""
+    height = along(loop.known, reach.direction + QUARTER)
+    sine_of = -(height / turn.size)
+    flip = -1 if sine_of.coefficient < 0 else 1
+    inclination = Call("asin", (sine_of.scaled(flip).formula(),))
+    limit = Limit(loop_name(loop.cycle), "guide", (), (turn.size, height))
+    lean = _inclined if turn.name in sides.kept else _leaning(sides.name(_beta(turn.name)))
+    closures = []
+    for forward in (True, False):
+        named, direction, put = lean(turn, reach.direction, flip, forward, inclination)
+        behind = (*loop.known, Arm(turn.size, direction))
+        length = _reach(reach, -along(behind, reach.direction))
+        closures.append(_closure([named, length], put, sides))
+    return Dyad(loop, "guide", tuple(closures), limit, inclination)
+
+
+Lean = tuple[Definition, Angle, Mapping[str, Angle]]
+"""What is defined, the direction of the part that turns, and what is put in for an unknown."""
+
+
+def _inclined(turn: Turning, line: Angle, flip: int, forward: bool, inclination: Call) -> Lean:
+    """Return how a part turns whose direction the user named: by that name."""
+    start = turn.angle_at(line if forward else line + HALF_TURN)
+    sign = flip * turn.sense * (1 if forward else -1)
+    lean = inclination if sign > 0 else negative(inclination)
+    return Definition(turn.name, total([start.formula(), lean])), turn.direction, {}
+
+
+def _leaning(name: str) -> Callable[[Turning, Angle, int, bool, Call], Lean]:
+    """Return how a part turns by its inclination to the line, which has this name."""
+
+    def lean(turn: Turning, line: Angle, flip: int, forward: bool, inclination: Call) -> Lean:
+        by = Angle.of(name) * flip
+        direction = line + by if forward else line + HALF_TURN - by
+        return Definition(name, inclination), direction, {turn.name: turn.angle_at(direction)}
+
+    return lean
+
+
+def _sliding(loop: Loop, turn: Turning, reach: Reaching, sides: Sides) -> Dyad | None:
+    """RPR: the part that is reached along turns with the unknown direction."""
+    if not loop.known:
+        return None
+    gamma = reach.direction - Angle.of(turn.name) * turn.sense
+    lean = turn.offset - gamma
+    across, ahead = turn.size * sine(lean), turn.size * cosine(lean)
+    d, psi = sides.known_side(loop, positive=bool(across))
+    limit = Limit(loop_name(loop.cycle), "slot", loop.known, (across,))
+    if not across:
+        closures = tuple(
+            _closure(
+                [_reach(reach, add([side, -ahead]))],
+                {turn.name: _aligned(turn, way - gamma)},
+                sides,
+            )
+            for side, way in ((d, psi + HALF_TURN), (-d, psi))
+        )
+        return Dyad(loop, "aligned", closures, limit)
+    root = _difference_of_squares(d.formula(), across.formula())
+    lead = _aligned(turn, psi + HALF_TURN - gamma).formula()
+    return Dyad(loop, "slot", tuple(_slid(turn, reach, (across, ahead), root, lead)), limit, root)
+
+
+def _slid(
+    turn: Turning, reach: Reaching, arm: tuple[Product, Product], root: Call, lead: Formula
+) -> Iterator[Closure]:
+    """Yield the closures of a slot whose line passes a pivot at a distance."""
+    across, ahead = (part.formula() for part in arm)
+    for stem in (root, negative(root)):
+        size = product([(total([stem, negative(ahead)]), 1), (reach.scale.formula(), -1)])
+        offset = Call("atan2", (across, stem))
+        angle = total([lead, negative(offset) if turn.sense > 0 else offset])
+        yield Closure((Definition(reach.name, size), Definition(turn.name, angle)), {})
+
+
+def _difference_of_squares(a: Formula, b: Formula) -> Call:
+    """Return √(a² − b²) by its factors, without cancellation where they are nearly equal."""
+    return Call("sqrt", (product([(total([a, negative(b)]), 1), (total([a, b]), 1)]),))
+
+
+# ---------------------------------------------------------------------------- two lengths
+
+
+def _two_lengths(loop: Loop, first: Reaching, second: Reaching, sides: Sides) -> Dyad | None:
+    """PRP and RPP: two lengths along known directions."""
+    angle = sine(first.direction - second.direction)
+    if not angle:
+        return None
+    one = -(along(loop.known, second.direction + QUARTER) / angle)
+    two = along(loop.known, first.direction + QUARTER) / angle
+    closure = _closure([_reach(first, one), _reach(second, two)], {}, sides)
+    return Dyad(loop, "lengths", (closure,))
+
+
+def _closure(definitions: list[Definition], put: Mapping[str, Angle], sides: Sides) -> Closure:
+    """Return a closure; a direction that the user named is defined, others are put in."""
+    named = [Definition(n, a.formula()) for n, a in put.items() if n in sides.kept]
+    return Closure((*definitions, *named), {n: a for n, a in put.items() if n not in sides.kept})
+
+
+def _aligned(turn: Turning, direction: Angle) -> Angle:
+    return principal(direction * turn.sense)
+
+
+def _beta(name: str) -> str:
+    """Return what the inclination is called of a part whose direction has a name."""
+    return f"beta_{name.removeprefix('phi_')}"
+
+
+def _reach(reach: Reaching, length: Product) -> Definition:
+    return Definition(reach.name, (length / reach.scale).formula())

@@ -1,0 +1,80 @@
+"""The sides and angles of a dyad under names, with the definitions that these need."""
+
+from collections.abc import Callable, Iterable
+
+from ...algebra.angle import Angle
+from ...algebra.product import Product
+from ...formula.tree import Call, Formula
+from ..pose import Arm, Definition, Vector, components, gathered
+from ..samples import Values, is_behind
+from .dyads import Loop
+from .triangle import common_turn, is_of_vector
+from .vector_graph import Names, known_span, mentioned
+
+HALF_TURN = Angle.constant(180)
+
+Namer = Callable[[str], str]
+"""Makes a name that nothing else has."""
+
+
+class Sides:
+    """Names sides and angles; ``definitions`` are those that the names given so far need.
+
+    ``kept`` are unknowns that the user named, ``fixed`` the pivots, ``values`` a pose.
+    ``signed`` lengths may be negative somewhere on the stroke; ``defined`` was found before.
+    """
+
+    def __init__(
+        self,
+        name: Namer,
+        kept: Names,
+        fixed: Names,
+        values: Values,
+        signed: Names = frozenset(),
+        defined: Iterable[Definition] = (),
+    ) -> None:
+        self.name, self.kept, self.fixed = name, kept, fixed
+        self._values, self._signed = values, signed
+        self._vectors = {d.name for d in defined if is_of_vector(d.formula)}
+        self.definitions: list[Definition] = []
+
+    def polar(self, vector: Vector, name: str, positive: bool = False) -> tuple[Product, Angle]:
+        """Return a vector as one length and one direction, both named where it is a sum.
+
+        What turns as one body has a direction within it, ``delta``, that does not turn.
+        A difference or a place on a line is turned round where it is negative at the default
+        pose. What must be ``positive`` elsewhere, too, turns round where it passes zero.
+        """
+        if len(vector) == 1 and not (positive and self._may_turn(vector[0].length)):
+            length, angle = vector[0]
+            behind = is_behind(length, [self._values])
+            return (-length, angle + HALF_TURN) if behind else (length, angle)
+        turn = common_turn(vector)
+        within = gathered(Arm(arm.length, arm.angle - turn) for arm in vector)
+        parts = tuple(p.formula() for p in components(within))
+        size = self.name(f"len_{name}")
+        way = self.name(f"delta_{name}" if turn.terms else size.replace("len", "phi", 1))
+        self.definitions.append(Definition(size, Call("hypot", parts)))
+        self.definitions.append(Definition(way, Call("atan2", parts[::-1])))
+        return Product.symbol(size), turn + Angle.of(way)
+
+    def _may_turn(self, length: Product) -> bool:
+        return not self._signed.isdisjoint(mentioned((Arm(length, Angle()),)))
+
+    def known_side(self, loop: Loop, positive: bool) -> tuple[Product, Angle]:
+        """Return the known side of the loop; one that has a name keeps it, whatever leads there."""
+        ends = known_span(loop.cycle, loop.unknown)
+        for tail, head, turn in ((*ends, Angle()), (*ends[::-1], HALF_TURN)) if ends else ():
+            size, way = f"len_{tail}{head}", f"phi_{tail}{head}"
+            if len(loop.known) > 1 and {size, way} <= self._vectors:
+                return Product.symbol(size), Angle.of(way) + turn
+        around = dict.fromkeys(e.tail for e in loop.cycle)
+        name = "".join(ends or around) or "0"
+        return self.polar(loop.known, name, positive)
+
+    def angle(self, letter: str, of: str, formula: Formula) -> Angle:
+        """Return an angle of the triangle under a name of its own."""
+        stem = f"{letter}_{of}"
+        if all(d.formula != formula for d in self.definitions):
+            self.definitions.append(Definition(self.name(stem), formula))
+        return Angle.of(next(d.name for d in self.definitions if d.formula == formula))
