@@ -227,7 +227,7 @@ def test_a_verbose_check_tells_what_is_given_and_what_is_missing(
     assert "error[E" in err
     missing = [" ".join(line.split()) for line in out.splitlines()]
     assert "O1 pivot without a place, on O1A" in missing
-    assert "theta an angle (deg) without a value" in missing
+    assert "theta without a value (deg)" in missing
     assert "AB = b a loop must give its direction" in missing
     assert run("check", "-v", "wrong.mech").out == ""
 

@@ -15,7 +15,7 @@ from mechc.report.languages.letters import letters
 from mechc.report.languages.pictured import EN, RU, TROUBLES, UK
 from mechc.report.languages.registry import locale
 from mechc.source import Source
-from mechc.statics.answers import STANDS, UNBALANCED, UNSETTLED
+from mechc.statics.answers import OPEN, STANDS, UNBALANCED, UNSETTLED
 from mechc.statics.diagrams import CONSTANT, MIXED
 from mechc.statics.solved import SEVERAL
 from readable_drawings import assert_readable, lettering
@@ -145,7 +145,7 @@ def test_names_and_units_are_as_they_are_written():
 
 
 def test_why_there_are_no_forces_is_said_in_three_languages():
-    reasons = {CONSTANT, MIXED, SEVERAL, STANDS, UNBALANCED, UNSETTLED}
+    reasons = {CONSTANT, MIXED, OPEN, SEVERAL, STANDS, UNBALANCED, UNSETTLED}
     assert reasons == set(TROUBLES)
     assert all(reasons <= words.keys() for words in (EN, UK, RU))
 

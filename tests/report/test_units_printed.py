@@ -3,7 +3,7 @@
 import pytest
 
 import mechc
-from mechc.cli.check import report
+from mechc.cli.checked import report
 from mechc.driver import compile_source
 from mechc.files import find, read
 from mechc.report.text.derivation import render

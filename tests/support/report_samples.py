@@ -43,7 +43,8 @@ from mechc.model.result import Definition
 from mechc.report.derivation.steps import Derivation, Equation, Rule, Step
 from mechc.routine.steps import Routine
 from mechc.source import Span
-from mechc.statics.verdict import Trial, Verdict
+from mechc.statics.referee import NO_MORE
+from mechc.statics.verdict import Trial, Untried, Verdict
 from mechc.study.analysis import Analysis, Vanishing
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER
 
@@ -259,4 +260,4 @@ def six_bar() -> Compiled:
         Analysis("p", None, NUMBER, formula("4*M/(pi*l_1**2)*0.35*sqrt(mu**2+1)")),
     )
     derivation = Derivation(steps, (), equations("M*omega_O1A - Q*V_D = 0", "F*V_C = 0"), results)
-    return compiled(mechanism, derivation, Verdict((), ("R_A is left undetermined",)))
+    return compiled(mechanism, derivation, Verdict((), (Untried("k", 1, 4, NO_MORE),)))

@@ -43,7 +43,8 @@ from mechc.report.derivation.steps import Derivation, Equation, PowerTerm, Rule,
 from mechc.routine.from_results import program
 from mechc.routine.steps import Routine
 from mechc.source import Span
-from mechc.statics.verdict import Trial, Verdict
+from mechc.statics.referee import NO_MORE
+from mechc.statics.verdict import Trial, Untried, Verdict
 from mechc.study.analysis import Analysis, Vanishing
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER, Dimension
 from systems import triad
@@ -285,7 +286,9 @@ def compiled(sample: str) -> Compiled:
     trial = Trial("k", {"a": 0.1}, 0.5, float("inf"), 1e-16, 3.0)
     posed = {d.name: d.formula for r in results for d in r.where}
     routine = program(mechanism, results, posed)
-    return Known(mechanism, derivation, routine, Verdict((trial,), ("nothing more",)), "0.0.0")
+    return Known(
+        mechanism, derivation, routine, Verdict((trial,), (Untried("k", 1, 4, NO_MORE),)), "0.0.0"
+    )
 
 
 @cache

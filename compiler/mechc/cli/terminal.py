@@ -79,6 +79,11 @@ def columns() -> int:
     return min(max(shutil.get_terminal_size().columns, NARROW), WIDE)
 
 
+def line_width() -> int:
+    """Return where lines are broken on a terminal; elsewhere each statement has one line."""
+    return columns() if sys.stdout is not None and sys.stdout.isatty() else sys.maxsize
+
+
 def on_terminal() -> bool:
     """Return whether messages go to a terminal that knows colours: a dumb one does not."""
     return sys.stderr is not None and sys.stderr.isatty() and os.environ.get("TERM") != "dumb"

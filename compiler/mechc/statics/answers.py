@@ -15,6 +15,8 @@ from .tolerances import EPSILON, INCONSISTENT
 
 UNBALANCED = "no forces at the joints balance the loads"
 
+OPEN = "equilibrium leaves a force open that is asked for"
+
 STANDS = "a joint stands still at that pose, and rounding tells which way it slips"
 """The doubt where friction may as well have the other sign, or none."""
 
@@ -67,7 +69,7 @@ def _respond(at: Balanced, wanted: str, given: str, known: Set[str]) -> Answer:
     column = len(at.system.unknowns) + unknown.index(target.base)
     factors, units = at.eliminated(unknown, column)
     weights = {column: units[target.base]}
-    found = combination(at.system, factors, one_of(at, source), weights, target.base)
+    found = combination(at.system, factors, one_of(at, source), weights)
     factor = target.factor
     return found._replace(value=found.value * factor, influence=found.influence * abs(factor))
 
@@ -107,7 +109,6 @@ def combination(
     factors: Factors,
     right: Row,
     weights: Mapping[int, float],
-    wanted: str = "the force",
 ) -> Answer:
     """Solve for the reactions and the unknown loads, and return a combination of them.
 
@@ -118,7 +119,7 @@ def combination(
     if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
         return Answer(math.nan, math.inf, UNBALANCED)
     if not all(map(factors.determined, weights)):
-        return Answer(math.nan, math.inf, f"equilibrium leaves {wanted} open")
+        return Answer(math.nan, math.inf, OPEN)
     value = sum(weight * found[column] for column, weight in weights.items())
     sizes = factors.weights(found, right)
     forces = [column for column in weights if column < len(system.unknowns)]

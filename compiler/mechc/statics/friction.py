@@ -30,7 +30,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.targets import SIGNS
-from .answers import STANDS, UNBALANCED, UNSETTLED, Answer
+from .answers import OPEN, STANDS, UNBALANCED, UNSETTLED, Answer
 from .assembly import Action, direction, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
@@ -160,7 +160,7 @@ def _loaded(
     pairs = tuple(pairs_of(unfolding))
     question = _question(unfolding, pairs, drive.base)
     if not question.factors.determined(question.drive):
-        return f"equilibrium leaves {drive.base} open"
+        return OPEN
     right: dict[int, float] = {}
     for load, size in given.items():
         for i, amount in question.columns[tied[load].base].items():

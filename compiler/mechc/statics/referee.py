@@ -46,7 +46,7 @@ from .counted import uncounted
 from .poses import Replay, Values, candidates, free_values
 from .speeds import speed_ratio
 from .tolerances import SMALLEST
-from .verdict import Trial, Verdict
+from .verdict import Trial, Untried, Verdict
 
 POSES = 4
 """How many poses a result is checked at: the default one and three more."""
@@ -61,6 +61,8 @@ SINGULAR = 1e9
 NO_VALUE = "virtual power gives no finite value"
 
 NEAR_SINGULAR = "the pose is within a hair of singular"
+
+NO_MORE = "no more poses meet the conditions of use"
 
 
 class RefereeDisagrees(MechcError):
@@ -109,14 +111,14 @@ def cross_check(pose: Pose, results: tuple[Result, ...], report: Report) -> Verd
         if pose.mechanism.friction.everywhere:
             _count_pins(at, report)
     trials: list[Trial] = []
-    remarks: list[str] = []
+    remarks: list[Untried] = []
     for question in _questions(results, pose.mechanism):
         found, troubles = _cross_check(question, iter(balanced))
         trials.extend(found)
         if one := next((trial for trial in found if trial.is_one_of_several), None):
             report.add(_one_of_several(one, pose))
         if len(found) < POSES:
-            remarks.append(_remark(question.name, found, troubles))
+            remarks.append(_untried(question.name, found, troubles))
         if not found:
             report.add(_unchecked(question.name, troubles, pose.mechanism.span))
     verdict = Verdict(tuple(trials), tuple(remarks))
@@ -299,9 +301,8 @@ def _one_of_several(trial: Trial, pose: Pose) -> Diagnostic:
     return several_balances(span, trial.result, trial.power, place)
 
 
-def _remark(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> str:
-    reason = troubles[-1] if troubles else "no more poses meet the conditions of use"
-    return f"{name} was judged at {len(trials)} of {POSES} poses: {reason}"
+def _untried(name: str, trials: tuple[Trial, ...], troubles: tuple[str, ...]) -> Untried:
+    return Untried(name, len(trials), POSES, troubles[-1] if troubles else NO_MORE)
 
 
 def _unchecked(name: str, troubles: tuple[str, ...], span: Span) -> Diagnostic:

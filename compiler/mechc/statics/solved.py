@@ -16,7 +16,7 @@ from ..model.mechanism import (
     WheelPair,
 )
 from .acts import Bearing
-from .answers import UNBALANCED
+from .answers import OPEN, UNBALANCED
 from .balanced import Tie, gather, ties, with_loads
 from .cases import Case
 from .cut_free import Solution
@@ -46,9 +46,8 @@ def ideal(unfolding: Unfolding, case: Case) -> Solution | str:
     if not all(map(math.isfinite, found)) or factors.gap(found, right) > INCONSISTENT:
         return UNBALANCED
     open_ = _open(factors)
-    for base, column in places.items():
-        if column in open_:
-            return f"equilibrium leaves {base} open"
+    if not open_.isdisjoint(places.values()):
+        return OPEN
     sizes |= {base: found[column] * units[base] for base, column in places.items()}
     loads = _of_all(sizes, tied)
     return Solution(assembly, system, found, open_, loads, {}, *_besides(unfolding))

@@ -22,6 +22,9 @@ SLANT = 1.0
 """The direction, in radians, of the reference load on a point whose direction is open."""
 
 
+NO_SPEED = "the speed below the line vanishes"
+
+
 class Probes(NamedTuple):
     """The loads that feel a speed: one where it has a sign, else one along x and one along y."""
 
@@ -36,7 +39,7 @@ def speed_ratio(unfolding: Unfolding, target: SpeedRatio) -> Answer:
     lower = _size([dual_speed(unfolding, p, below.reference) for p in below.components])
     scale = unfolding.count(target.below.of) / unfolding.count(target.above.of)
     if upper.trouble or lower.trouble or not lower.value:
-        trouble = upper.trouble or lower.trouble or "the speed below the line vanishes"
+        trouble = upper.trouble or lower.trouble or NO_SPEED
         return Answer(math.nan, math.inf, trouble)
     value = upper.value / lower.value * scale
     influence = (upper.influence * scale + lower.influence * abs(value)) / abs(lower.value)
@@ -92,7 +95,7 @@ def dual_speed(unfolding: Unfolding, probe: Probe, reference: Probe) -> Answer:
     column = len(system.unknowns)
     factors, units = eliminated(system, {"reference": system.loads["reference"]}, column)
     weights = {column: units["reference"]}
-    answer = combination(system, factors, right, weights, "reference")
+    answer = combination(system, factors, right, weights)
     return answer._replace(value=-answer.value)
 
 

@@ -29,11 +29,28 @@ class Trial(NamedTuple):
         return self.error <= max(CONDITION_SLACK * self.condition * EPSILON, AGREEMENT)
 
 
+class Untried(NamedTuple):
+    """A result that fewer poses judge than are wanted, and why."""
+
+    result: str
+    judged: int
+    poses: int
+    reason: str
+
+    def __str__(self) -> str:
+        """Return this in English.
+
+        >>> str(Untried("k", 2, 4, "the pose is within a hair of singular"))
+        'k was judged at 2 of 4 poses: the pose is within a hair of singular'
+        """
+        return f"{self.result} was judged at {self.judged} of {self.poses} poses: {self.reason}"
+
+
 class Verdict(NamedTuple):
     """All trials of one compile (the default pose first), and what could not be tried."""
 
     trials: tuple[Trial, ...]
-    remarks: tuple[str, ...] = ()
+    remarks: tuple[Untried, ...] = ()
 
     @property
     def agrees(self) -> bool:

@@ -344,13 +344,18 @@ TRIAL: Kind[Trial] = record(
     member("agrees", "Within what the condition allows.", TRUTH, lambda t: t.agrees),
 )
 
+
+def _said(verdict: Verdict) -> tuple[str, ...]:
+    return tuple(map(str, verdict.remarks))
+
+
 VERDICT: Kind[Verdict] = record(
     "verdict",
     "The second opinion.",
     member("agrees", "Whether every trial agrees.", TRUTH, lambda v: v.agrees),
     member("worst", "Largest relative difference.", FLOAT, lambda v: v.worst),
     member("trials", "The default pose first.", list_of(TRIAL), lambda v: v.trials),
-    member("remarks", "What could not be tried.", list_of(TEXT), lambda v: v.remarks),
+    member("remarks", "What could not be tried.", list_of(TEXT), _said),
 )
 
 DOCUMENT: Kind[Compiled] = record(

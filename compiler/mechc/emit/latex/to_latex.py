@@ -35,8 +35,9 @@ from ...report.latex.results import (
     check,
     definitions,
     section_block,
+    untried,
 )
-from ...report.latex.text import escape, has_cyrillic
+from ...report.latex.text import has_cyrillic
 from ...report.sections import Outline, PositionSection, outline
 from ...report.sentences.remarks import conditions
 from ...report.sentences.wording import Sides, lines, position_sentence, sentence
@@ -207,7 +208,7 @@ def report(
             derivation.results, {*constants_shown(whole), *(e.left for e in full)}, locale, style
         ),
         check=check(verdict, locale, style),
-        remarks=tuple(map(escape, verdict.remarks)),
+        remarks=untried(verdict, locale, style),
         pictures=_pictures(compiled, locale, style)
         if options.pictures or mechanism.reported
         else NONE,

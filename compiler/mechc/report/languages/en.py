@@ -1,6 +1,6 @@
 """English."""
 
-from . import pictured
+from . import checked, pictured
 from .equilibrium import ENGLISH
 from .locale import Locale
 
@@ -314,6 +314,7 @@ LOCALE = Locale(
         "least": "holds, the least reserve",
     },
     pictures=pictured.EN,
+    checked=checked.EN,
     comparison={"number": "No.", "scheme": "Scheme", "results": "Force transmission"},
     holds="This holds while {conditions}.",
     requirements="The result holds for",

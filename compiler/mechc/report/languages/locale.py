@@ -121,6 +121,9 @@ class Locale(NamedTuple):
     pictures: Mapping[str, str]
     """What is said below pictures and above the free bodies, with places for names."""
 
+    checked: Mapping[str, str]
+    """What ``mechc check`` says of a sound description, with places for names and numbers."""
+
     comparison: Mapping[str, str]
     """The heads of a table of several mechanisms."""
 

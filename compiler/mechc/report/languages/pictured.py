@@ -5,6 +5,7 @@ from collections.abc import Mapping
 Words = Mapping[str, str]
 
 TROUBLES = (
+    "equilibrium leaves a force open that is asked for",
     "no forces at the joints balance the loads",
     "a joint stands still at that pose, and rounding tells which way it slips",
     "no friction was found that balances at that pose",
@@ -104,6 +105,8 @@ UK: Words = {
     "branches": "Показано одну з {count} однакових гілок.",
     "open_scale": "Не в масштабі: не задано {names}.",
     "far_centres": "Миттєві центри швидкостей надто далеко, щоб їх показати: {links}.",
+    "equilibrium leaves a force open that is asked for": "рівняння рівноваги не визначають шуканої "
+    "сили",
     "no forces at the joints balance the loads": "жодні сили в кінематичних парах не "
     "зрівноважують навантажень",
     "a joint stands still at that pose, and rounding tells which way it slips": "у цьому положенні "
@@ -161,6 +164,8 @@ RU: Words = {
     "branches": "Показана одна из {count} одинаковых ветвей.",
     "open_scale": "Не в масштабе: не заданы {names}.",
     "far_centres": "Мгновенные центры скоростей слишком далеко, чтобы их показать: {links}.",
+    "equilibrium leaves a force open that is asked for": "уравнения равновесия не определяют "
+    "искомой силы",
     "no forces at the joints balance the loads": "никакие силы в кинематических парах не "
     "уравновешивают нагрузок",
     "a joint stands still at that pose, and rounding tells which way it slips": "в этом положении "

@@ -1,6 +1,6 @@
 """Russian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
-from . import pictured
+from . import checked, pictured
 from .eastern import FUNCTIONS, UNITS
 from .equilibrium import RUSSIAN
 from .locale import Locale
@@ -320,6 +320,7 @@ LOCALE = Locale(
         "least": "выполняется, наименьший запас",
     },
     pictures=pictured.RU,
+    checked=checked.RU,
     comparison={"number": "№", "scheme": "Схема", "results": "Передача силы"},
     holds="Это справедливо, пока {conditions}.",
     requirements="Результат справедлив при условиях",

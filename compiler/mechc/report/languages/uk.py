@@ -1,6 +1,6 @@
 """Ukrainian: the terms of the theory of mechanisms and of theoretical mechanics."""
 
-from . import pictured
+from . import checked, pictured
 from .eastern import FUNCTIONS, UNITS
 from .equilibrium import UKRAINIAN
 from .locale import Locale
@@ -316,6 +316,7 @@ LOCALE = Locale(
         "least": "виконується, найменший запас",
     },
     pictures=pictured.UK,
+    checked=checked.UK,
     comparison={"number": "№", "scheme": "Схема", "results": "Передавання сили"},
     holds="Це справедливо, доки {conditions}.",
     requirements="Результат справедливий за умов",

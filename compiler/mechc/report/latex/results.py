@@ -254,5 +254,19 @@ def check(verdict: Verdict, locale: Locale, style: Notation) -> str:
     return template.format(count=len(poses), error=f"${decimal(_rounded(verdict.worst), style)}$")
 
 
+def untried(verdict: Verdict, locale: Locale, style: Notation) -> tuple[str, ...]:
+    """Return what fewer poses judge than are wanted, a sentence each."""
+    spell = Speller(style)
+    return tuple(
+        locale.checked["judged"].format(
+            name=spell.relation((Symbol(one.result),), (), False),
+            count=one.judged,
+            poses=one.poses,
+            reason=locale.checked[one.reason],
+        )
+        for one in verdict.remarks
+    )
+
+
 def _rounded(error: float) -> float:
     return float(f"{error:.1e}")

@@ -14,10 +14,9 @@ from ...model.result import Result
 from ...model.values import is_constant
 from ...model.written import Written, WrittenTable
 from ...units import ANGLE, in_unit, si_unit
-from ..languages.registry import locale
 from ..note import NoteCheck, NoteLine, note
 from ..put_in import Quantity
-from .printer import ASCII, Signs, print_formula, print_name
+from .printer import Signs, print_formula, print_name
 from .speller import SHOWN, Speller
 
 Words = Mapping[str, str]
@@ -46,12 +45,13 @@ def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> s
     return "\n".join("".join(f"{line}\n" for line in part) for part in parts if part)
 
 
-def in_brief(mechanism: Mechanism, results: Sequence[Result]) -> Iterator[str]:
-    """Yield what each formula comes to, and the checks, in characters that every terminal has."""
-    found, signs = note(mechanism, results), _signs(mechanism, ASCII)
-    words = locale("en").calculation
-    yield from _aligned([_line(line, signs, words, in_numbers=False) for line in found.lines])
-    yield from _aligned([_check(check, signs, words) for check in found.checks])
+def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> Iterator[str]:
+    """Yield what each formula comes to, and the checks."""
+    found, signs = note(mechanism, results), _signs(mechanism, spell.signs)
+    words = spell.locale.calculation
+    lines = [_line(line, signs, words, in_numbers=False) for line in found.lines]
+    yield from _aligned(_translated(lines, spell))
+    yield from _aligned(_translated([_check(check, signs, words) for check in found.checks], spell))
 
 
 def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
@@ -62,8 +62,12 @@ def _signs(mechanism: Mechanism, signs: Signs) -> Signs:
 
 def _headed(heading: str, rows: Sequence[Row], spell: Speller) -> list[str]:
     """Return rows under a heading, in the language of the note."""
-    translated = [Row(spell.units(row.said), spell.text(row.label)) for row in rows]
-    return [heading, *_aligned(translated)] if rows else []
+    return [heading, *_aligned(_translated(rows, spell))] if rows else []
+
+
+def _translated(rows: Iterable[Row], spell: Speller) -> list[Row]:
+    """Return rows with units and texts in the language of the note."""
+    return [Row(spell.units(row.said), spell.text(row.label)) for row in rows]
 
 
 def _aligned(rows: Sequence[Row]) -> Iterator[str]:

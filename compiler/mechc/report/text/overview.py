@@ -4,7 +4,7 @@ Where a pose cannot be found this shows what is still missing: points without a 
 parameters without a value, vectors without a direction.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 
 from ...formula.to_text import text
 from ...formula.walk import evaluate, symbols
@@ -21,15 +21,22 @@ from ...model.mechanism import (
 from ...model.values import range_of
 from ...pose.pose import Pose
 from ...source import Source
-from ...units import Dimension, described, in_unit, si_unit
+from ...units import USUAL_UNITS, in_unit, si_unit
+from .speller import Speller
+
+Words = Mapping[str, str]
+"""What ``mechc check`` says in a language."""
 
 
-def overview(mechanism: Mechanism, pose: Pose | None, source: Source) -> Iterator[str]:
+def overview(
+    mechanism: Mechanism, pose: Pose | None, source: Source, spell: Speller
+) -> Iterator[str]:
     """Yield the points, parameters, vectors and what loops give; ``pose`` is None without one."""
-    yield from _headed("points", _points(mechanism, source))
-    yield from _headed("parameters", _parameters(mechanism, pose))
-    yield from _headed("vectors", _vectors(mechanism, source))
-    yield from _headed("what follows from them", _definitions(pose) if pose else ())
+    words = spell.locale.checked
+    yield from _headed(words["points"], _points(mechanism, source, words))
+    yield from _headed(words["parameters"], _parameters(mechanism, pose, spell))
+    yield from _headed(words["vectors"], _vectors(mechanism, source, words))
+    yield from _headed(words["follows"], _definitions(pose, words) if pose else ())
 
 
 def _headed(heading: str, rows: Iterable[tuple[str, str]]) -> Iterator[str]:
@@ -40,9 +47,9 @@ def _headed(heading: str, rows: Iterable[tuple[str, str]]) -> Iterator[str]:
     yield from (f"    {first:<{width}}  {second}".rstrip() for first, second in found)
 
 
-def _points(mechanism: Mechanism, source: Source) -> Iterator[tuple[str, str]]:
+def _points(mechanism: Mechanism, source: Source, words: Words) -> Iterator[tuple[str, str]]:
     places = {
-        g.head: f"at {_written(g, source)}"
+        g.head: words["at"].format(place=_written(g, source))
         for g in mechanism.geometry
         if isinstance(g, Offset) and not g.tail
     }
@@ -50,51 +57,57 @@ def _points(mechanism: Mechanism, source: Source) -> Iterator[tuple[str, str]]:
     sliders = {s.point for s in mechanism.each(Slider)}
     bodies: list[Link | Telescope] = [*mechanism.links, *mechanism.telescopes]
     for point in mechanism.spans:
-        roles = [f"pivot {places.get(point, 'without a place')}"] if point in pivots else []
-        roles += ["slider"] if point in sliders else []
-        yield point, ", ".join([*roles, *(f"on {b.name}" for b in bodies if point in b.points)])
+        place = places.get(point, words["placeless"])
+        roles = [words["pivot"].format(place=place)] if point in pivots else []
+        roles += [words["slider"]] if point in sliders else []
+        roles += [words["on"].format(body=b.name) for b in bodies if point in b.points]
+        yield point, ", ".join(roles)
 
 
-def _parameters(mechanism: Mechanism, pose: Pose | None) -> Iterator[tuple[str, str]]:
+def _parameters(
+    mechanism: Mechanism, pose: Pose | None, spell: Speller
+) -> Iterator[tuple[str, str]]:
     after = {p.name: p for p in (pose.mechanism if pose else mechanism).parameters}
     for parameter in mechanism.parameters:
         found = parameter.value is None and after[parameter.name].dependent
         drives = mechanism.drive and mechanism.drive.parameter == parameter.name
-        words = ["found by a loop" if found else _value(parameter)]
-        words += [_stroke(parameter, mechanism)] if drives else []
-        yield parameter.name, ", ".join(words)
+        said = [spell.locale.checked["found"] if found else _value(parameter, spell)]
+        said += [_stroke(parameter, mechanism, spell)] if drives else []
+        yield parameter.name, ", ".join(said)
 
 
-def _value(parameter: Parameter) -> str:
+def _value(parameter: Parameter, spell: Speller) -> str:
     if parameter.value is None:
-        return f"{described(parameter.dimension)} without a value"
+        usual = USUAL_UNITS.get(parameter.dimension, "") or si_unit(parameter.dimension)
+        unit = f" ({spell.unit(usual)})" if usual else ""
+        return spell.locale.checked["open"].format(unit=unit)
     if parameter.dependent:
         return f"= {text(parameter.value)}"
-    return f"= {_measured(evaluate(parameter.value, {}), parameter.dimension, parameter.unit)}"
+    return f"= {_measured(evaluate(parameter.value, {}), parameter, spell)}"
 
 
-def _stroke(parameter: Parameter, mechanism: Mechanism) -> str:
+def _stroke(parameter: Parameter, mechanism: Mechanism, spell: Speller) -> str:
     ends = range_of(parameter.name, mechanism)
     if ends is None:
-        return "the drive"
-    low, high = (_measured(end, parameter.dimension, parameter.unit) for end in ends)
-    return f"the drive, from {low} to {high}"
+        return spell.locale.checked["drive"]
+    low, high = (_measured(end, parameter, spell) for end in ends)
+    return spell.locale.checked["stroke"].format(low=low, high=high)
 
 
-def _measured(value: float, dimension: Dimension, unit: str) -> str:
-    return in_unit(value, unit or si_unit(dimension), 9)
+def _measured(value: float, parameter: Parameter, spell: Speller) -> str:
+    return spell.units(in_unit(value, parameter.unit or si_unit(parameter.dimension), 9))
 
 
-def _vectors(mechanism: Mechanism, source: Source) -> Iterator[tuple[str, str]]:
+def _vectors(mechanism: Mechanism, source: Source, words: Words) -> Iterator[tuple[str, str]]:
     """Yield the entries of the geometry as they are written, and what each leaves open."""
     for entry in mechanism.geometry:
         if isinstance(entry, Offset) and not entry.tail:
             continue
         missing = ""
         if isinstance(entry, Arrow) and entry.direction is None:
-            missing = "a loop must give its direction"
+            missing = words["directionless"]
         elif isinstance(entry, Arrow) and entry.length is None:
-            missing = "its length is open"
+            missing = words["lengthless"]
         yield _written(entry, source), missing
 
 
@@ -102,7 +115,7 @@ def _written(entry: Geometry, source: Source) -> str:
     return " ".join(source.written(entry.span).split())
 
 
-def _definitions(pose: Pose) -> Iterator[tuple[str, str]]:
+def _definitions(pose: Pose, words: Words) -> Iterator[tuple[str, str]]:
     """Yield the names that loops and bodies give values to, and what each rests on."""
     for name, formula in pose.definitions:
-        yield name, f"from {', '.join(sorted(symbols(formula)))}"
+        yield name, words["from"].format(names=", ".join(sorted(symbols(formula))))

@@ -97,9 +97,9 @@ class Speller(NamedTuple):
             break_long_words=False,
         )
 
-    def broken(self, equation: str) -> list[str]:
+    def broken(self, equation: str, deep: str = DEEP) -> list[str]:
         """Break a long equation at the spaces around its signs, not within ``sin(α + β)``."""
-        indent = DEEP + " " * (len(equation) - len(equation.lstrip()))
+        indent = deep + " " * (len(equation) - len(equation.lstrip()))
         tied = _INNERMOST.sub(lambda m: m[0].replace(" ", "\u00a0"), equation.lstrip())
         lines = wrap(
             tied,

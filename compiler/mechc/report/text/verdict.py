@@ -1,13 +1,17 @@
 """The verdict as text, for ``mechc check --verbose``."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Mapping, Sequence
 
-from ...statics.verdict import Trial, Verdict
+from ...statics.verdict import Trial, Untried, Verdict
+from ..languages.checked import EN
 
-HEAD = ("result", "pose", "virtual power", "equilibrium", "error", "condition")
+Words = Mapping[str, str]
+"""What ``mechc check`` says in a language."""
+
+HEAD = ("result", "pose", "power", "statics", "error", "condition")
 
 
-def to_text(verdict: Verdict) -> str:
+def to_text(verdict: Verdict, words: Words = EN) -> str:
     """Return a table of all trials, each result's default pose first, then the remarks.
 
     >>> trial = Trial("k", {"alpha": 0.5}, 2.0, 2.0, 0.0, 3.1)
@@ -16,22 +20,29 @@ def to_text(verdict: Verdict) -> str:
     k       1     2              2            0      3.1
     The two methods agree: worst relative error 0 in 1 trial.
     """
-    lines = _table([HEAD, *_rows(verdict.trials)]) if verdict.trials else []
-    return "\n".join([*lines, *verdict.remarks, _summary(verdict)])
+    head = tuple(words[each] for each in HEAD)
+    lines = _table([head, *_rows(verdict.trials, words)]) if verdict.trials else []
+    return "\n".join([*lines, *untried(verdict.remarks, words), _summary(verdict, words)])
 
 
-def _rows(trials: Sequence[Trial]) -> list[tuple[str, ...]]:
+def untried(remarks: Sequence[Untried], words: Words) -> Iterator[str]:
+    """Yield what fewer poses judge than are wanted, and why."""
+    for result, count, poses, reason in remarks:
+        yield words["judged"].format(name=result, count=count, poses=poses, reason=words[reason])
+
+
+def _rows(trials: Sequence[Trial], words: Words) -> list[tuple[str, ...]]:
     rows: list[tuple[str, ...]] = []
     seen: dict[str, int] = {}
     for trial in trials:
         seen[trial.result] = number = seen.get(trial.result, 0) + 1
         both = f"{trial.power:.12g}", f"{trial.statics:.12g}"
-        rows.append((trial.result, str(number), *both, *_figures(trial)))
+        rows.append((trial.result, str(number), *both, *_figures(trial, words)))
     return rows
 
 
-def _figures(trial: Trial) -> tuple[str, str]:
-    verdict = "" if trial.agrees else "  disagrees"
+def _figures(trial: Trial, words: Words) -> tuple[str, str]:
+    verdict = "" if trial.agrees else f"  {words['differs']}"
     return f"{trial.error:.2g}", f"{trial.condition:.2g}{verdict}"
 
 
@@ -43,10 +54,10 @@ def _table(rows: Sequence[tuple[str, ...]]) -> list[str]:
     ]
 
 
-def _summary(verdict: Verdict) -> str:
+def _summary(verdict: Verdict, words: Words) -> str:
     number = len(verdict.trials)
     if not number:
-        return "Nothing was tried."
-    opinion = "agree" if verdict.agrees else "disagree"
-    trials = f"{number} trial{'s' if number > 1 else ''}"
-    return f"The two methods {opinion}: worst relative error {verdict.worst:.2g} in {trials}."
+        return words["nothing"]
+    opinion = words["agree" if verdict.agrees else "disagree"]
+    trials = words["trials" if number > 1 else "trial"]
+    return opinion.format(error=f"{verdict.worst:.2g}", count=number, trials=trials)

@@ -1,0 +1,178 @@
+"""What ``mechc check`` prints of a description, line by line, in each language."""
+
+import sys
+from collections.abc import Iterable, Iterator
+
+from ..driver import Compilation
+from ..formula.to_text import text
+from ..formula.tree import Number
+from ..formula.walk import evaluate, symbols
+from ..frozen import replace
+from ..model.mechanism import GRAVITY, Parameter
+from ..model.result import Definition, Result
+from ..report.definitions import Letters, Solved, as_written, grouped, letters
+from ..report.note import own_lines
+from ..report.sections import Shown, in_short
+from ..report.sentences.locking import friction_remarks
+from ..report.sentences.remarks import own_conditions, reaction
+from ..report.text.note import in_brief, in_language
+from ..report.text.overview import overview
+from ..report.text.speller import Speller, speller
+from ..report.text.verdict import to_text, untried
+from ..source import Source
+from ..statics.verdict import Verdict
+from ..study.analysis import Analysis
+from ..study.expectations import Finding
+from ..study.ranges import scale_of
+from ..units import in_unit
+
+
+def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
+    """Yield what a description gives, as far as the stages that have run found it."""
+    made = vars(compilation)
+    if mechanism := made.get("mechanism"):
+        spell = speller((), mechanism, unicode=False, language=language)
+        yield f"{compilation.source.name}: {mechanism.name}"
+        yield from overview(mechanism, made.get("pose"), compilation.source, spell)
+
+
+def report(
+    compilation: Compilation, verbose: bool, language: str = "en", width: int = sys.maxsize
+) -> Iterator[str]:
+    """Yield what is known of a sound description; what is wider than ``width`` is broken."""
+    spell = _speller(compilation, compilation.derivation.results, language, width)
+    if verbose:
+        yield from overview_of(compilation, language)
+    else:
+        yield f"{compilation.source.name}: {compilation.mechanism.name}"
+    for line in _of_results(compilation, spell):
+        yield from spell.broken(line, "")
+    if not compilation.calculation:
+        yield from _of_verdict(compilation.verdict, spell, verbose)
+
+
+def _speller(
+    compilation: Compilation, results: Iterable[Result], language: str, width: int
+) -> Speller:
+    """Return what spells sentences; formulas are written as in descriptions."""
+    spell = speller(results, compilation.mechanism, False, language, width)
+    return spell._replace(signs=replace(spell.signs, functions={}))
+
+
+def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
+    """Yield what is known of each result, and what every expectation came to."""
+    if compilation.calculation:
+        yield from in_brief(compilation.mechanism, compilation.results, spell)
+        yield from _of_findings(compilation, spell)
+        return
+    earlier, given = Shown(), {r.name for r in compilation.results if _is_given(r)}
+    known = letters(compilation.mechanism, compilation.results)
+    own = own_lines(compilation.mechanism, compilation.results)
+    before: Analysis | None = None
+    for result in compilation.results:
+        where = [d for d in earlier.of(result) if d.name not in given]
+        formulas = [d.formula for d in where] + ([] if result.name in own else [result.formula])
+        literals = [*earlier.new_literals(formulas, compilation.mechanism)]
+        shown = in_short(result, compilation.results)
+        unit = scale_of(result, compilation.mechanism)
+        formula = in_language(own[result.name]) if result.name in own else text(shown.formula)
+        yield from _of_result(shown, formula, where, literals, known, before, unit, spell)
+        before = result
+        remarks = friction_remarks(result, spell.locale, spell)
+        yield from (f"    {spell.units(line)}" for line in remarks)
+    yield from _of_findings(compilation, spell)
+
+
+def _is_given(result: Analysis) -> bool:
+    """Return whether the description gives a value, such as a load's, and nothing was found."""
+    return result.target is None and isinstance(result.formula, Number)
+
+
+def _of_result(
+    result: Analysis,
+    formula: str,
+    where: Iterable[Definition],
+    literals: Iterable[Parameter],
+    known: Letters,
+    before: Analysis | None,
+    unit: str,
+    spell: Speller,
+) -> Iterator[str]:
+    """Yield what is known of a result, without what the one before has just shown."""
+    words = spell.locale.checked
+    if _is_given(result) and result.default is not None:
+        yield f"  {result.name} = {_measured(result.default, unit, spell)}"
+        return
+    yield f"  {result.name} = {formula}"
+    for literal in literals:
+        assert literal.value
+        value = spell.units(in_unit(evaluate(literal.value, {}), literal.unit, 6))
+        yield _where(f"{literal.name} = {value}", spell)
+    for group in grouped(as_written(where, known)):
+        yield from _of_definition(group, known, spell)
+    sizes = _sizes(result)
+    if sizes and not (before and sizes == _sizes(before)):
+        press = words["press" if len(sizes) > 1 else "presses"]
+        yield f"    {press.format(names=', '.join(sizes), equation='n = |r + D*n|')}"
+    if result.default is not None:
+        value = _measured(result.default, unit, spell)
+        yield f"    = {words['default'].format(value=value)}"
+    elif result.undetermined:
+        yield f"    {words['default'].format(value=f'{spell.locale.undetermined} (0/0)')}"
+    held = own_conditions(result)
+    if held and not (before and reaction(before) and held == own_conditions(before)):
+        holds = (f"{text(h.left)} {h.operator} {text(h.right)}" for h in held)
+        yield f"    {words['holds'].format(conditions=', '.join(holds))}"
+    if result.independent:
+        yield f"    {words['independent'].format(names=', '.join(result.independent))}"
+
+
+def _measured(value: float, unit: str, spell: Speller) -> str:
+    return spell.units(in_unit(value, unit, 9))
+
+
+def _where(formula: str, spell: Speller) -> str:
+    return f"    {spell.locale.checked['where'].format(formula=formula)}"
+
+
+def _sizes(result: Analysis) -> list[str]:
+    """Return the pressing forces that a result is made of."""
+    return sorted(symbols(result.formula) & result.inside)
+
+
+def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -> Iterator[str]:
+    if isinstance(group, Solved):
+        yield f"    {spell.locale.checked['solve'].format(names=', '.join(group.names))}"
+        yield from (f"      {text(zero)} = 0" for zero in group.zeros)
+        return
+    if group.name in known.units and isinstance(group.formula, Number):
+        value = f"{float(group.formula.value):.9g} {spell.unit(known.units[group.name])}"
+        yield _where(f"{group.name} = {value}", spell)
+        return
+    g = spell.units(f", g = {float(GRAVITY.value)} m/s^2") if group.name in known.usual else ""
+    yield _where(f"{group.name} = {text(group.formula)}{g}", spell)
+
+
+def _of_findings(compilation: Compilation, spell: Speller) -> Iterator[str]:
+    """Yield what every expectation came to."""
+    results = {result.name: result for result in compilation.found}
+    for finding in compilation.findings:
+        unit = scale_of(results[finding.expect.subject], compilation.mechanism)
+        yield f"  {_of_finding(finding, unit, compilation.source, spell)}"
+
+
+def _of_finding(finding: Finding, unit: str, source: Source, spell: Speller) -> str:
+    written = " ".join(source.written(finding.expect.span).split()).removeprefix("expect ")
+    words = spell.locale.checked
+    if finding.outcome == "proved":
+        return words["proved"].format(formula=written)
+    return words["agrees"].format(formula=written, value=_measured(finding.found, unit, spell))
+
+
+def _of_verdict(verdict: Verdict, spell: Speller, verbose: bool) -> Iterator[str]:
+    words = spell.locale.checked
+    if verbose:
+        yield from (f"  {line}" for line in to_text(verdict, words).splitlines())
+        return
+    yield f"  {words['equilibrium'].format(count=len(verdict.trials))}"
+    yield from (f"    {remark}" for remark in untried(verdict.remarks, words))

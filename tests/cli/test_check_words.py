@@ -1,0 +1,58 @@
+"""``mechc check`` in three languages, and its lines on a terminal."""
+
+import re
+from collections.abc import Callable
+
+import pytest
+
+import good_mechanisms
+from mechc.cli import main
+from mechc.cli.checked import report
+from mechc.report.languages import checked
+from mechc.statics.answers import OPEN, STANDS, UNBALANCED, UNSETTLED
+from mechc.statics.referee import NEAR_SINGULAR, NO_MORE, NO_VALUE
+from mechc.statics.speeds import NO_SPEED
+from paths import EXAMPLES
+
+Run = Callable[..., str]
+
+
+@pytest.fixture
+def run(capsys: pytest.CaptureFixture[str]) -> Run:
+    """Return a function that gives what mechc prints."""
+
+    def call(*arguments: str) -> str:
+        assert main(arguments) == 0
+        return capsys.readouterr().out
+
+    return call
+
+
+def test_check_speaks_three_languages(run: Run) -> None:
+    for language, words in (("en", checked.EN), ("uk", checked.UK), ("ru", checked.RU)):
+        out = run("check", "--lang", language, str(EXAMPLES / "clamp.mech"), "crank_rocker")
+        assert f": {words['proved'].split(': ')[1]}\n" in out
+        assert words["default"].format(value="0.0670682245") in out
+        assert words["equilibrium"].format(count=8) in out
+        verbose = run("check", "-v", "--lang", language, "crank_rocker")
+        for key in ("points", "parameters", "vectors", "follows", "found", "condition"):
+            assert words[key] in verbose
+    said = run("check", "--lang", "uk", "fedoriv_fig2a_with_friction").partition("\n")[2]
+    names = {"expect", "alpha", "delta", "beta", "asin", "hold"}
+    assert set(re.findall(r"[a-z]{4,}", said)) <= names
+
+
+def test_every_language_has_the_words_of_check() -> None:
+    reasons = {NO_VALUE, NEAR_SINGULAR, NO_MORE, NO_SPEED, OPEN, STANDS, UNBALANCED, UNSETTLED}
+    for words in (checked.EN, checked.UK, checked.RU):
+        assert words.keys() == checked.EN.keys()
+        assert reasons <= words.keys()
+
+
+def test_check_breaks_lines_at_the_width_of_a_terminal() -> None:
+    compilation = good_mechanisms.compiled("jansen_leg")
+    assert max(map(len, report(compilation, False, "uk"))) > 100
+    for width in (80, 100):
+        lines = [*report(compilation, False, "uk", width)][1:]
+        assert max(map(len, lines)) <= width
+        assert all(line.startswith("  ") for line in lines)
