@@ -44,7 +44,7 @@ BOTH = {
     "0.35*a*b": ("0.35 · ab", r"0.35\,ab"),
     "-0.35*a": ("−0.35 · a", r"-0.35\,a"),
     "a**(-0.35*b)": ("a^(−0.35 · b)", r"a^{-0.35\,b}"),
-    "atan2(a, b + c)": ("atan2(a, b + c)", r"\operatorname{arctan2}(a,b+c)"),
+    "atan2(a, b + c)": ("atan2(a, b + c)", r"\operatorname{atan2}(a,b+c)"),
 }
 
 

@@ -49,7 +49,7 @@ PIECES = {
     "0.35*a": r"0.35\,a",
     "a/4": r"\frac{a}{4}",
     "abs(a)": r"\left|a\right|",
-    "atan2(a, b)": r"\operatorname{arctan2}(a,b)",
+    "atan2(a, b)": r"\operatorname{atan2}(a,b)",
     "asin(a/b)": r"\arcsin\left(\frac{a}{b}\right)",
     "exp(mu*alpha)": r"\exp(\mu\alpha)",
 }

@@ -19,7 +19,7 @@ FUNCTIONS = {
     "\\arccos": "acos",
     "\\arctan": "atan",
     "\\ln": "log",
-    "\\operatorname{arctan2}": "atan2",
+    "\\operatorname{atan2}": "atan2",
     "\\operatorname{sgn}": "sign",
 } | {f"\\{name}": name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "min", "max")}
 

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from ..formula.layout import is_angle
 from ..formula.operations import count_operations
-from ..formula.tree import Formula, Implicit, Symbol
+from ..formula.tree import Call, Formula, Implicit, Symbol
 from ..formula.walk import constants, evaluate, substitute, symbols, walk
 from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
@@ -73,6 +73,12 @@ def _of_line(line: NoteLine) -> Iterator[Evaluated]:
     if line.value and math.isfinite(line.value.value) and not line.is_number:
         numbers = None if line.kind else line.numbers
         yield Evaluated(Symbol(line.name), numbers, line.value, line.value.unit == "deg")
+
+
+def has_atan2(whole: Outline) -> bool:
+    """Return whether an angle of the report is found from two components."""
+    found = (part for d in _definitions(whole) for part in walk(d.formula))
+    return any(isinstance(part, Call) and part.function == "atan2" for part in found)
 
 
 def _definitions(whole: Outline) -> Iterator[Definition]:

@@ -67,10 +67,11 @@ class Extent:
 
 
 class Slope(NamedTuple):
-    """A derivative in numbers, in SI."""
+    """A derivative in numbers, in SI, and the unit that a description gives lengths in."""
 
     value: float
     dimension: Dimension
+    unit: str = ""
 
 
 Trend = Literal[

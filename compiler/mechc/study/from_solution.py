@@ -18,10 +18,12 @@ from ..frozen import replace
 from ..model.boxes import range_box
 from ..model.mechanism import Efficiency, LoadForm, LoadRatio, Mechanism, WithFriction
 from ..model.result import Definition, Result
+from ..model.values import usual_length
 from ..pose.pose import Pose
 from ..power.balance import Balance, Solved
 from ..power.definitions import resting_on
 from ..power.numbers import DefaultNumbers
+from ..units import LENGTH
 from .analysis import Analysis, Scope, Slope, Trend, as_printed
 from .breaks import breaks
 from .ranges import with_range
@@ -123,7 +125,9 @@ def _sloping(
     for name, formula in (derivatives or {}).items():
         size = numbers.of(replace(result, formula=formula)).number
         if size is not None and isfinite(size):
-            slopes[name] = Slope(size, result.dimension.over(mechanism.parameter(name).dimension))
+            dimension = result.dimension.over(mechanism.parameter(name).dimension)
+            unit = usual_length(mechanism) if dimension == LENGTH else ""
+            slopes[name] = Slope(size, dimension, unit)
     return replace(result, derivatives=derivatives, slopes=slopes)
 
 

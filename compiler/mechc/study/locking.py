@@ -46,9 +46,10 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
     if here is None or (state is None and not here.is_dead_centre(0.0)):
         return None
     reaches = []
+    moved = frozenset(varying(mechanism, (study.ideal(asked),)))
     for name in varying(mechanism, (study.ideal(asked), real)):
         moving = study.moving(asked, sense, name)
-        looked_at = _window(name, moving, study) if moving else None
+        looked_at = _window(name, name in moved, moving, study) if moving else None
         if moving and looked_at is not None:
             stretches = _Stretches(name, moving, printed, range_of(name, mechanism))
             unit = unit_of(name, mechanism)
@@ -62,11 +63,14 @@ def locking(study: Study, real: Result, printed: Result) -> Locking | None:
 # ---------------------------------------------------------------------- what is looked at
 
 
-def _window(name: str, moving: Moving, study: Study) -> Range | None:
-    """Return the interval that is examined: the range, and around an open pose more than it."""
+def _window(name: str, is_moved: bool, moving: Moving, study: Study) -> Range | None:
+    """Return the interval that is examined: the range, and around an open pose more than it.
+
+    Not more of an angle of friction, on which the ratio without friction does not rest.
+    """
     pose = study.solution.plan.graph.pose
     given = range_of(name, pose.mechanism)
-    if pose.definitions or moving.is_slow or not turns(name, pose.mechanism):
+    if pose.definitions or moving.is_slow or not (is_moved and turns(name, pose.mechanism)):
         return given
     here = moving.sweep.defaults[name]
     low, high = given or (here, here)

@@ -4,7 +4,7 @@ A fragment needs amsmath, array, booktabs and longtable; where it holds Cyrillic
 also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
 from ...formula.tree import ZERO
@@ -13,7 +13,7 @@ from ...model.sheets import is_sheet
 from ...report.brief import at_length, needed, relations, short
 from ...report.chosen import chosen
 from ...report.derivation.steps import Derivation, LastStep, Step
-from ...report.evaluated import constants_shown, evaluated, hides_units
+from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
 from ...report.latex.display import LINE, Line, display, vanishing
@@ -40,7 +40,13 @@ from ...report.latex.results import (
 from ...report.latex.text import has_cyrillic
 from ...report.sections import Outline, PositionSection, outline
 from ...report.sentences.remarks import conditions
-from ...report.sentences.wording import Sides, lines, position_sentence, sentence
+from ...report.sentences.wording import (
+    Sides,
+    direction_function,
+    lines,
+    position_sentences,
+    sentences,
+)
 from ..render import render
 from ..target import Compiled, Emitted, Options
 from .note import TableBlock, note_report, table_blocks
@@ -185,7 +191,7 @@ def report(
     return Report(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
-        conventions=_conventions(whole, mechanism, locale),
+        conventions=_conventions(whole, mechanism, locale, style),
         convention_of_speeds=_convention(derivation, locale),
         section="subsection" if options.fragment else "section",
         title=translated(mechanism.title or mechanism.name, style),
@@ -195,8 +201,8 @@ def report(
         tables=tuple(table_blocks(mechanism, style)),
         scheme=scheme(mechanism, locale, style),
         vectors=tuple(vector_rows(mechanism, locale, style)),
-        position=tuple(_position(section, locale, style) for section in whole.position),
-        steps=tuple(_step(step, locale, style) for step in derivation.steps),
+        position=tuple(_position(whole.position, locale, style)),
+        steps=tuple(_steps(derivation.steps, locale, style)),
         several=_several(derivation, locale),
         balances=_equations(derivation.balances, locale, style),
         last=_last(derivation.last_steps, locale, style),
@@ -215,9 +221,13 @@ def report(
     )
 
 
-def _conventions(whole: Outline, mechanism: Mechanism, locale: Locale) -> str:
-    directions = locale.conventions.format(x="$x$")
-    return f"{directions} {locale.plain_numbers}" if hides_units(whole, mechanism) else directions
+def _conventions(whole: Outline, mechanism: Mechanism, locale: Locale, style: Notation) -> str:
+    said = [locale.conventions.format(x="$x$")]
+    if has_atan2(whole):
+        said.append(direction_function(locale, Speller(style)))
+    if hides_units(whole, mechanism):
+        said.append(locale.plain_numbers)
+    return " ".join(said)
 
 
 def _pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
@@ -257,18 +267,19 @@ def brief(
     )
 
 
-def _position(section: PositionSection, locale: Locale, style: Notation) -> PositionBlock:
-    words = position_sentence(section.step, locale, Speller(style).point)
-    return PositionBlock(words, definitions(section.where, locale, style, {}))
+def _position(
+    sections: Sequence[PositionSection], locale: Locale, style: Notation
+) -> Iterator[PositionBlock]:
+    said = position_sentences((s.step for s in sections), locale, Speller(style).point)
+    for section, words in zip(sections, said, strict=True):
+        yield PositionBlock(words, definitions(section.where, locale, style, {}))
 
 
-def _step(step: Step, locale: Locale, style: Notation) -> StepBlock:
-    said, hence = lines(step)
-    return StepBlock(
-        sentence(step, locale, Speller(style).point),
-        _equations(said, locale, style),
-        _equations(hence, locale, style),
-    )
+def _steps(steps: Sequence[Step], locale: Locale, style: Notation) -> Iterator[StepBlock]:
+    words = sentences(steps, locale, Speller(style).point)
+    for step, sentence in zip(steps, words, strict=True):
+        said, hence = (_equations(part, locale, style) for part in lines(step))
+        yield StepBlock(sentence, said, hence)
 
 
 def _equations(equations: Iterable[Sides], locale: Locale, style: Notation) -> str:

@@ -5,7 +5,6 @@ FUNCTIONS = {
     "cot": r"\operatorname{ctg}",
     "csc": r"\operatorname{cosec}",
     "atan": r"\operatorname{arctg}",
-    "atan2": r"\operatorname{arctg2}",
 }
 
 UNITS = {

@@ -16,6 +16,7 @@ LOCALE = Locale(
     given="Given",
     conventions="Directions are angles counter-clockwise from the {x} axis.",
     plain_numbers="Numbers without a unit inside formulas are in units of the SI.",
+    atan2="{function} is the direction of the vector with the components {x} and {y}.",
     symbol="Symbol",
     quantity="Quantity",
     value="Value",
@@ -212,6 +213,11 @@ LOCALE = Locale(
         "the joints, {parts} their components without friction and {changes} what all frictions "
         "change in them, {sizes} = {whole}, which Newton’s method solves from the ideal forces on.",
     },
+    again={
+        "triangle": "Likewise triangle {loop}, its vertices in {turn} order.",
+        "projection": "Likewise on the line {joined} the velocities of {all} have equal "
+        "projections.",
+    },
     held="The drive ({loads}) is held still.",
     hence="hence",
     power="Power equation",
@@ -258,6 +264,7 @@ LOCALE = Locale(
     infinite="Of {result} nothing is said where {condition}: there {name} is infinite, and "
     "{result} may jump.",
     when="that is, at {condition}",
+    unmet="; sampling finds none for {span} and the values given",
     but_where="except perhaps where also one of these holds: {conditions}",
     centres={
         "output still": "dead centre: the output stands still while the drive moves",
@@ -327,5 +334,6 @@ LOCALE = Locale(
     "difference {error}).",
     pending="The equilibrium of the free bodies has not been compared.",
     conjunction="and",
+    disjunction="or",
     units={},
 )

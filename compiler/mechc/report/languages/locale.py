@@ -16,7 +16,8 @@ class Locale(NamedTuple):
     for its points, ``{all}`` for the same one by one, ``{turn}`` for one of the ``turns``.
     ``rules`` maps each rule of the derivation to its sentence, with ``{first}`` for the
     first name of its subject, ``{rest}`` for the others, ``{all}`` for all of them and
-    ``{joined}`` for all written as one (the rod AB). ``trends`` and ``centres`` map the
+    ``{joined}`` for all written as one (the rod AB); ``again`` are the shorter sentences of loops
+    and rules from the second time on. ``trends`` and ``centres`` map the
     words of a result, ``joints`` those of a joint that is neither pin nor guide,
     ``given_friction`` what is given of friction, ``sayings`` the words of a passage about forces or
     friction, with places for its names and formulas. ``with_friction`` are headings by the
@@ -35,6 +36,7 @@ class Locale(NamedTuple):
     given: str
     conventions: str
     plain_numbers: str
+    atan2: str
     symbol: str
     quantity: str
     value: str
@@ -66,6 +68,7 @@ class Locale(NamedTuple):
     signed: str
     rules: Mapping[str, str]
     sayings: Mapping[str, str]
+    again: Mapping[str, str]
     held: str
     hence: str
 
@@ -92,6 +95,7 @@ class Locale(NamedTuple):
     pole: str
     infinite: str
     when: str
+    unmet: str
     but_where: str
     centres: Mapping[str, str]
     states: Mapping[str, str]
@@ -137,4 +141,5 @@ class Locale(NamedTuple):
     pending: str
 
     conjunction: str
+    disjunction: str
     units: Mapping[str, str]

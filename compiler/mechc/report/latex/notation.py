@@ -22,7 +22,7 @@ _COMMON = {
     "csc": r"\csc",
     "asin": r"\arcsin",
     "acos": r"\arccos",
-    "atan2": r"\operatorname{arctan2}",
+    "atan2": r"\operatorname{atan2}",
     "min": r"\min",
     "max": r"\max",
     "exp": r"\exp",

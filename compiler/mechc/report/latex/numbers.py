@@ -12,7 +12,7 @@ from ..sentences.remarks import asked
 from .display import LINE, Line, aligned, broken
 from .notation import Notation, name
 from .printer import Box, box, latex, plain
-from .quantity import in_unit, measured
+from .quantity import in_unit, measured, usual_unit
 
 LONGEST_DERIVATIVE = 60
 """A derivative of more operations than this is given by its value."""
@@ -72,10 +72,11 @@ def _number(result: Analysis, locale: Locale, style: Notation) -> str:
 
 def _slopes(result: Analysis, locale: Locale, style: Notation) -> Iterator[str]:
     symbol, short = latex(asked(result), style), dict(short_derivatives(result))
-    for parameter, (value, dimension) in result.slopes.items():
+    for parameter, (value, dimension, unit) in result.slopes.items():
         if parameter not in short and (result.derivatives or {})[parameter] != ZERO:
             left = slope(symbol, parameter, style, total=bool(result.where)).tex
-            yield f"${left}={measured(value, dimension, locale, style)}$"
+            shown = in_unit(value, unit or usual_unit(dimension), locale, style)
+            yield f"${left}={shown}$"
 
 
 def short_derivatives(result: Analysis) -> Iterator[tuple[str, Formula]]:

@@ -6,6 +6,7 @@ from ...formula.tree import Symbol
 from ...study.analysis import Analysis, Extent, Extreme
 from ...units import behind, size_of
 from ..languages.locale import Locale
+from .limits import tells_both
 from .locking import rounded_value, span
 from .speller import Speller
 from .wording import enumeration
@@ -19,18 +20,21 @@ DIGITS = 5
 
 def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield a sentence for each range or stroke of which there is something to say."""
+    is_told = tells_both(result)
     for extent in result.extents:
         words = locale.extents
-        parts = [*_singular(extent, symbol, locale, spell)]
+        parts = [*_singular(extent, symbol, is_told, locale, spell)]
         parts += _extreme(extent, symbol, locale, spell)
         if parts:
             where = span(extent.range, extent, locale, spell)
             yield words["whole"].format(span=where, parts="; ".join(parts))
 
 
-def _singular(extent: Extent, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
-    """Yield where it is zero, where infinite, or that it is neither."""
-    if extent.looked and not extent.zeros and not extent.poles:
+def _singular(
+    extent: Extent, symbol: str, is_told: bool, locale: Locale, spell: Speller
+) -> Iterator[str]:
+    """Yield where it is zero, where infinite, or that it is neither, unless that ``is_told``."""
+    if extent.looked and not extent.zeros and not extent.poles and not is_told:
         yield locale.extents["neither"].format(result=symbol)
     for kind, found in (("0", extent.zeros), ("infinite", extent.poles)):
         if 0 < len(found) <= MANY:

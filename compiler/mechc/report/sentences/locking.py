@@ -50,7 +50,12 @@ def _locking(locking: Locking, locale: Locale, spell: Speller) -> Iterator[str]:
 
 
 def _is_shown(stretch: Stretch, reach: LockingIntervals) -> bool:
-    """Return whether a stretch is of interest, not a jam near a dead centre outside the range."""
+    """Return whether a stretch is of interest.
+
+    Outside the range it is where a formula gives its ends, unless it is a jam near a dead centre.
+    """
+    if reach.range and stretch.within is None and stretch.sampled:
+        return False
     is_solved = any(b and b.exact for b in (stretch.low, stretch.high))
     return (
         stretch.state == "locked" or stretch.within is not None or (not reach.range and is_solved)

@@ -5,7 +5,7 @@ from typing import assert_never
 
 from ...formula.layout import is_angle
 from ...formula.names import split_ratio
-from ...formula.tree import ZERO, Call, Formula, Power, Sum, Symbol, product, quotient, total
+from ...formula.tree import ZERO, Call, Formula, Power, Symbol, product, quotient
 from ...formula.walk import walk
 from ...model.mechanism import (
     Axial,
@@ -19,13 +19,14 @@ from ...model.mechanism import (
     WithFriction,
 )
 from ...model.written import WrittenSides
-from ...study.analysis import Analysis, Break, Scope, Trend, Vanishing
+from ...study.analysis import Analysis, Break, Scope, Trend
 from ..derivation.steps import Paragraph
 from ..languages.locale import Locale
 from .extents import extent_remarks
+from .limits import limits
 from .locking import friction_remarks
 from .speller import Speller
-from .wording import enumeration, positive_first
+from .wording import enumeration
 
 
 def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
@@ -126,8 +127,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
     """Return the remarks on a result: limits, proportions, symmetries, trends, locking."""
     symbol = _spelled(asked(result), spell)
     said = _holds(result, locale, spell)
-    said += [_limit(locale.zero, symbol, v, locale, spell) for v in result.zeros]
-    said += [_limit(locale.pole, symbol, v, locale, spell) for v in result.poles]
+    said += limits(result, symbol, locale, spell)
     said += [_infinite(symbol, b, locale, spell) for b in result.breaks]
     said += _proportions(result, locale, spell)
     if result.independent:
@@ -155,31 +155,10 @@ def _spelled(formula: Formula, spell: Speller) -> str:
     return spell.relation((formula,), (), False)
 
 
-def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: Speller) -> str:
-    condition = spell.relation((limit.factor, ZERO), ("=",), False)
-    said = template.format(result=symbol, condition=condition)
-    if limit.at:
-        name, value = limit.at[0], _ordered(limit.at[1])
-        place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
-        said += ", " + locale.when.format(condition=place)
-    if limit.but:
-        but = (spell.relation((f, ZERO), ("=",), False) for f in limit.but)
-        said += ", " + locale.but_where.format(conditions=", ".join(but))
-    if limit.outside:
-        said += ", " + locale.out_of_ranges
-    kind = locale.centres[limit.kind]
-    return f"{said} ({kind})." if kind else f"{said}."
-
-
 def _infinite(symbol: str, found: Break, locale: Locale, spell: Speller) -> str:
     condition = spell.relation((found.factor, ZERO), ("=",), False)
     name = _spelled(Symbol(found.name), spell)
     return locale.infinite.format(result=symbol, condition=condition, name=name)
-
-
-def _ordered(angle: Formula) -> Formula:
-    """Return an angle as it is written, ``90° − θ``."""
-    return total(positive_first(angle.terms)) if isinstance(angle, Sum) else angle
 
 
 def _proportions(result: Analysis, locale: Locale, spell: Speller) -> list[str]:

@@ -1,7 +1,8 @@
 """A derivation put into words, whatever the language and whoever prints."""
 
-from collections.abc import Callable, Iterable, Iterator, Set
+from collections.abc import Callable, Iterable, Iterator, Mapping, Set
 from itertools import groupby
+from typing import TypeVar
 
 from ...algebra.from_formula import to_product
 from ...formula.layout import has_minus
@@ -21,13 +22,34 @@ from ...formula.tree import (
 from ...formula.walk import children, rebuild, symbols
 from ..derivation.steps import Equation, PositionStep, Step
 from ..languages.locale import Locale
+from .speller import Speller
+
+Kind = TypeVar("Kind", bound=str)
+"""A rule of velocities, or how a loop is solved."""
 
 
-def sentence(step: Step, locale: Locale, spell: Callable[[str], str]) -> str:
-    """Return the rule of a step in words; ``spell`` writes a name of the drawing."""
+def sentences(steps: Iterable[Step], locale: Locale, spell: Callable[[str], str]) -> Iterator[str]:
+    """Yield the rule of each step in words; ``spell`` writes a name of the drawing."""
+    listed = [*steps]
+    templates = _in_full_once([step.rule for step in listed], locale.rules, locale.again)
+    for step, template in zip(listed, templates, strict=True):
+        yield _sentence(step, template, locale, spell)
+
+
+def _in_full_once(
+    kinds: Iterable[Kind], full: Mapping[Kind, str], again: Mapping[str, str]
+) -> Iterator[str]:
+    """Yield the template of each kind, from the second one on the short form where it has one."""
+    known: set[str] = set()
+    for kind in kinds:
+        yield again.get(kind, full[kind]) if kind in known else full[kind]
+        known.add(kind)
+
+
+def _sentence(step: Step, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
     first, *rest = step.subject or ("",)
     together = first if len(first.rstrip("'0123456789")) > 1 else "".join(step.subject)
-    return locale.rules[step.rule].format(
+    return template.format(
         first=spell(first),
         rest=enumeration((spell(s) for s in rest or (first,)), locale),
         all=enumeration((spell(s) for s in step.subject), locale),
@@ -35,9 +57,17 @@ def sentence(step: Step, locale: Locale, spell: Callable[[str], str]) -> str:
     )
 
 
-def position_sentence(step: PositionStep, locale: Locale, spell: Callable[[str], str]) -> str:
-    """Return in words which loop gives what follows, and by which law."""
-    template = locale.loops[step.kind]
+def position_sentences(
+    steps: Iterable[PositionStep], locale: Locale, spell: Callable[[str], str]
+) -> Iterator[str]:
+    """Yield in words which loop gives what follows, and by which law."""
+    listed = [*steps]
+    templates = _in_full_once([step.kind for step in listed], locale.loops, locale.again)
+    for step, template in zip(listed, templates, strict=True):
+        yield _of_loop(step, template, locale, spell)
+
+
+def _of_loop(step: PositionStep, template: str, locale: Locale, spell: Callable[[str], str]) -> str:
     turn = locale.turns["cw" if step.is_clockwise else "ccw"]
     loop = spell("".join(step.points))
     return template.format(loop=loop, turn=turn, all=enumeration(map(spell, step.points), locale))
@@ -47,6 +77,19 @@ def enumeration(items: Iterable[str], locale: Locale) -> str:
     """Return ``A, B and C`` in the table's language."""
     *most, last = items
     return f"{', '.join(most)} {locale.conjunction} {last}" if most else last
+
+
+def alternatives(items: Iterable[str], locale: Locale) -> str:
+    """Return ``A, B or C`` in the table's language."""
+    *most, last = items
+    return f"{', '.join(most)} {locale.disjunction} {last}" if most else last
+
+
+def direction_function(locale: Locale, spell: Speller) -> str:
+    """Return what ``atan2`` gives."""
+    x, y = Symbol("x"), Symbol("y")
+    names: dict[str, Formula] = {"x": x, "y": y, "function": Call("atan2", (y, x))}
+    return locale.atan2.format_map({n: spell.relation((f,), (), True) for n, f in names.items()})
 
 
 def as_ratio(equation: Equation) -> Equation:

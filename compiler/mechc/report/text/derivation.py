@@ -11,11 +11,11 @@ from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..brief import needed, relations, short
 from ..definitions import Solved, grouped
-from ..derivation.steps import Derivation, LastStep, Step
-from ..evaluated import Evaluated, evaluated, hides_units
+from ..derivation.steps import Derivation, LastStep
+from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
 from ..sentences.remarks import asked, conditions, heading, is_nameless, ratio, remarks, said
-from ..sentences.wording import Sides, lines, position_sentence, sentence
+from ..sentences.wording import Sides, direction_function, lines, position_sentences, sentences
 from . import note
 from .speller import DEEP, WIDTH, Speller, speller
 
@@ -124,15 +124,17 @@ def _given(mechanism: Mechanism, spell: Speller) -> list[str]:
 def _conventions(whole: Outline, mechanism: Mechanism, spell: Speller) -> Iterator[str]:
     if hides_units(whole, mechanism):
         yield from spell.wrapped(spell.locale.plain_numbers, "  ")
+    if has_atan2(whole):
+        yield from spell.wrapped(direction_function(spell.locale, spell), "  ")
 
 
 def _position(position: Iterable[PositionSection], spell: Speller) -> Iterator[str]:
-    for number, section in enumerate(position, 1):
+    sections = [*position]
+    said = position_sentences((s.step for s in sections), spell.locale, spell.point)
+    for number, (section, words) in enumerate(zip(sections, said, strict=True), 1):
         if number == 1:
             yield from ("", spell.locale.position)
-        yield from spell.wrapped(
-            position_sentence(section.step, spell.locale, spell.point), f"{number:>3}. "
-        )
+        yield from spell.wrapped(words, f"{number:>3}. ")
         yield from _where((), section.where, spell, {})
 
 
@@ -153,14 +155,11 @@ def _velocities(derivation: Derivation, spell: Speller) -> Iterator[str]:
     several = len(derivation.balances) > 1
     convention = spell.locale.signed if several else spell.locale.magnitudes
     yield from ("", spell.locale.velocities, *spell.wrapped(convention, "     "))
-    for number, step in enumerate(derivation.steps, 1):
-        yield from _step(number, step, spell)
-
-
-def _step(number: int, step: Step, spell: Speller) -> Iterator[str]:
-    yield from spell.wrapped(sentence(step, spell.locale, spell.point), f"{number:>3}. ")
-    said, hence = lines(step)
-    yield from _equations((*said, *hence), spell)
+    words = sentences(derivation.steps, spell.locale, spell.point)
+    for number, (step, sentence) in enumerate(zip(derivation.steps, words, strict=True), 1):
+        yield from spell.wrapped(sentence, f"{number:>3}. ")
+        said, hence = lines(step)
+        yield from _equations((*said, *hence), spell)
 
 
 def _power(derivation: Derivation, spell: Speller) -> Iterator[str]:

@@ -1,0 +1,100 @@
+"""Under which conditions a result is zero or infinite, in sentences."""
+
+from collections.abc import Iterator, Sequence
+from itertools import groupby
+
+from ...formula.operations import count_operations
+from ...formula.tree import ZERO, Formula, Sum, Symbol, total
+from ...study.analysis import Analysis, Extent, Vanishing
+from ..languages.locale import Locale
+from .locking import span
+from .speller import Speller
+from .wording import alternatives, positive_first
+
+LONG = 8
+"""A condition of more operations tells less than the places at which it holds."""
+
+
+def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
+    """Yield when a result vanishes, then when it becomes infinite; like conditions together."""
+    for template, found, passed in (
+        (locale.zero, result.zeros, passed_by(result, "zeros")),
+        (locale.pole, result.poles, passed_by(result, "poles")),
+    ):
+        told = [v for v in found if not _is_shown_by_places(v, result.extents)]
+        for _, alike in groupby(told, lambda v: (v.kind, _is_bare(v), v if v.at else None)):
+            group = [*alike]
+            if _is_bare(group[0]):
+                yield _bare(template, symbol, group, passed, locale, spell)
+            else:
+                yield from (_limit(template, symbol, v, locale, spell) for v in group)
+
+
+def passed_by(result: Analysis, kind: str) -> Extent | None:
+    """Return the range on which no zero, or no pole, was found; None where there is none."""
+    looked = [extent for extent in result.extents if extent.looked]
+    free = [extent for extent in looked if not getattr(extent, kind)]
+    return free[0] if len(free) == len(looked) == 1 else None
+
+
+def tells_both(result: Analysis) -> bool:
+    """Return whether :func:`limits` tells that a range has no zero, and that it has no pole."""
+    return all(
+        passed_by(result, kind)
+        and any(_is_bare(v) and not _is_shown_by_places(v, result.extents) for v in found)
+        for kind, found in (("zeros", result.zeros), ("poles", result.poles))
+    )
+
+
+def _is_shown_by_places(limit: Vanishing, extents: Sequence[Extent]) -> bool:
+    """Return whether a long condition is left out, as the places along a range are listed."""
+    is_long = limit.at is None and count_operations(limit.factor) > LONG
+    return is_long and any(extent.looked for extent in extents)
+
+
+def _is_bare(limit: Vanishing) -> bool:
+    """Return whether there is nothing but the condition and its kind."""
+    return not (limit.at or limit.but or limit.outside)
+
+
+def _bare(
+    template: str,
+    symbol: str,
+    group: Sequence[Vanishing],
+    passed: Extent | None,
+    locale: Locale,
+    spell: Speller,
+) -> str:
+    conditions = alternatives([_zero(v.factor, spell) for v in group], locale)
+    said = _with_kind(template.format(result=symbol, condition=conditions), group[0], locale)
+    if passed:
+        said += locale.unmet.format(span=span(passed.range, passed, locale, spell))
+    return f"{said}."
+
+
+def _limit(template: str, symbol: str, limit: Vanishing, locale: Locale, spell: Speller) -> str:
+    said = template.format(result=symbol, condition=_zero(limit.factor, spell))
+    if limit.at:
+        name, value = limit.at[0], _ordered(limit.at[1])
+        place = spell.relation((Symbol(name), value), ("=",), name in spell.angles)
+        said += ", " + locale.when.format(condition=place)
+    if limit.but:
+        but = (_zero(factor, spell) for factor in limit.but)
+        said += ", " + locale.but_where.format(conditions=", ".join(but))
+    if limit.outside:
+        said += ", " + locale.out_of_ranges
+    return f"{_with_kind(said, limit, locale)}."
+
+
+def _with_kind(said: str, limit: Vanishing, locale: Locale) -> str:
+    kind = locale.centres[limit.kind]
+    return f"{said} ({kind})" if kind else said
+
+
+def _zero(factor: Formula, spell: Speller) -> str:
+    return spell.relation((factor, ZERO), ("=",), False)
+
+
+def _ordered(angle: Formula) -> Formula:
+    """Return an angle as it is written, ``90° − θ``."""
+    return total(positive_first(angle.terms)) if isinstance(angle, Sum) else angle

@@ -1,0 +1,89 @@
+"""When a result vanishes or becomes infinite: told once, never off the stroke without saying so."""
+
+import re
+
+import numpy as np
+import pytest
+
+import good_mechanisms
+from mechc.emit.latex.to_latex import TARGET
+from mechc.emit.target import Options
+from mechc.report.sentences.limits import passed_by
+from mechc.report.sentences.remarks import remarks
+from mechc.report.text.derivation import render
+from mechc.report.text.speller import speller
+from mechc.routine.evaluate import evaluate
+
+
+def said(name: str, language: str = "en") -> list[str]:
+    """Return what follows from the results of a mechanism."""
+    found = good_mechanisms.compiled(name)
+    results = found.reported.results
+    spell = speller(results, found.mechanism, True, language)
+    return [line for result in results for line in remarks(result, spell.locale, spell)]
+
+
+def test_conditions_of_one_kind_stand_together_and_those_off_the_stroke_are_told_as_such():
+    (line,) = (each for each in said("jansen_leg") if "infinite when" in each)
+    assert "sin(μ_D) = 0, sin(μ_B) = 0 or sin(μ_E) = 0 (dead centre" in line
+    assert line.endswith("; sampling finds none for 0 ≤ φ ≤ 360° and the values given.")
+    (line,) = (each for each in said("jansen_leg", "uk") if "нескінченності" in each)
+    assert "sin(μ_B) = 0 або sin(μ_E) = 0" in line
+
+
+def test_places_are_listed_instead_of_a_long_condition():
+    lines = said("jansen_leg")
+    assert not any("vanishes when" in line for line in lines)
+    assert any("k is 0 at φ = 2.386°, φ = 34.24°" in line for line in lines)
+
+
+def test_what_is_neither_zero_nor_infinite_is_told_once():
+    lines = said("toggle_clamp")
+    assert sum("sampling finds none for 2° ≤ θ ≤ 40°" in line for line in lines) == 2
+    assert not any("neither 0 nor infinite" in line for line in lines)
+    assert any("neither 0 nor infinite" in line for line in said("peaucellier_closed"))
+
+
+@pytest.mark.parametrize("name", ["crank_rocker", "toggle_clamp", "watt_closed", "whitworth"])
+def test_a_stroke_without_zeros_or_poles_has_none(name):
+    found = good_mechanisms.compiled(name)
+    functions = {f.name: f for f in found.routine.functions}
+    for result in found.reported.results:
+        for kind in ("zeros", "poles"):
+            if extent := passed_by(result, kind):
+                values = {i.name: i.default for i in functions[result.name].inputs}
+                values[extent.parameter] = np.linspace(*extent.range, 4001)
+                along = evaluate(functions[result.name], values)
+                if kind == "zeros":
+                    assert np.all(along[1:] * along[:-1] > 0)
+                else:
+                    most = max(abs(extent.least.value), abs(extent.greatest.value))
+                    assert np.max(np.abs(along)) <= most * (1 + 1e-6)
+
+
+def test_friction_angles_are_not_followed_below_zero():
+    for name in ("d45_16_wedge_hook_with_friction", "screw_jack_with_friction"):
+        assert not any("−90° < ρ" in line or "ρ < 98°" in line for line in said(name))
+    assert any("0 < β ≤ ρ" in line for line in said("d45_16_wedge_hook_with_friction"))
+
+
+def test_a_law_is_explained_once():
+    found = good_mechanisms.compiled("jansen_leg")
+    text = " ".join(render(found.reported, found.mechanism, unicode=True).split())
+    assert text.count("the law of cosines gives its angles") == 1
+    assert "Likewise triangle ZDA, its vertices in counter-clockwise order." in text
+    assert text.count("Equal-projection theorem") == 1
+    assert "Likewise on the line AD the velocities of A and D have equal projections." in text
+
+
+def test_atan2_is_explained_where_it_is_used():
+    words = "atan2(y, x) is the direction of the vector with the components x and y."
+    for name, count in (("crank_rocker", 1), ("four_bar", 0)):
+        found = good_mechanisms.compiled(name)
+        text = " ".join(render(found.reported, found.mechanism, unicode=True).split())
+        assert text.count(words) == count
+
+
+def test_a_slope_is_in_the_unit_of_lengths():
+    (file,) = TARGET.emit(good_mechanisms.compiled("jansen_leg"), Options("jansen"))
+    assert re.search(r"26\.1493[^$]*mm", file.text)
