@@ -22,7 +22,7 @@ def force_with_friction(
     loaded = problem.loaded(find, case)
     if loaded is None:
         return None
-    endings = problem.endings.of(ideal.name, sense)
+    endings = problem.endings.of_force(ideal.name, sense)
     if not asks_for_loads(problem.mechanism):
         closed = in_closed_form(problem, case, loaded, SIGNS[sense], endings)
         problem.remark_on_pins(case, exact=closed is not None)

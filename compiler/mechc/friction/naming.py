@@ -45,6 +45,15 @@ class Endings:
         self._first = self._first or sense
         return (f"{ideal}_f",) if sense == self._first else ("hold", f"{ideal}_hold")
 
+    def of_force(self, ideal: str, sense: Sense) -> tuple[str, ...]:
+        """Return those of a force at a joint: ``n_B_f`` is what presses B wherever forces are.
+
+        >>> Endings().of_force("R_O_x", "tightening")
+        ('f', 'R_O_x_f')
+        """
+        found = self.of(ideal, sense)
+        return ("f", *found) if sense == self._first else found
+
 
 def with_one_meaning(sizes: Sizes, meanings: Sequence[Meanings], endings: Sequence[str]) -> Sizes:
     """Return sizes with all their names ended alike, so that each is new, and keep them."""
