@@ -162,12 +162,20 @@ def _singular(found: Singular, stroke: Stroke) -> str:
     why = f": {kinds[found.kind]}" if kinds[found.kind] else ""
     does = f"= {found.value}"
     if found.sides is not None:
-        does = "jumps from {:.6g} to {:.6g}".format(*found.sides)
+        low, high = (_measured(side, found.result, stroke, 6) for side in found.sides)
+        does = f"jumps from {low} to {high}"
     return f"{found.result} {does} at {_at(found.drive, stroke)}{exact}{why}"
 
 
 def _extremum(found: Extremum, stroke: Stroke) -> str:
-    return f"{found.result} has a {found.kind} {found.value:.13g} at {_at(found.drive, stroke)}"
+    value = _measured(found.value, found.result, stroke, 13)
+    return f"{found.result} has a {found.kind} {value} at {_at(found.drive, stroke)}"
+
+
+def _measured(value: float, result: str, stroke: Stroke, digits: int) -> str:
+    """Return a value of a result in the unit of its column."""
+    column = next(c for c in stroke.columns if c.name == result)
+    return in_unit(value, unit_of(column.dimension, column.unit), digits)
 
 
 def _standstill(found: JammedInterval, stroke: Stroke) -> str:

@@ -1,7 +1,7 @@
 """The table along a stroke: its columns and its rows."""
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from functools import partial
 
 from ...formula.rounding import Rounding, Size, beyond_rounding, without_value
@@ -23,9 +23,9 @@ from .velocities import velocities
 
 def columns(run: Run, asked: Asked) -> Iterator[Filled]:
     """Yield results, slopes, velocity ratios, transmission angles, then the paths asked for."""
-    yield from _results(run)
-    yield from _slopes(run)
     unit_of = partial(_unit, run.pose.mechanism)
+    yield from _results(run, unit_of)
+    yield from _slopes(run, unit_of)
     for velocity in velocities(run.solution.balance):
         unit = unit_of(velocity.dimension)
         column = Column(velocity.name, velocity.dimension, "velocity", unit)
@@ -35,21 +35,22 @@ def columns(run: Run, asked: Asked) -> Iterator[Filled]:
     yield from path_columns(asked, run.along, unit_of)
 
 
-def _results(run: Run) -> Iterator[Filled]:
+def _results(run: Run, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
     for result in run.results:
-        unit = own_unit(result.name, run.pose.mechanism)
+        unit = own_unit(result.name, run.pose.mechanism) or unit_of(result.dimension)
         column = Column(result.name, result.dimension, unit=unit)
         at = run.values(result.formula, result)
         has_friction = isinstance(result.target, WithFriction | Efficiency)
         yield Filled(column, at, result.formula, result.where, has_friction)
 
 
-def _slopes(run: Run) -> Iterator[Filled]:
+def _slopes(run: Run, unit_of: Callable[[Dimension], str]) -> Iterator[Filled]:
     for result in run.ratios:
         slope = (result.derivatives or {}).get(run.drive.name)
         if slope is not None:
             name = f"d{result.name}/d{run.drive.name}"
-            column = Column(name, result.dimension.over(run.drive.dimension), "slope")
+            dimension = result.dimension.over(run.drive.dimension)
+            column = Column(name, dimension, "slope", unit_of(dimension))
             yield Filled(column, run.values(slope, result), slope, result.where)
 
 
