@@ -5,11 +5,13 @@ import math
 import shutil
 import subprocess
 
+import numpy as np
 import pytest
 
 import mechc
 from mechc.api import SolvedMechanism
 from mechc.routine.evaluate import status
+from paths import LIBRARY
 
 KNEE = """\
 mechanism knee
@@ -68,6 +70,28 @@ def test_nothing_is_held_where_there_is_no_load(knee):
         found = {n: space[n](*values(*UNLOADED).values()) for n in space if n.endswith("_status")}
         assert found
         assert not any(found.values()), found
+
+
+@pytest.fixture(scope="module")
+def clamp() -> dict[str, object]:
+    """A knee whose load has a closed form, that holds at its dead centre at 90 degrees, too."""
+    text = (LIBRARY / "fedoriv_fig2a_with_friction.mech").read_text("utf-8")
+    head, _ = text.split("find k")
+    return code(mechc.loads(f"{head}find Q, R_E\n"))
+
+
+@pytest.mark.parametrize("many", [30, pytest.param(4000, marks=pytest.mark.slow)])
+def test_beside_a_dead_centre_nothing_is_told_rather_than_what_is_false(clamp, many):
+    """For a unit of friction, joints are pressed with up to 1e14 there."""
+    dice = np.random.default_rng(1)
+    beside = dice.choice([-1, 1], many) * 10.0 ** -dice.uniform(2, 16, many)
+    ranges = ((0.05, 0.15), (0.01, 0.4), (0.002, 0.03))
+    given = [math.pi / 2 + beside, *(dice.uniform(*ends, many) for ends in ranges)]
+    given.append(dice.choice([-1.0, 1.0], many) * 10 ** dice.uniform(-1, 4, many))
+    told, of_load = (clamp[f"{n}_f_status"](*given) for n in ("R_E_x", "Q"))
+    is_false = (told != of_load) & (told != 2) & (of_load != 2)
+    assert not is_false.any(), np.transpose(given)[is_false]
+    assert all(np.isfinite(clamp["R_E_x_f"](*given)) == (told == 0))
 
 
 def code(mechanism: SolvedMechanism) -> dict[str, object]:

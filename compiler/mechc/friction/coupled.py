@@ -45,6 +45,13 @@ ROUNDED = Fraction(3, 100)
 They are at the outset, and no longer at the end: on the way a force may turn round.
 """
 
+TOO_LARGE = Fraction(10) ** 14
+"""The sum of squares of D at which nothing is told.
+
+Beside a dead centre forces of 1e7 times their sum may cancel, so that Newton's corrections stop
+to shrink by rounding, as they do where the branch of solutions ends.
+"""
+
 
 @frozen
 class Sizes:
@@ -138,9 +145,10 @@ class _Coupled:
         squares = (product([(self._adds(i), 2)]) for i in range(len(added)))
         yield Definition(self._turn, quotient(Symbol(self._common), total([*squares, NOTHING])))
         both = product([(Symbol(self._turn), 1), (Symbol(self._common), 1)])
-        whole = (product([(Symbol(share), 2)]) for share in shares)
-        rest = Call("max", (total([*whole, negative(both)]), number(0)))
-        yield Definition(self._length, Call("sqrt", (total([ONE, rest]),)))
+        whole = total([product([(Symbol(share), 2)]) for share in shares])
+        rest = Call("max", (total([whole, negative(both)]), number(0)))
+        parts = (total([ONE, rest]), _certain(whole))
+        yield Definition(self._length, Call("sqrt", (product([(p, 1) for p in parts]),)))
 
     def _solutions(self, pairs: Sequence[Sequence[Row]]) -> Iterator[Definition]:
         """Yield the loads at the end, and the true sizes where they are as given."""
@@ -254,3 +262,11 @@ class _Coupled:
 
 def _hypot(names: Iterator[str]) -> Formula:
     return Call("hypot", (*map(Symbol, names), NOTHING))
+
+
+def _certain(whole: Formula) -> Formula:
+    """Return 1 and, as D grows, less: where D is too large it is negative and has no root.
+
+    As a factor of the length of the way it changes no solution: forces are told in proportion.
+    """
+    return total([ONE, product([(number(-1 / TOO_LARGE), 1), (whole, 1)])])

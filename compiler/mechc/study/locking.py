@@ -108,11 +108,24 @@ class _Stretches:
         """Yield the stretches in their order."""
         grid = looked_at(self.moving, low, high, self.range or ()) if low < high else []
         first = 0
-        for state, group in groupby(grid, lambda x: self.moving.at(x).state):
+        for state, group in groupby(self._states(grid)):
             last = first + len(list(group)) - 1
             if state in ("locked", "jammed"):
                 yield self._stretch(grid, first, last, state)
             first = last + 1
+
+    def _states(self, grid: Sequence[float]) -> list[State | None]:
+        """Return the state at each value.
+
+        A dead centre at which the window ends has that of the value next to it: so near to it
+        rounding leaves nothing to be solved.
+        """
+        states = [self.moving.at(x).state for x in grid]
+        for end, beside in ((0, 1), (-1, -2)) if grid else ():
+            is_near = _are_near(grid, grid[end], grid[beside])
+            if states[end] is None and is_near and self._is_beyond(grid[end]):
+                states[end] = states[beside]
+        return states
 
     def _stretch(self, grid: Sequence[float], first: int, last: int, state: State) -> Stretch:
         low, high = self._end(grid, first, -1), self._end(grid, last, 1)
@@ -138,18 +151,21 @@ class _Stretches:
             return self._bound(
                 dead_centre(self.moving, a, b), self.moving.ideal, (zeros, poles), is_pose
             )
-        if there.state is None and abs(b - a) <= 2 * nearest(grid[-1] - grid[0]):
-            return Bound(b, left_out=True)
         state = here.state
         width = NEARLY if self.moving.is_slow else EXACT
         x = last(lambda x: self.moving.at(x).state == state, a, b, width)
+        if there.state is None and _are_near(grid, x, b):
+            return Bound(b, left_out=True)
         return self._bound(x, self.printed, (zeros if state == "locked" else poles,))
 
     def _end_of_window(self, x: float) -> Bound | None:
         """Return the end of what was looked at beyond the range; the range ends as it is given."""
-        if self.range is None or self.range[0] <= x <= self.range[1]:
+        if self.range is None or not self._is_beyond(x):
             return None
         return self._bound(x, self.moving.ideal, (zeros, poles), True)
+
+    def _is_beyond(self, x: float) -> bool:
+        return self.range is None or not self.range[0] <= x <= self.range[1]
 
     def _within(self, low: float, high: float) -> Range | None:
         if self.range is None:
@@ -171,6 +187,11 @@ class _Stretches:
                 shown = exact if solution.period else to_product(exact).formula()
                 return Bound(evaluate(exact, values), shown, is_dead_centre)
         return Bound(x, None, is_dead_centre)
+
+
+def _are_near(grid: Sequence[float], a: float, b: float) -> bool:
+    """Return whether nothing is looked at between two values, one of them a dead centre."""
+    return abs(b - a) <= 2 * nearest(grid[-1] - grid[0])
 
 
 def _is_short(exact: Formula) -> bool:

@@ -54,7 +54,8 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     grid = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
     jumps = (x for a, b in pairwise(grid) for x in _jumps(moving, a, b))
     far = nearest(high - low) / 2
-    grid = sorted({*grid, *(x for x in jumps if all(abs(x - c) > far for c in still))})
+    jumps = (x for x in jumps if all(abs(x - c) > far for c in still))
+    grid = sorted({*grid, *(x for x in jumps if moving.at(x).state)})
     edges = [x for a, b in pairwise(grid) for x in _edge(moving, a, b)]
     grid = sorted({*grid, *edges})
     beside_jumps = _turning_beside_jumps(moving, grid)
