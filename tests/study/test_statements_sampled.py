@@ -7,6 +7,7 @@ import pytest
 from grown import Grown
 from mechc.diagnostics import MechcError
 from mechc.driver import Compilation
+from mechc.formula.to_text import text
 from mechc.frozen import replace
 from mechc.report.text.derivation import render
 from mechc.source import Source
@@ -72,6 +73,13 @@ def test_a_sum_of_which_it_is_not_known_what_it_shares_is_told_all_the_same():
     mechanism, (k,) = results(Chain(80074, equal=True).text)
     assert len([v for v in k.zeros if v.but]) == 1
     assert list(refuted(mechanism, k, 80074)) == list(missing(mechanism, k, 80074)) == []
+
+
+def test_a_sine_that_a_sum_has_for_itself_vanishes_too():
+    """The sum cos 3t + … sin 2t/sin(t - 5 deg) shares the pole, and vanishes with cos t."""
+    mechanism, (k,) = results(Chain(530287).text)
+    assert "cos(t/2 + pi/4)" in {text(v.factor) for v in k.zeros}
+    assert list(missing(mechanism, k, 530287)) == []
 
 
 def test_lengths_that_are_equal_by_chance_make_no_false_zeros():

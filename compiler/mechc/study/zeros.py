@@ -71,11 +71,16 @@ def _conditions(
                 case Trig():
                     yield from _at_roots(factor, item, balance, near, side, chain)
                 case _:
-                    yield from _of_sum(factor, item, balance, near, side)
+                    yield from _of_sum(factor, item, balance, near, side, chain)
 
 
 def _of_sum(
-    factor: Factor, item: Solved, balance: Balance, near: Mapping[str, float], side: int
+    factor: Factor,
+    item: Solved,
+    balance: Balance,
+    near: Mapping[str, float],
+    side: int,
+    chain: Chain,
 ) -> Iterator[Vanishing]:
     """Yield what is left of a sum; where that is not known, all of it but for what it shares."""
     assert item.value is not None
@@ -83,7 +88,9 @@ def _of_sum(
     left = _without_shared(factor, item.value, near)
     but = () if left else tuple(t.formula() for t in _across_the_line(factor, item.value))
     for part in left or (factor,):
-        if may_vanish(part, near):
+        if isinstance(part, Trig):
+            yield from _at_roots(part, item, balance, near, side, chain)
+        elif may_vanish(part, near):
             yield Vanishing(part.formula(), None, kind, _is_outside(part, balance), but)
 
 
@@ -175,14 +182,16 @@ def _chain(item: Solved) -> Chain:
 def _without_shared(factor: Factor, value: Product, near: Mapping[str, float]) -> Iterable[Factor]:
     """Return the rest of a sum without the sines that it shares with one across the line.
 
-    Nothing where one of them cannot be split off, or is shared for the lengths given only:
-    then it is not known what is left.
+    It may have sines of its own, that nothing is known of yet: cos 3t + sin 2t has cos t. Nothing
+    is left where one cannot be split off, or is shared for the lengths given only: then it is not
+    known what is.
     """
     across = _roots_across(factor, value)
     shared = [r for r in across if order(Product.of(factor), r.name, r.value) != 0]
     rest = without(factor, [r.factor for r in shared]) if isinstance(factor, Sum) else None
-    left = [f for f in rest.factors if isinstance(f, Sum)] if shared and rest else [factor]
-    known = all(order(Product.of(f), r.name, r.value) == 0 for f in left for r in shared)
+    left = [f for f, e in rest.factors.items() if e > 0] if shared and rest else [factor]
+    sums = [f for f in left if isinstance(f, Sum)] if shared else left
+    known = all(order(Product.of(f), r.name, r.value) == 0 for f in sums for r in shared)
     by_chance = any(_is_nil(f, r, near) for f in left for r in across)
     return left if known and not by_chance else []
 
