@@ -96,3 +96,28 @@ friction gear O1 0.99999
 find k = T/M
 """
     assert not mechc.loads(text).warnings
+
+
+KNEE = """\
+param alpha = {alpha} deg
+pivot E
+slider C along 0 deg
+link EB
+link BC
+EB = 80 mm @ alpha
+BC = 80 mm @ -alpha
+force Q at B along -90 deg
+force W at C along 180 deg
+friction pins {f} diameter 10 mm
+find k = Q/W
+"""
+
+
+@pytest.mark.parametrize(("alpha", "f"), [(89.9, 0.1), (89.99, 0.1), (89.7, 0.5)])
+def test_a_knee_that_is_all_but_straight_is_followed_to_the_force_that_releases_it(alpha, f):
+    """Friction is so large there that a force and its opposite balance nearly alike."""
+    compilation = Compilation(Source("knee.mech", KNEE.format(alpha=alpha, f=f)))
+    held = next(t for t in compilation.verdict.trials if t.result == "k_hold")
+    by_hand = 2 * math.tan(math.radians(alpha) - math.asin(f * 10 / 80))
+    assert held.statics == pytest.approx(by_hand, rel=1e-8)
+    assert not held.is_one_of_several

@@ -30,10 +30,16 @@ ENDLESS = 1e12
 """Frictions this large against the loads have no end."""
 
 ROUNDED = 0.03
-"""By how much, against all of them, forces are rounded off at the outset."""
+"""By how much, against all of them, forces are rounded off at the outset, by friction of 1.
+
+More than so much, by as much as friction is larger, no force would be left to turn.
+"""
 
 FIRST, SHORTEST = 1 / 8, 1e-6
 """The first step on the way, and the shortest before it is given up."""
+
+STEPS = 400
+"""Steps at most, those that are given up among them: friction is far too large for more."""
 
 CORRECTIONS = 12
 """Corrections in one step at most, each :data:`SHRINKS` times as long as the one before."""
@@ -49,6 +55,13 @@ ATTEMPTS = 40
 
 STARTS = (0.1, 1.0, 10.0, 100.0)
 """How large guessed forces are, against those without friction."""
+
+TURNED = 0.5
+"""The cosine of the angle by which a force may turn in one step: 60 degrees.
+
+Where friction is large against the loads, a force and its opposite balance nearly alike: what
+turns at once is another solution.
+"""
 
 STALLED = 1e-9
 """Corrections this short that no longer shrink are rounding, too."""
@@ -123,6 +136,8 @@ class _Way:
         self._factors = [p.factor for p in pairs]
         self._loads = math.hypot(*(ideal for p in pairs for ideal, _ in p.components)) or 1.0
         self.pairs = [[self._scaled(*c) for c in p.components] for p in pairs]
+        by = (b for components in self.pairs for _, row in components for b in row)
+        self._roundness = ROUNDED / max(1.0, math.hypot(*by))
 
     def _scaled(self, ideal: float, by: Sequence[float]) -> tuple[float, list[float]]:
         return ideal / self._loads, [b * f for b, f in zip(by, self._factors, strict=True)]
@@ -147,18 +162,42 @@ class _Way:
     def followed(self) -> list[float] | None:
         """Return forces and loads at the end."""
         here, step = 0.0, FIRST
-        found = [math.hypot(ROUNDED, *(ideal for ideal, _ in cs)) for cs in self.pairs] + [1.0]
+        forces = (math.hypot(self._roundness, *(ideal for ideal, _ in cs)) for cs in self.pairs)
+        found = [*forces, 1.0]
         side = self._side(found, here)
-        while here < 1.0:
+        for _ in range(STEPS):
             aim = min(1.0, here + step)
             ahead = self._corrected(found, aim, side)
-            if ahead is None:
+            if ahead is not None and not self._turns(found, here, ahead, aim):
+                here, found, step = aim, ahead, 2 * step
+            else:
                 step /= 2
-                if step < SHORTEST:
-                    return None
-                continue
-            here, found, step = aim, ahead, 2 * step
-        return found
+            if here == 1.0 or step < SHORTEST:
+                break
+        return found if here == 1.0 else None
+
+    def _turns(
+        self, before: Sequence[float], here: float, ahead: Sequence[float], aim: float
+    ) -> bool:
+        """Return whether a force turns round from one place of the way to the next."""
+        pairs = zip(self._directions(before, here), self._directions(ahead, aim), strict=True)
+        return any(sum(map(mul, *both)) < TURNED for both in pairs)
+
+    def _directions(self, found: Sequence[float], part: float) -> Iterator[list[float]]:
+        """Yield the directions of forces, what rounds them off being a component, too."""
+        for components in self.pairs:
+            sides = [self._rounded(found, part), *self._sides(components, found, part)]
+            size = math.hypot(*sides)
+            yield [side / size if size else 0.0 for side in sides]
+
+    def _rounded(self, found: Sequence[float], part: float) -> float:
+        return self._roundness * (1 - part) * found[-1]
+
+    @staticmethod
+    def _sides(components: Components, found: Sequence[float], part: float) -> list[float]:
+        """Return the components of a force."""
+        *forces, load = found
+        return [a * load + part * sum(map(mul, by, forces)) for a, by in components]
 
     def _side(self, found: Sequence[float], part: float) -> int:
         residuals, matrix = self._equations(found, found, part)
@@ -187,11 +226,10 @@ class _Way:
         self, found: Sequence[float], before: Sequence[float], part: float
     ) -> tuple[list[float], Matrix]:
         """Return residuals and slopes; forces and loads keep their size along those before."""
-        *forces, load = found
-        rounded = ROUNDED * (1 - part) * load
+        forces, rounded = found[:-1], self._rounded(found, part)
         residuals, matrix = [], []
         for i, components in enumerate(self.pairs):
-            sides = [a * load + part * sum(map(mul, by, forces)) for a, by in components]
+            sides = self._sides(components, found, part)
             size = math.hypot(rounded, *sides)
             units = [side / size if size else 0.0 for side in sides]
             row = [
@@ -199,7 +237,7 @@ class _Way:
                 for j in range(len(forces))
             ]
             row[i] += 1.0
-            rest = ROUNDED * (1 - part) * rounded / size if size else 0.0
+            rest = self._roundness * (1 - part) * rounded / size if size else 0.0
             row.append(-rest - sum(u * a for u, (a, _) in zip(units, components, strict=True)))
             residuals.append(forces[i] - size)
             matrix.append(row)
