@@ -3,7 +3,8 @@
 A statement goes on in the next line while a bracket is open or the line ends in an
 operator or a comma. A line that begins with a statement's word ends it in any case,
 so that one forgotten bracket does not swallow the rest of the file, and so does a vector
-(``AB = …``), so that an operator without its right side is found where it stands.
+(``AB = …``) or a place (``A at …``), so that an operator without its right side, or a bracket
+that is not closed, is found where it stands.
 """
 
 from collections.abc import Iterator
@@ -14,6 +15,9 @@ from .lalr import Token
 
 OPERATORS = "PLUS MINUS PLUSMINUS TIMES_SIGN OVER CIRCUMFLEX COMMA EQUAL AT_SIGN COMPARISON"
 GOES_ON = frozenset(OPERATORS.split())
+
+OPERAND_ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
+"""An operand ends with one of these, and another one cannot stand behind it."""
 
 
 class Line(NamedTuple):
@@ -64,8 +68,10 @@ def begins(before: Token, token: Token, following: Token | None) -> bool:
 
     Behind a comma a list goes on, in which names have values, too.
     """
-    assigned = token.type == "NAME" and following is not None and following.type == "EQUAL"
-    return (assigned and before.type != "COMMA") or str(token) in statement_words()
+    behind = str(following) if token.type == "NAME" and following is not None else ""
+    assigned = behind == "=" and before.type != "COMMA"
+    placed = behind == "at" and before.type in OPERAND_ENDS
+    return assigned or placed or str(token) in statement_words()
 
 
 def lines(found: list[Token]) -> Iterator[Line]:

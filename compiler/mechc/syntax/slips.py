@@ -6,12 +6,10 @@ from ..diagnostics import near_miss
 from ..units import UNITS
 from .grammar import keywords, spelling
 from .lalr import Token
+from .lines import OPERAND_ENDS
 from .spans import span_of
 from .vocabulary import FUNCTIONS, NAME, RANGE, TWINS, split_quantity
 from .written import WRITTEN, example, words_behind
-
-ENDS = frozenset({"NAME", "NUMBER", "RIGHT"})
-"""An operand ends with one of these."""
 
 OPERATORS = frozenset({"PLUS", "MINUS", "PLUSMINUS", "TIMES_SIGN", "OVER", "CIRCUMFLEX"})
 
@@ -27,6 +25,9 @@ STATED = {
     ("WEIGHT", "="): "a weight has a mass: weight W mass 2 kg at G",
     ("ROPE", "along"): "a rope begins at a point, and each further one has the direction of the "
     "fall that ends there: rope A, K along -y, H along y",
+    ("ROPE", "-"): "a ',' stands between the points of a rope: rope A, K along -y, H along y",
+    ("GEAR", "="): "a radius stands behind its pivot: gear O1 20 mm, O2 30 mm",
+    ("BELT", "="): "a radius stands behind its pivot: belt O1 20 mm, O2 30 mm",
     ("ACTUATOR", "in"): "a cylinder is a telescope, and the actuator acts between its ends: "
     "actuator P between A and B",
     ("WEIGHT", "at"): "a weight has a mass: weight W mass 2 kg at G",
@@ -68,7 +69,8 @@ def hint_for(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     """Return a hint for the slips that are made most, '' where it is none of them."""
     token, before = line[position], line[position - 1] if position else None
     return (
-        _of_decimals(line, position)
+        _of_comment(line, position)
+        or _of_decimals(line, position)
         or _of_list(token, line[0])
         or STATED.get((line[0].type, str(token)), "")
         or _of_radius(line, position)
@@ -112,6 +114,12 @@ def _of_vector(line: Sequence[Token], position: int, allowed: set[str]) -> str:
     if line[0].type == "FIND" and (token == "=" or is_named_last):
         return "the name stands first, as in find k = P/F"
     return ""
+
+
+def _of_comment(line: Sequence[Token], position: int) -> str:
+    """Return a hint at a remark behind two strokes."""
+    is_comment = [str(token) for token in line[position : position + 2]] == ["/", "/"]
+    return "a comment begins with '#'" if is_comment else ""
 
 
 def _of_decimals(line: Sequence[Token], position: int) -> str:
@@ -178,7 +186,7 @@ def _of_neighbours(token: Token, before: Token | None, allowed: set[str]) -> str
     words = [word for name in allowed if (word := spelling().get(name, "")).isalpha()]
     if token.type == "NAME" and (hint := near_miss(text, words)):
         return hint
-    if token.type in ("NAME", "LEFT") and before is not None and before.type in ENDS:
+    if token.type in ("NAME", "LEFT") and before is not None and before.type in OPERAND_ENDS:
         if before.type == "NUMBER" and split_quantity(before)[1] and "COMMA" in allowed:
             return PARTED
         return "a product is written with '*'" if "TIMES_SIGN" in allowed else ""

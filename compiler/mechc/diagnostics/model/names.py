@@ -75,7 +75,7 @@ def unknown_point(span: Span, point: str, known: Collection[str], hint: str = ""
         force P at B along x     # wrong: no link goes through B
         force P at A along x     # right
     """
-    hint = hint or offered(point, known, "points")
+    hint = hint or offered(point, known, "points") or "declare it: a link is named by its points"
     return Message(span, f"point {point} stands on no link, pivot or slider", hint)
 
 

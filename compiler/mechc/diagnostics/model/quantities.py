@@ -55,6 +55,8 @@ def wrong_dimension(
     hint = f"if '{name}' is a number without its unit, declare it as `… {unit}`" if bare else ""
     if (found, wanted) == (MASS, FORCE):
         hint = "a mass acts as a load by `weight W mass … at G`; a force is in N or lbf"
+    if (found, wanted) == (FORCE, MASS):
+        hint = "a weight that is given as a force is one: `force W at G along -y`"
     if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
         hint = "the length stands before '@', the direction behind it"
     if declared and wanted in (LENGTH, ANGLE) and found not in (LENGTH, ANGLE, NUMBER):
