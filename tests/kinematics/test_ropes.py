@@ -74,3 +74,41 @@ def test_what_a_rope_transmits(described: str, formula: str) -> None:
     assert text(result.formula) == formula
     assert compilation.verdict.agrees
     assert compilation.verdict.trials
+
+
+TACKLE = """
+param alpha = 20 deg in 0 deg .. 60 deg
+pivot A
+pivot B
+slider K along y
+slider H along -y
+rope A, K along -90 deg + alpha, B along y, H along -y
+force P at H along -y
+force F at K along -y
+let F = 600 N
+find P
+find N_AK
+find N_BH
+"""
+
+
+@pytest.mark.parametrize("friction", ["", "friction slider K 0.1\nfriction slider H 0.1\n"])
+def test_the_tension_of_a_rope(friction: str) -> None:
+    """All falls have the tension of the hand, however hard guides are pressed beside it."""
+    described = TACKLE + friction
+    compilation = compile_source(Source("a.mech", described))
+    found = {result.name: result for result in compilation.derivation.results}
+    assert [text(found[name].formula) for name in ("N_AK", "N_BH")] == ["F/(1 + cos(alpha))"] * 2
+    assert compilation.verdict.agrees
+    if friction:
+        values = {result.name: result.default for result in compilation.results}
+        assert values["N_AK_f"] == pytest.approx(values["N_BH_f"], rel=1e-9)
+        assert values["N_AK_f"] > 600 / (1 + 0.93969262)
+
+
+def test_both_halves_of_a_mirror_have_a_rope_of_their_own() -> None:
+    described = MIRRORED.replace("find k = P/F", "find P\nfind N_KB")
+    compilation = compile_source(Source("a.mech", described))
+    assert compilation.verdict.agrees
+    hand, tension = (text(result.formula) for result in compilation.derivation.results)
+    assert tension == hand

@@ -1,6 +1,7 @@
 """Pivots, sliders and links, and the points that they declare."""
 
 from collections.abc import Iterable, Sequence
+from itertools import pairwise
 
 from ..diagnostics import drawn as drawn_words
 from ..diagnostics.model import joints as messages
@@ -11,6 +12,7 @@ from ..units import LENGTH, UNITS
 from .constants import last_digit, leaves
 from .directions import read_direction, read_place, value_of
 from .mechanism import Drawn, Geometry, Joint, Link, Offset, Pivot, Slider
+from .parts import rope_id
 from .points import CircularSlot, Points
 from .scope import Scope
 from .statements import every
@@ -39,6 +41,8 @@ def declare_points(file: ast.File, points: Points) -> None:
                 points.touching[name.text] += 1
                 if isinstance(statement, ast.Slot) and statement.about:
                     points.arcs[name.text] = CircularSlot(statement.line, statement.about)
+            case ast.Rope(start=name, falls=falls):
+                _add_rope([name.text, *(point.text for point, _ in falls)], points)
             case ast.Link(points=name, label=label):
                 _add_link(name, label, points)
     _check_joints(file, points)
@@ -52,6 +56,11 @@ def _add_link(name: ast.Name, label: str, points: Points) -> None:
         return
     if not _is_again(name, carried, points):
         points.add(Link(name.text, carried, name.span, label))
+
+
+def _add_rope(route: Sequence[str], points: Points) -> None:
+    for ends in dict.fromkeys(map(frozenset, pairwise(route))):
+        points.falls.setdefault(ends, []).append(rope_id(route))
 
 
 def _add_slide(name: ast.Name, points: Points) -> None:

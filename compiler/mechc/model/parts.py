@@ -6,6 +6,7 @@ from its mechanics in statics, never from this. Each has an ``id`` that no other
 share are no joints of their own: the links' points say them.
 """
 
+from collections.abc import Iterable
 from typing import Literal
 
 from ..formula.tree import Formula
@@ -273,7 +274,7 @@ class Rope:
     @property
     def id(self) -> str:
         """Return the joint's name among all joints."""
-        return f"rope {'-'.join(self.route)}"
+        return rope_id(self.route)
 
     @property
     def points(self) -> tuple[str, ...]:
@@ -284,6 +285,11 @@ class Rope:
     def bodies(self) -> tuple[str, ...]:
         """Return the bodies that it names: none, as it acts on pins."""
         return ()
+
+
+def rope_id(route: Iterable[str]) -> str:
+    """Return the name of a rope among all joints."""
+    return f"rope {'-'.join(route)}"
 
 
 Body = Link | Slide | Telescope

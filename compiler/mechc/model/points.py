@@ -27,8 +27,8 @@ class Points:
     ``places`` are where each point was first named; ``carried`` the links through it,
     ``bodies`` the link through a set of points, ``slides`` and ``telescopes`` the names of
     those; ``fixed`` and ``guided`` hold the pivots and the sliders; ``touching`` counts the
-    slots and contacts of a point, ``arcs`` gives a pin's circular slot, ``used`` counts what
-    acts at a point or asks for it.
+    slots and contacts of a point, ``arcs`` gives a pin's circular slot, ``falls`` the ropes that
+    run between two points, ``used`` counts what acts at a point or asks for it.
     """
 
     def __init__(self, report: Report) -> None:
@@ -43,6 +43,7 @@ class Points:
         self.guided: set[str] = set()
         self.touching: Counter[str] = Counter()
         self.arcs: dict[str, CircularSlot] = {}
+        self.falls: dict[frozenset[str], list[str]] = {}
         self.used: Counter[str] = Counter()
         self._strange: set[str] = set()
 

@@ -7,6 +7,7 @@ from ..diagnostics.model.lowering import normal_of_arc, spread_along_rod
 from ..syntax import ast
 from ..units import ANGLE, FORCE, Dimension
 from .forms import Form
+from .joint_friction import RopeFriction
 from .mechanism import Axial, Force, ForcePair, Link, Mechanism, Normal, Part, Reaction, Target
 from .scope import Scope
 
@@ -73,6 +74,9 @@ def _axial(symbol: ast.Symbol, name: ast.Name, scope: Scope) -> Target | None:
     pin = next((p for p in ends if p in scope.points.arcs), None)
     if pin and not rods:
         return _in_arc(symbol, pin, ends, scope)
+    ropes = scope.points.falls.get(frozenset(ends), [])
+    if len(ropes) == 1 and not rods:
+        return Axial(ropes[0], ends[0], ends[1])
     link = scope.points.link(name)
     if link is None:
         return None
@@ -102,11 +106,14 @@ def check_rods(mechanism: Mechanism, scope: Scope) -> None:
         if isinstance(load, ForcePair)
         for end in ((load.first_link, load.first), (load.second_link, load.second))
     }
+    sliding = {j.joint for j in mechanism.friction.joints if isinstance(j, RopeFriction)}
     spread = {k.spread.link for k in mechanism.loads if isinstance(k, Force) and k.spread}
     for find in mechanism.finds:
         match find.target:
             case Axial(link) if link in spread:
                 scope.report.add(spread_along_rod(find.span, link))
+            case Axial(rope, tail, head) if rope in sliding:
+                scope.report.add(messages.tension_of_sliding_rope(find.span, f"{tail}{head}"))
             case Axial(link, tail, head) if {(link, tail), (link, head)} <= on:
                 scope.report.add(messages.loaded_at_both_ends(find.span, link))
 

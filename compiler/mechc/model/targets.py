@@ -64,7 +64,10 @@ class Reaction:
 
 @frozen
 class Axial:
-    """``N_AB``: the force along a rod from its first point to its second, tension positive."""
+    """``N_AB``: the force along a rod, or the tension of a rope that runs from A to B.
+
+    ``link`` is the rod, or the rope's id; tension is positive.
+    """
 
     link: str
     tail: str

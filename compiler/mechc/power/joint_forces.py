@@ -72,11 +72,17 @@ def joint_of(target: Reaction | Axial | Normal, pose: Pose) -> JointRef:
     match target:
         case Reaction(point, link):
             return JointRef("pin", point, link) if link else JointRef("ground", point)
+        case Axial(link) if link in _ropes(pose.mechanism):
+            return JointRef("mesh", pose.mechanism.joint(link).points[0], link)
         case Axial(link):
             rod = pose.mechanism.link(link)
             return JointRef("pin", held_end(pose.mechanism, rod), link)
         case Normal(point):
             return holding(point, pose)
+
+
+def _ropes(mechanism: Mechanism) -> frozenset[str]:
+    return frozenset(rope.id for rope in mechanism.ropes)
 
 
 def holding(point: str, pose: Pose) -> JointRef:
@@ -119,6 +125,8 @@ def line_of(target: Reaction | Axial | Normal, pose: Pose) -> Vector:
     match target:
         case Reaction(part=part):
             return (Arm(ONE, QUARTER if part == "y" else Angle()),)
+        case Axial(link) if link in _ropes(pose.mechanism):
+            return (Arm(ONE, HALF_TURN),)  # it is released as its falls grow, and pulls back
         case Axial(link, tail, head):
             end = joint_of(target, pose).point
             return _outwards(link, *((tail, head) if end == head else (head, tail)), pose)

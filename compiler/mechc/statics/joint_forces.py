@@ -38,6 +38,9 @@ def wanted_of(target: Target, unfolding: Unfolding, system: System) -> tuple[Wei
         case Reaction(point, link, part):
             asked = [axes[part]] if part in axes else list(axes.values())
             return tuple(_on_link_or_point(system, unfolding, point, link, a) for a in asked)
+        case Axial(link) if link in {rope.id for rope in unfolding.pose.mechanism.ropes}:
+            by = next(i for i, unknown in enumerate(system.unknowns) if unknown.by == link)
+            return ({by: 1.0},)
         case Axial(link, tail, head):
             end, other = (tail, head) if _is_loaded(link, head, unfolding) else (head, tail)
             arm = unfolding.arm(link, other, end)

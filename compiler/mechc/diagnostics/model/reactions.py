@@ -106,6 +106,21 @@ def link_named_for_nothing(span: Span) -> Message:
     return Message(span, "'on' stands only with a pin force such as R_B", "remove it")
 
 
+@coded("E347")
+def tension_of_sliding_rope(span: Span, fall: str) -> Message:
+    """The tension of a rope is asked for that slides around a pulley, and changes there.
+
+    N_AB is the tension of a rope that has one all along. With friction at a pulley each fall
+    has its own; the force at the end of a fall says how large it is::
+
+        rope A, B along y, H along -y
+        friction rope B 0.2 wrap 180 deg
+        find N_AB                            # wrong
+    """
+    message = f"the rope along {fall} slides around a pulley, and its tension changes there"
+    return Message(span, message, "ask for the force at its end, or leave the friction out")
+
+
 @coded("E259")
 def loaded_at_both_ends(span: Span, link: str) -> Message:
     """The force along a rod is asked for, and loads act on the rod itself at both its ends.

@@ -21,7 +21,12 @@ from .steps import Equation, Explanation, Paragraph, SentenceKind
 
 HALF_TURN = Angle.constant(180)
 
-_BONDS = {"pin": SentenceKind.PIN, "slide": SentenceKind.GUIDE, "touch": SentenceKind.TOUCH}
+_BONDS = {
+    "pin": SentenceKind.PIN,
+    "slide": SentenceKind.GUIDE,
+    "touch": SentenceKind.TOUCH,
+    "mesh": SentenceKind.ROPE_RELEASED,
+}
 
 
 def of_forces(solution: Solution) -> Iterator[Explanation]:
@@ -176,7 +181,7 @@ class _Writer:
         return SentenceKind.PIVOT if fixed else SentenceKind.GUIDE
 
     def _parting_of(self, release: Release) -> Symbol:
-        relative = release.kind in ("pin", "touch")
+        relative = release.kind in ("pin", "touch", "mesh")
         return Symbol(self._parting if relative else f"V_{release.point}")
 
     def _component(self, release: Release) -> tuple[Symbol, int]:
@@ -196,7 +201,12 @@ class _Writer:
         return Symbol(f"{base}_{'n' if release is self._releases[-1] else 't'}"), 1
 
     def _outwards(self, release: Release) -> int:
-        """Return 1 if a push at the point of a rod pulls it: away from its other end."""
+        """Return 1 if a push at the point of a rod pulls it: away from its other end.
+
+        A rope that is released pulls back as it grows.
+        """
+        if release.kind == "mesh":
+            return -1
         link = self._mechanism.link(release.of)
         return 1 if release.point == link.points[-1] else -1
 

@@ -126,6 +126,8 @@ class SentenceKind(StrEnum):
     """A link is released from a pin."""
     TOUCH = "touch"
     """A slot or contact is released."""
+    ROPE_RELEASED = "rope released"
+    """A rope is released: its falls grow shorter."""
     IDLE = "idle"
     """A joint is released where no load does work."""
     ROD = "rod"

@@ -154,6 +154,8 @@ LOCALE = Locale(
         "the velocity {speed}.",
         "touch": "Let {point} part from the surface that it touches in the direction {direction} "
         "with the velocity {speed}.",
+        "rope released": "Let the rope that begins at {point} grow shorter with the velocity "
+        "{speed}.",
         "idle": "Let the constraint at {point} be released in the direction {direction}: no load "
         "does work then, and this component is zero.",
         "rod": "No load acts on the rod {link} between its pins, so that the force acts along its "
