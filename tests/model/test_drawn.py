@@ -217,3 +217,35 @@ def test_a_value_that_is_given_is_none_of_the_drawing():
     """Only the remark stands that it lies outside its range, wherever it was given."""
     ranged = FOUR_BAR + "param psi = 60 deg in 70 deg .. 80 deg\nlet twice = 2*psi\n"
     assert codes(ranged) == ["W220"]
+
+
+SLOTTED_LEVER = """
+pivot O at (0 mm, 0 mm)
+slider K along x
+link OB
+slot K in OB
+K at (40 mm, 60 mm)
+B at (50 mm, 75 mm)
+torque M on OB
+force P at K along x
+find k = M/P
+"""
+
+FLAT_FOLLOWER = """
+pivot O at (0 mm, 0 mm)
+link OC
+slide WX along y
+contact W on OC normal 90 deg
+C at (8 mm, 6 mm)
+W at (8 mm, 36 mm)
+X at (0 mm, 100 mm)
+torque M on OC
+force F at X along -y
+find k = M/F
+"""
+
+
+def test_what_slides_or_touches_pushes_on_an_arm_as_it_is_drawn():
+    """The slot turns with P·sin/r: ω·r = V·sin, r² = 40² + 60²; the face is lifted by ω·x."""
+    assert value(SLOTTED_LEVER) == pytest.approx((0.04**2 + 0.06**2) / 0.06, rel=1e-12)
+    assert value(FLAT_FOLLOWER) == pytest.approx(0.008, rel=1e-12)

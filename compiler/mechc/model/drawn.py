@@ -22,7 +22,7 @@ from ..frozen import replace
 from .doubts import directions
 from .drawn_checks import faults
 from .driving import drawn_value, fault_of, is_outside, with_driven, with_value
-from .entries import mentioned
+from .entries import joined_to, mentioned
 from .geared import Train, with_named_sizes
 from .mechanism import (
     Along,
@@ -107,6 +107,10 @@ def _as_drawn(mechanism: Mechanism, sketch: Sketch) -> Mechanism:
     for points in (*(body.points for body in mechanism.bodies), *_aims(mechanism)):
         for hub, point in sketch.arms(points):
             found.append(_vector(hub, point, sketch))
+    for tail, point in _touching(mechanism):
+        vectors = (*mechanism.geometry, *found)
+        if sketch.has_all((tail, point)) and point not in joined_to(tail, vectors):
+            found.append(_vector(tail, point, sketch))
     joints = tuple(
         replace(joint, through=None)
         if isinstance(joint, Slider) and joint.point in sketch.places
@@ -130,15 +134,19 @@ def _vector(tail: str, head: str, sketch: Sketch) -> Geometry:
 def _aims(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
     """Yield two points between which a pair of forces or a rope acts, or which give a direction.
 
-    A slot has the direction of its pin where it is drawn by that only. What touches a link
-    pushes it on an arm.
+    A slot has the direction of its pin where it is drawn by that only.
     """
     yield from ((t.first, t.second) for t in mechanism.loads if isinstance(t, ForcePair))
     yield from ((d.tail, d.head) for d in directions(mechanism) if isinstance(d, Along))
     yield from (ends for rope in mechanism.ropes for ends in pairwise(rope.route))
     drawn = {d.point for d in mechanism.drawn}
     yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.head not in drawn)
+
+
+def _touching(mechanism: Mechanism) -> Iterator[tuple[str, str]]:
+    """Yield the arms on which links are pushed by what touches them, or slides in them."""
     turning = {link.name for link in mechanism.links}
+    yield from ((s.tail, s.point) for s in mechanism.each(Slot) if s.link in turning)
     yield from ((c.tail, c.point) for c in mechanism.each(Contact) if c.link in turning)
 
 

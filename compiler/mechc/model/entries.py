@@ -51,3 +51,12 @@ def mentioned(entry: Geometry) -> frozenset[str]:
         case _:
             assert_never(entry)
     return frozenset().union(*map(symbols, given))
+
+
+def joined_to(start: str, geometry: Iterable[Geometry]) -> set[str]:
+    """Return the points to which vectors lead from one, that one among them."""
+    pairs = [{entry.tail, entry.head} for entry in geometry if not isinstance(entry, Turn)]
+    found = {start}
+    while more := set[str]().union(*(pair for pair in pairs if pair & found)) - found:
+        found |= more
+    return found
