@@ -9,6 +9,7 @@ from ..pose.places import Plane
 from .drawing import BODY, Polyline, Shape
 from .paper import Paper
 from .symbols import corner, line
+from .tolerances import ON_EDGE
 
 ROLLER = 1.9
 """The radius of the roller or nose by which a point touches a face."""
@@ -100,9 +101,9 @@ def _behind(shape: Polygon, edge: Plane, normal: Plane) -> Polygon:
     found: list[Plane] = []
     for here, there in zip(shape, (*shape[1:], shape[0]), strict=True):
         ahead, next_ahead = (normal.dot(p.minus(edge)) for p in (here, there))
-        if ahead <= 1e-9:
+        if ahead <= ON_EDGE:
             found.append(here)
-        if (ahead > 1e-9) != (next_ahead > 1e-9):
+        if (ahead > ON_EDGE) != (next_ahead > ON_EDGE):
             found.append(here.plus(there.minus(here).times(ahead / (ahead - next_ahead))))
     return tuple(found)
 

@@ -29,6 +29,7 @@ from .drawing import AXIS, BODY, SYMBOL, Arc, Polyline, Shape
 from .paper import Paper
 from .sheet import Layer, Sheet
 from .symbols import line, off
+from .tolerances import ON_AXIS
 
 STUB = 14.0
 """How far the rod of a slide reaches beyond it, through its guide."""
@@ -40,7 +41,7 @@ Layered = Iterator[tuple[Layer, Shape]]
 
 
 def joint(paper: Paper, part: Part) -> Layered:
-    """Yield what is drawn of a joint; of what is none, nothing."""
+    """Yield the shapes of a joint; none of another part."""
     match part:
         case Pivot():
             yield from _in(Layer.JOINTS, symbols.pivot(paper.at(part.point), part.ground))
@@ -155,7 +156,7 @@ def _on_slide(paper: Paper, point: str) -> bool:
 
 
 def _on_axis(place: Plane, at: Plane, along: Plane) -> bool:
-    return abs(along.turned().dot(place.minus(at))) < 1e-6
+    return abs(along.turned().dot(place.minus(at))) < ON_AXIS
 
 
 def pins(paper: Paper) -> Iterator[Shape]:

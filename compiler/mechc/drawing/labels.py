@@ -10,6 +10,7 @@ from ..pose.places import Plane, direction
 from .drawing import HATCH, Arc, Label, Pen, Polyline, Run
 from .lettering import SIZE, box
 from .occupied import Box, Occupied, stretches
+from .tolerances import HORIZONTAL
 
 TURNS, TURNS_FAR = 16, 64
 """How many directions from a point are tried, near to it and farther off."""
@@ -161,7 +162,7 @@ def _sides(start: Plane, end: Plane, width: float, height: float) -> Iterator[Ca
     if along is None:
         return
     left = along.turned()
-    upper = left if (left.y, -left.x) > (1e-9, 0) else left.times(-1)
+    upper = left if (left.y, -left.x) > (HORIZONTAL, 0) else left.times(-1)
     for distance in (0.6, 1.4):
         for part in ALONG:
             for side in (1, -1):

@@ -7,6 +7,7 @@ from collections.abc import Iterator
 from ..formula.names import GREEK, split_name, split_points, split_ratio
 from ..units import LENGTH, UNITS
 from .drawing import Run
+from .tolerances import ONE
 
 SIZE = 3.9
 """The height of letters' body, in millimetres."""
@@ -89,7 +90,7 @@ def measured(value: float, of_another: bool = False) -> tuple[Run, ...]:
     >>> [run.text for run in measured(2.5e-7)], [run.text for run in measured(1.0, of_another=True)]
     ([' = 2.5 · 10', '−7', ' '], [' = '])
     """
-    if of_another and math.isclose(value, 1.0, rel_tol=1e-9):
+    if of_another and math.isclose(value, 1.0, rel_tol=ONE):
         return (Run(" = "),)
     digits, _, power = figures(value).partition("e")
     if not power:

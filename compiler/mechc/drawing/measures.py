@@ -13,6 +13,7 @@ from .lettering import formula
 from .paper import Paper
 from .sheet import Layer, Sheet
 from .symbols import head, line, off
+from .tolerances import DETOUR, HORIZONTAL, SHORTEST
 
 FIRST, LEVEL, LEVELS = 8.0, 6.5, 5
 """How far the first dimension line is from what it measures, the others from each other."""
@@ -148,17 +149,17 @@ def _is_bar(paper: Paper, dimension: Dimension) -> bool:
 
 def _between(paper: Paper, dimension: Dimension, point: str) -> bool:
     tail, tip, at = (paper.at(p) for p in (dimension.tail, dimension.head, point))
-    return math.dist(tail, at) + math.dist(at, tip) < (1 + 1e-6) * math.dist(tail, tip)
+    return math.dist(tail, at) + math.dist(at, tip) < (1 + DETOUR) * math.dist(tail, tip)
 
 
 def _across(start: Plane, end: Plane) -> Plane:
     unit = (end.minus(start).unit() or Plane(1.0, 0.0)).turned()
-    return unit if (unit.y, -unit.x) > (1e-9, 0) else unit.times(-1)
+    return unit if (unit.y, -unit.x) > (HORIZONTAL, 0) else unit.times(-1)
 
 
 def _shortened(start: Plane, end: Plane) -> tuple[Plane, Plane]:
     """Return a line without its ends, at which others may meet it."""
-    step = end.minus(start).times(min(0.8 / max(math.dist(start, end), 1e-9), 0.4))
+    step = end.minus(start).times(min(0.8 / max(math.dist(start, end), SHORTEST), 0.4))
     return start.plus(step), end.minus(step)
 
 

@@ -6,6 +6,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..figure.figure import Link
+from ..figure.tolerances import NO_SPEED
 from ..figure.velocities import Velocities
 from ..formula.names import split_points
 from ..frozen import frozen
@@ -81,11 +82,11 @@ def _draw_velocities(sheet: Sheet, paper: Paper, velocities: Velocities) -> None
 
 def _centres(paper: Paper, velocities: Velocities) -> Iterator[Centre]:
     """Yield the centres of links that turn about no point of their own."""
-    least = 1e-9 * velocities.largest / paper.figure.size
+    least = NO_SPEED * velocities.largest / paper.figure.size
     for part in paper.figure.parts:
         if not isinstance(part, Link) or abs(velocities.spins.get(part.name, 0.0)) < least:
             continue
-        if all(velocities.speed(p) > 1e-9 * velocities.largest for p in part.points):
+        if all(velocities.speed(p) > NO_SPEED * velocities.largest for p in part.points):
             point, spin = part.points[0], velocities.spins[part.name]
             arm = velocities.points[point].turned().times(1 / spin)
             yield Centre(part, paper.place(paper.figure.points[point].plus(arm)))

@@ -6,6 +6,7 @@ from collections.abc import Iterable, Iterator
 
 from ..pose.places import Plane
 from .drawing import AXIS, COPY, HATCH, Arc, Shape
+from .tolerances import ALONG_AXIS
 
 CELL = 5.0
 """The side of a square of the grid in which lines are looked up, in millimetres."""
@@ -45,7 +46,7 @@ class Box:
         step = end.minus(start)
         enter, leave = 0.0, 1.0
         for here, move, low, high in zip(start, step, self.low, self.high, strict=True):
-            if abs(move) < 1e-12:
+            if abs(move) < ALONG_AXIS:
                 if not low <= here <= high:
                     return False
                 continue

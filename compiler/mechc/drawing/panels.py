@@ -12,6 +12,7 @@ from .describe_plot import shown
 from .drawing import Pen, Run
 from .lettering import name
 from .ticks import Scale, scale, widened
+from .tolerances import WHOLE
 
 WIDE, HIGH, LOWER = 110.0, 72.0, 48.0
 """How wide and high a panel is; lower where there are several."""
@@ -120,7 +121,7 @@ def _equal(plot: Plot, panel: Panel) -> Frame:
 
 def _every(found: Scale, step: float) -> Scale:
     """Return a scale with ticks at multiples of a step alone."""
-    ticks = (t for t in found.ticks if abs(t / step - round(t / step)) < 1e-9)
+    ticks = (t for t in found.ticks if abs(t / step - round(t / step)) < WHOLE)
     return found._replace(ticks=tuple(ticks))
 
 

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 from ..figure.figure import Belt, Figure, Gears, Link, Rack, Segment
 from ..frozen import frozen
 from ..pose.places import Plane
+from .tolerances import NO_BAR, NO_EXTENT
 
 USUAL = 42.0
 """How long a vector of usual length is drawn."""
@@ -41,7 +42,7 @@ def on_paper(figure: Figure) -> Paper:
     """Return the figure at the scale at which it is read best."""
     places = list(_extent(figure))
     sides = [max(c) - min(c) for c in zip(*places, strict=True)]
-    extent = max(*sides, 1e-9 * figure.size)
+    extent = max(*sides, NO_EXTENT * figure.size)
     scale = min(USUAL / figure.size, NORMAL / extent)
     shortest = min(_bars(figure), default=figure.size)
     return Paper(figure, min(max(scale, SHORT / shortest), LARGE / extent))
@@ -73,4 +74,4 @@ def _bars(figure: Figure) -> Iterator[float]:
     for link in figure.parts:
         if isinstance(link, Link):
             lengths = (math.dist(figure.points[a], figure.points[b]) for a, b in link.rods)
-            yield from (length for length in lengths if length > 1e-6 * figure.size)
+            yield from (length for length in lengths if length > NO_BAR * figure.size)

@@ -8,6 +8,7 @@ from .labels import Around
 from .sheet import Layer, Sheet
 from .symbols import line
 from .ticks import STEPS
+from .tolerances import WHOLE
 
 LONGEST = 30.0
 """How long the bar is at most, in millimetres."""
@@ -35,4 +36,4 @@ def _round(most: float) -> float:
     (0.1, 5.0, 20.0)
     """
     power = 10.0 ** math.floor(math.log10(most))
-    return max(step * power for step in STEPS if step * power <= most * (1 + 1e-9))
+    return max(step * power for step in STEPS if step * power <= most * (1 + WHOLE))

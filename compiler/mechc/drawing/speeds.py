@@ -1,5 +1,6 @@
 """What velocities are called, and how large they are."""
 
+from ..figure.tolerances import NO_SPEED
 from ..figure.velocities import Velocities
 from ..frozen import frozen
 from .drawing import Run
@@ -38,7 +39,7 @@ class Speeds:
         if link in self.velocities.chosen:
             return ()
         per, spin = self.velocities.per, self.velocities.spins[link]
-        least = 1e-9 * max(map(abs, self.velocities.spins.values()))
+        least = NO_SPEED * max(map(abs, self.velocities.spins.values()))
         if abs(spin) <= least:
             return (*self.spin_name(link), Run(" = 0"))
         unit = (*self.name(per), Run("/m", unit=True)) if per else (Run("rad/s", unit=True),)

@@ -3,6 +3,8 @@
 import math
 from typing import NamedTuple
 
+from .tolerances import ONE_VALUE, SAME_STEP, WHOLE
+
 STEPS = (1.0, 2.0, 5.0, 10.0)
 """The steps between ticks, times a power of ten."""
 
@@ -41,23 +43,23 @@ def scale(low: float, high: float, most: int, degrees: bool = False) -> Scale:
     ((0.0, 45.0, 90.0), 0.15)
     """
     step = _step((high - low) / most, degrees)
-    first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
-    decimals = max(0, -math.floor(math.log10(step) + 1e-9))
+    first, last = math.ceil(low / step - WHOLE), math.floor(high / step + WHOLE)
+    decimals = max(0, -math.floor(math.log10(step) + WHOLE))
     ticks = tuple(round(i * step, decimals + 3) for i in range(first, last + 1))
     size = max(abs(low), abs(high))
     if LEAST <= size < LARGEST:
         return Scale(ticks, step, decimals)
-    exponent = math.floor(math.log10(size) + 1e-9)
+    exponent = math.floor(math.log10(size) + WHOLE)
     ticks = tuple(i * step for i in range(first, last + 1))
-    return Scale(ticks, step, max(0, exponent - math.floor(math.log10(step) + 1e-9)), exponent)
+    return Scale(ticks, step, max(0, exponent - math.floor(math.log10(step) + WHOLE)), exponent)
 
 
 def _step(least: float, degrees: bool) -> float:
     """Return the smallest step that is no less."""
-    power = 10.0 ** math.floor(math.log10(least) + 1e-12)
+    power = 10.0 ** math.floor(math.log10(least) + SAME_STEP)
     if degrees and 10.0 < least <= OF_DEGREES[-1]:
         return next(step for step in OF_DEGREES if step >= least)
-    return next(step * power for step in STEPS if step * power >= least * (1 - 1e-12))
+    return next(step * power for step in STEPS if step * power >= least * (1 - SAME_STEP))
 
 
 def widened(low: float, high: float, most: int, degrees: bool = False) -> tuple[float, float]:
@@ -66,9 +68,9 @@ def widened(low: float, high: float, most: int, degrees: bool = False) -> tuple[
     >>> widened(0.03, 0.19, 5), widened(2, 2, 5)
     ((0.0, 0.2), (1.8, 2.2))
     """
-    if high - low <= 1e-9 * max(abs(low), abs(high)):
+    if high - low <= ONE_VALUE * max(abs(low), abs(high)):
         beside = abs(high) / 10 or 1.0
         return low - beside, high + beside
     step = scale(low, high, most, degrees).step
-    ends = math.floor(low / step + 1e-9) * step, math.ceil(high / step - 1e-9) * step
+    ends = math.floor(low / step + WHOLE) * step, math.ceil(high / step - WHOLE) * step
     return round(ends[0], 12), round(ends[1], 12)

@@ -120,7 +120,7 @@ def formula_lines(function: Function) -> list[str]:
 
 
 def _case_lines(function: Function) -> Iterator[str]:
-    """Yield what a printed case leaves out: other signs, the coefficients of a system."""
+    """Yield the lines on what a printed case leaves out: other signs, a system's coefficients."""
     if function.iterated:
         yield f"where {', '.join(function.iterated)} press the joints: n = |r + D*n|,"
         yield "    by Newton's method"

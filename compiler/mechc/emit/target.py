@@ -39,7 +39,7 @@ class Compiled(Protocol):
 
     @property
     def reported(self) -> "Derivation":
-        """Return the derivation with what ratios come to along the stroke, for people."""
+        """Return the derivation with the extents of ratios along the stroke, for people."""
         ...
 
     @property

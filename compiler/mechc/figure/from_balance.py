@@ -11,16 +11,11 @@ from ..pose.motion import Motion
 from ..power.balance import Balance, Term
 from .figure import Figure
 from .rates import rates
+from .tolerances import NO_SPEED, SAME_VELOCITY
 from .velocities import Velocities
 
 OTHER, MORE = 1.7, 0.31
 """By what chosen lengths are multiplied to see which velocities depend on them, each by more."""
-
-NIL = 1e-9
-"""A speed below this part of the largest is none."""
-
-ALIKE = 1e-6
-"""Velocities that differ by less than this part of the largest are equal."""
 
 
 def velocities(balance: Balance, figure: Figure, motion: Motion | None) -> tuple[Velocities, ...]:
@@ -114,7 +109,7 @@ class _Maker:
 
     def _reference(self, here: Velocities) -> str:
         """Return the point whose speed is the unit: where that load acts, else the fastest one."""
-        moving = (p for p in self._loaded() if here.speed(p) > NIL * here.largest)
+        moving = (p for p in self._loaded() if here.speed(p) > NO_SPEED * here.largest)
         return next(moving, max(here.points, key=here.speed))
 
     def _loaded(self) -> tuple[str, ...]:
@@ -133,8 +128,8 @@ class _Maker:
 def _different(one: Velocities, other: Velocities) -> Iterator[str]:
     """Yield the points and links whose velocities aren't the same."""
     for point, velocity in one.points.items():
-        if math.dist(velocity, other.points[point]) > ALIKE * one.largest:
+        if math.dist(velocity, other.points[point]) > SAME_VELOCITY * one.largest:
             yield point
     for link, spin in one.spins.items():
-        if abs(spin - other.spins[link]) > ALIKE * abs(spin):
+        if abs(spin - other.spins[link]) > SAME_VELOCITY * abs(spin):
             yield link

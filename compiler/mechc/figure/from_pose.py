@@ -12,10 +12,8 @@ from .figure import Figure, MirrorLine, Part
 from .layout import Layout, lay_out, points_of
 from .marks import marks
 from .parts import Half
+from .tolerances import SAME_PLACE
 from .ways import Ways
-
-OPEN = 1e-6
-"""A gap below this part of a usual length is rounding: arc cosines lose half the digits."""
 
 
 def draw(pose: Pose, given: Mapping[str, float] | None = None) -> Figure | None:
@@ -76,7 +74,7 @@ def _laid_out(pose: Pose, values: Mapping[str, float]) -> Layout | None:
     except ZeroDivisionError:
         return None
     finite = all(math.isfinite(c) for at in layout.points.values() for c in at)
-    return layout if finite and layout.gap < OPEN else None
+    return layout if finite and layout.gap < SAME_PLACE else None
 
 
 def _axis(ways: Ways, layout: Layout, sharing: Sequence[str]) -> MirrorLine | None:

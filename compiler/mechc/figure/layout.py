@@ -9,10 +9,8 @@ from ..model.mechanism import Force, Mechanism, Pivot, Slider
 from ..pose.places import NOWHERE, Edge, Plane, between, placed
 from .figure import MirrorLine
 from .lengths import choose
+from .tolerances import SAME_PLACE
 from .ways import Ways, usual
-
-SAME = 1e-6
-"""Places nearer to each other than this, in usual lengths, are one."""
 
 ORIGIN = ""
 """The name of the plane's origin in the geometry."""
@@ -51,7 +49,7 @@ def lay_out(ways: Ways) -> Layout:
     found = _laid_out(ways, 1.0)
     for factor in STRETCHED if found.lengths and _nearly_meet(ways, found) else ():
         other = _laid_out(ways, factor)
-        if not _nearly_meet(ways, other) and other.gap <= max(found.gap, SAME):
+        if not _nearly_meet(ways, other) and other.gap <= max(found.gap, SAME_PLACE):
             return other
     return found
 
@@ -64,7 +62,7 @@ def _nearly_meet(ways: Ways, layout: Layout) -> bool:
     across = mirror.along.turned()
     own = (at for name, at in layout.points.items() if name not in symmetry.sharing)
     distances = (2 * abs(across.dot(at.minus(mirror.at))) / layout.size for at in own)
-    return any(SAME < distance < NEARLY for distance in distances)
+    return any(SAME_PLACE < distance < NEARLY for distance in distances)
 
 
 def _laid_out(ways: Ways, factor: float) -> Layout:

@@ -8,6 +8,7 @@ import math
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import NamedTuple
 
+from .tolerances import DEPENDENT, SAME_LENGTH
 from .ways import Linear, Way
 
 SHORTEST = 0.2
@@ -15,9 +16,6 @@ SHORTEST = 0.2
 
 ROUNDS = 400
 """How often the choice goes from closed loops to positive lengths and back, at most."""
-
-NIL = 1e-9
-"""An equation whose coefficients are below this follows from the others."""
 
 Lengths = dict[str, float]
 
@@ -40,7 +38,7 @@ def choose(ways: Sequence[Way], rods: Iterable[str], usual: float) -> Lengths:
     lengths = {**dict.fromkeys(names, usual), **dict.fromkeys(rods, usual)}
     lengths = _closed(lengths, rows)
     for _ in range(ROUNDS):
-        short = [name for name in rods if lengths[name] < SHORTEST * usual * (1 - NIL)]
+        short = [name for name in rods if lengths[name] < SHORTEST * usual * (1 - SAME_LENGTH)]
         if not short:
             break
         lengths = _closed({**lengths, **dict.fromkeys(short, SHORTEST * usual)}, rows)
@@ -48,7 +46,7 @@ def choose(ways: Sequence[Way], rods: Iterable[str], usual: float) -> Lengths:
 
 
 def _equations(ways: Sequence[Way]) -> Iterator[Row]:
-    """Yield what closes each loop, along x and y."""
+    """Yield the equations that close each loop, along x and y."""
     at: dict[str, Linear] = {}
     neighbours: dict[str, list[tuple[str, Linear]]] = {}
     for tail, head, vector in ways:
@@ -73,10 +71,10 @@ def _independent(rows: Iterable[Row]) -> list[Row]:
     """Return the equations made orthogonal to one another and of unit size."""
     found: list[Row] = []
     for row in rows:
-        if any(abs(factor) > NIL for factor in row.factors.values()):
+        if any(abs(factor) > DEPENDENT for factor in row.factors.values()):
             rest = _across(_across(row, found), found)
             size = math.hypot(*rest.factors.values())
-            if size > NIL:
+            if size > DEPENDENT:
                 factors = {n: f / size for n, f in rest.factors.items() if f}
                 found.append(Row(factors, rest.value / size))
     return found

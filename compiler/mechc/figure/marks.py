@@ -26,9 +26,7 @@ from ..pose.places import Plane
 from ..units import LENGTH, in_unit
 from .figure import AngleMark, Dimension, Measure
 from .parts import Half
-
-LEVEL = 1e-6
-"""Angles nearer to each other than this are the same; a length below it is none."""
+from .tolerances import NO_LENGTH, SAME_ANGLE
 
 ALONG_X, ALONG_Y = Plane(1.0, 0.0), Plane(0.0, 1.0)
 
@@ -55,7 +53,10 @@ def _same(one: Measure, other: Measure) -> bool:
     if not isinstance(one, AngleMark) or not isinstance(other, AngleMark):
         return one == other
     half_turns = (one.start - other.start) / math.pi
-    level = abs(half_turns - round(half_turns)) < LEVEL and abs(one.sweep - other.sweep) < LEVEL
+    level = (
+        abs(half_turns - round(half_turns)) < SAME_ANGLE
+        and abs(one.sweep - other.sweep) < SAME_ANGLE
+    )
     return level and (one.vertex, one.text) == (other.vertex, other.text)
 
 
@@ -87,13 +88,13 @@ def _entry(entry: Geometry, half: Half) -> Iterator[Measure]:
 def _distance(
     tail: str, head: str, formula: Formula, line: Plane | None, half: Half
 ) -> Iterator[Dimension]:
-    """Yield what measures a vector along a line, or along itself; one of no length has nothing."""
+    """Yield the dimension of a vector along a line, or along itself; one of no length has none."""
     start = tail or _origin(half)
     if not start:
         return
     value = evaluate(formula, half.ways.values)
     along = line or half.at(head).minus(half.at(start)).unit()
-    if along is None or abs(value) < LEVEL * half.size:
+    if along is None or abs(value) < NO_LENGTH * half.size:
         return
     ends = half.point(start), half.point(head)
     if value < 0:
@@ -139,7 +140,7 @@ def _unit(formula: Formula, mechanism: Mechanism) -> str:
 
 
 def _angle(vertex: str, line: Direction, half: Half) -> Iterator[AngleMark]:
-    """Yield what measures a direction, from +x or a constant direction on."""
+    """Yield the mark of a direction, from +x or a constant direction on."""
     if not isinstance(line, Absolute) or not symbols(line.angle) or not vertex:
         return
     angle = to_angle(line.angle)

@@ -5,9 +5,7 @@ from itertools import pairwise
 
 from ..model.mechanism import Arrow, Geometry, Link, Offset
 from ..pose.places import Plane
-
-FLAT = 1e-9
-"""Three points whose triangle is flatter than this, to its sides, are on one line."""
+from .tolerances import FLAT
 
 
 def outline(names: Iterable[str], points: Mapping[str, Plane]) -> tuple[str, ...]:

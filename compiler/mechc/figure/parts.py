@@ -48,7 +48,7 @@ class Half:
     sense: int = 1
 
     def parts(self) -> Iterator[Part]:
-        """Yield what is drawn of every body, joint and load."""
+        """Yield the drawn part of every body, joint and load."""
         mechanism = self.ways.pose.mechanism
         for body in mechanism.bodies:
             yield self.body(body)

@@ -6,9 +6,7 @@ from itertools import pairwise
 
 from ..pose.places import NOWHERE, Plane
 from .figure import Segment
-
-STRAIGHT = 1e-6
-"""The sine of an angle between falls that are parallel."""
+from .tolerances import PARALLEL
 
 
 def rope_runs(
@@ -42,6 +40,6 @@ def _sides(places: Sequence[Plane]) -> Iterator[float]:
     for before, at, after in zip(places, places[1:], places[2:], strict=False):
         way, onward = (leg.unit() or NOWHERE for leg in (at.minus(before), after.minus(at)))
         bend = way.turned().dot(onward)
-        if abs(bend) > STRAIGHT:
+        if abs(bend) > PARALLEL:
             side = -1.0 if bend > 0 else 1.0
         yield side

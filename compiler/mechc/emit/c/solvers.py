@@ -91,7 +91,7 @@ def solver_context(solver: Solver, name: str) -> SolverContext:
 
 
 def _anchored(solver: Solver) -> Iterator[tuple[str, float]]:
-    """Yield what changes along the way, and from what on."""
+    """Yield the outer symbols that change along the path, and where they start."""
     pairs = zip(solver.outer, solver.anchor, strict=True)
     return ((name, anchor) for name, anchor in pairs if anchor is not None)
 

@@ -32,7 +32,7 @@ class TableBlock(NamedTuple):
 
 
 class LineBlock(NamedTuple):
-    """A formula with what it comes to."""
+    """A formula with its value."""
 
     label: str
     display: str

@@ -75,7 +75,7 @@ def _stroke(compiled: Compiled) -> Stroke | None:
 
 
 def _queries(compiled: Compiled) -> Iterator[Query]:
-    """Yield what is plotted."""
+    """Yield the queries of the plots."""
     for part in compiled.mechanism.reported:
         if part.over:
             yield Query(part.over, (part.name,), points=ROWS)
@@ -91,7 +91,7 @@ def _drawn(drawing: Drawing | None, caption: str, locale: Locale) -> Iterator[st
 
 
 def _plotted(plot: Plot, locale: Locale, style: Notation) -> Iterator[str]:
-    """Yield a plot above what is plotted against what."""
+    """Yield a plot above its caption."""
     return _centred(plotted(plot, locale.pictures, letters(locale)), _against(plot, locale, style))
 
 

@@ -20,6 +20,9 @@ TINT = "#e8edf2"
 _BASELINE = 0.32
 """How far below the middle of a letter's box its foot is, in letters."""
 
+NO_SHIFT = 1e-9
+"""A step from line to line below this, in millimetres, is none."""
+
 _SHIFT = {-1: 0.22, 0: 0.0, 1: -0.38}
 
 
@@ -121,5 +124,5 @@ def _runs(label: Label) -> Iterator[str]:
 def _type(run: Run, size: float, step: float) -> str:
     italic = ' font-style="italic"' if run.italic else ""
     small = f' font-size="{_number(SMALL * size)}"' if run.level else ""
-    moved = f' dy="{_number(step)}"' if not math.isclose(step, 0.0, abs_tol=1e-9) else ""
+    moved = f' dy="{_number(step)}"' if not math.isclose(step, 0.0, abs_tol=NO_SHIFT) else ""
     return f"{italic}{small}{moved}"
