@@ -17,7 +17,8 @@ from .laurent import Polynomial, Ring
 from .product import Product, Sum
 from .trigonometry import cosine, sine
 
-NIL = 1e-9
+VANISHED = 1e-9
+"""A sum below this part of its terms is zero: each of them was rounded a few times."""
 
 FINEST = 64
 """Angles are halved down to this part of a symbol, and no further."""
@@ -114,7 +115,7 @@ def _vanishes_with(sum_: Sum, part: Trig) -> bool:
     name, c = part.angle.terms[0]
     zero = 0.0 if part.function == "sin" else math.pi / 2
     values[name] += (zero - part.angle.evaluate(values)) / float(c)
-    return abs(math.fsum(term.evaluate(values) for term in sum_.terms)) <= NIL * size
+    return abs(math.fsum(term.evaluate(values) for term in sum_.terms)) <= VANISHED * size
 
 
 class Anything(dict[str, float]):

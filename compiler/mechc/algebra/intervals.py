@@ -16,6 +16,12 @@ from .product import Product, Sum
 SLACK = 4e-16
 """Relative outward rounding of one operation, some two units in the last place."""
 
+LEAST = math.ulp(0.0)
+"""The least positive number: what lies above 0 lies no nearer."""
+
+SAME_ANGLE = 1e-12
+"""An angle beyond a bound by less than this, in radians, was rounded, and lies within it."""
+
 
 class Interval(NamedTuple):
     """All numbers from ``low`` to ``high``."""
@@ -29,7 +35,7 @@ Box = Mapping[str, Interval]
 
 def widened(low: float, high: float) -> Interval:
     """Return an interval rounded outwards."""
-    return Interval(low - SLACK * abs(low) - 5e-324, high + SLACK * abs(high) + 5e-324)
+    return Interval(low - SLACK * abs(low) - LEAST, high + SLACK * abs(high) + LEAST)
 
 
 def sign(product: Product, box: Box) -> int | None:
@@ -68,7 +74,7 @@ def factor_bounds(factor: Factor, box: Box) -> Interval:
         case _ if factor == CIRCLE:
             return widened(math.pi, math.pi)
         case Opaque(Call("exp")):
-            return Interval(5e-324, math.inf)
+            return Interval(LEAST, math.inf)
         case _:
             return Interval(-math.inf, math.inf)
 
@@ -101,8 +107,8 @@ def _sine(low: float, high: float) -> Interval:
 
 def _holds(low: float, high: float, peak: float) -> bool:
     """Return whether an interval holds ``peak`` plus a whole number of turns (or nearly)."""
-    turns = math.ceil((low - peak) / (2 * math.pi) - 1e-12)
-    return peak + turns * 2 * math.pi <= high + 1e-12
+    turns = math.ceil((low - peak) / (2 * math.pi) - SAME_ANGLE)
+    return peak + turns * 2 * math.pi <= high + SAME_ANGLE
 
 
 def _times(a: Interval, b: Interval) -> Interval:

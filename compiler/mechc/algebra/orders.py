@@ -36,7 +36,7 @@ PLAIN = 1e-5
 MOST = 64
 """Roots of one sine: those of 1.234·a and a are not told apart."""
 
-NIL = 1e-5
+POLE = 1e-5
 """Terms that grow by more than its inverse may have a pole."""
 
 
@@ -163,7 +163,7 @@ def _plain_order(product: Product, name: str, value: Angle) -> int | None:
                 here = angle.put({name: value})
                 zero = 0 if function == "sin" else 90
                 total += exponent if not here.terms and here.degrees % 180 == zero else 0
-            case Sum() if NIL * _size(factor, values) < sizes[factor]:
+            case Sum() if POLE * _size(factor, values) < sizes[factor]:
                 if abs(factor.evaluate(values)) < PLAIN * sizes[factor]:
                     return None
             case Length() if factor.name != name:

@@ -10,6 +10,9 @@ from .product import Product
 
 Residues = dict[int, int]
 
+DEPENDENT = 1e-9
+"""A pivot below this part of a row is rounding: the row follows from the others."""
+
 
 def residues(row: Mapping[int, Product], point: Point) -> Residues:
     """Return the entries of a row at a random point of a finite field."""
@@ -58,19 +61,17 @@ def independent(rows: Iterable[Residues]) -> list[bool]:
     return [echelon.take(row) for row in rows]
 
 
-def numeric_rank(
-    rows: Sequence[Mapping[int, float]], tolerance: float = 1e-9, scaled: bool = True
-) -> int:
+def numeric_rank(rows: Sequence[Mapping[int, float]], scaled: bool = True) -> int:
     """Return the rank of a numeric matrix by elimination with complete pivoting.
 
-    A pivot below ``tolerance`` counts as zero. Rows are scaled to a largest entry of 1
+    A pivot below :data:`DEPENDENT` counts as zero. Rows are scaled to a largest entry of 1
     first, unless they are ``scaled`` otherwise already (then say False).
     """
     rest = [_normalised(row) for row in rows] if scaled else [dict(row) for row in rows]
     rank = 0
     while True:
         best = max(((abs(v), i, u) for i, r in enumerate(rest) for u, v in r.items()), default=None)
-        if best is None or best[0] < tolerance:
+        if best is None or best[0] < DEPENDENT:
             return rank
         _, index, column = best
         pivot = rest.pop(index)

@@ -19,7 +19,7 @@ from .equilibrium import Balance, Found, Step
 TOGETHER = 3
 """More sums than this nobody solves together by hand."""
 
-NIL = 1e-9
+VANISHED = 1e-9
 """A part of a sum that is smaller, beside the others, is what rounding left of 0."""
 
 Names = frozenset[str]
@@ -57,7 +57,7 @@ def _candidate(
     except (KeyError, ZeroDivisionError):
         numbers = dict.fromkeys(balance.terms, 1.0)
     most = max(map(abs, numbers.values()))
-    numbers = {name: n / most for name, n in numbers.items() if abs(n) > NIL * most}
+    numbers = {name: n / most for name, n in numbers.items() if abs(n) > VANISHED * most}
     length = sum(map(count_operations, formulas)) + 2 * len(formulas)
     return Candidate(balance, frozenset(balance.terms) - known, numbers, length)
 

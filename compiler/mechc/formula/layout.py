@@ -26,6 +26,9 @@ from .tree import (
 )
 from .walk import children
 
+LEAST, LARGEST = 1e-4, 1e12
+"""Within these bounds a float is printed without a power of ten."""
+
 INVERSE = frozenset({"asin", "acos", "atan", "atan2"})
 """Functions whose value is an angle."""
 
@@ -220,7 +223,7 @@ def is_long(value: Fraction) -> bool:
     (False, True)
     """
     digits = len(str(abs(value.numerator))) + len(str(value.denominator))
-    return value.denominator != 1 and digits > LONGEST and 1e-4 <= abs(float(value)) < 1e12
+    return value.denominator != 1 and digits > LONGEST and LEAST <= abs(float(value)) < LARGEST
 
 
 def has_minus(term: Formula) -> bool:

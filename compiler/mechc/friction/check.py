@@ -13,9 +13,7 @@ from ..model.values import completed, holds, standing
 from ..power.check import undefined
 from ..power.numbers import default_values
 from .solution import Solution, SolvedWithFriction
-
-NEARLY = 1e-6
-"""By how much two numbers may differ that are one by algebra; iteration gives some of them."""
+from .tolerances import SAME_RESULT
 
 Values = Mapping[str, float]
 
@@ -100,7 +98,9 @@ def _printed(result: FrictionResult, values: Values) -> Iterator[str]:
     if any(not holds(condition, printed) for condition in case.holds):
         yield f"{result.name} is printed for other signs than those of the default pose"
     number, shown = evaluate(found.formula, there), evaluate(case.formula, printed)
-    if not (math.isnan(number) or math.isclose(number, shown, rel_tol=NEARLY, abs_tol=NEARLY)):
+    if not (
+        math.isnan(number) or math.isclose(number, shown, rel_tol=SAME_RESULT, abs_tol=SAME_RESULT)
+    ):
         yield f"{result.name} is {number:.9g} and printed as {shown:.9g}"
 
 
@@ -116,7 +116,7 @@ def _resists(result: FrictionResult, ideal: Mapping[Target | None, Result]) -> I
             yield f"{result.name} is {number:.6g}"
         case WithFriction(LoadRatio() as ratio, sense) if number is not None:
             without = ideal[ratio].default
-            if without is not None and (number - without) * SIGNS[sense] < -NEARLY:
+            if without is not None and (number - without) * SIGNS[sense] < -SAME_RESULT:
                 yield f"{result.name} is {number:.6g}, {without:.6g} without friction"
         case _:
             pass

@@ -131,7 +131,7 @@ class _Coupled:
         yield from self._solutions(pairs)
 
     def _of_the_load(self, rows: Sequence[Row]) -> Iterator[Definition]:
-        """Yield what friction adds to the loads, and the length of the way."""
+        """Yield the loads that friction adds, and the length of the path."""
         added = [(name, self._power(p)) for name, p in zip(self._added, self._pressed, strict=True)]
         for name, power in added:
             yield Definition(name, power)

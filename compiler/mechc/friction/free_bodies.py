@@ -110,21 +110,28 @@ class Bodies:
     def _refuse_the_rest(self, turned: set[str]) -> None:
         """Raise :class:`EquationsCoupled` for bodies and joints that are none of the four kinds."""
         m = self._mechanism
-        if any(link.arc for link in m.links) or any(p.pair.thrust for p in self._task.pressed):
+        if (
+            (m.cylinders or m.meshes or m.ropes or any(link.arc for link in m.links))
+            or any(p.pair.thrust for p in self._task.pressed)
+            or any(self._is_apart(load) for load in m.loads)
+            or any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
+            or self._has_strange_touches()
+            or self._has_shared_points()
+        ):
             raise EquationsCoupled
-        bodies = any(len(k.points) > 2 or k.name in turned for k in self._rods.values())
-        if m.cylinders or any(self._is_apart(load) for load in m.loads):
-            raise EquationsCoupled
-        held = {*self._levers, *(s.name for s in m.slides)}
-        afloat = any(t.body not in held for t in self._pose.touches)
-        named = {t.point for t in self._pose.touches}
-        twice = len(named) < len(self._pose.touches)
-        if bodies or afloat or twice or m.meshes or m.ropes:
-            raise EquationsCoupled
+
+    def _has_strange_touches(self) -> bool:
+        """Return whether a contact is on neither lever nor slide, or a point is in two of them."""
+        touches = self._pose.touches
+        held = {*self._levers, *(s.name for s in self._mechanism.slides)}
+        is_twice = len({t.point for t in touches}) < len(touches)
+        return is_twice or any(t.body not in held for t in touches)
+
+    def _has_shared_points(self) -> bool:
+        """Return whether two levers or slides carry one point, or a lever one that is guided."""
         turning = [p for k in self._levers.values() for p in k.points if p not in self._fixed]
-        carried = [*turning, *(p for s in m.slides for p in s.points)]
-        if len(set(carried)) < len(carried) or any(p in self._guides for p in turning):
-            raise EquationsCoupled
+        carried = [*turning, *(p for s in self._mechanism.slides for p in s.points)]
+        return len(set(carried)) < len(carried) or any(p in self._guides for p in turning)
 
     def _is_apart(self, load: Load) -> bool:
         """Return whether a load acts on a rod itself, or on a lever at its pivot."""

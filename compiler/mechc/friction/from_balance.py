@@ -50,7 +50,7 @@ def solve(balance: Balance, report: Report) -> Solution:
 def _with_friction(
     balance: Balance, numbers: DefaultNumbers, report: Report
 ) -> Iterator[SolvedWithFriction]:
-    """Yield what was asked for with friction; few descriptions ask for any."""
+    """Yield the solutions with friction; few descriptions ask for any."""
     finds = balance.plan.graph.pose.mechanism.finds
     asked = [f for f in finds if isinstance(f.target, WithFriction | Efficiency)]
     if not asked:

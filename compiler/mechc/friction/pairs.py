@@ -182,7 +182,7 @@ def _slope(screw: Screw, diameter: Product, pose: Pose) -> Product:
 
 
 def _thrusts(joint: JointRef, pose: Pose) -> Iterator[tuple[str, Product]]:
-    """Yield what friction in a screw's thread adds along its axis to the force that it takes.
+    """Yield the axial force that a unit of friction in a screw's thread adds to its own.
 
     The collar carries both: all of the load on the nut.
     """

@@ -18,17 +18,15 @@ from ..formula.names import another
 from ..formula.tree import Call, Formula
 from ..formula.walk import evaluate
 from ..model.result import Definition
+from ..power.tolerances import VANISHED
 from .naming import Meanings
+from .tolerances import ACUTE_MARGIN
 
 Inverse = Literal["asin", "atan"]
 """The function that gives a turn."""
 
 
-NIL = 1e-12
-"""What is smaller than this has no sign: forces and slips are of order one, per length."""
-
-
-ACUTE = Interval(1e-9, math.pi / 2 - 1e-9)
+ACUTE = Interval(ACUTE_MARGIN, math.pi / 2 - ACUTE_MARGIN)
 """What a turned line turns by: the arc of a positive sine or tangent."""
 
 
@@ -261,4 +259,4 @@ def exact_sign(value: Rational) -> int:
 
 
 def _sign(value: float) -> int:
-    return (value > NIL) - (value < -NIL)
+    return (value > VANISHED) - (value < -VANISHED)

@@ -12,8 +12,10 @@ from ..algebra.product import Product
 from ..formula.rounding import Rounding
 from ..kinematics.plan import Plan
 from ..model.values import Chain, completed, defaults, dependent, independent
-from ..power.numbers import NIL, default_values
+from ..power.numbers import default_values
+from ..power.tolerances import VANISHED
 from ..units import ANGLE
+from .tolerances import PRECISE
 
 POSES = 4
 """At so many poses besides the default one a slip is nothing but rounding if it is zero."""
@@ -23,9 +25,6 @@ TRIES = 24
 
 SPREAD = 0.1
 """How far a parameter is moved: radians, or parts of what else it is."""
-
-PRECISE = 1e-9
-"""What a bound of rounding may be at most where it says that something is zero."""
 
 
 def without_standing(slips: Sequence[Product], plan: Plan) -> list[Product]:
@@ -44,7 +43,7 @@ def without_standing(slips: Sequence[Product], plan: Plan) -> list[Product]:
 def _is_small(slip: Product, values: Mapping[str, float]) -> bool:
     """Return whether a slip has no sign at the default pose."""
     try:
-        return abs(slip.evaluate(values)) <= NIL
+        return abs(slip.evaluate(values)) <= VANISHED
     except (KeyError, ZeroDivisionError, ValueError, OverflowError):
         return False
 

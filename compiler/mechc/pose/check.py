@@ -9,11 +9,9 @@ from ..formula.walk import symbols
 from ..model.mechanism import Force, ForcePair, Slider
 from ..model.values import Chain, completed, defaults, dependent, independent
 from .pose import Definition, Pose, Vector, evaluate_vector
+from .tolerances import LOOP_GAP
 
 Frame = Mapping[str, Vector]
-
-NIL = 1e-9
-"""What a closure may be off by, against the size of the bodies in it."""
 
 STEP = 1e-5
 """By how much the drive is moved, in SI, to see what changes with it."""
@@ -34,7 +32,7 @@ def known_names(pose: Pose) -> set[str]:
 
 
 def _names(pose: Pose) -> Iterator[str]:
-    """Yield what is wrong with the order of names, and the names that nothing defines."""
+    """Yield the faults in the order of names, and the names that nothing defines."""
     if pose.free != tuple(p.name for p in independent(pose.mechanism)):
         yield "the free names are not the independent parameters in declared order"
     given = {p.name for p in pose.mechanism.parameters} | set(pose.placeholders)
@@ -49,7 +47,7 @@ def _names(pose: Pose) -> Iterator[str]:
 
 
 def _order(definitions: Sequence[Definition], given: Set[str]) -> Iterator[str]:
-    """Yield what is defined from what comes later, or is not known at all, and what twice."""
+    """Yield the names defined from later or unknown ones, and those defined twice."""
     known = set(given)
     for name, formula in definitions:
         yield from (f"{name} uses {n} too early" for n in sorted(symbols(formula) - known))
@@ -131,7 +129,7 @@ def _gaps(pose: Pose) -> Iterator[str]:
         size = max(map(abs, (*there.values(), *places.values())))
         for point, offset in there.items():
             gap = abs(places.setdefault(point, offset + shift) - offset - shift)
-            if gap > NIL * size:
+            if gap > LOOP_GAP * size:
                 yield f"body {name} misses {point} by {gap:.3g} m"
 
 

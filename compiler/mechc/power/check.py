@@ -13,9 +13,7 @@ from ..model.result import Definition, Result
 from ..units import Dimension
 from .balance import Balance, Equations, Solved
 from .numbers import default_values
-
-NEARLY = 1e-9
-"""By how much two numbers may differ that are one by algebra."""
+from .tolerances import SAME_IN_OTHER_UNITS, SAME_RESULT
 
 SCALES = (2.0, 3.0, 5.0)
 """What the units of length, mass and time are multiplied by to see a dimension."""
@@ -51,7 +49,7 @@ def _terms(balance: Balance) -> Iterator[str]:
 
 
 def _columns(balance: Balance) -> Iterator[str]:
-    """Yield what is wrong with the columns: each is the power of its load and those tied to it."""
+    """Yield the faults of the columns: each is the power of its load and those tied to it."""
     equations, point = balance.equations, Point()
     sums = {name: [0] * balance.plan.mobility for name, _ in equations.owners.values()}
     for term in balance.terms:
@@ -134,7 +132,7 @@ def _linear(result: Result, balance: Balance) -> Iterator[str]:
         return
     parts = (evaluate(c, values) * values[n] for n, c in result.coefficients.items())
     whole, summed = evaluate(result.formula, values), math.fsum(parts)
-    if not math.isclose(whole, summed, rel_tol=NEARLY, abs_tol=NEARLY):
+    if not math.isclose(whole, summed, rel_tol=SAME_RESULT, abs_tol=SAME_RESULT):
         yield f"{result.name} is {whole:.9g}, by its coefficients {summed:.9g}"
 
 
@@ -154,7 +152,9 @@ def _dimension(result: Result, balance: Balance) -> Iterator[str]:
             return
     found, expected = (evaluate(formulas[0], values) for values in (after, before))
     expected *= _factor(result.dimension)
-    if not math.isnan(found) and not math.isclose(found, expected, rel_tol=1e-6, abs_tol=NEARLY):
+    if not math.isnan(found) and not math.isclose(
+        found, expected, rel_tol=SAME_IN_OTHER_UNITS, abs_tol=SAME_RESULT
+    ):
         yield f"{result.name} does not have its dimension"
 
 

@@ -20,9 +20,7 @@ from ..model.result import Result
 from ..model.values import Chain, completed, defaults, dependent, range_of, standing
 from ..pose.pose import Pose
 from .balance import Balance, Solved
-
-NIL = 1e-12
-"""Below this a value of order one counts as zero."""
+from .tolerances import VANISHED
 
 STEPS = 24
 """Parts of the stroke at whose ends the sign of a result is looked at."""
@@ -142,7 +140,7 @@ def _check_branch(balance: Balance, values: Mapping[str, float], report: Report)
 
 def _is_finite(speed: Product, values: Mapping[str, float]) -> bool:
     try:
-        return abs(speed.evaluate(values)) < 1 / NIL
+        return abs(speed.evaluate(values)) < 1 / VANISHED
     except (KeyError, ZeroDivisionError):
         return False
 
@@ -211,15 +209,15 @@ class Arrows:
             return False
         chain, given, (low, high) = _chain(self._pose), _given(self._pose), ends
         along = (low + (high - low) * i / STEPS for i in range(STEPS + 1))
-        poses = (chain.complete({**given, drive.parameter: place}) for place in along)
+        poses = (chain.complete({**given, drive.parameter: x}) for x in along)
         return any((value_of(result, values) or 0.0) > 0 for values in poses)
 
 
 def _vanishing(value: Product, values: Mapping[str, float], side: int) -> Formula | None:
     """Return the factor above (1) or below (-1) the line that is nil against its terms."""
     try:
-        for factor, exponent in value.factors.items():
-            if exponent * side > 0 and abs(factor.evaluate(values)) < NIL * _size(factor, values):
+        for factor in (f for f, exponent in value.factors.items() if exponent * side > 0):
+            if abs(factor.evaluate(values)) < VANISHED * _size(factor, values):
                 return factor.formula()
     except (KeyError, ZeroDivisionError):
         return None

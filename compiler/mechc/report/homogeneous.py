@@ -9,6 +9,7 @@ from collections.abc import Mapping
 
 from ..formula.tree import Formula
 from ..formula.walk import evaluate
+from ..study.tolerances import SAME_RATIO
 from ..units import LENGTH, MASS, TIME, Dimension
 
 _SCALE = 1.7
@@ -45,7 +46,9 @@ def _is_power_of(
         return evaluate(formula, scaled)
 
     first, second, third = map(value, range(3))
-    return not math.isfinite(first) or math.isclose(second * second, first * third, rel_tol=1e-9)
+    return not math.isfinite(first) or math.isclose(
+        second * second, first * third, rel_tol=SAME_RATIO
+    )
 
 
 def _share(dimension: Dimension, base: Dimension) -> float:

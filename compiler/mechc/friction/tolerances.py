@@ -1,0 +1,10 @@
+"""What counts as equal or standing where friction is found: each with its reason."""
+
+SAME_RESULT = 1e-6
+"""By how much two numbers may differ that are one by algebra; iteration gives some of them."""
+
+PRECISE = 1e-9
+"""What a bound of rounding may be at most where it says that something is zero."""
+
+ACUTE_MARGIN = 1e-9
+"""How far an acute angle is from 0° and 90° at least, in radians: its tangent is finite."""
