@@ -2,7 +2,7 @@
 
 import math
 
-from ..algebra.intervals import Box, Interval, widened
+from ..algebra.intervals import LEAST, Box, Interval, widened
 from ..formula.walk import evaluate
 from ..units import ANGLE
 from .mechanism import Mechanism, Parameter
@@ -64,4 +64,4 @@ def _range(parameter: Parameter) -> Interval | None:
     if parameter.value is not None:
         value = evaluate(parameter.value, {})
         return widened(value, value)
-    return None if parameter.dimension == ANGLE else Interval(5e-324, math.inf)
+    return None if parameter.dimension == ANGLE else Interval(LEAST, math.inf)

@@ -12,6 +12,7 @@ from .constants import out_of_reach
 from .expressions import Reader
 from .mechanism import Absolute, Along, Direction, Offset
 from .scope import DESCRIPTION, Scope
+from .tolerances import SAME_DIRECTION
 
 QUARTERS = {("x", 1): 0, ("y", 1): 90, ("x", -1): 180, ("y", -1): -90}
 """The axes as angles in degrees, by their name and sign."""
@@ -78,4 +79,4 @@ def parallel(a: Direction, b: Direction, scope: Scope) -> bool:
     first, second = value_of(a.angle, scope), value_of(b.angle, scope)
     if first is None or second is None:
         return True
-    return not abs(math.sin(first - second)) > 1e-9
+    return not abs(math.sin(first - second)) > SAME_DIRECTION

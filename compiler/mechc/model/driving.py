@@ -24,6 +24,7 @@ from .mechanism import (
     Turn,
 )
 from .sketch import Sketch
+from .tolerances import SAME_VALUE
 
 Ends = tuple[str, str]
 """The two points of what is driven."""
@@ -96,7 +97,7 @@ def drawn_value(name: str, entry: Geometry, sketch: Sketch) -> float | None:
         if name not in symbols(formula) or not symbols(formula) <= known.keys():
             continue
         at = [evaluate(formula, {**known, name: value}) for value in (0.0, 1.0, 2.0)]
-        if math.isclose(at[2] - at[1], at[1] - at[0], rel_tol=1e-9) and at[1] != at[0]:
+        if math.isclose(at[2] - at[1], at[1] - at[0], rel_tol=SAME_VALUE) and at[1] != at[0]:
             return (drawn - at[0]) / (at[1] - at[0])
     return None
 

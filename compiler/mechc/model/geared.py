@@ -44,6 +44,7 @@ from .mechanism import (
 from .rigidity import Independent, Row, direction, fixed
 from .sketch import Sketch
 from .standing import direction_matters, place_matters
+from .tolerances import VANISHED
 
 Values = Mapping[str, float]
 
@@ -116,7 +117,7 @@ class Train:
     def _is_nil(self, factor: Formula) -> bool:
         """Return whether a motion does not count: an arm's, where inner wheels are alike."""
         return symbols(factor) <= self._values.keys() and math.isclose(
-            self._value(factor), 0, abs_tol=1e-12
+            self._value(factor), 0, abs_tol=VANISHED
         )
 
     def check(self, held: Independent, report: Report) -> None:
@@ -126,7 +127,7 @@ class Train:
                 report.add(messages.wheels_alone_lead(mesh.span, term.body, mesh.id))
 
     def _free(self, held: Independent) -> Iterator[tuple[Mesh, Term]]:
-        """Yield what nothing else holds of the motions that wheels tie."""
+        """Yield the terms of motions that wheels tie and nothing else holds."""
         for mesh in self._mechanism.meshes:
             for term in self._tie(mesh):
                 row = self._row(term)

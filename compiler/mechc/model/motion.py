@@ -15,15 +15,13 @@ from .mechanism import Assembly, Drive, Mechanism, Parameter
 from .parameters import constant
 from .scope import DESCRIPTION, Entry, Scope
 from .statements import every
+from .tolerances import VANISHED
 
 MOST_TURNS = 100
 """Full turns of a drive that are still a stroke: each is looked at in seven places or more."""
 
 STRAY = 0.01
 """The part of a stroke by which the default pose is off it before that is remarked upon."""
-
-ROUNDED = 1e-12
-"""The part of its greatest end below which a stroke is empty."""
 
 
 def read_drives(file: ast.File, scope: Scope) -> list[Drive]:
@@ -114,7 +112,7 @@ def _check_stroke(
 ) -> None:
     """Report a stroke that is empty, or far too long; remark on what it leaves out or passes."""
     low, high = sorted(ends)
-    slack = ROUNDED * max(abs(low), abs(high))
+    slack = VANISHED * max(abs(low), abs(high))
     turns = (high - low) / (2 * math.pi)
     if high - low <= slack:
         report.add(stroke.empty(drive.span, drive.parameter))

@@ -10,12 +10,10 @@ from typing import assert_never
 
 from .mechanism import Absolute, Along, Arrow, Geometry, Offset, Turn
 from .sketch import Sketch
+from .tolerances import DEPENDENT
 
 Row = Mapping[tuple[str, int], float]
 """Derivatives by the coordinates: of a point, 0 for x or 1 for y."""
-
-ROUNDED = 1e-7
-"""The part of a row below which what is left of it is rounding."""
 
 
 class Independent:
@@ -43,7 +41,7 @@ class Independent:
         for _ in range(2):  # the second time takes away what rounding left
             for known in self._basis:
                 rest = combined(rest, known, -_product(rest, known))
-        return rest if _size(rest) > ROUNDED * _size(row) else None
+        return rest if _size(rest) > DEPENDENT * _size(row) else None
 
 
 def combined(row: Row, other: Row, factor: float) -> Row:

@@ -22,13 +22,7 @@ from .entries import points_of, unit_of_drawing
 from .led_points import led_points
 from .mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
 from .polar import Polar, polar
-
-NEAR_ZERO = 1e-9
-"""Places nearer to one another than this part of the drawing are one."""
-
-
-PARALLEL = 1e-11
-"""Vectors of numbers at a smaller angle, in radians, are parallel."""
+from .tolerances import SAME_PLACE, SAME_VECTOR
 
 
 class Place(NamedTuple):
@@ -135,7 +129,7 @@ class Sketch:
     @property
     def rounding(self) -> float:
         """Return the gap in metres below which places are one."""
-        return NEAR_ZERO * self.size
+        return SAME_PLACE * self.size
 
     def shown(self, gap: float) -> str:
         """Return a length in the unit of the drawing."""
@@ -286,11 +280,11 @@ class Sketch:
         ahead = add([a * b for a, b in zip(one, other, strict=True)])
         across = add([one[0] * other[1], -(one[1] * other[0])])
         sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
-        return abs(self._value(across)) <= PARALLEL * math.prod(sizes) and self._value(ahead) > 0
+        return abs(self._value(across)) <= SAME_VECTOR * math.prod(sizes) and self._value(ahead) > 0
 
     def _same_size(self, one: Components, other: Components) -> bool:
         sizes = (math.hypot(*map(self._value, vector)) for vector in (one, other))
-        return math.isclose(*sizes, rel_tol=PARALLEL)
+        return math.isclose(*sizes, rel_tol=SAME_VECTOR)
 
     def _positive(self, length: Product) -> Product:
         return length if self._value(length) >= 0 else -length

@@ -13,6 +13,7 @@ from ..units import ANGLE, LENGTH
 from .mechanism import Mechanism, Parameter, Require
 from .order import ordered
 from .result import Result
+from .tolerances import SAME_VALUE, VANISHED
 
 Values = Mapping[str, float]
 
@@ -21,7 +22,7 @@ _COMPARE: Mapping[str, Callable[[float, float], bool]] = {
     "<=": operator.le,
     ">": operator.gt,
     ">=": operator.ge,
-    "=": lambda left, right: math.isclose(left, right, rel_tol=1e-9, abs_tol=1e-12),
+    "=": lambda left, right: math.isclose(left, right, rel_tol=SAME_VALUE, abs_tol=VANISHED),
     "!=": operator.ne,
 }
 

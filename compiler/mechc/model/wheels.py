@@ -15,6 +15,7 @@ from .expressions import Reader
 from .mechanism import Geometry, Joint, Link, Offset, WheelPair
 from .scope import DESCRIPTION, Scope
 from .statements import every
+from .tolerances import SAME_VALUE
 
 
 def read_wheels(file: ast.File, scope: Scope) -> Iterator[WheelPair]:
@@ -145,7 +146,7 @@ def check_belts(joints: Iterable[Joint], places: Iterable[Geometry], scope: Scop
         if ends[0] is None or ends[1] is None or radii is None:
             continue
         apart = math.dist(ends[0], ends[1])
-        if apart < sum(radii) * (1 - 1e-9):
+        if apart < sum(radii) * (1 - SAME_VALUE):
             pivots = f"{mesh.first} and {mesh.second}"
             scope.report.add(messages.wheels_overlap(mesh.span, pivots, apart, sum(radii)))
 

@@ -16,23 +16,21 @@ from ...study.stroke.stroke import (
     Stretch,
     Stroke,
 )
+from ...study.tolerances import EXACT
 from ...units import ANGLE, UNITS, Dimension, behind, in_unit, si_unit
-
-NEAR = 1e-13
-"""What is nearer, against the stroke, is the same place: a dead centre, say."""
 
 
 def held(row: Row, stroke: Stroke) -> str:
-    """Return which results stand still at a place: ``k_f jammed, k_hold locked``."""
-    near = NEAR * (stroke.high - stroke.low)
+    """Return which results stand still in a row: ``k_f jammed, k_hold locked``."""
+    near = EXACT * (stroke.high - stroke.low)
     found = (s for s in stroke.standstills if _is_in(row.drive, s, near))
     return ", ".join(f"{s.result} {s.state}" for s in found)
 
 
-def _is_in(place: float, found: JammedInterval, near: float) -> bool:
-    """Return whether a place is in an interval, or so near to an end that it is that end."""
+def _is_in(x: float, found: JammedInterval, near: float) -> bool:
+    """Return whether a value is in an interval, or so near to an end that it is that end."""
     below, above = (-near if left_out else near for left_out in found.left_out)
-    return found.low - below <= place <= found.high + above
+    return found.low - below <= x <= found.high + above
 
 
 def to_table(stroke: Stroke, velocities: bool = False) -> str:
@@ -57,7 +55,7 @@ def table(stroke: Stroke, hidden: Collection[Content]) -> list[list[str]]:
     head += [headed(c.name, unit_of(c.dimension, c.unit)) for c in columns]
     body = [
         [
-            _place(row.drive, stroke),
+            _value(row.drive, stroke),
             *_cells([row.values[i] for i in shown], columns, row.undetermined),
             row.trouble or held(row, stroke),
         ]
@@ -67,7 +65,7 @@ def table(stroke: Stroke, hidden: Collection[Content]) -> list[list[str]]:
 
 
 def said(stroke: Stroke) -> Iterator[str]:
-    """Yield what is to be said of a stroke below its table."""
+    """Yield the lines below the table of a stroke."""
     for stretch in stroke.stretches:
         yield from _stretch(stretch, stroke)
     if not stroke.stretches:
@@ -112,13 +110,13 @@ def headed(name: str, unit: str) -> str:
     return f"{name} [{unit}]" if unit else name
 
 
-def _place(place: float, stroke: Stroke, digits: int = 9) -> str:
-    return _in(place, unit_of(stroke.dimension, stroke.unit), digits)
+def _value(x: float, stroke: Stroke, digits: int = 9) -> str:
+    return _in(x, unit_of(stroke.dimension, stroke.unit), digits)
 
 
-def _at(place: float, stroke: Stroke) -> str:
+def _at(x: float, stroke: Stroke) -> str:
     unit = unit_of(stroke.dimension, stroke.unit)
-    return f"{stroke.drive} = {in_unit(place, unit, 13)}"
+    return f"{stroke.drive} = {in_unit(x, unit, 13)}"
 
 
 def _aligned(rows: Sequence[Sequence[str]]) -> Iterator[str]:
@@ -203,7 +201,7 @@ def _course(name: str, course: EfficiencyRange, stroke: Stroke) -> str:
 
 
 def _looked(stroke: Stroke) -> Iterator[str]:
-    """Yield at how many places the stroke was looked at, and what that means."""
+    """Yield at how many values the stroke was looked at, and what that means."""
     most = max((count for _, count in stroke.looked), default=0)
     fewer: dict[int, list[str]] = {}
     for name, count in stroke.looked:
