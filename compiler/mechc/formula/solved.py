@@ -27,7 +27,7 @@ from .tree import (
 from .walk import evaluate, symbols
 
 CLOSE = 1e-9
-"""By how many radians, or parts of it, a formula may miss the place that it is for."""
+"""By how many radians, or parts of it, a formula may miss the value that it is for."""
 
 
 class Solution(NamedTuple):
@@ -36,8 +36,8 @@ class Solution(NamedTuple):
     value: Formula
     period: Fraction
 
-    def at(self, place: float, values: Mapping[str, float]) -> Formula | None:
-        """Return the value that lies at a place, None where none does.
+    def at(self, x: float, values: Mapping[str, float]) -> Formula | None:
+        """Return the formula of the value that lies at ``x``, None where none does.
 
         >>> Solution(Symbol("delta"), Fraction(180)).at(0.1 - math.pi, {"delta": 0.1})
         Sum(terms=(Symbol(name='delta'), Product(factors=(Number(value=Fraction(-1, 1)), Pi()))))
@@ -48,9 +48,9 @@ class Solution(NamedTuple):
         if not math.isfinite(first):
             return None
         if not period:
-            return self.value if abs(first - place) <= CLOSE * abs(place) else None
-        turns = round((place - first) / period)
-        if abs(first + turns * period - place) > CLOSE:
+            return self.value if abs(first - x) <= CLOSE * abs(x) else None
+        turns = round((x - first) / period)
+        if abs(first + turns * period - x) > CLOSE:
             return None
         return _tidy((self.value, degrees(turns * self.period)))
 

@@ -11,13 +11,13 @@ from ..study.stroke.forms import form
 from .plot import Curve, Plot
 
 NEAR, ASIDE = 1e-12, 1e-3
-"""How far beside a place a factor is looked at, as parts of the range.
+"""How far beside a point a factor is looked at, as parts of the range.
 
 Rounding leaves it no value where the mechanism can just be assembled.
 """
 
 VANISHED = 1e-4
-"""What is smaller than this part of what a factor is beside a place is nothing there."""
+"""What is smaller than this part of what a factor is beside a point is nothing there."""
 
 AT_REST = ("output still", "drive locked")
 """The zeros and poles at which the output, or the drive, stands still."""
@@ -44,7 +44,7 @@ def _chain(pose: Pose) -> Chain:
 
 @frozen
 class _Rest:
-    """What is needed to see whether something stands still at a place of a plot."""
+    """What is needed to see whether something stands still at a point of a plot."""
 
     plot: Plot
     defaults: Values
@@ -61,13 +61,13 @@ class _Rest:
         return tuple(x for x, why in pairs if any(self._is_rest(x, curve, result, why)))
 
     def _is_rest(
-        self, place: float, curve: Curve, result: Analysis, why: Iterable[Vanishing]
+        self, x: float, curve: Curve, result: Analysis, why: Iterable[Vanishing]
     ) -> Iterator[bool]:
-        """Yield of each factor whether it vanishes at a place since something stands still."""
+        """Yield of each factor whether it vanishes at ``x`` since something stands still."""
         given = {**self.defaults, **{v.axis.name: v.value for v in curve.setting}}
         at, beside = (
-            [self.chain.complete({**given, self.plot.varied.name: x}) for x in places]
-            for places in self._around(place)
+            [self.chain.complete({**given, self.plot.varied.name: value}) for value in grid]
+            for grid in self._around(x)
         )
         for vanishing in why:
             factor = form(vanishing.factor, result, at[0].keys())
@@ -78,8 +78,8 @@ class _Rest:
             is_nothing = bool(here and there) and min(here) < VANISHED * max(there)
             yield vanishing.kind in AT_REST and is_nothing
 
-    def _around(self, place: float) -> Iterator[list[float]]:
-        """Yield a place and those as near as rounding allows, then those beside it."""
+    def _around(self, x: float) -> Iterator[list[float]]:
+        """Yield ``x`` and those as near as rounding allows, then those beside it."""
         near, aside = (part * (self.plot.high - self.plot.low) for part in (NEAR, ASIDE))
-        yield [place, place - near, place + near]
-        yield [place - aside, place + aside]
+        yield [x, x - near, x + near]
+        yield [x - aside, x + aside]

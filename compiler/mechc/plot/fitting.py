@@ -11,11 +11,14 @@ from .sampling import CELLS, PROMINENT, Trace
 BENT = 3e-4
 """How far a curve may be off the straight line between two points, against the panel."""
 
+NARROW = 1e-9
+"""A cell narrower than this part of the range is not halved: that is where a curve breaks off."""
+
 ROUNDS, MOST = 12, 6000
 """How often cells are halved for a smooth curve, and how many points are enough for any."""
 
 STEEP = 0.02
-"""A step of this part of the panel, between places that are neighbours, is a jump."""
+"""A step of this part of the panel, between values that are neighbours, is a jump."""
 
 
 def smooth(function: Function, trace: Trace, low: float, high: float) -> Trace:
@@ -55,7 +58,7 @@ def _open(
         bent = np.concatenate([[False], bend / np.hypot(1.0, slope[1:]) > BENT])
         bent[:-1] |= bend / np.hypot(1.0, slope[:-1]) > BENT
         wide = np.hypot(dx, dy) > BENT
-    return np.flatnonzero(bent & wide & (dx > 1e-9))
+    return np.flatnonzero(bent & wide & (dx > NARROW))
 
 
 def _steps(
@@ -96,7 +99,7 @@ def limits(traces: list[Trace]) -> tuple[float, float]:
 
 
 def _evenly(trace: Trace) -> Array:
-    """Return the values at places that lie evenly: more of them are near poles."""
+    """Return the values on an even grid: more of them are near poles."""
     ys = np.interp(np.linspace(trace.xs[0], trace.xs[-1], CELLS + 1), trace.xs, trace.ys)
     found: Array = ys[np.isfinite(ys)]
     return found

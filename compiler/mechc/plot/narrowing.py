@@ -9,28 +9,28 @@ Array = NDArray[np.float64]
 Function = Callable[[Array], Array]
 
 PARTS, NARROWINGS = 64, 10
-"""Into how many parts a cell is divided, and how often, until places are neighbours.
+"""Into how many parts a cell is divided, and how often, until numbers are neighbours.
 
-A function of systems of equations is dear for each time that it is asked, not for each place.
+A function of systems of equations is dear for each time that it is asked, not for each number.
 """
 
 NEAR = 1e-9
-"""What a function is beside a place is what it is so far from it, as a part of a cell."""
+"""What a function is beside a point is what it is so far from it, as a part of a cell."""
 
 EPS = float(np.finfo(np.float64).eps)
 
 
 def lone(holds: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Return where something holds that holds at no neighbouring place."""
+    """Return where something holds that holds at no neighbouring point."""
     beside = np.concatenate([[False], holds, [False]])
     found: NDArray[np.bool_] = holds & ~beside[:-2] & ~beside[2:]
     return found
 
 
 def without_holes(function: Function, xs: Array, ys: Array) -> tuple[Array, Array]:
-    """Return places and values without a place that has no value, but has them on both sides.
+    """Return a grid and values without a point that has no value, but has them on both sides.
 
-    Rounding decides whether a condition holds there that begins or ends at this very place.
+    Rounding decides whether a condition holds there that begins or ends at this very point.
     """
     holes = np.flatnonzero(lone(np.isnan(ys))[1:-1]) + 1
     aside = NEAR * np.minimum(xs[holes] - xs[holes - 1], xs[holes + 1] - xs[holes])
@@ -40,47 +40,47 @@ def without_holes(function: Function, xs: Array, ys: Array) -> tuple[Array, Arra
 
 
 def within(low: Array, high: Array) -> Array:
-    """Return places from each of several ends to the other: a row for each."""
-    places: Array = low[:, None] + np.linspace(0.0, 1.0, PARTS + 1) * (high - low)[:, None]
-    places[:, -1] = high
-    return places
+    """Return a grid from each of several ends to the other: a row for each."""
+    grid: Array = low[:, None] + np.linspace(0.0, 1.0, PARTS + 1) * (high - low)[:, None]
+    grid[:, -1] = high
+    return grid
 
 
-def on(function: Function, places: Array) -> Array:
-    """Return the values at a table of places, in its shape."""
-    return function(places.ravel()).reshape(places.shape) if places.size else places
+def on(function: Function, grid: Array) -> Array:
+    """Return the values at a table of points, in its shape."""
+    return function(grid.ravel()).reshape(grid.shape) if grid.size else grid
 
 
 def narrowed(
     holds: Callable[[Array], NDArray[np.bool_]], good: Array, bad: Array
 ) -> tuple[Array, Array]:
-    """Return neighbouring places: at the first of two something holds, and no longer at the other.
+    """Return neighbouring numbers: at the first of two something holds, and no longer at the other.
 
     It ``holds`` at the ``good`` ends, and does not at the ``bad`` ones.
     """
     for _ in range(NARROWINGS if good.size else 0):
-        places = within(good, bad)
-        sound = holds(places)
+        grid = within(good, bad)
+        sound = holds(grid)
         sound[:, 0], sound[:, -1] = True, False
-        first, rows = np.argmin(sound, axis=1), np.arange(len(places))
-        good, bad = places[rows, first - 1], places[rows, first]
+        first, rows = np.argmin(sound, axis=1), np.arange(len(grid))
+        good, bad = grid[rows, first - 1], grid[rows, first]
         if np.all(np.nextafter(good, bad) == bad):
             break
     return good, bad
 
 
 def lowest(function: Function, low: Array, high: Array) -> Array:
-    """Return where a function is least between each two places, to half the digits or more.
+    """Return where a function is least between each two numbers, to half the digits or more.
 
-    Where it has one value in all places, to the last bits, there is no more to be found.
+    Where it has one value everywhere, to the last bits, there is no more to be found.
     """
     for _ in range(NARROWINGS if low.size else 0):
-        places = within(low, high)
-        values = on(function, places)
+        grid = within(low, high)
+        values = on(function, grid)
         least = np.argmin(np.where(np.isnan(values), np.inf, values), axis=1)
-        rows = np.arange(len(places))
-        low = places[rows, np.maximum(least - 1, 0)]
-        high = places[rows, np.minimum(least + 1, PARTS)]
+        rows = np.arange(len(grid))
+        low = grid[rows, np.maximum(least - 1, 0)]
+        high = grid[rows, np.minimum(least + 1, PARTS)]
         if np.all(np.ptp(values, axis=1) <= EPS * np.abs(values[rows, least])):
             break
     return (low + high) / 2

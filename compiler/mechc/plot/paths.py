@@ -18,7 +18,10 @@ CELLS = 720
 """How many straight lines the path of a point is made of."""
 
 STATIONS = 12
-"""At how many places the path of a point is marked."""
+"""At how many points the path of a point is marked."""
+
+SAME_PLACE = 1e-9
+"""Points nearer to each other than this, in metres, are one: the path comes back to its start."""
 
 
 def paths(sweep: Sweep, query: Query) -> Plot:
@@ -51,22 +54,22 @@ def _coordinates(sweep: Sweep, point: str) -> tuple[Quantity, Quantity]:
 def _path(
     sweep: Sweep, point: str, pair: tuple[Quantity, Quantity], setting: tuple[Value, ...]
 ) -> Curve:
-    """Return the path of a point in pieces, marked at even places of the drive."""
+    """Return the path of a point in pieces, marked at even steps of the drive."""
     across, up = (sweep.function(q, setting) for q in pair)
 
-    def at(places: Array) -> list[Plane]:
+    def at(grid: Array) -> list[Plane]:
         with np.errstate(all="ignore"):
-            xs, ys = across(places), up(places)
+            xs, ys = across(grid), up(grid)
         return [Plane(float(x), float(y)) for x, y in zip(xs, ys, strict=True)]
 
-    parts = groupby(at(sweep.places(CELLS + 1)), key=lambda p: bool(np.isfinite(p).all()))
+    parts = groupby(at(sweep.grid(CELLS + 1)), key=lambda p: bool(np.isfinite(p).all()))
     whole = tuple(tuple(piece) for finite, piece in parts if finite)
-    stations = sweep.places(STATIONS + 1)
+    stations = sweep.grid(STATIONS + 1)
     marks = [
         Mark("station", p, float(s))
         for p, s in zip(at(stations), stations, strict=True)
         if np.isfinite(p).all()
     ]
-    if len(marks) > 1 and math.dist(marks[0].at, marks[-1].at) < 1e-9:
+    if len(marks) > 1 and math.dist(marks[0].at, marks[-1].at) < SAME_PLACE:
         marks.pop()
     return Curve(point, setting, tuple(p for p in whole if len(p) > 1), tuple(marks))

@@ -9,7 +9,7 @@ from ..pose.places import Plane
 from ..units import UNITS, Dimension
 
 MarkKind = Literal["minimum", "maximum", "zero", "default", "station"]
-"""``default`` is the pose of the description, ``station`` a place along the path of a point."""
+"""``default`` is the pose of the description, ``station`` a point along the path of a point."""
 
 
 class Axis(NamedTuple):
@@ -33,7 +33,7 @@ class Value(NamedTuple):
 
 
 class Mark(NamedTuple):
-    """A place on a curve that is worth a look; a station has the value of what varies there."""
+    """A point of interest on a curve; a station has the value of what varies there."""
 
     kind: MarkKind
     at: Plane

@@ -1,21 +1,22 @@
 """A function of one variable followed over a range: where it is broken, zero, or turns.
 
-It is looked at in many places at once. Two of them between which its sign changes are brought
+It is looked at in many points at once. Two of them between which its sign changes are brought
 together to the last bit, which parts a zero from a pole and from a jump. What happens twice between
-two neighbouring places may be missed.
+two neighbouring points may be missed.
 """
 
 from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .narrowing import EPS, NEAR, Array, Function, lone, lowest, narrowed, on, without_holes
 
 CELLS = 360
-"""Places between which zeros, poles and extrema are looked for."""
+"""Cells in which zeros, poles and extrema are looked for."""
 
-LARGE, NIL = 1e3, 1e-6
+LARGE, VANISHED = 1e3, 1e-6
 """By how much a function grows towards a pole, and falls towards a zero, against its cell."""
 
 NOISE = 1e-12
@@ -26,7 +27,7 @@ PROMINENT = 1e-9
 
 
 class Turn(NamedTuple):
-    """A place where a function is least or greatest nearby: sense is 1, or -1."""
+    """A point where a function is least or greatest nearby: sense is 1, or -1."""
 
     sense: int
     x: float
@@ -34,7 +35,7 @@ class Turn(NamedTuple):
 
 
 class Trace(NamedTuple):
-    """A function followed over a range: its places, values, and what was found between."""
+    """A function followed over a range: its grid, values, and what was found between."""
 
     xs: Array
     ys: Array
@@ -45,9 +46,9 @@ class Trace(NamedTuple):
 
 
 def traced(function: Function, low: float, high: float) -> Trace:
-    """Return a function at places close together, and its zeros, breaks and extrema."""
-    places = np.linspace(low, high, CELLS + 1)
-    xs, ys = without_holes(function, places, function(places))
+    """Return a function on a fine grid, and its zeros, breaks and extrema."""
+    grid = np.linspace(low, high, CELLS + 1)
+    xs, ys = without_holes(function, grid, function(grid))
     zeros, poles, jumps = _crossings(function, xs, ys)
     edges = _edges(function, xs, ys)
     high_up = {*map(float, xs[np.isinf(ys)]), *_touched(function, xs, ys)}
@@ -59,9 +60,9 @@ def traced(function: Function, low: float, high: float) -> Trace:
     ends = [float(x) for x, y, next_ in inwards if abs(y) < NOISE * size < abs(next_)]
     beside = _beside(poles, (high - low) / CELLS, low, high)
     known = [*xs, *edges, *(t.x for t in turns), *beside]
-    places = np.unique(np.array(known))
+    grid = np.unique(np.array(known))
     near = sorted({*zeros, *ends})
-    return Trace(places, function(places), tuple(near), tuple(poles), tuple(jumps), turns)
+    return Trace(grid, function(grid), tuple(near), tuple(poles), tuple(jumps), turns)
 
 
 def _usual(ys: Array) -> float:
@@ -81,18 +82,18 @@ def _crossings(
     a, b = narrowed(lambda x: np.sign(on(function, x)) == signs, xs[cells], xs[cells + 1])
     before, after = np.abs(function(a)), np.abs(function(b))
     ends = np.abs(ys[cells]), np.abs(ys[cells + 1])
-    zero = np.fmin(before, after) <= NIL * np.maximum(*ends)
+    zero = np.fmin(before, after) <= VANISHED * np.maximum(*ends)
     pole = ~zero & ~(np.fmin(before, after) < LARGE * np.minimum(*ends))
-    places = np.where(before <= after, a, b)
+    grid = np.where(before <= after, a, b)
     return (
-        sorted({*map(float, places[zero]), *map(float, xs[lone(ys == 0)])}),
-        list(map(float, places[pole])),
-        list(map(float, places[~zero & ~pole])),
+        sorted({*map(float, grid[zero]), *map(float, xs[lone(ys == 0)])}),
+        list(map(float, grid[pole])),
+        list(map(float, grid[~zero & ~pole])),
     )
 
 
 def _edges(function: Function, xs: Array, ys: Array) -> Array:
-    """Return the last places, to the last bit, at which a function has a value."""
+    """Return the last numbers, to the last bit, at which a function has a value."""
     there = ~np.isnan(ys)
     cells = np.flatnonzero(there[:-1] != there[1:])
     good = np.where(there[cells], xs[cells], xs[cells + 1])
@@ -127,10 +128,18 @@ def _touched(function: Function, xs: Array, ys: Array) -> Iterator[float]:
 
 
 def _turns(function: Function, xs: Array, ys: Array, breaks: Array) -> Iterator[Turn]:
-    """Yield the extrema between places, but for those beside a break.
+    """Yield the extrema between points, but for those beside a break."""
+    cells, signs = _turning_points(xs, ys, breaks)
+    found = _refined(function, xs[cells - 1], xs[cells + 1], signs)
+    for sign, x, y, bound in zip(signs, *found, signs * ys[cells], strict=True):
+        if sign * y <= bound:
+            yield Turn(int(sign), float(x), float(y))
 
-    They are refined by narrowing, and then to where the slope is nil. A level stretch is an
-    extremum where the function goes back after it.
+
+def _turning_points(xs: Array, ys: Array, breaks: Array) -> tuple[NDArray[np.intp], Array]:
+    """Return the points at which values turn, and of each 1 for a least one, -1 for a greatest.
+
+    A level stretch is an extremum where the function goes back after it.
     """
     before, here, after = ys[:-2], ys[1:-1], _beyond_level(ys)[1:]
     least = ((before > here) & (here < after)).astype(int)
@@ -138,16 +147,16 @@ def _turns(function: Function, xs: Array, ys: Array, breaks: Array) -> Iterator[
     prominent = np.maximum(np.abs(before - here), np.abs(after - here)) > PROMINENT * _usual(ys)
     clear = ~((xs[:-2, None] <= breaks) & (breaks <= xs[2:, None])).any(axis=1)
     cells = np.flatnonzero((sense != 0) & prominent & clear) + 1
-    signs = sense[cells - 1].astype(np.float64)
-    low, high = xs[cells - 1], xs[cells + 1]
+    return cells, sense[cells - 1].astype(np.float64)
+
+
+def _refined(function: Function, low: Array, high: Array, signs: Array) -> tuple[Array, Array]:
+    """Return extrema and their values: narrowed down, then where the slope is nil if better."""
     rough = lowest(lambda x: np.repeat(signs, x.size // signs.size) * function(x), low, high)
     fine = _stationary(function, rough, 0.02 * (high - low))
     y_rough, y_fine = function(rough), function(fine)
     better = signs * y_fine <= signs * y_rough + 8 * EPS * np.abs(y_rough)
-    places, values = np.where(better, fine, rough), np.where(better, y_fine, y_rough)
-    for sign, x, y, bound in zip(signs, places, values, signs * ys[cells], strict=True):
-        if sign * y <= bound:
-            yield Turn(int(sign), float(x), float(y))
+    return np.where(better, fine, rough), np.where(better, y_fine, y_rough)
 
 
 def _beyond_level(ys: Array) -> Array:
@@ -165,11 +174,11 @@ def _beyond_level(ys: Array) -> Array:
 
 
 def _stationary(function: Function, near: Array, width: Array) -> Array:
-    """Return where the slope changes its sign near places, by differences of fourth order."""
+    """Return where the slope changes its sign near points, by differences of fourth order."""
     steps = np.array([-2.0, -1.0, 1.0, 2.0]) / 2
 
-    def slopes(places: Array) -> Array:
-        around = places[..., None] + width[:, None, None] * steps
+    def slopes(grid: Array) -> Array:
+        around = grid[..., None] + width[:, None, None] * steps
         slopes: Array = on(function, around) @ np.array([1.0, -8.0, 8.0, -1.0])
         return slopes
 
@@ -181,7 +190,7 @@ def _stationary(function: Function, near: Array, width: Array) -> Array:
 
 
 def _beside(poles: list[float], cell: float, low: float, high: float) -> Iterator[float]:
-    """Yield places nearer and nearer to poles, on both sides."""
+    """Yield points nearer and nearer to poles, on both sides."""
     for pole in poles:
         for k in range(1, 16):
             for x in (pole - cell * 0.5**k, pole + cell * 0.5**k):

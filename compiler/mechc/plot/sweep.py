@@ -36,15 +36,15 @@ class Sweep:
     values: Mapping[str, float]
 
     def function(self, quantity: Quantity, setting: Sequence[Value]) -> Function:
-        """Return the values of a quantity at places, with one setting of the family."""
+        """Return the values of a quantity on a grid, with one setting of the family."""
         given = {**self.values, **{value.axis.name: value.value for value in setting}}
         lacking = [i.name for i in quantity.inputs if i.name not in (*given, self.x.name)]
         if lacking:
             raise MechcError([messages.no_value(quantity.name, lacking)])
 
-        def at(places: Array) -> Array:
-            found = quantity.at({**given, self.x.name: places})
-            return np.broadcast_to(np.asarray(found, dtype=np.float64), places.shape).copy()
+        def at(grid: Array) -> Array:
+            found = quantity.at({**given, self.x.name: grid})
+            return np.broadcast_to(np.asarray(found, dtype=np.float64), grid.shape).copy()
 
         return at
 
@@ -54,8 +54,8 @@ class Sweep:
         return Axis(quantity.name, quantity.dimension, unit)
 
     @property
-    def places(self) -> Callable[[int], Array]:
-        """Return so many places from one end to the other."""
+    def grid(self) -> Callable[[int], Array]:
+        """Return so many points from one end to the other."""
         return partial(np.linspace, self.low, self.high)
 
 
@@ -139,11 +139,11 @@ def known(sweep: Sweep, names: Sequence[str]) -> list[Quantity]:
 
 def columns(sweep: Sweep, asked: Sequence[Quantity], points: int) -> tuple[Column, ...]:
     """Return the table: what varies, then every quantity in every setting."""
-    places = sweep.places(points)
-    columns = [Column(sweep.x, (), tuple(map(float, places)))]
+    grid = sweep.grid(points)
+    columns = [Column(sweep.x, (), tuple(map(float, grid)))]
     with np.errstate(all="ignore"):
         for quantity, setting in product(asked, sweep.settings):
-            values = sweep.function(quantity, setting)(places)
+            values = sweep.function(quantity, setting)(grid)
             columns.append(Column(sweep.axis(quantity), setting, tuple(map(float, values))))
     return tuple(columns)
 

@@ -21,14 +21,14 @@ def stretches(functions: Sequence[Function], low: float, high: float) -> tuple[S
     with np.errstate(all="ignore"):
         for function in functions:
             edges |= set(_edges(function, traced(function, low, high).xs))
-        places = sorted(edges)
-        middles = np.array([(a + b) / 2 for a, b in pairwise(places)])
+        grid = sorted(edges)
+        middles = np.array([(a + b) / 2 for a, b in pairwise(grid)])
         holds = np.all([f(middles) >= 0 for f in functions], axis=0)
-    return tuple(_joined([pair for pair, so in zip(pairwise(places), holds, strict=True) if so]))
+    return tuple(_joined([pair for pair, so in zip(pairwise(grid), holds, strict=True) if so]))
 
 
 def _edges(function: Function, xs: Array) -> list[float]:
-    """Return the last places at which a function is not negative, before and behind it is."""
+    """Return the last points at which a function is not negative, before and behind it is."""
     holds = function(xs) >= 0
     cells = np.flatnonzero(holds[:-1] != holds[1:])
     good = np.where(holds[cells], xs[cells], xs[cells + 1])

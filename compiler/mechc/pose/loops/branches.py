@@ -30,9 +30,9 @@ def branches(block: Block, state: State) -> list[Stretch]:
     low, high = limits_of_drive(state, parameter.dimension)
     found: list[Stretch] = []
     curve = _curve(block, state, drive.parameter, parameter.dimension == ANGLE)
-    for unknowns, place in _closed(block, state, curve):
-        if low <= place <= high and not any(s.low <= place <= s.high for s in found):
-            least, greatest = (curve.end(unknowns, place, goal).x for goal in (low, high))
+    for unknowns, x in _closed(block, state, curve):
+        if low <= x <= high and not any(s.low <= x <= s.high for s in found):
+            least, greatest = (curve.end(unknowns, x, goal).x for goal in (low, high))
             found.append(Stretch(least, greatest, parameter.dimension))
     return _joined(found)
 
@@ -43,8 +43,8 @@ def _curve(block: Block, state: State, drive: str, is_angle: bool) -> Curve:
     given = {n: v for n, v in state.base.items() if n not in chain.names}
     names = [name for name, _ in system.anchor]
 
-    def outer(place: float) -> list[float]:
-        values = chain.complete({**given, drive: place})
+    def outer(x: float) -> list[float]:
+        values = chain.complete({**given, drive: x})
         return [values[name] for name in names]
 
     size = size_of(rows_of(block), system.unknowns, state.base)
@@ -55,11 +55,11 @@ def _curve(block: Block, state: State, drive: str, is_angle: bool) -> Curve:
 def _closed(block: Block, state: State, curve: Curve) -> Iterator[tuple[list[float], float]]:
     """Yield poses that close, as unknowns and the drive."""
     assert state.mechanism.drive is not None
-    dice, place = Random(state.mechanism.name), state.base[state.mechanism.drive.parameter]
+    dice, x = Random(state.mechanism.name), state.base[state.mechanism.drive.parameter]
     size = size_of(rows_of(block), sorted(block.unknown), state.base)
     for _ in range(STARTS):
         start = [draw(name in state.angles, size, dice) for name in sorted(block.unknown)]
-        found = curve.near(start, place)
+        found = curve.near(start, x)
         if found is not None and all(map(math.isfinite, found[0])):
             yield found
 
