@@ -89,6 +89,7 @@ def _solved(
     redundant: tuple[Relation, ...],
     taken: frozenset[str],
 ) -> Plan:
+    """Return the plan: all speeds by those of the drives, block after block of relations."""
     columns = [frozenset(r.form) - set(drives) for r in relations]
     matched = match(columns)
     speeds: dict[int, Speeds] = {d: tuple(ONE if d == e else ZERO for e in drives) for d in drives}

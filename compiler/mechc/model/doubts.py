@@ -29,18 +29,16 @@ from .mechanism import (
     Slider,
     WheelPair,
 )
+from .tolerances import SAME_DIRECTION, SAME_VALUE
 from .values import Chain, Values, defaults, dependent
 
-TURN = 2 * math.pi * (1 + 1e-9)
+TURN = 2 * math.pi * (1 + SAME_VALUE)
 
 FAR = 200.0
 """How many times a length in another unit is the largest, or the smallest, of the others."""
 
 SOME = 0.731
 """A value for what is open, at which no formula vanishes by chance."""
-
-SQUARE = 1e-9
-"""The cosine of an angle that is as good as 90°."""
 
 FARTHEST = 1e6
 """Lengths in metres beyond which a vector is as good as infinite."""
@@ -184,18 +182,19 @@ def _far_off(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     Those written in place, as in ``OA = 100 mm @ x``, give the size of a mechanism, too.
     """
     written = [f for g in mechanism.geometry for f in _lengths(g)]
-    used = {name for f in written for name in symbols(f)}
     plain = [abs(evaluate(f, {})) for f in written if not symbols(f) and evaluate(f, {})]
-    known = [
-        (abs(values[p.name]), p)
-        for p in mechanism.parameters
-        if p.dimension == LENGTH and p.name in used and values.get(p.name) and not p.dependent
-    ]
-    units = Counter(p.unit for _, p in known)
-    alone = [pair for pair in known if len(units) == 2 and units[pair[1].unit] == 1]
-    for size, parameter in sorted(alone, key=lambda pair: -pair[0]):
-        sizes = [*plain, *(s for s, p in known if p is not parameter)]
-        if size > FAR * max(sizes) or size * FAR < min(sizes):
+    used = {name for f in written for name in symbols(f)}
+    lengths = [p for p in mechanism.parameters if p.dimension == LENGTH and p.name in used]
+    given = [p for p in lengths if values.get(p.name) and not p.dependent]
+    units = Counter(p.unit for p in given)
+    if len(units) != 2:
+        return
+    sizes = {p.name: abs(values[p.name]) for p in given}
+    alone = [p for p in given if units[p.unit] == 1]
+    for parameter in sorted(alone, key=lambda p: -sizes[p.name]):
+        size = sizes[parameter.name]
+        others = [*plain, *(s for name, s in sizes.items() if name != parameter.name)]
+        if size > FAR * max(others) or size * FAR < min(others):
             (other,) = units.keys() - {parameter.unit}
             yield messages.length_far_off(parameter.span, parameter.name, parameter.unit, other)
             return
@@ -320,7 +319,9 @@ def _is_across(one: Direction, other: Direction, values: Values) -> bool:
         case Absolute(angle), Absolute(against):
             if not symbols(angle) | symbols(against) <= values.keys():
                 return False
-            return abs(math.cos(evaluate(angle, values) - evaluate(against, values))) < SQUARE
+            return (
+                abs(math.cos(evaluate(angle, values) - evaluate(against, values))) < SAME_DIRECTION
+            )
         case Along(tail, head, quarter), Along(start, end, turned):
             return {tail, head} == {start, end} and (quarter - turned) % 2 == 1
         case _:

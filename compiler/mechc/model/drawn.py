@@ -190,7 +190,7 @@ def _driven(mechanism: Mechanism) -> dict[str, Formula]:
 def _moved(
     mechanism: Mechanism, driven: Collection[str], sketch: Sketch
 ) -> Iterator[Arrow | Offset]:
-    """Yield what the drive moves by the coordinates of a point: a link's arm, a slider."""
+    """Yield the entries by which the drive moves points: arms of links, sliders."""
     for link in mechanism.links:
         for hub, point in sketch.arms(link.points):
             found = sketch.polar(hub, point)
@@ -306,7 +306,7 @@ def _with_coordinates(mechanism: Mechanism, sketch: Sketch, report: Report) -> M
 def _drawn_values(
     mechanism: Mechanism, waiting: Collection[str], held: Independent, sketch: Sketch
 ) -> Iterator[tuple[str, float]]:
-    """Yield what parameters are in the drawing: the drive, and those that no loop gives.
+    """Yield parameters as measured in the drawing: the drive, and those that no loop gives.
 
     What ``waiting`` parameters give is held from then on.
     """
@@ -315,15 +315,25 @@ def _drawn_values(
     left = {n: _of(n, parts) for part in parts for n in sorted(mentioned(part) & set(waiting))}
     while left:
         by_loop = [n for n in left if any(_follows(part, held, sketch) for part in left[n])]
-        name = next(iter([drive] if drive in left else by_loop or left))
-        values = (drawn_value(name, part, sketch) for part in left[name])
-        value = next((value for value in values if value is not None), None)
+        name = drive if drive in left else next(iter(by_loop or left))
+        given = left.pop(name)
+        value = _measured(name, given, sketch)
         if value is not None and (name == drive or name not in by_loop):
             yield name, value
-        for part in left.pop(name):
+        for part in given:
             if mentioned(part).isdisjoint(left):
-                for row in rows_of(part, sketch):
-                    held.takes(row)
+                _hold(part, held, sketch)
+
+
+def _measured(name: str, parts: Iterable[Geometry], sketch: Sketch) -> float | None:
+    """Return a parameter as measured in the drawing, by the first part that shows it."""
+    values = (drawn_value(name, part, sketch) for part in parts)
+    return next((value for value in values if value is not None), None)
+
+
+def _hold(part: Geometry, held: Independent, sketch: Sketch) -> None:
+    for row in rows_of(part, sketch):
+        held.takes(row)
 
 
 def _parts(entry: Geometry) -> tuple[Geometry, ...]:
@@ -371,7 +381,7 @@ def _standing(mechanism: Mechanism, held: Independent, sketch: Sketch) -> Iterat
 
 
 def _held(mechanism: Mechanism, waiting: Collection[str], sketch: Sketch) -> Iterator[Row]:
-    """Yield what holds the drawn points: pivots, guides, slots, vectors.
+    """Yield the rows that hold the drawn points: pivots, guides, slots, vectors.
 
     A vector holds none while a parameter in it is ``waiting`` for its value.
     """

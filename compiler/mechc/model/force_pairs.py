@@ -5,7 +5,7 @@ from fractions import Fraction
 
 from ..diagnostics.model import loads as messages
 from ..diagnostics.model import names
-from ..formula.tree import Symbol, negative, product, total
+from ..formula.tree import Formula, Symbol, negative, product, total
 from ..frozen import replace
 from ..syntax import ast
 from ..units import LENGTH, STIFFNESS
@@ -15,17 +15,31 @@ from .mechanism import ForcePair, Load, Mechanism, PinFriction
 from .scope import DESCRIPTION, Scope
 
 
-def read_thrust(
+def read_force_pair(
     statement: ast.Actuator | ast.Spring, is_mirrored: bool, times: Fraction, scope: Scope
 ) -> ForcePair | None:
-    """Return a pair of forces between two points, or between a point and its twin.
-
-    A spring's force is c·(l0 − len_AB): positive where it is pressed together.
-    """
-    ends = [_end(name, is_mirrored, scope) for name in (statement.first, statement.second)]
-    if ends[0] is None or ends[1] is None:
+    """Return a pair of forces between two points, or between a point and its twin."""
+    ends = _ends(statement, is_mirrored, scope)
+    links = _links(statement, scope) if ends else None
+    if ends is None or links is None:
         return None
-    first, second = ends[0], ends[1]
+    if isinstance(statement, ast.Actuator):
+        name = statement.name.text
+        return ForcePair(name, *ends, statement.span, None, times, False, *links)
+    force = _of_spring(statement, "".join(ends), scope)
+    if force is None:
+        return None
+    name = spring_name(statement)
+    return ForcePair(name, *ends, statement.span, force, times, True, *links)
+
+
+def _ends(
+    statement: ast.Actuator | ast.Spring, is_mirrored: bool, scope: Scope
+) -> tuple[str, str] | None:
+    """Return the points of a pair of forces; None where an error is reported."""
+    first, second = (_end(n, is_mirrored, scope) for n in (statement.first, statement.second))
+    if first is None or second is None:
+        return None
     if first == second:
         both = statement.second.span
         scope.report.add(names.repeated_point(both, first + second, first))
@@ -33,12 +47,11 @@ def read_thrust(
     if (_is_twin(second, scope) and second != f"{first}'") or _is_twin(first, scope):
         scope.report.add(messages.pair_across_the_mirror(statement.span, first, second))
         return None
-    links = _links(statement, scope)
-    if links is None:
-        return None
-    if isinstance(statement, ast.Actuator):
-        name = statement.name.text
-        return ForcePair(name, first, second, statement.span, None, times, False, *links)
+    return first, second
+
+
+def _of_spring(statement: ast.Spring, vector: str, scope: Scope) -> Formula | None:
+    """Return the force of a spring, c·(l0 − len_AB): positive where it is in compression."""
     reader = Reader(scope, DESCRIPTION)
     rate = reader.wanted(statement.rate, STIFFNESS, "the rate of a spring")
     free = reader.wanted(statement.free, LENGTH, "the free length of a spring")
@@ -46,14 +59,10 @@ def read_thrust(
     check_sign(free, statement.free.span, "the free length of a spring", scope)
     if not rate or not free:
         return None
-    vector = f"{first}{second}"
     rate = scope.named("c", vector, rate, STIFFNESS, statement.rate.span)
     free = scope.named("l", vector, free, LENGTH, statement.free.span)
     stretch = total([free, negative(Symbol(f"len_{vector}"))])
-    force = product([(rate, 1), (stretch, 1)])
-    return ForcePair(
-        spring_name(statement), first, second, statement.span, force, times, True, *links
-    )
+    return product([(rate, 1), (stretch, 1)])
 
 
 def _links(statement: ast.Actuator | ast.Spring, scope: Scope) -> tuple[str, str] | None:

@@ -30,7 +30,7 @@ from .constants import number_of, rational
 from .directions import check_sign, read_direction
 from .entries import drawn_places, vector_between
 from .expressions import Reader
-from .force_pairs import carrying, read_thrust
+from .force_pairs import carrying, read_force_pair
 from .lower import free_point
 from .mechanism import (
     GRAVITY,
@@ -66,7 +66,8 @@ def read_loads(file: ast.File, built: Mechanism, scope: Scope) -> list[Load]:
             case ast.Distributed():
                 load = _distributed(statement, free_point(loads, scope), built, scope)
             case ast.Actuator() | ast.Spring():
-                load = read_thrust(statement, is_mirrored, _times(statement.times, scope), scope)
+                times = _times(statement.times, scope)
+                load = read_force_pair(statement, is_mirrored, times, scope)
             case _:
                 continue
         if load:

@@ -76,7 +76,7 @@ class Question(NamedTuple):
 
 
 class FrictionForces(NamedTuple):
-    """What friction comes to under given loads: its size at each pair, and against which slip.
+    """Friction under given loads: its size at each pair, and against which slip.
 
     ``right`` is the right-hand side that the given loads make by themselves.
     """
@@ -161,10 +161,7 @@ def _loaded(
     question = _question(unfolding, pairs, drive.base)
     if not question.factors.determined(question.drive):
         return OPEN
-    right: dict[int, float] = {}
-    for load, size in given.items():
-        for i, amount in question.columns[tied[load].base].items():
-            right[i] = right.get(i, 0.0) - amount * size / tied[load].factor
+    right = _right_side(question, tied, given)
     ideal = question.factors.solve(right)
     if question.factors.gap(ideal, right) > INCONSISTENT:
         return UNBALANCED
@@ -177,6 +174,17 @@ def _loaded(
     return Loaded(question, right, pairs, senses, pressed)
 
 
+def _right_side(
+    question: Question, tied: Mapping[str, Tie], given: Mapping[str, float]
+) -> dict[int, float]:
+    """Return the right-hand side of the equations: the given loads, row by row."""
+    right: dict[int, float] = {}
+    for load, size in given.items():
+        for i, amount in question.columns[tied[load].base].items():
+            right[i] = right.get(i, 0.0) - amount * size / tied[load].factor
+    return right
+
+
 def _size(
     thrust: Formula, unfolding: Unfolding, tied: Mapping[str, Tie], given: Mapping[str, float]
 ) -> float:
@@ -187,7 +195,7 @@ def _size(
 
 
 def _drive(unfolding: Unfolding, tied: Mapping[str, Tie], base: str) -> Iterator[Action]:
-    """Yield what a unit of the driving load does, with the loads that are tied to it."""
+    """Yield the actions of a unit of the driving load, with the loads that are tied to it."""
     for name, actions in unfolding.assembly().loads.items():
         if tied[name].base == base:
             yield from (scaled(action, tied[name].factor) for action in actions)
@@ -334,7 +342,7 @@ def _thrusts(joint: str, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
 
 
 def _along(given: RopeFriction, unfolding: Unfolding) -> Iterator[tuple[str, float]]:
-    """Yield what a friction of 1 on another pulley of a rope adds to the mean tension here.
+    """Yield the part of the mean tension here from a friction of 1 on another pulley of a rope.
 
     Half of it pulls more behind that pulley, half of it less in front.
     """

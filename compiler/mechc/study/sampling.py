@@ -8,9 +8,9 @@ hide in them, be it a zero and a pole or two zeros.
 """
 
 import math
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from functools import partial
-from itertools import pairwise
+from itertools import chain, pairwise
 
 from ..formula.roots import lowest, spaced
 from .ranges import last
@@ -41,6 +41,9 @@ BEFORE_JUMP = 1e-2
 SECTIONS, FEWER = 16, 13
 """Sections to a lowest or highest efficiency, after which three figures are right."""
 
+Find = Callable[[Moving, float, float], Iterator[float]]
+"""Yields values between two others at which something happens."""
+
 
 def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = ()) -> list[float]:
     """Return values from one end to the other, ``also`` among them if they lie between.
@@ -48,20 +51,29 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     None is nearer to a dead centre than what rounding leaves to be solved there.
     """
     even = spaced(low, high, CELLS)
-    still = [z for a, b in pairwise(even) for z in _dead_centres(moving, a, b)]
-    beside = [c + away for c in (low, high, *still) for away in _near(moving, even[1] - low)]
+    centres = list(_in_cells(_dead_centres, moving, even))
+    beside = [c + away for c in (low, high, *centres) for away in _near(moving, even[1] - low)]
     chosen = even[::SELDOM] if moving.is_slow else even
     grid = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
-    jumps = (x for a, b in pairwise(grid) for x in _jumps(moving, a, b))
     far = nearest(high - low) / 2
-    jumps = (x for x in jumps if all(abs(x - c) > far for c in still))
-    grid = sorted({*grid, *(x for x in jumps if moving.at(x).state)})
-    edges = [x for a, b in pairwise(grid) for x in _edge(moving, a, b)]
-    grid = sorted({*grid, *edges})
-    beside_jumps = _turning_beside_jumps(moving, grid)
-    loose = _loose(moving, grid)
-    grid = sorted({*grid, *_bulging(moving, grid), *beside_jumps, *loose})
-    return sorted({*grid, *_extremes(moving, grid)})
+    jumps = _in_cells(_jumps, moving, grid)
+    jumps = (x for x in jumps if all(abs(x - c) > far for c in centres))
+    grid = _with(grid, (x for x in jumps if moving.at(x).state))
+    grid = _with(grid, _in_cells(_edge, moving, grid))
+    grid = _with(
+        grid, _bulging(moving, grid), _turning_beside_jumps(moving, grid), _loose(moving, grid)
+    )
+    return _with(grid, _extremes(moving, grid))
+
+
+def _with(grid: Sequence[float], *more: Iterable[float]) -> list[float]:
+    return sorted({*grid, *chain.from_iterable(more)})
+
+
+def _in_cells(find: Find, moving: Moving, grid: Sequence[float]) -> Iterator[float]:
+    """Yield the values found between each two neighbours of a grid."""
+    for a, b in pairwise(grid):
+        yield from find(moving, a, b)
 
 
 def nearest(width: float) -> float:
@@ -97,7 +109,7 @@ def _dead_centres(moving: Moving, a: float, b: float, depth: int = DEEPEST) -> I
 
 
 def _touched(moving: Moving, a: float, b: float) -> Iterator[float]:
-    """Yield where a ratio comes to nil, or to infinity, and back, near a narrow cell."""
+    """Yield where a ratio touches zero, or infinity, near a narrow cell."""
     low, high = 2 * a - b, 2 * b - a
     sizes = [abs(moving.without(x)) for x in (low, high)]
     nil = lowest(lambda x: abs(moving.without(x)), low, high)

@@ -48,14 +48,23 @@ class Choice:
         self._unused = [a for a in self._unused if a not in decisive]
         meant = [i for i in possible if all(self._holds(a, poses, i) for a in decisive)]
         if not decisive and len(meant) > 1:
-            ahead = self._reaching_ahead(group, poses)
-            drawn = nearest(poses, meant, self._state, within)
-            meant = drawn or (ahead if len(ahead) == 1 else meant)
+            meant = self._by_the_drawing(meant, poses, group, within)
+        left = meant or possible
         if len(meant) != 1:
-            left = meant or possible
             self._report_open(decisive, [poses[i] for i in left], group, not meant)
-            return closures[left[0]]
-        return closures[meant[0]]
+        return closures[left[0]]
+
+    def _by_the_drawing(
+        self,
+        possible: list[int],
+        poses: Sequence[Values],
+        group: Loops,
+        within: Collection[str] | None,
+    ) -> list[int]:
+        """Return the closure nearest to the drawing, or the one ahead of its guide; else all."""
+        drawn = nearest(poses, possible, self._state, within)
+        ahead = self._reaching_ahead(group, poses)
+        return drawn or (ahead if len(ahead) == 1 else possible)
 
     def _decisive_lines(
         self, lines: Sequence[Assembly], poses: Sequence[Values], possible: Sequence[int]

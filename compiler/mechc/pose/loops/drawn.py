@@ -1,7 +1,7 @@
 """What drawn places say of closures: how far each is from the drawing, and where to begin."""
 
 import math
-from collections.abc import Collection, Mapping, Sequence
+from collections.abc import Collection, Mapping, Sequence, Set
 from itertools import combinations
 
 from ...algebra.product import Product
@@ -10,7 +10,7 @@ from ..samples import Values
 from ..tolerances import EQUALLY_NEAR
 from .groups import Block
 from .state import State
-from .vector_graph import mentioned
+from .vector_graph import Edge
 
 
 def nearest(
@@ -66,19 +66,34 @@ def start(block: Block, state: State) -> Values:
     shown = [e for e in block.cycle if len(e.arms) == 1 and {e.tail, e.head} <= places.keys()]
     values = dict(state.base)
     for edge in shown:
-        ((_, angle),) = edge.arms
-        (ax, ay), (bx, by) = places[edge.tail], places[edge.head]
-        open_terms = [(n, c) for n, c in angle.terms if n not in values]
-        if len(open_terms) == 1:
-            ((name, factor),) = open_terms
-            at_zero = angle.evaluate({**values, name: 0.0})
-            turned = math.remainder(math.atan2(by - ay, bx - ax) - at_zero, 2 * math.pi)
-            values[name] = turned / float(factor)
+        values |= _angle(edge, _between(places, edge), values)
     for edge in shown:
-        ((length, angle),) = edge.arms
-        (ax, ay), (bx, by) = places[edge.tail], places[edge.head]
-        for name in mentioned(edge.arms) & block.unknown - values.keys():
-            if length == Product.symbol(name) and angle.names <= values.keys():
-                turned = angle.evaluate(values)
-                values[name] = (bx - ax) * math.cos(turned) + (by - ay) * math.sin(turned)
+        values |= _length(edge, _between(places, edge), values, block.unknown)
     return {name: values[name] for name in block.unknown & values.keys()}
+
+
+def _between(places: Mapping[str, Place], edge: Edge) -> Place:
+    (ax, ay), (bx, by) = places[edge.tail], places[edge.head]
+    return bx - ax, by - ay
+
+
+def _angle(edge: Edge, drawn: Place, values: Values) -> dict[str, float]:
+    """Return the only angle of a drawn arm that has no value yet, as measured."""
+    ((_, angle),) = edge.arms
+    unknown = [(n, c) for n, c in angle.terms if n not in values]
+    if len(unknown) != 1:
+        return {}
+    ((name, factor),) = unknown
+    dx, dy = drawn
+    at_zero = angle.evaluate({**values, name: 0.0})
+    return {name: math.remainder(math.atan2(dy, dx) - at_zero, 2 * math.pi) / float(factor)}
+
+
+def _length(edge: Edge, drawn: Place, values: Values, unknown: Set[str]) -> dict[str, float]:
+    """Return the unknown length of a drawn arm, as measured along its direction."""
+    ((length, angle),) = edge.arms
+    names = [n for n in unknown - values.keys() if length == Product.symbol(n)]
+    if not names or not angle.names <= values.keys():
+        return {}
+    (dx, dy), turned = drawn, angle.evaluate(values)
+    return {names[0]: dx * math.cos(turned) + dy * math.sin(turned)}

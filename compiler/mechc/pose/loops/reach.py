@@ -11,7 +11,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from ...algebra.angle import Angle
-from ...algebra.factors import Trig
+from ...algebra.factors import Factor, Trig
 from ...algebra.product import Product, Sum
 from ...algebra.sums import add
 from ...diagnostics.pose import Stretch
@@ -130,25 +130,37 @@ def _closed_forms(
     margin: Product, drive: str, moving: frozenset[str]
 ) -> Iterator[tuple[Formula, Angle]]:
     """Yield the drive where a margin ``A + B·cos(φ + γ)`` vanishes: an arc cosine and the rest."""
-    varying = [f for f in margin.factors if not moving.isdisjoint(symbols(f.formula()))]
-    if len(varying) != 1 or not isinstance(varying[0], Sum):
+    found = _moving_term(margin, moving)
+    if found is None:
         return
-    terms = varying[0].terms
-    moved = [t for t in terms if not moving.isdisjoint(symbols(t.formula()))]
-    trigs = [f for t in moved for f in t.factors if not moving.isdisjoint(symbols(f.formula()))]
-    if len(moved) != 1 or len(trigs) != 1 or not isinstance(trigs[0], Trig):
-        return
-    trig, sense = trigs[0], dict(trigs[0].angle.terms).get(drive, 0)
+    trig, term, others = found
+    sense = dict(trig.angle.terms).get(drive, 0)
     rest = trig.angle - Angle(((drive, sense),))
-    if abs(sense) != 1 or moved[0].factors[trig] != 1 or not moving.isdisjoint(rest.names):
+    if abs(sense) != 1 or term.factors[trig] != 1 or not moving.isdisjoint(rest.names):
         return
-    others = add(t for t in terms if t is not moved[0])
-    ratio = -(others * Product.of(trig) / moved[0])
+    ratio = -(others * Product.of(trig) / term)
     inverse = Call("acos" if trig.function == "cos" else "asin", (ratio.formula(),))
     half = Angle.constant(0 if trig.function == "cos" else 180)
     for sign, start in ((1, Angle()), (-1, half)):
         turned = inverse if sign * sense > 0 else negative(inverse)
         yield turned, (start - rest) * sense
+
+
+def _moving_term(margin: Product, moving: frozenset[str]) -> tuple[Trig, Product, Product] | None:
+    """Return the sine or cosine that alone moves in a margin, its term, and the others' sum."""
+
+    def moves(part: Factor | Product) -> bool:
+        return not moving.isdisjoint(symbols(part.formula()))
+
+    varying = list(filter(moves, margin.factors))
+    if len(varying) != 1 or not isinstance(varying[0], Sum):
+        return None
+    terms = varying[0].terms
+    moved = list(filter(moves, terms))
+    trigs = [f for t in moved for f in t.factors if moves(f)]
+    if len(moved) != 1 or len(trigs) != 1 or not isinstance(trigs[0], Trig):
+        return None
+    return trigs[0], moved[0], add(t for t in terms if t is not moved[0])
 
 
 def _shown(formula: Formula) -> str:

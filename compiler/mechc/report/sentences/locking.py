@@ -65,25 +65,27 @@ def _is_shown(stretch: Stretch, reach: LockingIntervals) -> bool:
 def _condition(stretch: Stretch, reach: LockingIntervals, spell: Speller, locale: Locale) -> str:
     """Return a stretch as an inequality, with figures behind its formulas."""
     low, high = _shown_ends(stretch, reach)
-    if not low and not high:
-        return locale.any_of.format(name=_name(reach, spell))
-    sides: list[Formula] = [Symbol(reach.parameter)]
-    signs: list[str] = []
-    if low and not high:
-        sides.append(_side(low, reach, spell))
-        signs.append(">" if low.is_strict else ">=")
+    sides: tuple[Formula, ...]
+    signs: tuple[str, ...]
+    if low and high:
+        sides = _side(low, reach, spell), Symbol(reach.parameter), _side(high, reach, spell)
+        signs = _sign("<", low), _sign("<", high)
     elif low:
-        sides.insert(0, _side(low, reach, spell))
-        signs.append("<" if low.is_strict else "<=")
-    if high:
-        sides.append(_side(high, reach, spell))
-        signs.append("<" if high.is_strict else "<=")
-    said = spell.relation(tuple(sides), tuple(signs), reach.parameter in spell.angles)
+        sides, signs = (Symbol(reach.parameter), _side(low, reach, spell)), (_sign(">", low),)
+    elif high:
+        sides, signs = (Symbol(reach.parameter), _side(high, reach, spell)), (_sign("<", high),)
+    else:
+        return locale.any_of.format(name=_name(reach, spell))
+    said = spell.relation(sides, signs, reach.parameter in spell.angles)
     bounds = [b for b in (low, high) if b]
     known = [b.x for b in bounds if b.exact and not _is_figure(b.exact)]
     figures = [_figure(x, reach, locale, spell) for x in known]
     unit = _unit(reach, locale) if any(not b.exact for b in bounds) else ""
     return f"{said}{unit}" + (f" ({', '.join(figures)})" if figures else "")
+
+
+def _sign(sign: str, bound: Bound) -> str:
+    return sign if bound.is_strict else f"{sign}="
 
 
 def _is_figure(formula: Formula) -> bool:

@@ -22,14 +22,7 @@ def form(formula: Formula, where: Result | None, names: Set[str]) -> Form:
     if where is None:
         return _value(formula, definitions, known, names)
     asked = _value(formula, definitions, known, names)
-    guards = [g for g in where.guards if symbols(g.left) | symbols(g.right) <= known]
-    sides = _code([s for g in guards for s in (g.left, g.right)], definitions, names)
-    relations = [guard.operator for guard in guards]
-
-    def is_sound(values: Values) -> bool:
-        found = sides(values) if relations else []
-        return all(map(compare, found[::2], relations, found[1::2]))
-
+    is_sound = _guarded(where, definitions, known, names)
     if where.elsewhere is None:
         return lambda values: asked(values) if is_sound(values) else math.nan
     own = asked if formula is where.formula else _value(where.formula, definitions, known, names)
@@ -63,6 +56,23 @@ def _value(formula: Formula, definitions: Definitions, known: Set[str], names: S
         return lambda values: math.nan
     code = _code([formula], definitions, names)
     return lambda values: code(values)[0]
+
+
+def _guarded(
+    where: Result, definitions: Definitions, known: Set[str], names: Set[str]
+) -> Callable[[Values], bool]:
+    """Return the function that says whether a result's conditions hold, of known names."""
+    guards = [g for g in where.guards if symbols(g.left) | symbols(g.right) <= known]
+    if not guards:
+        return lambda values: True
+    sides = _code([s for g in guards for s in (g.left, g.right)], definitions, names)
+    relations = [guard.operator for guard in guards]
+
+    def holds(values: Values) -> bool:
+        found = sides(values)
+        return all(map(compare, found[::2], relations, found[1::2]))
+
+    return holds
 
 
 def _code(
