@@ -265,7 +265,7 @@ class Compilation:
 
     @Stage
     def reported(self) -> "Derivation":
-        """The derivation as a report has it: with what ratios come to along the stroke.
+        """The derivation as a report has it: with the extents of ratios along the stroke.
 
         It is without that where following the stroke takes more work than is allowed.
         """

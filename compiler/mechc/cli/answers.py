@@ -54,7 +54,7 @@ def question(arguments: list[str]) -> bytes:
 
 
 def _state() -> Iterator[int]:
-    """Yield what changes with the code of mechc, and with what is installed beside it."""
+    """Yield numbers that change with the code of mechc, and with what is installed beside it."""
     for place in sys.path:
         if place.endswith("-packages") and os.path.isdir(place):
             yield os.stat(place).st_mtime_ns

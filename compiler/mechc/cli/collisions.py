@@ -62,7 +62,7 @@ def claim(path: Path) -> Claim:
 
 
 def streams(stream: TextIO | None) -> Iterator[Claim]:
-    """Yield what a standard stream writes to or reads from, where the shell made it a file."""
+    """Yield the file of a standard stream, where the shell made it one."""
     if stream is not None:
         with suppress(OSError, ValueError):
             yield Claim(_number(os.fstat(stream.fileno())), stream.name.strip("<>"))

@@ -19,7 +19,7 @@ def broken_promises(plan: Plan) -> list[str]:
 
 
 def _unknowns(plan: Plan) -> Iterator[str]:
-    """Yield what is wrong with the speeds: each is a drive or in one block, and has its form."""
+    """Yield the faults of the speeds: each is a drive or in one block, and has its form."""
     count, mobility = len(plan.graph.unknowns), plan.mobility
     found = Counter([*plan.drives, *(u for block in plan.blocks for u in block.unknowns)])
     for unknown in range(count):
@@ -34,7 +34,7 @@ def _unknowns(plan: Plan) -> Iterator[str]:
 
 
 def _steps(plan: Plan) -> Iterator[str]:
-    """Yield what is wrong with the blocks: each is square and uses what is known before it."""
+    """Yield the faults of the blocks: each is square and uses what is known before it."""
     used = Counter(r for block in plan.blocks for r in block.relations)
     for relation in range(len(plan.relations)):
         if used[relation] != 1:
@@ -68,7 +68,7 @@ def _used(products: Iterable[Product]) -> frozenset[str]:
 
 
 def _motions(plan: Plan) -> Iterator[str]:
-    """Yield what moves as it cannot: relations that fail, links that stretch, guides left."""
+    """Yield impossible motions: relations that fail, links that stretch, guides left."""
     point = Point()
     for relation in (*plan.relations, *plan.redundant):
         if _moves(plan, relation.form, point):

@@ -33,7 +33,7 @@ class AtJoints:
     def left(
         self, statement: ast.Statement, there: ast.Statement, report: Report
     ) -> Iterator[ast.Statement]:
-        """Yield what a statement of a part leaves to be said, if that is anything.
+        """Yield the rest of a part's statement, if there is any.
 
         ``there`` is the statement as it would stand in the whole.
         """

@@ -139,7 +139,7 @@ class Carriers:
         return type(load).__name__, load.tie is not None, str(load.times), tuple(sorted(set(asked)))
 
     def _edges(self) -> Iterator[Edge]:
-        """Yield what joins points and bodies."""
+        """Yield the edges between points, joints and bodies."""
         m = self._mechanism
         for body in (*self._bodies, *m.slides):
             yield from ((("point", p), ("body", body.name), "on") for p in body.points)

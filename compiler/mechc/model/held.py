@@ -114,7 +114,7 @@ def _fastened(mechanism: Mechanism, hold: Hold, drive: Drive) -> Mechanism:
 def _holds(
     entry: Geometry, drive: Drive, others: frozenset[str], mechanism: Mechanism
 ) -> Iterator[Hold]:
-    """Yield what an entry that mentions a drive says to be fast while that is held."""
+    """Yield the holds that an entry gives which mentions a drive, while that is held."""
 
     def moves(formula: Formula | None) -> bool:
         return formula is not None and drive.parameter in symbols(formula)
@@ -129,7 +129,7 @@ def _holds(
 
 
 def _of_link(ends: tuple[str, str], mechanism: Mechanism) -> Iterator[Hold]:
-    """Yield what is fast where a link, or a telescope, stays as it is drawn."""
+    """Yield the holds where a link, or a telescope, stays as it is drawn."""
     if any(set(t.points) == set(ends) for t in mechanism.telescopes):
         yield Joined(*ends)
     else:
@@ -149,7 +149,7 @@ def _of_length(tail: str, head: str, mechanism: Mechanism) -> Iterator[Hold]:
 def _of_direction(
     ends: tuple[str, str], added: frozenset[str], others: frozenset[str], mechanism: Mechanism
 ) -> Iterator[Hold]:
-    """Yield what is fast where the direction of a link stays: against the ground, or a link.
+    """Yield the holds where the direction of a link stays: against the ground, or a link.
 
     The other link has that part of the direction which other drives move.
     """

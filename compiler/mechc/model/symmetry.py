@@ -57,7 +57,7 @@ def _off_the_line(
     shared: Sequence[str],
     scope: Scope,
 ) -> Iterator[tuple[Span, str]]:
-    """Yield what does not lie along the mirror line, as both halves' part must, and where."""
+    """Yield the parts off the mirror line that both halves share, and where they are."""
     for load in loads:
         if isinstance(load, Force) and not _symmetric(load, across, shared, scope):
             what = "gravity" if load.weight else f"force {load.name} on the shared {load.point}"

@@ -53,7 +53,7 @@ T = TypeVar("T")
 
 
 def found(items: Iterable[T | None]) -> Iterable[T]:
-    """Yield what was read without an error."""
+    """Yield the parts that were read without an error."""
     return (item for item in items if item is not None)
 
 

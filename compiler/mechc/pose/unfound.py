@@ -50,7 +50,7 @@ def explained(
 def unfound_angles(
     mechanism: Mechanism, vectors: Vectors, found: Collection[str], left: Open
 ) -> Iterator[Diagnostic]:
-    """Yield what keeps loops from giving the angles that the user left open, with a drive."""
+    """Yield the reasons why loops do not give the angles that the user left open, with a drive."""
     used = {n for edge in vectors.edges for n in mentioned(edge.arms)}
     open_ = [p for p in mechanism.parameters if _is_open(p) and p.name in used - {*found}]
     drive = mechanism.drive

@@ -1,4 +1,4 @@
-"""Wheels at a pose: what their radii come to, and whether gears reach one another."""
+"""Wheels at a pose: the values of their radii, and whether gears reach one another."""
 
 import math
 from collections.abc import Iterator

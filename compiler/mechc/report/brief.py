@@ -20,7 +20,7 @@ MANY = 12
 
 
 def relations(derivation: Derivation) -> Iterator[Sides]:
-    """Yield what each step gives: solved for the new speeds, where its rule does not do that."""
+    """Yield the equations of each step, solved for the new speeds where its rule is not."""
     for step in derivation.steps:
         said, hence = lines(step)
         yield from map(_at_once, hence or said)

@@ -1,4 +1,4 @@
-"""What a report's formulas come to at the default pose, with the numbers put in."""
+"""The values of a report's formulas at the default pose, with the numbers put in."""
 
 import math
 from collections.abc import Iterable, Iterator, Mapping

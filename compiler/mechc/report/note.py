@@ -1,4 +1,4 @@
-"""The calculation note of a sheet: each formula, the numbers put in, what it comes to; the checks.
+"""The calculation note of a sheet: each formula, the numbers put in, its value; the checks.
 
 One content for the terminal and for typesetting. Formulas are as people wrote them, values in
 the units in which they are given.
@@ -21,7 +21,7 @@ from .put_in import Quantity, put_in, usual_unit
 
 
 class NoteLine(NamedTuple):
-    """A formula of a sheet, with the numbers put in, and what it comes to.
+    """A formula of a sheet, with the numbers put in, and its value.
 
     There is no ``formula`` of what is iterated.
     ``of`` is the table or list that is asked, for what ``formula`` comes to: ``asked``. Of

@@ -52,7 +52,7 @@ def _wrong(
 
 
 def _forces(result: Result, at: Balanced, kind: str) -> Iterator[tuple[str, Forces]]:
-    """Yield what each load that a result takes as given does in the joints of one kind."""
+    """Yield the forces in the joints of one kind from each load that a result takes as given."""
     mechanism = at.pose.mechanism
     given = {load.name for load in mechanism.loads if load.tie is not None}
     given |= {let.name for let in mechanism.lets}

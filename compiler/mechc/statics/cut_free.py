@@ -182,7 +182,7 @@ class _Drawn:
         return len(self.acts.on_pins[point]) == len(self._carriers(point)) == 2
 
     def _at(self, point: str, body: str) -> Iterator[Acting]:
-        """Yield what acts on a body at a pin."""
+        """Yield the forces on a body at a pin."""
         acts = self.acts.on_pins.get(point, {})
         if point in self.merged:
             yield from (self._named(a) for (kind, _), a in acts.items() if kind != "pin")

@@ -48,7 +48,7 @@ class Extreme(NamedTuple):
 
 @frozen
 class Extent:
-    """What a result comes to as one parameter runs over a range, the others at their values.
+    """The values of a result as one parameter runs over a range, the others at their values.
 
     It is found by sampling and refined. ``least`` and ``greatest`` are None where it is infinite
     or undetermined somewhere; they are shown in the unit ``scale``. Zeros and poles are

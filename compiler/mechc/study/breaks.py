@@ -23,7 +23,7 @@ def breaks(where: Iterable[Definition], near: Mapping[str, float]) -> tuple[Brea
 
 
 def divisors(formula: Formula) -> Iterator[Factor]:
-    """Yield what a formula is divided by as a whole."""
+    """Yield the divisors of a formula as a whole."""
     for part in formula.factors if isinstance(formula, Product) else (formula,):
         if isinstance(part, Power | Call):
             yield from (f for f, exponent in to_product(part).factors.items() if exponent < 0)

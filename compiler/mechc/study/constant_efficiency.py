@@ -98,7 +98,7 @@ class _Beside:
         return abs(self._given(moving, x) - moving.efficiency(x)) > FAR
 
     def _along(self, name: str) -> Iterator[str]:
-        """Yield what friction makes of the efficiency where both differ."""
+        """Yield the efficiencies with friction over ranges where they differ from the given one."""
         ends, moving = range_of(name, self._mechanism), self._moving(name)
         if ends is None:
             return

@@ -1,4 +1,4 @@
-"""What results come to along the stroke, or over a range in which they turn: for reports."""
+"""The extents of results along the stroke, or over a range in which they turn: for reports."""
 
 import math
 from collections.abc import Iterator, Sequence
@@ -21,7 +21,7 @@ CELLS = 192
 def with_extents(
     solution: Solution, results: Sequence[Analysis], report: Report
 ) -> tuple[Analysis, ...]:
-    """Return the results with what ratios come to along the stroke, or over ranges."""
+    """Return the results with the extents of ratios along the stroke, or over ranges."""
     stroke = along_the_stroke(solution, results, report)
     return tuple(
         replace(result, extents=(stroke[result.name],))
@@ -32,7 +32,7 @@ def with_extents(
 
 
 def _over_ranges(solution: Solution, result: Analysis) -> Iterator[Extent]:
-    """Yield what a ratio comes to over each range in which it is proved to turn.
+    """Yield the extent of a ratio over each range in which it is proved to turn.
 
     Nothing where it may be infinite there.
     """

@@ -120,7 +120,7 @@ def _sloping(
     mechanism: Mechanism,
     numbers: DefaultNumbers,
 ) -> Analysis:
-    """Return a result with its derivatives and what they come to at the default pose."""
+    """Return a result with its derivatives and their values at the default pose."""
     slopes: dict[str, Slope] = {}
     for name, formula in (derivatives or {}).items():
         size = numbers.of(replace(result, formula=formula)).number

@@ -43,7 +43,7 @@ def trend(value: Product, slope: Product, name: str, box: Box) -> Trend:
 
 
 def _divisors(product: Product) -> Iterator[Product]:
-    """Yield what a product is divided by, in its sums, too: nothing else makes it infinite."""
+    """Yield the divisors of a product, in its sums, too: nothing else makes it infinite."""
     for factor, exponent in product.factors.items():
         if exponent < 0:
             yield Product.of(factor)

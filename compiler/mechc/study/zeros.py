@@ -82,7 +82,7 @@ def _of_sum(
     side: int,
     chain: Chain,
 ) -> Iterator[Vanishing]:
-    """Yield what is left of a sum; where that is not known, all of it but for what it shares."""
+    """Yield the rest of a sum; where that is not known, all of it but for what it shares."""
     assert item.value is not None
     kind = _kind(factor, (), item, balance, side)
     left = _without_shared(factor, item.value, near)

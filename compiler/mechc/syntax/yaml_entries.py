@@ -21,7 +21,7 @@ Chosen = tuple[Entry, list[Pair] | None]
 def statements(
     section: Section, subject: Scalar | None, value: Node, span: Span, source: Source
 ) -> Iterator[ast.Statement]:
-    """Yield what an entry states: one statement, or several kinds of friction at one point."""
+    """Yield the statements of an entry: one, or several kinds of friction at one point."""
     where = subject.text if subject else section.name
     for entry, pairs in chosen(section, subject, value, where):
         if pairs is None:

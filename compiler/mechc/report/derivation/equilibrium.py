@@ -75,7 +75,7 @@ class _Writer:
                 yield from _sums(step, self._pose)
 
     def _forces(self, step: Step, forces: Iterable[JointForce]) -> Iterator[Paragraph]:
-        """Yield what the forces are that a step meets first."""
+        """Yield the explanation of the forces that a step meets first."""
         mentioned = {name for balance in step.balances for name in balance.terms}
         for force in forces:
             if mentioned & {*force.names} and not self._met >= {*force.names}:

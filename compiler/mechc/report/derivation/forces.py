@@ -93,7 +93,7 @@ class _Writer:
         yield from map(self._passage, releases)
 
     def definitions(self) -> Iterator[Definition]:
-        """Yield what the ratios of speeds rest on."""
+        """Yield the definitions that the ratios of speeds rest on."""
         found: dict[Definition, None] = {}
         for release, values in self._said:
             formula = total(v.formula() for v in values)

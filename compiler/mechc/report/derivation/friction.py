@@ -215,7 +215,7 @@ def _has_friction_along(step: Step) -> bool:
 
 
 def _passages(step: Step, earlier: _Shown, asked: WithFriction) -> Iterator[Paragraph]:
-    """Yield what a step says; the load that is asked for is left to the result."""
+    """Yield the paragraphs of a step; the load that is asked for is left to the result."""
     new = earlier.new(step)
     if new is None:
         return

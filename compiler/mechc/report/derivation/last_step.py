@@ -13,7 +13,7 @@ from .steps import Derivation, Equation, LastStep, PowerTerm, SpeedChain, Step
 
 
 def last_steps(derivation: Derivation) -> Iterator[LastStep]:
-    """Yield what the power equation gives for each ratio of two loads, in the speeds named."""
+    """Yield the solution of the power equation for each ratio of two loads, in named speeds."""
     if len(derivation.balances) != 1:
         return
     terms = {term.load: term for term in derivation.terms}

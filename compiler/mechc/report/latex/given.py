@@ -166,7 +166,7 @@ def scheme(mechanism: Mechanism, locale: Locale, style: Notation) -> tuple[str, 
 
 
 def _parts(mechanism: Mechanism, locale: Locale, style: Notation) -> Iterator[str]:
-    """Yield what each mechanism is that this one is joined of, and what its points are here."""
+    """Yield the mechanisms that this one is joined of, and the names of their points here."""
     for part in mechanism.subassemblies:
         there, here = (_listed(names, locale) for names in zip(*part.points, strict=True))
         symbol, title = math(name(part.prefix, style)), escape(part.name)

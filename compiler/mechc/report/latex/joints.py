@@ -97,7 +97,7 @@ def _wheels(mesh: WheelPair, locale: Locale, style: Notation) -> str:
 
 
 def _on_arm(mesh: WheelPair, locale: Locale) -> Iterator[str]:
-    """Yield what carries the centres of two wheels, and what each of them is fixed to."""
+    """Yield the carrier of the centres of two wheels, and the bodies that they are fixed to."""
     say = locale.joints
     ends = f" {locale.conjunction} ".join(math(points(centre)) for centre in sorted(mesh.points))
     yield say["arm"].format(link=math(points(mesh.arm)), points=ends)

@@ -1,4 +1,4 @@
-"""What formulas come to at the default pose, as LaTeX."""
+"""The values of formulas at the default pose, as LaTeX."""
 
 from collections.abc import Collection, Iterable, Iterator
 from math import isfinite

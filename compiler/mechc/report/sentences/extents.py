@@ -1,4 +1,4 @@
-"""What a ratio comes to along the stroke or over a range, in sentences."""
+"""The extent of a ratio along the stroke or over a range, in sentences."""
 
 from collections.abc import Iterator
 

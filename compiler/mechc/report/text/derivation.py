@@ -97,7 +97,7 @@ def render_brief(
 
 
 def _numbers(values: Iterable[Evaluated], spell: Speller) -> Iterator[str]:
-    """Yield what formulas come to at the default pose, with the numbers put in."""
+    """Yield the values of formulas at the default pose, with the numbers put in."""
     found = tuple(values)
     if found:
         yield from ("", spell.locale.numbers, f"     {spell.locale.at_default}:")

@@ -1,4 +1,4 @@
-"""What a ratio comes to along the stroke, in short: where it is 0, infinite, least and greatest."""
+"""The extent of a ratio along the stroke: where it is 0, infinite, least and greatest."""
 
 from collections.abc import Iterator, Sequence
 

@@ -1,4 +1,4 @@
-"""What a result with friction is at a dead centre: what it comes to on either side.
+"""What a result with friction is at a dead centre: its limits on either side.
 
 There a slip or force has no sign, and what rounding makes of that sign may be of either side. At a
 dead centre of the drive friction jams one motion and lets the other go on, so that the result is

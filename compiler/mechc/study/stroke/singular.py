@@ -221,7 +221,7 @@ def _merged(
 
 
 def _at_what_is_far(one: Singular, value: Order | None) -> Iterator[Singular]:
-    """Yield what a result is where something is infinite, nothing where it runs on as before."""
+    """Yield a singular pose where something is infinite, none where a result runs on."""
     if value == "0" or value == "infinite":
         yield one._replace(value=value, kind="other", exact=None)
     elif value != "finite":
