@@ -138,17 +138,17 @@ class Compilation:
 
     @Stage
     def tree(self) -> ast.File:
-        """What was written, in either notation."""
+        """The tree of the text, in either notation."""
         return self._sound(driven_by(read(self.source, self.report), self.drive))
 
     @Stage
     def composed(self) -> ast.File:
-        """What was written, with what it uses and the settings put in."""
+        """The tree with all that it uses and the settings put in."""
         return self._sound(put_in(self._with_used.file, self.settings, self.source))
 
     @Stage
     def _with_used(self) -> Composed:
-        """What was written with what it uses, and what was found of mechanisms among that."""
+        """The tree with all that it uses, and the solutions of mechanisms among that."""
         return with_used(self.tree, self.report, self.users, self._used)
 
     def _used(self, source: Source, is_part: bool) -> Used:
@@ -206,12 +206,12 @@ class Compilation:
 
     @property
     def found(self) -> tuple[Result, ...]:
-        """What was asked for, in the order of the text: solved, or calculated."""
+        """The results in the order of the text: solved, or calculated."""
         return self.calculation.results if self.calculation else self.solution.results
 
     @Stage
     def results(self) -> "tuple[Analysis, ...]":
-        """What was asked for, in the order of the text, with what follows from each."""
+        """The results in the order of the text, with what follows from each."""
         if self.calculation:
             return tuple(map(as_printed, self.found))
         from .study.from_solution import analyse
@@ -227,7 +227,7 @@ class Compilation:
     @Stage
     @of_linkages
     def constant_efficiency(self) -> None:
-        """What is to be said of an efficiency that is given as one number."""
+        """The remarks on an efficiency that is given as one number."""
         if self.pose.mechanism.friction.efficiency is not None:
             from .study.constant_efficiency import remark_on_constant
 
@@ -235,7 +235,7 @@ class Compilation:
 
     @Stage
     def findings(self) -> tuple[Finding, ...]:
-        """What each ``expect`` came to."""
+        """The outcome of each ``expect``."""
         pose, results = self.pose, self.found
         definitions = [Definition(*d) for d in pose.definitions]
         return self._sound(compare(pose.mechanism, results, self.report, definitions))

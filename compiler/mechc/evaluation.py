@@ -102,7 +102,7 @@ class Evaluation:
 
     @cached_property
     def _followed(self) -> dict[str, Formula]:
-        """What the description defines by formulas: results, tied loads, parameters."""
+        """The formulas of the description: results, tied loads, parameters."""
         mechanism = self._compilation.mechanism
         ties = {load.name: load.tie for load in mechanism.loads if load.tie is not None}
         found = {r.name: r.formula for r in self._compilation.found}

@@ -1,4 +1,4 @@
-"""What forces on bodies are called, how large they are, and on which bodies they are shown."""
+"""The symbols of forces on bodies, their sizes, and the bodies on which they are shown."""
 
 import math
 from collections import Counter
@@ -14,7 +14,7 @@ LEAST = 0.004
 """A force below this part of the largest is nothing."""
 
 LETTERS = {"guide": "N", "slot": "N", "contact": "N", "friction": "T"}
-"""What forces of joints are called by their kind; others are R."""
+"""The symbols of forces of joints, by their kind; others are R."""
 
 
 FIXED = {"ground": "ground", "branches": "other"}

@@ -1,4 +1,4 @@
-"""What a picture shows, in words, for whoever cannot see it."""
+"""A picture in words, for whoever cannot see it."""
 
 from collections.abc import Iterable, Iterator, Mapping
 

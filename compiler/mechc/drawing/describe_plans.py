@@ -1,4 +1,4 @@
-"""What plans show, in words, for whoever cannot see them."""
+"""Plans in words, for whoever cannot see them."""
 
 import math
 from collections.abc import Iterator, Mapping

@@ -1,4 +1,4 @@
-"""What a plot shows, in words, for whoever cannot see it."""
+"""A plot in words, for whoever cannot see it."""
 
 from collections.abc import Iterator, Mapping
 

@@ -79,7 +79,7 @@ def values_beside(layout: Layout) -> tuple[Label, ...]:
 
 
 class _Lettered(NamedTuple):
-    """What is to be written beside a place: ``texts`` from the best to the shortest."""
+    """A text to be written beside a point: ``texts`` from the best to the shortest."""
 
     at: Plane
     texts: tuple[str, ...]

@@ -1,4 +1,4 @@
-"""What velocities are called, and how large they are."""
+"""The symbols of velocities, and their sizes."""
 
 from ..figure.tolerances import NO_SPEED
 from ..figure.velocities import Velocities

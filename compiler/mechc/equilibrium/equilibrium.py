@@ -59,7 +59,7 @@ class Found(NamedTuple):
 
 
 class Step(NamedTuple):
-    """What is found next, from one sum, or from several that are solved together."""
+    """The forces found next, from one sum, or from several that are solved together."""
 
     balances: tuple[Balance, ...]
     found: tuple[Found, ...]

@@ -259,7 +259,7 @@ class Spring:
 
 @frozen
 class Dimension:
-    """What measures a distance along ``along``: its formula, and its value, which is positive."""
+    """A distance measured along ``along``: its formula, and its value, which is positive."""
 
     tail: str
     head: str
@@ -270,7 +270,7 @@ class Dimension:
 
 @frozen
 class AngleMark:
-    """What measures an angle at ``vertex``, from the direction ``start`` on by ``sweep``."""
+    """A mark of the angle at ``vertex``, from the direction ``start`` on by ``sweep``."""
 
     vertex: str
     start: float

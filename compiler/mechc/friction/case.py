@@ -1,4 +1,4 @@
-"""What is asked for: a result without friction, and the loads under which it is looked at."""
+"""A case to be solved: a result without friction, and the loads under which it is looked at."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -1,4 +1,4 @@
-"""What is printed of a result with friction: its case at the default pose."""
+"""A result with friction as it is printed: its case at the default pose."""
 
 from collections.abc import Callable, Mapping, Sequence, Set
 

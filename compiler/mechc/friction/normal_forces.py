@@ -1,4 +1,4 @@
-"""How hard each pair of surfaces is pressed: by the loads, and by friction elsewhere.
+"""The normal forces of all pairs of surfaces: by the loads, and by friction elsewhere.
 
 Friction is a load like others, a couple between two links or a force along a guide, so
 every pressing force is a linear form in the given loads and in all frictions. Only that a

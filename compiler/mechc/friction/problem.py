@@ -1,4 +1,4 @@
-"""What friction acts on: the loads of a balance, the pairs with friction, how hard they press."""
+"""The problem of friction: the loads of a balance, the pairs with friction, the normal forces."""
 
 from collections.abc import Iterator, Mapping, Sequence
 

@@ -83,8 +83,8 @@ def brought_in(use: ast.Use, used: Used, report: Report) -> Iterator[ast.Stateme
         return f"{prefix}_{name}" if name in names else name
 
     for statement in own:
-        told = with_origin(_labelled(statement), used.mechanism.name)
-        there = moved(told, used.start, renamed)
+        described = with_origin(_labelled(statement), used.mechanism.name)
+        there = moved(described, used.start, renamed)
         match statement, there:
             case ast.Param(name=name), ast.Param():
                 yield parameter(there, _measured(used, name.text), given.get(name.text), use)

@@ -62,7 +62,7 @@ class Force:
 
     @property
     def dimension(self) -> Dimension:
-        """What its size measures."""
+        """The dimension of its size."""
         return FORCE
 
 
@@ -78,7 +78,7 @@ class Torque:
 
     @property
     def dimension(self) -> Dimension:
-        """What its size measures."""
+        """The dimension of its size."""
         return TORQUE
 
 
@@ -104,7 +104,7 @@ class ForcePair:
 
     @property
     def dimension(self) -> Dimension:
-        """What its size measures."""
+        """The dimension of its size."""
         return FORCE
 
 

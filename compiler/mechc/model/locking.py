@@ -80,7 +80,7 @@ class Locking:
 
 @frozen
 class EfficiencyRange:
-    """What an efficiency runs through over a parameter's range, 0 where nothing moves.
+    """The values of an efficiency over a parameter's range, 0 where nothing moves.
 
     It is found by sampling; the lowest and highest are refined. ``usual`` are the stretches
     on which it is in :data:`USUAL`.

@@ -263,7 +263,7 @@ class Require:
 
 @frozen
 class Expect:
-    """What a book says of a result: a formula, or a number ``at`` given values.
+    """The expected value of a result, from a book: a formula, or a number ``at`` given values.
 
     ``tolerance`` is the one ``stated``, or half a unit of the last digit written, in SI
     (0 for a formula).

@@ -1,4 +1,4 @@
-"""What was found of a mechanism, under the names that it has where it is used."""
+"""The solution of a mechanism, under the names that it has where it is used."""
 
 from collections.abc import Callable
 

@@ -1,4 +1,4 @@
-"""What is found: each result as a readable formula.
+"""Results, each as a readable formula.
 
 It stands beside what was asked for (``mechanism.Find``): power and friction fill it, statics
 checks it, and neither needs to know of the other.
@@ -102,7 +102,7 @@ class ClosedLoop(NamedTuple):
 
 @frozen
 class Solved:
-    """What was found of a mechanism that a sheet uses, by its names there.
+    """The solution of a mechanism that a sheet uses, by its names there.
 
     ``definitions`` are those that results and loops may rest on, ``requires`` the conditions
     on what the loops give, ``literals`` the numbers that have names.

@@ -1,4 +1,4 @@
-"""What may be asked for with ``find``."""
+"""The targets of ``find``."""
 
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
@@ -105,7 +105,7 @@ class WithFriction:
 
 @frozen
 class Efficiency:
-    """What of the driving load's power arrives: k over k with friction, or the inverse."""
+    """The efficiency of a load ratio: k over k with friction, or the inverse."""
 
     of: LoadRatio | LoadForm
     sense: Sense

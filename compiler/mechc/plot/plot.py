@@ -26,7 +26,7 @@ class Axis(NamedTuple):
 
 
 class Value(NamedTuple):
-    """What a parameter of a family is set to."""
+    """A parameter of a family, and the value that it is set to."""
 
     axis: Axis
     value: float

@@ -1,4 +1,4 @@
-"""Where every point is: as a vector from the origin."""
+"""The positions of all points, as vectors from the origin."""
 
 from collections import deque
 from collections.abc import Collection, Iterator

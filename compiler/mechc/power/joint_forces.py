@@ -1,4 +1,4 @@
-"""What was asked of the forces at joints: components, sizes, directions."""
+"""The forces at joints that are asked for: components, sizes, directions."""
 
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial

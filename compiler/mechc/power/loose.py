@@ -1,4 +1,4 @@
-"""What hangs loose in a mechanism that moves more freely than was meant."""
+"""Bodies that hang loose in a mechanism that moves more freely than was meant."""
 
 from collections.abc import Iterable, Sequence
 from typing import assert_never

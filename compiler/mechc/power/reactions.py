@@ -23,7 +23,7 @@ from .equations import equations_of
 from .loads import shares, terms
 
 HERE = "reaction"
-"""What the force at a joint is called while it is a load; no name of a description."""
+"""The name of the force at a joint while it is a load; no name of a description."""
 
 
 More = Callable[[Plan], Iterable[Term]]

@@ -69,7 +69,7 @@ def constants_shown(whole: Outline) -> frozenset[Formula]:
 
 
 def _of_line(line: NoteLine) -> Iterator[Evaluated]:
-    """Yield what a formula of the user's own comes to, if that is news."""
+    """Yield the value of a user-defined formula, if that is news."""
     if line.value and math.isfinite(line.value.value) and not line.is_number:
         numbers = None if line.kind else line.numbers
         yield Evaluated(Symbol(line.name), numbers, line.value, line.value.unit == "deg")

@@ -83,7 +83,7 @@ def _factor(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
 
 
 def _argument(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
-    """Return what a function is taken of, which stands in brackets already."""
+    """Return the argument of a function, with its value put in; it has brackets already."""
     if isinstance(formula, Symbol) and not isinstance(formula, Constant):
         quantity = given[formula.name]
         return put_in(formula, given) if quantity.unit == "deg" else _constant(quantity, False)

@@ -40,7 +40,7 @@ class Section:
 
 @frozen
 class PositionSection:
-    """What one loop gives, as it is written, and the lengths given by numbers met in it."""
+    """The position by one loop, as it is written, and the lengths given by numbers met in it."""
 
     step: PositionStep
     where: tuple[Definition, ...]
@@ -97,7 +97,7 @@ def _results(
 
 
 class Shown:
-    """What the names in a report stand for, so that nothing is defined twice."""
+    """The names that a report has defined, so that nothing is defined twice."""
 
     def __init__(self) -> None:
         self._results: set[str] = set()

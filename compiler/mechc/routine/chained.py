@@ -25,7 +25,7 @@ STRETCH = 16
 
 
 class Stop(NamedTuple):
-    """Where what functions compute is handed on: the result there, what it needs, its own steps."""
+    """A stop where values are handed on: the result there, what it needs, its own steps."""
 
     at: Output
     needs: int
@@ -59,7 +59,7 @@ def chained(program: Program, first: int) -> Iterator[Function]:
 
 
 class Needs:
-    """What formulas need of a program, as numbers with a bit for each step and each input."""
+    """The needs of formulas in a program, as numbers with a bit for each step and each input."""
 
     def __init__(self, program: Program) -> None:
         self._all = program.steps

@@ -12,7 +12,7 @@ from .steps import Function, Guard, Statement, Step
 
 
 class Output(NamedTuple):
-    """What a result is in the terms of a program of many."""
+    """A result in the terms of a program of many."""
 
     asked: Asked
     formula: Formula

@@ -153,7 +153,7 @@ NOTHING = 1e-30
 
 @frozen
 class Common:
-    """What many functions compute, once for all of them.
+    """The computation that many functions share.
 
     ``outputs`` are the names that they, or others of these, mention. Its ``steps`` may rest on
     the outputs of the one ``before``, which takes some of the same inputs. A ``number`` tells

@@ -1,4 +1,4 @@
-"""What acts on pins and bodies, gathered from the unknowns and loads of equilibrium."""
+"""The forces on pins and bodies, gathered from the unknowns and loads of equilibrium."""
 
 import math
 from collections.abc import Iterable, Mapping
@@ -22,7 +22,7 @@ def _plus(first: Acting, second: Acting) -> Acting:
 
 
 class Acts:
-    """What acts on pins, and directly on bodies: as the equations have it."""
+    """The forces on pins, and directly on bodies, as the equations have them."""
 
     def __init__(self, assembly: Assembly) -> None:
         translating = [slide.body for slide in assembly.slides]

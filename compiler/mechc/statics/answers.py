@@ -26,7 +26,7 @@ UNSETTLED = "no friction was found that balances at that pose"
 
 
 class Answer(NamedTuple):
-    """What statics says: a value, NaN where it says none, and then why.
+    """An answer of statics: a value, NaN where there is none, and then why.
 
     ``influence`` bounds the change of the value per relative change of the entries of
     the equations, each against the largest of its row. ``doubt`` is why another value may

@@ -1,4 +1,4 @@
-"""What the referee says: k by virtual power against k by free bodies, pose by pose."""
+"""The verdict of the referee: k by virtual power against k by free bodies, pose by pose."""
 
 from collections.abc import Mapping
 from typing import NamedTuple

@@ -47,7 +47,7 @@ SLIP = 1e-3
 
 
 class Finding(NamedTuple):
-    """What an ``expect`` came to; figures and pose are those that decided it.
+    """The outcome of an ``expect``; figures and pose are those that decided it.
 
     ``missing`` is the parameter without a value, ``poses`` the number of poses compared at.
     """

@@ -651,7 +651,7 @@ class Use(Statement):
 
 @frozen
 class Given(Let):
-    """What stands in place of a parameter of a used sheet, and what that parameter measures.
+    """The statement in place of a parameter of a used sheet, and the dimension of that.
 
     No line says so: it is made where the used sheet is put in.
     """

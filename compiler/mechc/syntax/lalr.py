@@ -34,7 +34,7 @@ class Refused(Exception):
 
 
 class Rule(NamedTuple):
-    """What a reduction takes off the stack, and what it makes of it.
+    """A reduction: the values that it takes off the stack, and the one that it makes of them.
 
     ``children`` are the places of the parts that the node gets; ``~place`` is a list put
     in part by part, None a part that was left out. A rule that ``collapses`` hands on an

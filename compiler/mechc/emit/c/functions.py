@@ -28,7 +28,7 @@ from .status import StatusContext, status_context
 
 
 class Body(NamedTuple):
-    """What a function computes."""
+    """The body of a function."""
 
     body: list[str]
     conditions: list[str]

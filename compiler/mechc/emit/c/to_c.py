@@ -45,7 +45,7 @@ _SIGNS = {**SIGNS, "same": "=="}
 Declared: TypeAlias = (
     "FunctionContext | StatusContext | PoseContext | ChecksContext | GradientContext"
 )
-"""What a header declares."""
+"""The declarations of a header."""
 
 
 class HeaderContext(NamedTuple):
@@ -89,7 +89,7 @@ class SourceContext(NamedTuple):
 
 
 class Parts(NamedTuple):
-    """What a source consists of."""
+    """The parts of a source."""
 
     functions: list[FunctionContext]
     poses: list[PoseContext]

@@ -111,7 +111,7 @@ FIELDS: Mapping[str, tuple[str, Kind[Any]]] = {
     "start": ("Where the angle begins, in radians from +x.", FLOAT),
     "sweep": ("The angle, in radians, counter-clockwise.", FLOAT),
 }
-"""What the fields of parts mean, whatever part they are of."""
+"""The meaning of the fields of parts, whatever part they are of."""
 
 PARTS: Mapping[type[Part], tuple[str, str]] = {
     Link: ("link", "A rigid body."),

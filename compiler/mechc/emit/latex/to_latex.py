@@ -62,7 +62,7 @@ class StepBlock(NamedTuple):
 
 
 class PositionBlock(NamedTuple):
-    """What one loop gives, ready for LaTeX."""
+    """The directions and lengths that one loop gives, ready for LaTeX."""
 
     sentence: str
     displays: tuple[str, ...]

@@ -65,7 +65,7 @@ class Rule(StrEnum):
 
 @frozen
 class PositionStep:
-    """What one loop gives of the position: directions and lengths, in order.
+    """The position by one loop: directions and lengths, in order.
 
     ``kind`` is how the loop is solved and ``points`` what it goes through (see
     ``SolvedLoop``); ``definitions`` are those of its names that the derivation needs.
@@ -114,7 +114,7 @@ class PowerTerm:
 
 
 class SentenceKind(StrEnum):
-    """What a passage says; the words belong to each language."""
+    """The kind of a sentence; the words belong to each language."""
 
     RELEASED = "released"
     """The release of constraints."""
@@ -145,11 +145,11 @@ class SentenceKind(StrEnum):
     GUIDE_FRICTION = "guide friction"
     """Friction in a guide goes with the force across it."""
     ROD_FORCES = "rod forces"
-    """What the forces in rods are called."""
+    """The names of forces in rods."""
     PART = "part"
     """One of the equal parts of a mechanism is looked at."""
     UNIT = "unit"
-    """What forces are measured by."""
+    """The unit of forces."""
     UNIT_AND_DRIVE = "unit and drive"
     """The same where the load of the drive is met: it is the ratio that is asked for."""
     PRESSED = "pressed"
@@ -185,11 +185,11 @@ class SentenceKind(StrEnum):
     FIRST_ORDER_LESS = "first order, less"
     """The same where the drive yields."""
     SLIP_OF_PIN = "slip of pin"
-    """What a pin's slip and coefficient are."""
+    """The slip and the coefficient of a pin."""
     SLIP_OF_FACE = "slip of face"
-    """What the slip of a guide, face or pair is."""
+    """The slip of a guide, face or pair."""
     ROPE_FRICTION = "rope friction"
-    """What presses a rope that slides around a pulley, and how much of it is friction."""
+    """The normal force of a rope that slides around a pulley, and its friction."""
     STRAIGHT = "straight"
     """Frictions of what is pressed along one line each."""
     EFFICIENT = "efficient"
@@ -201,27 +201,27 @@ class SentenceKind(StrEnum):
     EQUAL_PARTS = "equal parts"
     """One of equal parts is looked at, and all that act on what they share."""
     FORCE_IN_ROD = "force in rod"
-    """What the force in a rod is called."""
+    """The name of the force in a rod."""
     FORCE_OF_GROUND = "force of ground"
-    """What the components of the force at a pivot are called."""
+    """The names of the components of the force at a pivot."""
     FORCE_AT_PIN = "force at pin"
-    """What the components of the force at a pin are called."""
+    """The names of the components of the force at a pin."""
     FORCE_ALONG_ARM = "force along arm"
     """The same along an arm and across it."""
     FORCE_OF_GUIDE = "force of guide"
-    """What the force of a guide is called."""
+    """The name of the force of a guide."""
     FORCE_OF_TOUCH = "force of touch"
-    """What the force of a body on a pin that slides on it is called."""
+    """The name of the force of a body on a pin that slides on it."""
     FORCE_OF_RIM = "force of rim"
-    """What the force between the rims of two wheels is called."""
+    """The name of the force between the rims of two wheels."""
     FORCE_OF_RACK = "force of rack"
-    """What the force between a wheel and a rack is called."""
+    """The name of the force between a wheel and a rack."""
     FORCE_OF_THREAD = "force of thread"
-    """What the force of a screw on its nut is called."""
+    """The name of the force of a screw on its nut."""
     FORCE_OF_ROPE = "force of rope"
-    """What the tension of a rope is called."""
+    """The name of the tension of a rope."""
     COUPLE_IN_SLOT = "couple in slot"
-    """What the couple between a link in a slot and the one that has it is called."""
+    """The name of the couple between a link in a slot and the one that has it."""
     FORCES_ALONG = "forces along"
     """Forces on a link in a direction."""
     FORCES_ACROSS = "forces across"
@@ -231,7 +231,7 @@ class SentenceKind(StrEnum):
     PIN_ACROSS = "pin across"
     """Forces on a pin across a rod."""
     SOLVED_TOGETHER = "solved together"
-    """What several sums give together."""
+    """The forces that several sums give together."""
 
 
 @frozen
@@ -278,7 +278,7 @@ class NamedRatio(NamedTuple):
 
 @frozen
 class LastStep:
-    """What the power equation gives: a ratio of loads in the speeds that were named.
+    """The solution of the power equation: a ratio of loads in the speeds that were named.
 
     ``chain`` is the ratio of these speeds, None where one relation gave it.
     """

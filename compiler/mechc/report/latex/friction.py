@@ -1,4 +1,4 @@
-"""What is given of friction, in sentences."""
+"""The given friction, in sentences."""
 
 from collections.abc import Iterator
 from typing import assert_never

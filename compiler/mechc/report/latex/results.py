@@ -38,7 +38,7 @@ class ParagraphBlock(NamedTuple):
 
 
 class Findings(NamedTuple):
-    """What follows from one result: remarks in sentences, sensitivities."""
+    """The remarks on one result in sentences, and its sensitivities."""
 
     remarks: tuple[str, ...]
     derivatives: str

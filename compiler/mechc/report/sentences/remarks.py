@@ -1,4 +1,4 @@
-"""What follows from a result, in sentences, whatever the language and whoever prints."""
+"""The remarks on a result, in sentences, whatever the language and whoever prints."""
 
 from collections.abc import Iterable
 from typing import assert_never

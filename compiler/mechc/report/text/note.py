@@ -113,13 +113,13 @@ def _set(formula: Formula, signs: Signs) -> str:
 
 
 def formula_alone(line: NoteLine, spell: Speller) -> str:
-    """Return a formula of the user's own as it is written."""
+    """Return a user-defined formula as it is written."""
     bare, words = line._replace(value=None), spell.locale.calculation
     return _line(bare, spell.signs, words, in_numbers=False).said
 
 
 def in_language(line: NoteLine) -> str:
-    """Return a formula of the user's own as the language has it, and its text."""
+    """Return a user-defined formula as the language has it, and its text."""
     assert line.formula
     inner = text(line.formula)
     match line.kind:
@@ -138,7 +138,7 @@ def tables(mechanism: Mechanism, spell: Speller) -> list[str]:
 
 
 def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
-    """Return a formula, the numbers put in if they are wanted, and what it comes to."""
+    """Return a formula, the numbers put in if they are wanted, and its value."""
     angle = line.dimension == ANGLE
     sides = [_asked(line, line.formula, signs, angle)] if line.formula else []
     if in_numbers and line.numbers:
