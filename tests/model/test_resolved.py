@@ -25,6 +25,7 @@ from mechc.model.mechanism import (
     SpeedRatio,
     Torque,
 )
+from mechc.model.values import dependent
 from mechc.source import Source
 from mechc.syntax.notation import read
 from mechc.syntax.settings import attached, parse, put_in
@@ -324,3 +325,11 @@ def test_a_setting_measures_what_the_file_says(setting: str, message: str) -> No
     with pytest.raises(MechcError, match=message) as caught:
         resolve(tree, report)
     assert len(caught.value.diagnostics) == 1
+
+
+def test_what_follows_from_other_parameters_alone_is_dependent() -> None:
+    """A number follows from nothing, and neither does a name without a value."""
+    mechanism = resolve(
+        read(Source("m.mech", CLAMP), Report(Source("", ""))), Report(Source("", ""))
+    )
+    assert {name: text(formula) for name, formula in dependent(mechanism).items()} == {"b": "2*a"}

@@ -15,9 +15,12 @@ from mechc.cli import main
 from mechc.diagnostics import MechcError
 from mechc.drawing.axes import GRID, PAPER, ZERO
 from mechc.drawing.panels import laid_out
+from mechc.driver import Compilation
 from mechc.emit.svg.picture import to_svg
 from mechc.frozen import replace
+from mechc.plot.usual import usual
 from mechc.report.languages.pictured import EN
+from mechc.source import Source
 from paths import EXAMPLES
 from readable_drawings import assert_readable, lettering
 
@@ -361,3 +364,22 @@ def test_plots_have_titles_in_the_language(clamp):
     ratio = mechc.loads(CRANK, "m.mech").plot("phi", range=("10 deg", "80 deg"))
     assert "M/F, mm" in lettering(ratio.drawing)
     assert ratio.alt.startswith("M/F against phi")
+
+
+def test_a_report_plots_over_what_has_a_range():
+    """Without one there is nothing to plot over; of two, one that the result depends on."""
+    lever = "pivot O\nlink AOB\nOA = a @ 0\nOB = b @ 180 deg\nforce P at A along y\n"
+    asked = "force F at B along y\nfind k = P/F\n"
+    for a, expected in (("10 mm", None), ("10 mm in 5 mm .. 20 mm", "a")):
+        text = f"mechanism m\nparam b = 40 mm\nparam a = {a}\n{lever}{asked}"
+        made = Compilation(Source("m.mech", text))
+        query = usual(made.mechanism, made.routine)
+        assert (query and query.x) == expected
+
+
+def test_what_is_along_the_axis_is_not_offered_for_a_family(clamp):
+    with pytest.raises(MechcError) as error:
+        clamp.plot("alpha", family={"alpha": ["10 deg"]})
+    expected = error.value.diagnostics[0].message.partition("expected")[2]
+    assert "beta" in expected
+    assert "alpha" not in expected
