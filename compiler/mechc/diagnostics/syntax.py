@@ -178,6 +178,8 @@ def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Messa
     """
     points = "1 point" if found == 1 else f"{found} points"
     hint = "a link is named by its points, written together: OA" if found == 1 else ""
+    if expected == "a point":
+        hint = "a joint is named by the one point at which it is: A"
     return Message(span, f"'{text}' names {points}, expected {expected}", hint)
 
 

@@ -151,7 +151,9 @@ def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -
     related = (Related(first, f"{first_kind} '{name}' is declared here"),)
     if kind == first_kind:
         return Message(span, f"{kind} '{name}' is declared twice", "remove or rename one", related)
-    return Message(span, f"{kind} '{name}' has the name of a {first_kind}", "rename one", related)
+    by_let = f"rename one; a load has its value by `let {name} = …`, and needs no parameter"
+    hint = by_let if {kind, first_kind} == {"load", "parameter"} else "rename one"
+    return Message(span, f"{kind} '{name}' has the name of a {first_kind}", hint, related)
 
 
 @coded("E214")
