@@ -59,8 +59,8 @@ def test_results_are_those_that_are_named():
 @pytest.mark.parametrize(
     ("language", "head"),
     [
-        ("en", r"$\phi$, $^\circ$ & $k$, $\text{m}$ & $i$ & $dk/d\phi$, $\text{m}$"),
-        ("uk", r"$\varphi$, $^\circ$ & $k$, $\text{м}$ & $i$ & $dk/d\varphi$, $\text{м}$"),
+        ("en", r"$\phi$, $^\circ$ & $k$, $\text{mm}$ & $i$ & $dk/d\phi$, $\text{mm}$"),
+        ("uk", r"$\varphi$, $^\circ$ & $k$, $\text{мм}$ & $i$ & $dk/d\varphi$, $\text{мм}$"),
     ],
 )
 def test_the_table_along_the_stroke_has_every_column(language, head):

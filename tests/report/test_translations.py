@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import mechc
-from mechc.report.languages.registry import LANGUAGES
+from mechc.report.languages.registry import LANGUAGES, locale
 from mechc.syntax import vocabulary
 
 LEVER = """
@@ -86,3 +86,43 @@ def test_code_keeps_what_was_written(target: str) -> None:
 
 def test_texts_go_into_all_languages_of_reports() -> None:
     assert set(vocabulary.LANGUAGES) == set(LANGUAGES)
+
+
+KNEE = """
+mechanism knee
+param alpha = 10 deg in 1 deg .. 45 deg
+param L_guide = 80 mm
+pivot E
+slider C along 0 deg
+link EB
+link BC
+EB = L_guide @ alpha
+BC = L_guide @ -alpha
+force Q at B along -90 deg
+force W at C along 180 deg
+friction slider C 0.1
+friction pins 0.1 diameter 10 mm
+find k = Q/W
+"""
+
+
+def test_subscripts_of_mechc_are_in_the_language_and_those_of_the_user_stay():
+    said = {lang: mechc.loads(KNEE).emit("latex", language=lang) for lang in ("en", "uk", "ru")}
+    assert r"k_{\mathrm{hold}}" in said["en"]
+    assert r"k_{\text{утр}}" in said["uk"]
+    assert r"k_{\text{уд}}" in said["ru"]
+    for language in ("uk", "ru"):
+        assert r"r_{C,\text{напр}}" in said[language]
+        assert r"L_{\mathrm{guide}}" in said[language]
+        assert "hold" not in said[language]
+
+
+@pytest.mark.parametrize(
+    ("name", "subject"),
+    [("band_brake", "forces"), ("four_bar", "force ratio"), ("jaw_crusher", "force ratio")],
+)
+def test_a_report_is_headed_by_what_it_is_about(name: str, subject: str) -> None:
+    for language in LANGUAGES:
+        subjects = locale(language).subjects
+        head = mechc.load(name).emit("latex", language=language)[:2500]
+        assert [key for key, said in subjects.items() if said in head] == [subject]

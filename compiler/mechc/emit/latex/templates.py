@@ -10,8 +10,7 @@ def _body(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
     labelled = list([_one for _one in _known["parameters"] if _one.label])
     ranged = list([_one for _one in _known["parameters"] if _one.range])
-    kind = _known["locale"].title
-    _parts += [TEMPLATES['latex/head.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
+    _parts += [TEMPLATES['latex/head.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
     _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].given), '}\n']
     for line in _known["pictures"].scheme:
         _parts += [str(line), '\n']
@@ -21,17 +20,17 @@ def _body(_known: Mapping[str, Any]) -> str:
             _parts += ['  \\item ', str(sentence), '\n']
         _parts += ['\\end{itemize}\n']
     if _known["parameters"]:
-        _parts += [TEMPLATES['latex/given.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
+        _parts += [TEMPLATES['latex/given.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
     if _known["vectors"]:
         _parts += ['\\noindent ', str(_known["conventions"]), '\n']
         if (len(_known["vectors"]) > 6):
-            _parts += [TEMPLATES['latex/vectors_abreast.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
+            _parts += [TEMPLATES['latex/vectors_abreast.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
         else:
             _parts += ['\\begin{longtable}[l]{@{}>{\\raggedright\\arraybackslash}p{0.17\\linewidth}>{\\raggedright\\arraybackslash}p{0.37\\linewidth}>{\\raggedright\\arraybackslash}p{\\dimexpr0.36\\linewidth+2\\tabcolsep}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
             for row in _known["vectors"]:
                 _parts += [str(row.vector), ' & ', str(row.length), ' & ', str(row.direction), ' \\\\\n']
             _parts += ['\\bottomrule\n\\end{longtable}\n']
-    _parts += [TEMPLATES['latex/tables.jinja']({**_known, "kind": kind, "labelled": labelled, "ranged": ranged})]
+    _parts += [TEMPLATES['latex/tables.jinja']({**_known, "labelled": labelled, "ranged": ranged})]
     if _known["position"]:
         _parts += ['\n\\', str(_known["section"]), '*{', str(_known["locale"].position), '}\n\\begin{enumerate}\n']
         for step in _known["position"]:
@@ -101,8 +100,7 @@ def _body(_known: Mapping[str, Any]) -> str:
 
 def _brief(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
-    kind = _known["locale"].title
-    _parts += [TEMPLATES['latex/head.jinja']({**_known, "kind": kind})]
+    _parts += [TEMPLATES['latex/head.jinja'](_known)]
     for display in _known["displays"]:
         _parts += [str(display), '\n']
     if (_known["values"] or _known["numbers"]):

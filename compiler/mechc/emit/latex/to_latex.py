@@ -39,7 +39,7 @@ from ...report.latex.results import (
 )
 from ...report.latex.text import has_cyrillic
 from ...report.sections import Outline, PositionSection, outline
-from ...report.sentences.remarks import conditions
+from ...report.sentences.remarks import conditions, subject
 from ...report.sentences.wording import (
     Sides,
     direction_function,
@@ -74,6 +74,7 @@ class Report(NamedTuple):
     locale: Locale
     made_by: str
     section: str
+    kind: str
     conventions: str
     convention_of_speeds: str
     title: str
@@ -104,6 +105,7 @@ class Brief(NamedTuple):
     locale: Locale
     made_by: str
     section: str
+    kind: str
     title: str
     source: str
     displays: tuple[str, ...]
@@ -194,6 +196,7 @@ def report(
         conventions=_conventions(whole, mechanism, locale, style),
         convention_of_speeds=_convention(derivation, locale),
         section="subsection" if options.fragment else "section",
+        kind=subject(derivation.results, locale),
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in _given(compiled)),
@@ -259,6 +262,7 @@ def brief(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
         section="subsection" if options.fragment else "section",
+        kind=subject(derivation.results, locale),
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
         displays=tuple(filter(None, (*position, *steps, *loads, *results))),

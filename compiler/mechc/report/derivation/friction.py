@@ -44,7 +44,8 @@ _ITERATED = {
 }
 _RATIO = Call("exp", (product([(Symbol("mu"), 1), (Symbol("theta"), 1)]),))
 _ROPES = Paragraph(
-    SentenceKind.ROPE_FRICTION, formulas={"ratio": _RATIO, "part": tension_share(_RATIO)}
+    SentenceKind.ROPE_FRICTION,
+    formulas={"ratio": _RATIO, "part": tension_share(_RATIO), "angle": Symbol("theta")},
 )
 _STRAIGHT = {"force": Symbol("n"), "speed": Symbol("v")}
 

@@ -10,7 +10,11 @@ LOCALE = Locale(
     decimal=".",
     phi=r"\phi",
     cyrillic=False,
-    title="Force transmission of the mechanism",
+    subjects={
+        "force ratio": "Force transmission of the mechanism",
+        "speed ratio": "Speeds of the mechanism",
+        "forces": "Forces in equilibrium",
+    },
     source="Source",
     made_by="Derived by mechc {version}",
     given="Given",
@@ -54,6 +58,8 @@ LOCALE = Locale(
         "fixed wheel": "the wheel on {point} is fixed to the ground",
         "arm": "the link {link} carries the centres of the wheels on {points}",
         "rack": "the rack at {point} meshes with the gear on {pivot} (radius {radius})",
+        "rack on the left": "the rack at {point} meshes with the gear on {pivot} (radius {radius}"
+        "); along its guide the rack is on the left of {pivot}",
         "screw": "the screw {link} moves {point} by {pitch} for each turn",
         "rope": "a rope runs through {points}, over a pulley at each point between its ends",
         "on link": "{point} on the link {link}",
@@ -204,8 +210,8 @@ LOCALE = Locale(
         "circle for a coefficient.",
         "slip of face": "Along a face the slip is the speed {speed}.",
         "rope friction": "Where a rope slides around a pulley, one of its tensions there "
-        "is {ratio} times the other. The force that presses is the mean of both, its coefficient "
-        "{part}.",
+        "is {ratio} times the other, {angle} being the angle of wrap. The force that presses is "
+        "the mean of both, its coefficient {part}.",
         "straight": "Each friction is its coefficient times the force {force} that presses the "
         "surfaces; the frictions themselves change these forces. The power of each is this times "
         "the speed {speed} of the slip, per unit of the drive’s velocity:",
@@ -337,5 +343,16 @@ LOCALE = Locale(
     pending="The equilibrium of the free bodies has not been compared.",
     conjunction="and",
     disjunction="or",
+    subscripts={
+        "hold": "hold",
+        "guide": "guide",
+        "face": "face",
+        "gear": "gear",
+        "belt": "belt",
+        "rack": "rack",
+        "screw": "screw",
+        "collar": "collar",
+        "rope": "rope",
+    },
     units={},
 )

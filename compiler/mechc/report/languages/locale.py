@@ -29,7 +29,7 @@ class Locale(NamedTuple):
     decimal: str
     phi: str
     cyrillic: bool
-    title: str
+    subjects: Mapping[str, str]
     source: str
     made_by: str
 
@@ -143,3 +143,5 @@ class Locale(NamedTuple):
     conjunction: str
     disjunction: str
     units: Mapping[str, str]
+    subscripts: Mapping[str, str]
+    """What the subscripts of forces and results with friction are in formulas."""

@@ -20,7 +20,7 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
             if is_angle(definition.formula, angles):
                 angles.add(definition.name)
     texts = mechanism.translations.get(style.language, style.texts)
-    known = replace(style, angles=frozenset(angles), texts=texts)
+    known = replace(style, angles=frozenset(angles), texts=texts, own=_own(mechanism))
     known.made.take(_names(mechanism, results))
     known = replace(known, spellings=spellings(_names(mechanism, results), known))
     forces = {called(r): of_force(r.name, force, known) for r in results if (force := reaction(r))}
@@ -30,6 +30,12 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
         if isinstance(r.target, WithFriction) and r.target.order == "first"
     }
     return replace(known, spellings={**known.spellings, **forces, **firsts})
+
+
+def _own(mechanism: Mechanism) -> frozenset[str]:
+    """Return the names that the description gives."""
+    listed = (*mechanism.parameters, *mechanism.literals, *mechanism.loads, *mechanism.lets)
+    return frozenset(each.name for each in listed)
 
 
 def _names(mechanism: Mechanism, results: Sequence[Analysis]) -> Iterator[str]:

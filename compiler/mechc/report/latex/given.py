@@ -145,7 +145,9 @@ def _is_own(entry: Arrow) -> bool:
 
 def in_vectors(mechanism: Mechanism) -> frozenset[str]:
     """Return the names of the lengths that the table of vectors shows the numbers of."""
-    arrows = [entry for entry in mechanism.geometry if isinstance(entry, Arrow)]
+    drawn = {d.span for d in mechanism.drawn}
+    written = (entry for entry in mechanism.geometry if entry.span not in drawn)
+    arrows = [entry for entry in written if isinstance(entry, Arrow)]
     return frozenset(f"len_{a.tail}{a.head}" for a in arrows if _is_own(a))
 
 

@@ -3,6 +3,8 @@
 from collections.abc import Iterator
 from typing import assert_never
 
+from ...formula.layout import has_minus
+from ...formula.tree import negative
 from ...model.mechanism import (
     ArcSlot,
     Contact,
@@ -68,8 +70,10 @@ def _sentence(joint: Joint, locale: Locale, style: Notation) -> Iterator[str]:
                 yield from _on_arm(joint, locale)
         case Rack(point, pivot, radius=size):
             on, centre = math(points(point)), math(points(pivot))
-            radius = math(length_of(size, locale, style))
-            yield say["rack"].format(point=on, pivot=centre, radius=radius)
+            is_left = has_minus(size)
+            radius = math(length_of(negative(size) if is_left else size, locale, style))
+            kind = "rack on the left" if is_left else "rack"
+            yield say[kind].format(point=on, pivot=centre, radius=radius)
         case Screw(point, size, link):
             on, body = math(points(point)), math(points(link))
             yield say["screw"].format(

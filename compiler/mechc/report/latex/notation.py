@@ -81,7 +81,9 @@ class Notation:
     ``texts`` has what texts of the description are in the ``language``, where they are translated;
     ``made`` are the names made up in the document that is written by this notation, ``units``
     the letters of units in the language, ``otherwise`` stands in a choice at the last case;
-    ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`).
+    ``spellings`` holds the names that cannot be written by rule (see :func:`spellings`),
+    ``subscripts`` what those that mechc gives are in the language; the user's ``own`` names keep
+    theirs.
     """
 
     functions: Mapping[str, str]
@@ -94,6 +96,8 @@ class Notation:
     texts: Mapping[str, str] = MappingProxyType({})
     angles: frozenset[str] = frozenset()
     spellings: Mapping[str, str] = MappingProxyType({})
+    subscripts: Mapping[str, str] = MappingProxyType({})
+    own: frozenset[str] = frozenset()
 
 
 def notation(language: str) -> Notation:
@@ -101,7 +105,16 @@ def notation(language: str) -> Notation:
     known = locale(language)
     functions, made = {**_COMMON, **known.functions}, MadeNames()
     otherwise = known.calculation["otherwise"]
-    return Notation(functions, known.decimal, known.phi, made, known.units, otherwise, language)
+    return Notation(
+        functions,
+        known.decimal,
+        known.phi,
+        made,
+        known.units,
+        otherwise,
+        language,
+        subscripts=known.subscripts,
+    )
 
 
 def translated(text: str, style: Notation) -> str:
@@ -159,8 +172,13 @@ def _by_rule(symbol: str, style: Notation) -> str:
     letter = _letter(head, style) + primes
     if not indices:
         return letter
-    index = ",".join(_index(i, style) for i in indices)
+    words = {} if symbol in style.own else style.subscripts
+    index = ",".join(_text(words[i]) if words.get(i, i) != i else _index(i, style) for i in indices)
     return f"{letter}_{index}" if len(index) == 1 else f"{letter}_{{{index}}}"
+
+
+def _text(word: str) -> str:
+    return rf"\text{{{word}}}"
 
 
 def _letter(head: str, style: Notation) -> str:

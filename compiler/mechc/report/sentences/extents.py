@@ -6,7 +6,7 @@ from ...formula.tree import Symbol
 from ...study.analysis import Analysis, Extent, Extreme
 from ...units import behind, size_of
 from ..languages.locale import Locale
-from .limits import tells_both
+from .limits import states_both
 from .locking import rounded_value, span
 from .speller import Speller
 from .wording import enumeration
@@ -20,10 +20,10 @@ DIGITS = 5
 
 def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
     """Yield a sentence for each range or stroke of which there is something to say."""
-    is_told = tells_both(result)
+    is_stated = states_both(result)
     for extent in result.extents:
         words = locale.extents
-        parts = [*_singular(extent, symbol, is_told, locale, spell)]
+        parts = [*_singular(extent, symbol, is_stated, locale, spell)]
         parts += _extreme(extent, symbol, locale, spell)
         if parts:
             where = span(extent.range, extent, locale, spell)
@@ -31,10 +31,10 @@ def extent_remarks(result: Analysis, symbol: str, locale: Locale, spell: Speller
 
 
 def _singular(
-    extent: Extent, symbol: str, is_told: bool, locale: Locale, spell: Speller
+    extent: Extent, symbol: str, is_stated: bool, locale: Locale, spell: Speller
 ) -> Iterator[str]:
-    """Yield where it is zero, where infinite, or that it is neither, unless that ``is_told``."""
-    if extent.looked and not extent.zeros and not extent.poles and not is_told:
+    """Yield where it is zero, where infinite, or that it is neither, unless that ``is_stated``."""
+    if extent.looked and not extent.zeros and not extent.poles and not is_stated:
         yield locale.extents["neither"].format(result=symbol)
     for kind, found in (("0", extent.zeros), ("infinite", extent.poles)):
         if 0 < len(found) <= MANY:

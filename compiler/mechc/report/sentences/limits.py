@@ -12,7 +12,7 @@ from .speller import Speller
 from .wording import alternatives, positive_first
 
 LONG = 8
-"""A condition of more operations tells less than the places at which it holds."""
+"""A condition of more operations says less than the places at which it holds."""
 
 
 def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Iterator[str]:
@@ -21,8 +21,8 @@ def limits(result: Analysis, symbol: str, locale: Locale, spell: Speller) -> Ite
         (locale.zero, result.zeros, passed_by(result, "zeros")),
         (locale.pole, result.poles, passed_by(result, "poles")),
     ):
-        told = [v for v in found if not _is_shown_by_places(v, result.extents)]
-        for _, alike in groupby(told, lambda v: (v.kind, _is_bare(v), v if v.at else None)):
+        listed = [v for v in found if not _is_shown_by_places(v, result.extents)]
+        for _, alike in groupby(listed, lambda v: (v.kind, _is_bare(v), v if v.at else None)):
             group = [*alike]
             if _is_bare(group[0]):
                 yield _bare(template, symbol, group, passed, locale, spell)
@@ -37,8 +37,8 @@ def passed_by(result: Analysis, kind: str) -> Extent | None:
     return free[0] if len(free) == len(looked) == 1 else None
 
 
-def tells_both(result: Analysis) -> bool:
-    """Return whether :func:`limits` tells that a range has no zero, and that it has no pole."""
+def states_both(result: Analysis) -> bool:
+    """Return whether :func:`limits` states that a range has no zero, and that it has no pole."""
     return all(
         passed_by(result, kind)
         and any(_is_bare(v) and not _is_shown_by_places(v, result.extents) for v in found)

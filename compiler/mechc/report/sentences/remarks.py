@@ -44,6 +44,14 @@ def said(paragraph: Paragraph, locale: Locale, spell: Speller) -> str:
     return locale.sayings[paragraph.saying].format_map({**names, **formulas, "held": held})
 
 
+def subject(results: Iterable[Analysis], locale: Locale) -> str:
+    """Return what a report is about: how forces or speeds are passed on, or forces alone."""
+    targets = {type(result.target) for result in results}
+    if LoadRatio in targets:
+        return locale.subjects["force ratio"]
+    return locale.subjects["speed ratio" if SpeedRatio in targets else "forces"]
+
+
 def heading(result: Analysis, locale: Locale, spell: Speller) -> str:
     """Return the heading of a result by its kind; ``""`` for a user-defined formula."""
     match result.target:

@@ -1,0 +1,41 @@
+"""What a report says is given."""
+
+import mechc
+
+DRAWN = """
+mechanism drawn
+pivot O at (0 mm, 0 mm)
+pivot C at (100 mm, 0 mm)
+link OA
+link AB
+link CB
+A at (20 mm, 35 mm)
+B at (80 mm, 60 mm)
+drive OA from 40 deg to 80 deg
+torque M on OA
+force F at B along x
+find k = M/F
+"""
+
+
+def test_lengths_of_a_drawing_that_formulas_name_are_given_with_their_values():
+    given = mechc.loads(DRAWN).emit("latex").split(r"\section*{Position}")[0]
+    rows = [line.strip() for line in given.splitlines()]
+    assert any(row.startswith("$AB$") and r"65\,\text{mm}" in row for row in rows)
+    assert any(row.startswith("$CB$") and r"63.2456\,\text{mm}" in row for row in rows)
+    assert sum(row.startswith("$OA$") for row in rows) == 1
+
+
+def test_a_length_that_a_vector_is_written_with_stands_with_the_vector_alone():
+    given = mechc.load("jansen_leg").emit("latex").split(r"\section*{Position}")[0]
+    assert given.count("61.9") == 1 + given.count("k 61.9")
+
+
+def test_a_radius_has_no_minus_and_a_rack_has_its_side():
+    first, second = (
+        line
+        for line in mechc.load("d45_09_racks_pinion").emit("latex").splitlines()
+        if "The rack at" in line and "item" in line
+    )
+    assert first.endswith("(radius $r$).")
+    assert second.endswith("(radius $r$); along its guide the rack is on the left of $O$.")
