@@ -82,6 +82,13 @@ def test_a_sine_that_a_sum_has_for_itself_vanishes_too():
     assert list(missing(mechanism, k, 530287)) == []
 
 
+@pytest.mark.parametrize("seed", [910196, 910228])
+def test_a_pole_that_a_sum_hides_for_the_lengths_given_is_told_with_the_sum(seed):
+    mechanism, (k,) = results(Chain(seed, equal=True).text)
+    assert any(v.but for v in k.poles)
+    assert list(refuted(mechanism, k, seed)) == list(missing(mechanism, k, seed)) == []
+
+
 def test_lengths_that_are_equal_by_chance_make_no_false_zeros():
     assert hold(range(1000, 1020), equal=True) > 15
 

@@ -115,6 +115,22 @@ def _at_roots(
     else:
         for root, kind in zip(proved, kinds, strict=True):
             yield _vanishing(root.factor, kind, item, balance, near)
+    for root in found:
+        if root not in proved:
+            yield from _but_by_chance(root, item, balance, near, side)
+
+
+def _but_by_chance(
+    root: Root, item: Solved, balance: Balance, near: Mapping[str, float], side: int
+) -> Iterator[Vanishing]:
+    """Yield a root at which a sum across the line is zero, too, for the lengths given only."""
+    assert item.value is not None
+    known = order(item.value, root.name, root.value)
+    across = [f for f, e in item.value.factors.items() if e * side < 0]
+    sums = tuple(f.formula() for f in across if _is_nil(f, root, near))
+    if sums and known is not None and known * side > 0:
+        kind = _kind(root.factor, (root,), item, balance, side)
+        yield Vanishing(root.factor.formula(), None, kind, _is_outside(root.factor, balance), sums)
 
 
 def _vanishing(
