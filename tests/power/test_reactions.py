@@ -74,6 +74,38 @@ def test_many_random_mechanisms(ratio, record_property):
     assert len(errors) > 125
 
 
+BOOM = """
+param a = 4 m
+param alpha = 20 deg in 5 deg .. 40 deg
+param beta = 45 deg in 30 deg .. 60 deg
+pivot O at (0 m, 0 m)
+pivot B
+link OGA
+slider C along y
+OG = a/2 @ alpha
+OA = a @ alpha
+rope A, B along 180 deg - beta, C along -y
+force W at G along -y
+force P at C along -80 deg
+find P
+find N_AB
+find R_O
+"""
+
+
+def test_the_tension_of_a_rope():
+    """Against the dense equilibrium; the guide of the hand is pressed, too."""
+    made = compiled(BOOM, "boom.mech")
+    values = made.values()
+    forces = Forces(made.tree, values)
+    found, _ = forces.solve("P", {"W": 1.3})
+    results = made.results({**values, "W": 1.3})
+    for asked in ("N_AB", "R_O"):
+        for name, value in known_of(forces, asked, found).items():
+            assert results[name] == pytest.approx(value, rel=1e-12)
+    assert results["P"] == pytest.approx(found[-1], rel=1e-12)
+
+
 # ------------------------------------------------------------------------------ laws
 
 NOT_PLAIN = {"mirror", "copies", "slide", "M"}

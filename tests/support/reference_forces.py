@@ -9,6 +9,7 @@ up from nothing, step by step. Nothing is shared with the compiler but the synta
 
 import math
 from collections.abc import Iterator, Mapping, Sequence
+from itertools import pairwise
 
 import numpy as np
 
@@ -210,11 +211,21 @@ class Forces:
         ends = points_of(points)
         if len(ends) == 1:
             return [self._normal(points)]
+        if (rope := self._rope(ends)) is not None:
+            return [{("rope", str(rope)): 1.0}]
         link = self.link(points)
         arm = self.half.links[link][ends[1]] - self.half.links[link][ends[0]]
         unit = arm / abs(arm)
         parts = (("x", unit.real), ("y", unit.imag))
         return [{("pin", link, ends[1], axis): part for axis, part in parts}]
+
+    def _rope(self, ends: Sequence[str]) -> int | None:
+        """Return the number of the rope that runs between two points, None where none does."""
+        for i, rope in enumerate(every(self.tree, ast.Rope)):
+            route = [rope.start.text, *(point.text for point, _ in rope.falls)]
+            if {*ends} in [{*fall} for fall in pairwise(route)]:
+                return i
+        return None
 
     def link(self, part: str) -> str:
         """Return the link that has these points."""
