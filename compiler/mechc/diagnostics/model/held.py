@@ -55,10 +55,16 @@ def held_by_what(at: Span, name: str, drive: Span) -> Message:
         find k = M/F                       # right
         find R_O                           # wrong
         friction pins f diameter d         # wrong
+
+    Without drives each motion has a load that holds it, and so have the joints::
+
+        torque T on AB                     # what holds the second link
+        find M, T
+        find R_O                           # right
     """
     return Message(
         at,
         f"this rests on how {name} is held, expected a ratio of loads or speeds without friction",
-        "ask for it with one drive, and a load that holds the other link",
+        "leave the drives out, and find the torque that holds the other link, too",
         (Related(drive, "held here"),),
     )
