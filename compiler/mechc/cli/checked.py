@@ -28,7 +28,7 @@ from ..units import in_unit
 
 
 def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
-    """Yield what a description gives, as far as the stages that have run found it."""
+    """Yield the lines on a description, as far as the stages went."""
     made = vars(compilation)
     if mechanism := made.get("mechanism"):
         spell = speller((), mechanism, unicode=False, language=language)
@@ -39,7 +39,7 @@ def overview_of(compilation: Compilation, language: str) -> Iterator[str]:
 def report(
     compilation: Compilation, verbose: bool, language: str = "en", width: int = sys.maxsize
 ) -> Iterator[str]:
-    """Yield what is known of a sound description; what is wider than ``width`` is broken."""
+    """Yield the lines on a sound description; those wider than ``width`` are broken."""
     spell = _speller(compilation, compilation.derivation.results, language, width)
     if verbose:
         yield from overview_of(compilation, language)
@@ -54,13 +54,13 @@ def report(
 def _speller(
     compilation: Compilation, results: Iterable[Result], language: str, width: int
 ) -> Speller:
-    """Return what spells sentences; formulas are written as in descriptions."""
+    """Return the speller of sentences; formulas are written as in descriptions."""
     spell = speller(results, compilation.mechanism, False, language, width)
     return spell._replace(signs=replace(spell.signs, functions={}))
 
 
 def _of_results(compilation: Compilation, spell: Speller) -> Iterator[str]:
-    """Yield what is known of each result, and what every expectation came to."""
+    """Yield the lines on each result, and on the outcome of every expectation."""
     if compilation.calculation:
         yield from in_brief(compilation.mechanism, compilation.results, spell)
         yield from _of_findings(compilation, spell)
@@ -98,7 +98,7 @@ def _of_result(
     unit: str,
     spell: Speller,
 ) -> Iterator[str]:
-    """Yield what is known of a result, without what the one before has just shown."""
+    """Yield the lines on a result, without those that the one before has just shown."""
     words = spell.locale.checked
     if _is_given(result) and result.default is not None:
         yield f"  {result.name} = {_measured(result.default, unit, spell)}"
@@ -154,7 +154,7 @@ def _of_definition(group: Definition | Solved, known: Letters, spell: Speller) -
 
 
 def _of_findings(compilation: Compilation, spell: Speller) -> Iterator[str]:
-    """Yield what every expectation came to."""
+    """Yield a line on the outcome of every expectation."""
     results = {result.name: result for result in compilation.found}
     for finding in compilation.findings:
         unit = scale_of(results[finding.expect.subject], compilation.mechanism)

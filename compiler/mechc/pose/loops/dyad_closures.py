@@ -264,7 +264,7 @@ def _aligned(turn: Turning, direction: Angle) -> Angle:
 
 
 def _beta(name: str) -> str:
-    """Return what the inclination is called of a part whose direction has a name."""
+    """Return the name of the inclination of a part whose direction has a name."""
     return f"beta_{name.removeprefix('phi_')}"
 
 

@@ -40,7 +40,7 @@ def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
 
 
 def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
-    """Return a formula, the numbers put in and what it comes to, as one display."""
+    """Return a formula, the numbers put in and its value, as one display."""
     left = box(Symbol(line.name), style)
     if line.kind == "list" and line.formula and line.value and line.asked:
         found, asked = measure(line.value, style), measure(line.asked, style)
@@ -62,7 +62,7 @@ def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
 def _broken(
     line: NoteLine, formula: Formula, left: Box, value: Box, where: str, style: Notation
 ) -> str:
-    """Return a formula that no line holds, broken, and what it comes to, without the numbers."""
+    """Return a formula that no line holds, broken, and its value, without the numbers."""
     broken = display((Line(left, formula, line.dimension == ANGLE),), style, where)
     return f"{broken}\n\\[ {left.tex}={value.tex} \\]" if line.value else broken
 

@@ -255,7 +255,7 @@ def check(verdict: Verdict, locale: Locale, style: Notation) -> str:
 
 
 def untried(verdict: Verdict, locale: Locale, style: Notation) -> tuple[str, ...]:
-    """Return what fewer poses judge than are wanted, a sentence each."""
+    """Return a sentence on each result that was checked at fewer poses than are wanted."""
     spell = Speller(style)
     return tuple(
         locale.checked["judged"].format(

@@ -86,7 +86,7 @@ def alternatives(items: Iterable[str], locale: Locale) -> str:
 
 
 def direction_function(locale: Locale, spell: Speller) -> str:
-    """Return what ``atan2`` gives."""
+    """Return the sentence on the value of ``atan2``."""
     x, y = Symbol("x"), Symbol("y")
     names: dict[str, Formula] = {"x": x, "y": y, "function": Call("atan2", (y, x))}
     return locale.atan2.format_map({n: spell.relation((f,), (), True) for n, f in names.items()})

@@ -46,7 +46,7 @@ def render(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> s
 
 
 def in_brief(mechanism: Mechanism, results: Sequence[Result], spell: Speller) -> Iterator[str]:
-    """Yield what each formula comes to, and the checks."""
+    """Yield the value of each formula, and the checks."""
     found, signs = note(mechanism, results), _signs(mechanism, spell.signs)
     words = spell.locale.calculation
     lines = [_line(line, signs, words, in_numbers=False) for line in found.lines]

@@ -26,7 +26,7 @@ def to_text(verdict: Verdict, words: Words = EN) -> str:
 
 
 def untried(remarks: Sequence[Untried], words: Words) -> Iterator[str]:
-    """Yield what fewer poses judge than are wanted, and why."""
+    """Yield a line on each result that was checked at fewer poses than are wanted, and why."""
     for result, count, poses, reason in remarks:
         yield words["judged"].format(name=result, count=count, poses=poses, reason=words[reason])
 
