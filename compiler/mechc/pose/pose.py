@@ -112,6 +112,8 @@ class PointContact(NamedTuple):
 class Pose:
     """A mechanism with its directions found.
 
+    ``mechanism`` is the described one, in which what closing its loops found is a formula: reports
+    list what is given by the description, and code computes by this one.
     ``frames[link][point]`` is the vector from the link's first point to the point;
     ``guides[point]`` the direction of a slider's guide; ``lines[force]`` the direction
     of a force; ``axis`` the mirror line's direction. ``definitions`` give the named
