@@ -1,6 +1,6 @@
 """Mechanisms as newcomers describe them, from collections and textbooks, by drawn coordinates.
 
-Each compiles as it was first written, and its loads balance in every motion that a reading of
+Slips of those who wrote them are corrected; the loads balance in every motion that a reading of
 the same lines by coordinates allows (:mod:`reference_drawn`).
 """
 
