@@ -8,7 +8,7 @@ from ..formula.walk import symbols
 from ..frozen import replace
 from ..source import Source, Span
 from ..syntax import ast
-from ..units import ANGLE, LENGTH, UNITS, Dimension, si_unit
+from ..units import ANGLE, LENGTH, UNITS, USUAL_UNITS, Dimension, si_unit
 from . import written
 from .constants import expressions_in, leaves
 from .mechanism import Let, Mechanism, Parameter, Require, Taken
@@ -94,9 +94,16 @@ class _Units:
         near = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) == text]
         far = [self._known.get(n, "") for n in names if self._text_of.get(n, 0) != text]
         own, around = self._in_text.get(0, ()), self._in_text.get(text, ())
-        units = [*line, *near, *own, *far, *around]
+        units = [*line, *near, *own, *far, *around, *self._elsewhere(dimension)]
         usual = ["deg"] if dimension == ANGLE else _powers(units, dimension)
         return next((u for u in chain(units, usual) if _measures(u, dimension)), "")
+
+    def _elsewhere(self, dimension: Dimension) -> list[str]:
+        """Return the units of all texts, the usual one first; none where that is of the SI."""
+        usual = USUAL_UNITS.get(dimension, "")
+        if usual == si_unit(dimension):
+            return []
+        return sorted(chain.from_iterable(self._in_text.values()), key=lambda unit: unit != usual)
 
 
 def _parameter(parameter: Parameter, line: Line | None, text: Callable[[Line], str]) -> Parameter:
