@@ -24,6 +24,7 @@ from .model.mechanism import Link, Mechanism
 from .model.result import Definition, Result
 from .model.sheets import is_sheet
 from .model.uses import Composed, with_used
+from .model.values import defaults, independent
 from .pose.from_model import solve_pose
 from .pose.pose import Pose
 from .power.balance import Balance
@@ -40,7 +41,8 @@ from .study.stroke.gaps import remark as look_for_gaps
 from .study.stroke.in_step import remark
 from .syntax import ast
 from .syntax.notation import read
-from .syntax.settings import Settings, attached, driven_by, put_in
+from .syntax.settings import Setting, Settings, attached, driven_by, parse, put_in
+from .units import in_unit, si_unit
 from .version import VERSION
 from .work import Allowance
 
@@ -88,6 +90,9 @@ VIEWS: Mapping[str, str] = {
 
 SECOND_OPINIONS = ("verdict", "constant_efficiency", "findings", "out_of_step", "gaps")
 """The attributes that hold what statics, the user's ``expect`` lines and the drive say of it."""
+
+EXACT = 15
+"""Digits of a value that is handed on to a used mechanism."""
 
 OF_LINKAGES = frozenset(
     {"plan", "balance", "solution", "verdict", "constant_efficiency", "out_of_step", "gaps"}
@@ -158,10 +163,36 @@ class Compilation:
         used = Compilation(source, users=self.users)
         file, mechanism = used.composed, used.mechanism
         if is_part or is_sheet(mechanism):
-            return Used(file, mechanism, used.source, used._with_used.solved)
+            inner = used._with_used
+            return Used(file, mechanism, used.source, inner.solved, mechanisms=inner.mechanisms)
         used.verdict  # noqa: B018 - what the free bodies refute is not handed on
         pose = used.pose
         return Used(file, pose.mechanism, used.source, solved(pose, used.solution.results))
+
+    @Stage
+    def used_mechanisms(self) -> "tuple[tuple[str, Compilation], ...]":
+        """The mechanisms that a sheet uses, by their prefixes, at the values that it gives them."""
+        if not self.calculation:
+            return ()
+        values = {result.name: result.default for result in self.found}
+        values |= defaults(self.mechanism)
+        return tuple(
+            (prefix, self._at_values(source, prefix, values))
+            for prefix, source in self._with_used.mechanisms
+        )
+
+    def _at_values(
+        self, source: Source, prefix: str, values: Mapping[str, float | None]
+    ) -> "Compilation":
+        """Return a used mechanism whose parameters have the values that their names have here."""
+        settings: dict[str, Setting] = {}
+        for parameter in independent(Compilation(source, users=self.users).mechanism):
+            value = values.get(f"{prefix}_{parameter.name}")
+            if value is not None:
+                unit = parameter.unit or si_unit(parameter.dimension)
+                name, setting = parse(f"{parameter.name} = {in_unit(value, unit, EXACT)}")
+                settings[name] = setting
+        return checked(Compilation(source, settings, users=self.users))
 
     @Stage
     def mechanism(self) -> Mechanism:

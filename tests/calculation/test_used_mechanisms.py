@@ -119,11 +119,26 @@ def test_c_computes_what_the_interpreter_does(clamped: Clamped, tmp_path: Path) 
 
 
 @pytest.mark.parametrize("language", ["en", "uk", "ru"])
-def test_the_note_has_formulas_of_mechanisms(clamped: Clamped, language: str) -> None:
-    """Each behind what it mentions; of what is iterated there is the value alone."""
+def test_the_note_has_results_and_the_derivation_behind_it(clamped: Clamped, language: str) -> None:
+    """At the values that the sheet gives: f is 0.05 here, and 0.1 in the mechanism."""
     text = clamped.sheet.emit("latex", language=language)
-    assert text.index("C_d=20") < text.index(r"C_{\rho}=") < text.index("C_{k,f}")
-    assert "C_{R,O,x,f}=" in text
+    note, derived = text.split("\\clearpage\n")
+    assert r"C_{R,O,x,f}=" in note
+    assert r"C_{\rho}" not in text
+    assert r"\begin{tikzpicture}" in derived
+    assert "0{,}05" in derived or "0.05" in derived
+    assert r"\boxed{k=\frac{P}{Q}=" in derived
+    assert "tikz" not in clamped.sheet.emit("latex", fragment=True)
+
+
+def test_a_sheet_within_derives_its_mechanism_too(tmp_path: Path) -> None:
+    inner = 'sheet within\nparam W = 1 kN\nuse "crank.mech" as A (F = W, l = 0.1 m)\n'
+    outer = 'sheet outer\nuse "inner.mech" as I (W = 2 kN)\nlet x = I_A_M/(1 cm)\n'
+    found = mechc.load(written(tmp_path, outer, inner=inner))._compilation.used_mechanisms
+    assert [prefix for prefix, _ in found] == ["I_A"]
+    assert found[0][1].found[0].default == pytest.approx(
+        mechc.load(tmp_path / "crank.mech").evaluate(l=0.1)["k"]
+    )
 
 
 def test_what_a_mechanism_does_not_rest_on_is_no_mistake(tmp_path: Path) -> None:

@@ -20,6 +20,7 @@ class Known(NamedTuple):
     figure: Figure | None = None
     free_bodies: tuple[Diagram, ...] = ()
     motion: Motion | None = None
+    used_mechanisms: tuple[()] = ()
 
     @property
     def reported(self) -> Derivation:

@@ -93,6 +93,11 @@ class Compiled(Protocol):
         ...
 
     @property
+    def used_mechanisms(self) -> "tuple[tuple[str, Compiled], ...]":
+        """Return the mechanisms that a sheet uses, by their prefixes, at the values it gives."""
+        ...
+
+    @property
     def version(self) -> str:
         """Return the version of mechc, for the header of what is emitted."""
         ...

@@ -28,7 +28,8 @@ class Used(NamedTuple):
     """What is used: its tree, what that means, and its text with what it uses itself.
 
     The text begins at ``start`` in that of the sheet that uses it. ``solved`` is what was found
-    of a mechanism, or of those that a sheet uses itself.
+    of a mechanism, or of those that a sheet uses itself; ``mechanisms`` are the texts of these,
+    by their prefixes.
     """
 
     file: ast.File
@@ -36,6 +37,7 @@ class Used(NamedTuple):
     source: Source
     solved: Solved
     start: int = 0
+    mechanisms: tuple[tuple[str, Source], ...] = ()
 
     @property
     def span(self) -> Span:

@@ -48,11 +48,15 @@ DOTTED = re.compile(r"\w\.[A-Z]")
 
 
 class Composed(NamedTuple):
-    """A file with what it uses put in, and what was found of the mechanisms among that."""
+    """A file with what it uses put in, and what was found of the mechanisms among that.
+
+    ``mechanisms`` are the texts of these by their prefixes, ``parts`` those that are joined.
+    """
 
     file: ast.File
     solved: Solved = Solved()
     parts: tuple[Subassembly, ...] = ()
+    mechanisms: tuple[tuple[str, Source], ...] = ()
 
 
 def with_used(file: ast.File, report: Report, users: Users, resolve: Resolve) -> Composed:
@@ -79,6 +83,7 @@ class _Composing:
         self._joined = structural(file)
         self._parts: dict[str, Part] = {}
         self._solved = Solved()
+        self._mechanisms: list[tuple[str, Source]] = []
 
     def composed(self) -> Composed:
         """Return the file with all that it uses, as far as nothing is wrong."""
@@ -104,7 +109,7 @@ class _Composing:
             Subassembly(prefix, part.used.mechanism.name, tuple(part.points.items()))
             for prefix, part in self._parts.items()
         )
-        return Composed(file, self._solved, parts)
+        return Composed(file, self._solved, parts, tuple(self._mechanisms))
 
     def _brought(self, use: ast.Use) -> Sequence[ast.Statement] | None:
         """Return the statements that a line brings in; None where an error is reported."""
@@ -121,6 +126,7 @@ class _Composing:
             self._report.add(messages.mechanism_in_a_mechanism(use.used.span, used.span))
             return None
         self._solved += renamed(without_given(used, use), use.prefix.text, used.start)
+        self._mechanisms += _mechanisms(use.prefix.text, used)
         return tuple(brought_in(use, used, self._report))
 
     def _part(self, use: ast.Use, used: Used) -> Sequence[ast.Statement] | None:
@@ -153,6 +159,14 @@ class _Composing:
         elif clash := next((name for name in names if name in self._taken), None):
             self._report.add(messages.prefix_clashes(span, clash, self._taken[clash]))
         self._taken |= {name: span for name in names if name not in self._taken}
+
+
+def _mechanisms(prefix: str, used: Used) -> Iterator[tuple[str, Source]]:
+    """Yield the text of a mechanism that is used, or those that a sheet uses, by their prefixes."""
+    if not is_sheet(used.mechanism):
+        yield prefix, replace(used.source, attached=())
+    for inner, source in used.mechanisms:
+        yield f"{prefix}_{inner}", source
 
 
 def _without_dots(statements: Iterable[ast.Statement], names: Names) -> list[ast.Statement]:

@@ -26,7 +26,8 @@ class NoteLine(NamedTuple):
     There is no ``formula`` of what is iterated.
     ``of`` is the table or list that is asked, for what ``formula`` comes to: ``asked``. Of
     several things that the largest or smallest is taken of, one ``decides``. There are no
-    ``numbers`` where nothing is put in, and no ``value`` where a parameter has none.
+    ``numbers`` where nothing is put in, and no ``value`` where a parameter has none. A line that
+    ``is_taken`` is of a mechanism that the sheet uses.
     """
 
     name: str
@@ -39,6 +40,7 @@ class NoteLine(NamedTuple):
     asked: Quantity | None
     decides: Formula | None
     dimension: Dimension
+    is_taken: bool = False
 
     @property
     def is_number(self) -> bool:
@@ -158,8 +160,8 @@ def _formulas(result: Result) -> list[Formula]:
 def _plain(
     name: str, label: str, formula: Formula | None, value: Quantity | None, dimension: Dimension
 ) -> NoteLine:
-    """Return a line without the numbers put in."""
-    return NoteLine(name, label, "", "", formula, None, value, None, None, dimension)
+    """Return a line of a used mechanism, without the numbers put in."""
+    return NoteLine(name, label, "", "", formula, None, value, None, None, dimension, True)
 
 
 def _line(let: Let, given: Mapping[str, Quantity]) -> NoteLine:

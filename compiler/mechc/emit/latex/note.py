@@ -1,6 +1,7 @@
 """The report of a calculation sheet, ready for its template."""
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from itertools import groupby
 from typing import NamedTuple
 
 from ...frozen import replace
@@ -9,7 +10,7 @@ from ...report.languages.locale import Locale
 from ...report.latex.directions import math
 from ...report.latex.display import LINE
 from ...report.latex.given import ParameterRow, parameter_row
-from ...report.latex.notation import Notation, relation_sign, spellings, translated
+from ...report.latex.notation import Notation, name, relation_sign, spellings, translated
 from ...report.latex.note import in_numbers, measure, remark
 from ...report.latex.printer import Box, box, latex
 from ...report.latex.quantity import decimal
@@ -63,8 +64,13 @@ class NoteReport(NamedTuple):
     checks: tuple[CheckRow, ...]
 
 
-def note_report(compiled: Compiled, locale: Locale, style: Notation, fragment: bool) -> NoteReport:
-    """Return the report of a calculation sheet."""
+def note_report(
+    compiled: Compiled, locale: Locale, style: Notation, fragment: bool, is_derived: bool = False
+) -> NoteReport:
+    """Return the report of a calculation sheet.
+
+    Of used mechanisms whose results it derives, too, behind the calculation, there are values only.
+    """
     mechanism = compiled.mechanism
     found = note(mechanism, compiled.derivation.results)
     style = _style(compiled, found, style)
@@ -78,7 +84,7 @@ def note_report(compiled: Compiled, locale: Locale, style: Notation, fragment: b
         source=translated(mechanism.source, style),
         parameters=tuple(parameter_row(p, locale, style) for p in mechanism.parameters),
         tables=tuple(table_blocks(mechanism, style)),
-        lines=tuple(_line(line, locale, style) for line in found.lines),
+        lines=tuple(_lines(found.lines, locale, style, is_derived)),
         checks=tuple(_check(check, words, style) for check in found.checks),
     )
 
@@ -118,6 +124,28 @@ def _parts(columns: Sequence[tuple[Box, ...]]) -> Iterator[list[tuple[Box, ...]]
         part.append(column)
         width += widest
     yield part
+
+
+def _lines(
+    lines: Iterable[NoteLine], locale: Locale, style: Notation, is_derived: bool
+) -> Iterator[LineBlock]:
+    """Yield the formulas; what used mechanisms give in a row, where that is derived elsewhere."""
+    for is_taken, group in groupby(lines, lambda line: line.is_taken and is_derived):
+        if is_taken:
+            label = locale.calculation["derived"]
+            yield LineBlock(label, _values(group, style), "")
+        else:
+            yield from (_line(line, locale, style) for line in group)
+
+
+def _values(lines: Iterable[NoteLine], style: Notation) -> str:
+    """Return what results come to, to be read as a sentence."""
+    said = (
+        math(f"{name(line.name, style)}={measure(line.value, style).tex}")
+        for line in lines
+        if line.value and line.label
+    )
+    return rf"{', '.join(said)}.\par\medskip"
 
 
 def _line(line: NoteLine, locale: Locale, style: Notation) -> LineBlock:

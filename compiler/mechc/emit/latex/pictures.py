@@ -16,7 +16,7 @@ from ...study.stroke.stroke import Stroke
 from ..pgfplots.to_pgfplots import tikzpicture as plotted
 from ..target import Compiled
 from ..tikz.picture import definitions, tikzpicture
-from .picture_lines import Pictures
+from .picture_lines import NONE, Pictures
 from .tables import along_stroke, head, number, tabular
 
 WIDE, HIGH = 155.0, 200.0
@@ -56,6 +56,12 @@ def pictures(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
             *_tables(others, locale, style),
         ),
     )
+
+
+def scheme_alone(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
+    """Return the scheme of a mechanism as its only picture."""
+    drawing = compiled.drawn_scheme(style.language)
+    return NONE._replace(scheme=tuple(_drawn(drawing, locale.pictures["scheme"], locale)))
 
 
 def _wanted(compiled: Compiled) -> tuple[Reported, ...]:

@@ -267,6 +267,12 @@ def _tables(_known: Mapping[str, Any]) -> str:
     return "".join(_parts)
 
 
+def _used(_known: Mapping[str, Any]) -> str:
+    _parts: list[str] = []
+    _parts += ['\\clearpage\n\\', str(_known["section"]), '*{', str(_known["heading"]), '}\n\\noindent ', str(_known["sentence"]), '\\par\\medskip\n', str(_known["body"])]
+    return "".join(_parts)
+
+
 def _vectors_abreast(_known: Mapping[str, Any]) -> str:
     _parts: list[str] = []
     _parts += ['\\begin{longtable}[l]{@{}*{2}{>{\\raggedright\\arraybackslash}p{0.085\\linewidth}>{\\raggedright\\arraybackslash}p{0.19\\linewidth}>{\\raggedright\\arraybackslash}p{0.11\\linewidth}}@{}}\n\\toprule\n', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' & ', str(_known["locale"].vector), ' & ', str(_known["locale"].length), ' & ', str(_known["locale"].direction), ' \\\\\n\\midrule\n\\endhead\n']
@@ -290,5 +296,6 @@ TEMPLATES = {
     "latex/notebook_note.jinja": _notebook_note,
     "latex/report.jinja": _report,
     "latex/tables.jinja": _tables,
+    "latex/used.jinja": _used,
     "latex/vectors_abreast.jinja": _vectors_abreast,
 }

@@ -16,6 +16,7 @@ from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
 from ...report.languages import registry
 from ...report.languages.locale import Locale
+from ...report.latex.directions import math
 from ...report.latex.display import LINE, Line, display, vanishing
 from ...report.latex.document_style import style_of
 from ...report.latex.given import (
@@ -26,7 +27,7 @@ from ...report.latex.given import (
     scheme,
     vector_rows,
 )
-from ...report.latex.notation import Notation, notation, translated
+from ...report.latex.notation import Notation, name, notation, translated
 from ...report.latex.numbers import in_line, numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.results import (
@@ -113,6 +114,15 @@ class Brief(NamedTuple):
     values: str
 
 
+class UsedMechanism(NamedTuple):
+    """All that the template of a mechanism in the report of a sheet prints."""
+
+    section: str
+    heading: str
+    sentence: str
+    body: str
+
+
 class Document(NamedTuple):
     """All that the template of a whole document prints."""
 
@@ -133,7 +143,7 @@ class Latex:
         """Return one ``.tex`` file."""
         locale = registry.locale(options.language)
         body = _body(compiled, locale, notation(options.language), options)
-        pictured = options.pictures or compiled.mechanism.reported
+        pictured = options.pictures or compiled.mechanism.reported or compiled.used_mechanisms
         drawn = _preamble() if pictured and not options.brief else ()
         text = body if options.fragment else document(body, locale, drawn)
         return (Emitted(f"{options.stem}.tex", text),)
@@ -146,8 +156,10 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
     """Return the report of a mechanism, or the calculation note of a sheet."""
     derivation = compiled.by_equilibrium if options.by == "equilibrium" else compiled.reported
     if is_sheet(compiled.mechanism):
-        note = note_report(compiled, locale, style, options.fragment)
-        return render("latex/note.jinja", note)
+        used = () if options.brief else compiled.used_mechanisms
+        note = note_report(compiled, locale, style, options.fragment, is_derived=bool(used))
+        parts = (_used(prefix, part, locale, options) for prefix, part in used)
+        return "\n".join((render("latex/note.jinja", note), *parts))
     style = style_of(compiled.mechanism, compiled.derivation.results, style)
     derivation = chosen(derivation, compiled.mechanism)
     if options.brief:
@@ -155,6 +167,29 @@ def _body(compiled: Compiled, locale: Locale, style: Notation, options: Options)
         return render("latex/brief.jinja", in_brief)
     whole = report(compiled, derivation, locale, style, options)
     return render("latex/body.jinja", whole)
+
+
+def _used(prefix: str, compiled: Compiled, locale: Locale, options: Options) -> str:
+    """Return the report of a mechanism that a sheet uses, with its scheme."""
+    known, derivation = compiled.derivation.results, chosen(compiled.reported, compiled.mechanism)
+    style = style_of(compiled.mechanism, known, notation(options.language))
+    whole = report(compiled, derivation, locale, style, options._replace(fragment=True))
+    if whole.pictures == NONE and not options.fragment:
+        whole = whole._replace(pictures=_scheme(compiled, locale, style))
+    words = (locale.calculation[key] for key in ("mechanism", "index"))
+    heading, sentence = (said.format(prefix=math(name(prefix, style))) for said in words)
+    part = UsedMechanism(_section(options), heading, sentence, render("latex/body.jinja", whole))
+    return render("latex/used.jinja", part)
+
+
+def _section(options: Options) -> str:
+    return "subsection" if options.fragment else "section"
+
+
+def _scheme(compiled: Compiled, locale: Locale, style: Notation) -> Pictures:
+    from .pictures import scheme_alone
+
+    return scheme_alone(compiled, locale, style)
 
 
 def document(body: str, locale: Locale, pictures: Iterable[str] = ()) -> str:
@@ -195,7 +230,7 @@ def report(
         made_by=locale.made_by.format(version=compiled.version),
         conventions=_conventions(whole, mechanism, locale, style),
         convention_of_speeds=_convention(derivation, locale),
-        section="subsection" if options.fragment else "section",
+        section=_section(options),
         kind=subject(derivation.results, locale),
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),
@@ -261,7 +296,7 @@ def brief(
     return Brief(
         locale=locale,
         made_by=locale.made_by.format(version=compiled.version),
-        section="subsection" if options.fragment else "section",
+        section=_section(options),
         kind=subject(derivation.results, locale),
         title=translated(mechanism.title or mechanism.name, style),
         source=translated(mechanism.source, style),

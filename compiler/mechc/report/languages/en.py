@@ -327,6 +327,10 @@ LOCALE = Locale(
         "verdict": "Verdict",
         "holds": "holds",
         "least": "holds, the least reserve",
+        "derived": "Results of the mechanism, derived below",
+        "mechanism": "Mechanism {prefix}",
+        "index": "In the calculation its quantities have the prefix {prefix}; "
+        "here they stand as in its own description, at the values that the calculation gives it.",
     },
     pictures=pictured.EN,
     checked=checked.EN,
