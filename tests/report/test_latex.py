@@ -10,7 +10,8 @@ import pytest
 from jinja2 import meta
 
 import mechc
-from mechc.emit.latex.to_latex import TARGET, Report
+from mechc.emit.latex.blocks import Report
+from mechc.emit.latex.to_latex import TARGET
 from mechc.emit.make_templates import EMIT, environment
 from mechc.emit.target import Options
 from mechc.formula.tree import Call, Sum, Symbol

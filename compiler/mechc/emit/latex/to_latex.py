@@ -4,8 +4,7 @@ A fragment needs amsmath, array, booktabs and longtable; where it holds Cyrillic
 also the font encoding T2A (pdfTeX) or a font that has them (XeTeX, LuaTeX).
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
-from typing import NamedTuple
+from collections.abc import Iterable, Iterator, Sequence
 
 from ...formula.tree import ZERO
 from ...model.mechanism import Mechanism, Parameter
@@ -20,8 +19,6 @@ from ...report.latex.directions import math
 from ...report.latex.display import LINE, Line, display, vanishing
 from ...report.latex.document_style import style_of
 from ...report.latex.given import (
-    ParameterRow,
-    VectorRow,
     in_vectors,
     parameter_row,
     scheme,
@@ -31,7 +28,6 @@ from ...report.latex.notation import Notation, name, notation, translated
 from ...report.latex.numbers import in_line, numbers, values
 from ...report.latex.printer import Box, box, plain, row
 from ...report.latex.results import (
-    SectionBlock,
     Speller,
     check,
     definitions,
@@ -50,87 +46,9 @@ from ...report.sentences.wording import (
 )
 from ..render import render
 from ..target import Compiled, Emitted, Options
-from .note import TableBlock, note_report, table_blocks
+from .blocks import Brief, Document, PositionBlock, Report, StepBlock, UsedMechanism
+from .note import note_report, table_blocks
 from .picture_lines import NONE, Pictures
-
-
-class StepBlock(NamedTuple):
-    """One step of the derivation, ready for LaTeX."""
-
-    sentence: str
-    relations: str
-    results: str
-
-
-class PositionBlock(NamedTuple):
-    """The directions and lengths that one loop gives, ready for LaTeX."""
-
-    sentence: str
-    displays: tuple[str, ...]
-
-
-class Report(NamedTuple):
-    """All that the body's template prints."""
-
-    locale: Locale
-    made_by: str
-    section: str
-    kind: str
-    conventions: str
-    convention_of_speeds: str
-    title: str
-    source: str
-    parameters: tuple[ParameterRow, ...]
-    words: Mapping[str, str]
-    tables: tuple[TableBlock, ...]
-    scheme: tuple[str, ...]
-    vectors: tuple[VectorRow, ...]
-    position: tuple[PositionBlock, ...]
-    steps: tuple[StepBlock, ...]
-    several: str
-    balances: str
-    last: str
-    results: tuple[SectionBlock, ...]
-    conditions: str
-    of_position: tuple[str, ...]
-    values: str
-    numbers: tuple[str, ...]
-    check: str
-    remarks: tuple[str, ...]
-    pictures: Pictures
-
-
-class Brief(NamedTuple):
-    """All that the template of a report in brief prints."""
-
-    locale: Locale
-    made_by: str
-    section: str
-    kind: str
-    title: str
-    source: str
-    displays: tuple[str, ...]
-    numbers: tuple[str, ...]
-    values: str
-
-
-class UsedMechanism(NamedTuple):
-    """All that the template of a mechanism in the report of a sheet prints."""
-
-    section: str
-    heading: str
-    sentence: str
-    body: str
-
-
-class Document(NamedTuple):
-    """All that the template of a whole document prints."""
-
-    body: str
-    babel: str
-    eastern: bool
-    cyrillic: bool
-    pictures: tuple[str, ...]
 
 
 class Latex:
