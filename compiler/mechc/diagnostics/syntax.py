@@ -211,7 +211,7 @@ def unclosed_text(span: Span) -> Message:
 def stated_twice(span: Span, what: str, first: Span) -> Message:
     """Something that can be said only once is said twice.
 
-    One description has one ``mechanism`` line, one ``source``, one ``mirror``,
+    One description has one ``mechanism`` or ``sheet`` line, one ``source``, one ``mirror``,
     ``copies``, ``gravity``, ``motion`` and ``efficiency``.
     """
     related = (Related(first, "first stated here"),)

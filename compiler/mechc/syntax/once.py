@@ -24,8 +24,20 @@ def check_once(statements: Sequence[ast.Statement], report: Report) -> None:
     for statement in statements:
         kind = ast.Heading if isinstance(statement, ast.Heading) else type(statement)
         if kind in ONCE and kind in first:
-            note(syntax.stated_twice(statement.span, ONCE[kind], first[kind].span), report)
+            what = _called(statement, first[kind])
+            note(syntax.stated_twice(statement.span, what, first[kind].span), report)
         first.setdefault(kind, statement)
     for statement in statements[1:]:
         if isinstance(statement, ast.Version) and statement is first[ast.Version]:
             note(syntax.version_not_first(statement.span), report)
+
+
+def _called(statement: ast.Statement, first: ast.Statement) -> str:
+    """Return the word of what is stated twice; a sheet has a heading of its own."""
+    match first, statement:
+        case ast.SheetHeading(), ast.SheetHeading():
+            return "sheet"
+        case (ast.SheetHeading(), _) | (_, ast.SheetHeading()):
+            return "mechanism or sheet"
+        case _:
+            return ONCE[type(first)]
