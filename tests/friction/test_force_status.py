@@ -4,6 +4,8 @@ import ctypes
 import math
 import shutil
 import subprocess
+from collections.abc import Callable
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -100,15 +102,29 @@ def code(mechanism: SolvedMechanism) -> dict[str, object]:
     return space
 
 
+def in_c(knee: SolvedMechanism, folder: Path, real: str) -> Callable[[float, float], int]:
+    """Return the status of the force at O by compiled code, at an angle and a load."""
+    for file in knee.emit_files("c", c_real=real):
+        (folder / file.name).write_text(file.text, encoding="utf-8")
+    command = "gcc -std=c99 -Wall -Wextra -Werror -fPIC -shared knee.c -o knee.so -lm"
+    subprocess.run(command.split(), cwd=folder, check=True)
+    single = ctypes.CDLL(str(folder / "knee.so")).knee_R_O_f_status
+    single.argtypes = [ctypes.c_double if real == "double" else ctypes.c_float] * 4
+    return lambda alpha, load: single(*values(alpha, load).values())
+
+
 @pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
 def test_python_and_c_say_the_same(knee, tmp_path):
-    for file in knee.emit_files("c"):
-        (tmp_path / file.name).write_text(file.text, encoding="utf-8")
-    command = "gcc -std=c99 -Wall -Wextra -Werror -fPIC -shared knee.c -o knee.so -lm"
-    subprocess.run(command.split(), cwd=tmp_path, check=True)
-    single = ctypes.CDLL(str(tmp_path / "knee.so")).knee_R_O_f_status
-    single.argtypes = [ctypes.c_double] * 4
-    of_python = code(knee)["R_O_f_status"]
+    single, of_python = in_c(knee, tmp_path, "double"), code(knee)["R_O_f_status"]
     for alpha, load in POSES:
-        given = (0.2, alpha, 0.1, load)
-        assert single(*given) == of_python(*given)
+        assert single(alpha, load) == of_python(*values(alpha, load).values())
+
+
+@pytest.mark.skipif(shutil.which("gcc") is None, reason="no gcc")
+def test_single_precision_gives_up_earlier(knee, tmp_path):
+    """The load moves the knee or jams it before its dead centre at 90 degrees; it never holds."""
+    single = in_c(knee, tmp_path, "float")
+    beside = [(math.pi / 2 - 10.0**-n, load) for n in range(1, 10) for load in LOADS]
+    found = [single(*pose) for pose in beside]
+    assert set(found) == {0, 2, 4}
+    assert found[:4] == [4, 0, 4, 0]

@@ -45,11 +45,12 @@ ROUNDED = Fraction(3, 100)
 They are at the outset, and no longer at the end: on the way a force may turn round.
 """
 
-TOO_LARGE = Fraction(10) ** 14
-"""The sum of squares of D at which nothing is told.
+TOO_LARGE = Fraction(2) ** 46
+"""The sum of squares of D at which nothing is told: about 1e14, and no number of a user's.
 
 Beside a dead centre forces of 1e7 times their sum may cancel, so that Newton's corrections stop
-to shrink by rounding, as they do where the branch of solutions ends.
+to shrink by rounding, as they do where the branch of solutions ends. Code in single precision
+has a limit of its own by this one's digits (``emit.c.real``).
 """
 
 

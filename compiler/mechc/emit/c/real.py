@@ -44,9 +44,13 @@ FLOAT = Real("float", "uint32_t", 31, "0x7f800000u", "0x7fffffffu", 3e-4, 1e-8)
 
 REALS = {real.name: real for real in (DOUBLE, FLOAT)}
 
-NOT_NOTHING = {"1e+60": "1e+36"}
-"""What keeps a friction circle's root off zero, 1/(10^30)^2, and what does so in ``float``."""
+OF_ROUNDING = {"1e+60": "1e+36", "70368744177664.0": "1e+8"}
+"""Numbers that stand for the rounding of ``double``, and those that do so for ``float``.
 
+They keep a friction circle's root off zero, 1/(10^30)^2, and friction from being solved where
+rounding decides, 1/:data:`~mechc.friction.coupled.TOO_LARGE`: where forces of 1e4 times their
+sum cancel, ``float`` leaves three digits.
+"""
 _LARGEST, _LEAST = 3.4e38, 1.2e-38
 _FUNCTIONS = """
     sin cos tan asin acos atan atan2 sqrt hypot fabs exp log pow fmin fmax
@@ -91,7 +95,7 @@ def _single(token: re.Match[str]) -> str:
 
 
 def _held(number: str) -> str:
-    number = NOT_NOTHING.get(number, number)
+    number = OF_ROUNDING.get(number, number)
     if float(number) > _LARGEST or 0.0 < float(number) < _LEAST:
         raise MechcError([beyond_single_precision(number)])
     return number
