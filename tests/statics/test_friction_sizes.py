@@ -121,3 +121,29 @@ def test_a_knee_that_is_all_but_straight_is_followed_to_the_force_that_releases_
     by_hand = 2 * math.tan(math.radians(alpha) - math.asin(f * 10 / 80))
     assert held.statics == pytest.approx(by_hand, rel=1e-8)
     assert not held.is_one_of_several
+
+
+def test_a_pair_that_nothing_presses_turns_no_force():
+    """T5 slides in its slot without a load: what presses it is zero, and has no direction."""
+    text = """
+param q = 1
+pivot O at (0, 0)
+pivot G6 at (131 mm, -20 mm)
+pivot G9 at (111 mm, -85 mm)
+link OA
+OA = 50 mm @ phi
+param phi = 111 deg
+slot T5 in OA
+slider T5 along 217 deg through G6
+slot T8 in OA
+slider T8 along 147 deg through G9
+drive phi from 96 deg to 125 deg
+torque M on OA
+force F at T8 along 79 deg
+friction pins 0.173*q diameter 6 mm coulomb
+friction contact T5 0.083*q
+friction contact T8 0.033*q
+find k = M/F
+"""
+    compilation = Compilation(Source("idle_slot.mech", text))
+    assert not any(trial.is_one_of_several for trial in compilation.verdict.trials)

@@ -223,7 +223,7 @@ def test_where_a_length_is_infinite_k_jumps_and_has_neither_pole_nor_extremum():
     assert [s.value for s in seen.stroke.singular if not s.sides] == ["0", "0"]
     assert [s.kind for s in seen.jumps] == ["far", "far"]
     assert seen.jumps[0].sides == pytest.approx((0.0241564, 0.00737336), rel=1e-5)
-    assert "k jumps from 0.0241564 to 0.00737336 at phi = -0.96993" in to_table(seen.stroke)
+    assert "k jumps from 0.0241564 m to 0.00737336 m at phi = -0.96993" in to_table(seen.stroke)
 
 
 def test_a_load_that_works_against_nothing_has_no_singular_poses():

@@ -63,6 +63,9 @@ Where friction is large against the loads, a force and its opposite balance near
 turns at once is another solution.
 """
 
+LITTLE = 1e-4
+"""A force this small against all of them together may turn as it likes: it may be rounding."""
+
 STALLED = 1e-9
 """Corrections this short that no longer shrink are rounding, too."""
 
@@ -185,10 +188,11 @@ class _Way:
 
     def _directions(self, found: Sequence[float], part: float) -> Iterator[list[float]]:
         """Yield the directions of forces, what rounds them off being a component, too."""
+        least = max(self._rounded(found, part), LITTLE * math.hypot(*found))
         for components in self.pairs:
-            sides = [self._rounded(found, part), *self._sides(components, found, part)]
+            sides = [least, *self._sides(components, found, part)]
             size = math.hypot(*sides)
-            yield [side / size if size else 0.0 for side in sides]
+            yield [side / size for side in sides]
 
     def _rounded(self, found: Sequence[float], part: float) -> float:
         return self._roundness * (1 - part) * found[-1]
