@@ -123,7 +123,7 @@ def test_what_is_given_keeps_the_unit_that_it_has_where_it_is_given(tmp_path: Pa
         ("3*d/5/2", "3d / (2 · 5)"),
         ("sqrt(d)*d^(1/2)", "√(d) · √(d) = √(20 mm) · √(20 mm)"),
         ("abs(-d)", "|−d|"),
-        ("abs(z)", "|z| = |-5 mm|"),
+        ("abs(z)", "|z| = |−5 mm|"),
     ],
 )
 def test_formulas_stay_as_they_are_written(formula: str, shown: str) -> None:
@@ -139,6 +139,13 @@ def test_units_that_are_asked_for_and_angles_in_them() -> None:
     )
     compilation = mechc.loads(text)._compilation
     said = [s.strip() for s in render(compilation.derivation, compilation.mechanism).splitlines()]
-    assert "M = ct = 5 N·m/rad · 60° = 5.23599 N*m" in said
+    assert "M = ct = 5 N·m/rad · 60° = 5.23599 N·m" in said
     assert "φ = gx = 2 rad/m · 0.1 m = 11.4592°" in said
-    assert "q = 12 l/min = 0.0002 m^3/s" in said
+    assert "q = 12 l/min = 0.0002 m³/s" in said
+
+
+def test_a_negative_quantity_is_a_number_alone() -> None:
+    compilation = mechc.loads("sheet s\nlet P = -200 N\nlet R = -(3 kN)\n")._compilation
+    said = render(compilation.derivation, compilation.mechanism)
+    assert "  P = −200 N\n" in said
+    assert "  R = −3 kN\n" in f"{said}\n"

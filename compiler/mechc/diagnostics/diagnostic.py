@@ -174,8 +174,11 @@ def near_miss(name: str, known: Iterable[str]) -> str:
     "did you mean 'alpha'?"
     >>> near_miss("q", ["alpha", "beta"])
     ''
+    >>> near_miss("R_A", ["R_A_on_AB_x", "R_A_on_AB", "R_Q"])
+    "did you mean 'R_A_on_AB'?"
     """
     known = list(known)
     twin = [k for k in known if k.lower() == name.lower()]
-    close = twin or get_close_matches(name, known, n=1, cutoff=0.7)
+    longer = sorted((k for k in known if k.startswith(f"{name}_")), key=len)
+    close = twin or longer or get_close_matches(name, known, n=1, cutoff=0.7)
     return f"did you mean {close[0]!r}?" if close else ""

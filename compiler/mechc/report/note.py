@@ -9,7 +9,7 @@ from collections.abc import Iterator, Mapping, Sequence
 from typing import Literal, NamedTuple
 
 from ..formula.choices import chosen, is_choice
-from ..formula.tree import Call, Constant, Formula, Implicit, Number, Symbol
+from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import constants, evaluate, symbols, walk
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
@@ -45,11 +45,15 @@ class NoteLine(NamedTuple):
     @property
     def is_number(self) -> bool:
         """Return whether the formula is a number alone, in the unit of its value: a constant."""
-        if self.kind or not isinstance(self.formula, Number | Constant):
+        if self.kind:
             return False
-        if isinstance(self.formula, Number) or self.value is None:
-            return True
-        return split_quantity(self.formula.name)[1] in ("", self.value.unit)
+        match self.formula:
+            case Number():
+                return True
+            case Constant(name) | Product((Number(-1), Constant(name))):
+                return self.value is None or split_quantity(name)[1] in ("", self.value.unit)
+            case _:
+                return False
 
 
 class NoteCheck(NamedTuple):
@@ -120,7 +124,8 @@ def _lines(
         yield from (_line(let, given) for let in mechanism.lets[done : known.before])
         done = known.before
         result = named[known.name]
-        formula = None if _is_iterated(result) else result.formula
+        is_bare = _is_iterated(result) or isinstance(result.formula, Number)  # a number in SI
+        formula = None if is_bare else result.formula
         yield from _mentioned(result, literals, shown) if formula else ()
         yield _plain(known.name, known.label, formula, given.get(known.name), known.dimension)
     yield from (_line(let, given) for let in mechanism.lets[done:])

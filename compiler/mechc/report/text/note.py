@@ -16,7 +16,7 @@ from ...model.written import Written, WrittenTable
 from ...units import ANGLE, in_unit, si_unit
 from ..note import NoteCheck, NoteLine, note
 from ..put_in import Quantity
-from .printer import Signs, print_formula, print_name
+from .printer import Signs, print_formula, print_name, print_quantity
 from .speller import SHOWN, Speller
 
 Words = Mapping[str, str]
@@ -91,11 +91,10 @@ def _given(parameter: Parameter, spell: Speller) -> Row:
         shown = parameter.written or Written(parameter.value)
         said = _asked(shown, shown.formula, signs, parameter.name in signs.angles)
     else:
-        said = in_unit(evaluate(parameter.value, {}), unit, SHOWN)
+        said = print_quantity(in_unit(evaluate(parameter.value, {}), unit, SHOWN), signs)
     if parameter.range:
         ends = (in_unit(evaluate(end, {}), unit, SHOWN) for end in parameter.range)
-        said += f", {spell.locale.range.lower()} {' .. '.join(ends)}"
-    said = said.replace(" deg", signs.degree).replace("-", signs.minus)
+        said += f", {spell.locale.range.lower()} {print_quantity(' .. '.join(ends), signs)}"
     return Row(f"{print_name(parameter.name, signs)} = {said}", parameter.label)
 
 
@@ -165,7 +164,7 @@ def _asked(line: NoteLine | Written, formula: Formula, signs: Signs, angle: bool
 
 
 def _value(quantity: Quantity, signs: Signs) -> str:
-    return quantity.text(SHOWN).replace(" deg", signs.degree)
+    return print_quantity(quantity.text(SHOWN), signs)
 
 
 def _check(check: NoteCheck, signs: Signs, words: Words) -> Row:

@@ -12,6 +12,7 @@
 '2*b/a * cos(alpha) * sin(theta) / cos(alpha + theta)'
 """
 
+import re
 from collections.abc import Mapping, Sequence
 from fractions import Fraction
 from itertools import pairwise
@@ -25,6 +26,8 @@ from ...frozen import frozen
 
 _RAISED = str.maketrans("0123456789-", "⁰¹²³⁴⁵⁶⁷⁸⁹⁻")
 _LOWERED = str.maketrans("0123456789", "₀₁₂₃₄₅₆₇₈₉")
+
+_POWER = re.compile(r"\^(\d+)")
 
 
 @frozen
@@ -86,6 +89,19 @@ def print_name(name: str, signs: Signs) -> str:
     return "_".join((letter, *(GREEK.get(i, print_point(i, signs)) for i in indices)))
 
 
+def print_quantity(quantity: str, signs: Signs) -> str:
+    """Return a number with its unit.
+
+    >>> print_quantity("-14.8 N*m", UNICODE), print_quantity("12 mm^3", UNICODE)
+    ('−14.8 N·m', '12 mm³')
+    """
+    written = quantity.replace(" deg", signs.degree).replace("-", signs.minus)
+    if not signs.fancy:
+        return written
+    raised = _POWER.sub(lambda power: power[1].translate(_RAISED), written)
+    return raised.replace("*", "·")
+
+
 def print_point(name: str, signs: Signs) -> str:
     """Return a point, a link or an index, its numbers lowered."""
     return name.translate(_LOWERED) if signs.fancy else name
@@ -112,10 +128,8 @@ class _Terminal(Typesetter[str]):
         return self.signs.pi
 
     def name(self, name: str) -> str:
-        if name[0] in "0123456789.-(":
-            written = name.replace(" deg", self.signs.degree)
-            return written.replace("*", "·") if self.signs.fancy else written
-        return print_name(name, self.signs)
+        quantity = name[0] in "0123456789.-("
+        return print_quantity(name, self.signs) if quantity else print_name(name, self.signs)
 
     def parentheses(self, inner: str) -> str:
         return f"({inner})"
