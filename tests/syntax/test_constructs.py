@@ -59,6 +59,25 @@ def test_the_whole_file_is_the_same_in_both():
     assert all(node in right for node in left)
 
 
+@pytest.mark.parametrize(
+    ("said", "short"),
+    [
+        ("rack A on O radius 25 mm", "rack A on O 25 mm"),
+        ("rack A on O radius (a + b)/2", "rack A on O (a + b)/2"),
+        ("rack A on O radius radius", "rack A on O radius"),
+        ("gear O1 radius r, O2 radius 2*radius on OS", "gear O1 r, O2 2*radius on OS"),
+        ("belt O1 radius - r, O2 radius r crossed", "belt O1 radius - r, O2 r crossed"),
+    ],
+)
+def test_a_wheel_may_say_that_its_size_is_a_radius(said, short):
+    assert tree(said) == tree(short)
+
+
+def test_a_wheel_of_yaml_may_say_that_its_size_is_a_radius():
+    said, short = "gears: [{O1: radius 5 mm, O2: radius}]", "gears: [{O1: 5 mm, O2: radius}]"
+    assert tree(said, "a.yaml") == tree(short, "a.yaml")
+
+
 def test_comments_stay_with_their_statements():
     found = tree("# head\n\nparam a = 1 # first\n# above\npivot O\n# end\n")
     param, pivot = found.statements

@@ -41,13 +41,19 @@ def spelling() -> dict[str, str]:
     return parser().tables.texts
 
 
-ANYWHERE, EACH = -1, -2
-"""The first of a word behind the name of a statement, wherever that is; or each of them."""
+ANYWHERE, EACH, AHEAD = -1, -2, -3
+"""The first of a word behind the name of a statement, wherever that is; or each of them; or each
+that a value follows, before which no name can stand."""
+
+VALUE = frozenset({"NAME", "NUMBER", "LEFT"})
+"""What a value begins with, but for a sign."""
 
 SOFT: Mapping[str, frozenset[tuple[str, int]]] = {
     "load": frozenset({("load", 0)}),
     "intensity": frozenset({("load", 2)}),
-    "radius": frozenset({("slot", 6)}),
+    "radius": frozenset(
+        {("slot", 6), ("rack", AHEAD), ("gear", AHEAD), ("belt", AHEAD), ("rim", AHEAD)}
+    ),
     "speed": frozenset({("drive", ANYWHERE)}),
     "rope": frozenset({("rope", 0), ("friction", 1)}),
     "wrap": frozenset({("friction rope", ANYWHERE)}),
@@ -103,8 +109,15 @@ def _stands(word: str, place: int, begun: Sequence[str], line: Sequence[Token]) 
     """Return whether a soft word at a place of a statement is a word of the language there."""
     if any((first, at) in SOFT[word] for first in begun for at in (place, EACH)):
         return True
+    is_ahead = place + 1 < len(line) and _begins_value(line[place + 1])
+    if is_ahead and any((first, AHEAD) in SOFT[word] for first in begun):
+        return True
     anywhere = any((first, ANYWHERE) in SOFT[word] for first in begun)
     return anywhere and place > 1 and word not in line[2:place]
+
+
+def _begins_value(token: Token) -> bool:
+    return token.type in VALUE or token in SOFT
 
 
 @cache

@@ -148,10 +148,11 @@ def _of_list(token: Token, first: Token) -> str:
 
 
 def _of_radius(line: Sequence[Token], position: int) -> str:
-    """Return a hint where the radius of a wheel is announced by a word."""
-    words = [str(token) for token in line[:position]]
-    if line[0].type in ("RACK", "GEAR", "BELT") and words[-1] in ("radius", "diameter", "r"):
-        return f"the radius stands without a word: {WRITTEN[words[0]]}"
+    """Return a hint where the size of a wheel is announced by a word that is not ``radius``."""
+    words = [str(token) for token in line[: position + 1]]
+    is_wheel = line[0].type in ("RACK", "GEAR", "BELT")
+    if is_wheel and (words[-1] == "diameter" or words[-2:-1] == ["r"]):
+        return f"a wheel has its radius there: {WRITTEN[words[0]]}"
     return ""
 
 
