@@ -490,6 +490,7 @@ def remarked(text):
         ("gear O r, Q R", "35 deg - r/R*phi", []),
         ("gear O r, Q R", "35 deg + r/R*phi", ["QB"]),
         ("gear O r, Q R", "35 deg - phi", ["QB"]),
+        ("gear O r, Q R", "35 deg - 3*phi", ["QB"]),
         ("gear O r, Q R inner", "35 deg + r/R*phi", []),
         ("belt O r, Q R", "35 deg + r/R*phi", []),
     ],

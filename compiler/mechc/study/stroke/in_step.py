@@ -7,6 +7,7 @@ formula has the drive in it. All links must turn along the stroke as the velocit
 import math
 from collections.abc import Iterator, Mapping
 
+from ...algebra.angle import Angle
 from ...diagnostics import Report
 from ...diagnostics import stroke as messages
 from ...formula.walk import symbols
@@ -125,13 +126,19 @@ def _demanded(plan: Plan, known: Mapping[str, float], size: float) -> Rates:
 
 
 def _leader(pose: Pose, drawn: Rates) -> str:
-    """Return the link that the drive turns: the crank, else the one that turns fastest."""
+    """Return the link that the drive turns: the crank, else the one that turns fastest.
+
+    The crank's direction is the drive itself. Where no link's is, one counts whose formula has the
+    drive in it.
+    """
     drive = pose.mechanism.drive
     assert drive is not None
-    cranks = [
-        name
+    crank = Angle.of(drive.parameter)
+    angles = {
+        name: {arm.angle for vector in frame.values() for arm in vector}
         for name, frame in pose.frames.items()
         if name in drawn
-        and any(drive.parameter in dict(a.angle.terms) for v in frame.values() for a in v)
-    ]
+    }
+    led = [n for n, found in angles.items() if any(drive.parameter in dict(a.terms) for a in found)]
+    cranks = [name for name in led if crank in angles[name]] or led
     return max(cranks or drawn, key=lambda name: abs(drawn[name]), default="")
