@@ -1,24 +1,20 @@
 """The results of a calculation sheet, whose formulas are given: nothing is derived."""
 
 import math
-import re
-from collections.abc import Iterator
 
-from ..diagnostics import Diagnostic, Report
+from ..diagnostics import Report
 from ..diagnostics import sheets as messages
-from ..diagnostics.uses import outside_used_range, result_without_value
+from ..diagnostics.uses import result_without_value
 from ..formula.rounding import Rounding
-from ..formula.to_text import text
 from ..formula.tree import Formula
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
-from ..model.mechanism import Mechanism, Require, Subject
+from ..model.failures import failure
+from ..model.mechanism import Mechanism, Require
 from ..model.result import Result, Solved
 from ..model.values import Chain, Values, compare, defaults, dependent
 from ..pose.pose import Definition, Pose
 from ..power.definitions import let_results
-from ..source import Source
-from ..units import in_unit, si_unit
 from .calculation import Calculation, Check
 from .taken import taken, with_values
 
@@ -100,62 +96,15 @@ def _refuse_broken(checks: tuple[Check, ...], report: Report) -> set[str]:
     """Report every condition that fails; return the formulas that have no value by that."""
     failed = set[str]()
     for check in checks:
-        if any(side is not None and math.isnan(side) for side in (check.left, check.right)):
+        if check.left is None or check.right is None:
+            continue
+        if math.isnan(check.left) or math.isnan(check.right):
             continue  # what has no value is reported by itself
         if not holds(check):
-            report.add(_failure(check, report.source))
+            report.add(failure(check.condition, (check.left, check.right), report.source))
             if check.condition.subject:
                 failed.add(check.condition.subject.let)
     return failed
-
-
-def _failure(check: Check, source: Source) -> Diagnostic:
-    """Return the diagnostic of a condition that fails."""
-    span, subject = check.condition.span, check.condition.subject
-    left, right = _sides(check, source)
-    match subject:
-        case None | Subject("pose"):
-            return messages.requirement_fails(span, left, check.condition.operator, right)
-        case Subject("first row", name, _):
-            return messages.beyond_the_table(span, name, f"begins at {left}", right)
-        case Subject("last row", name, _):
-            return messages.beyond_the_table(span, name, f"ends at {right}", left)
-        case Subject("list", name, _):
-            return messages.beyond_the_list(span, name, left, right)
-        case Subject("range", _, _, place):
-            return outside_used_range(span, left, check.condition.operator, right, place)
-        case Subject(_, name, _):
-            assert check.left is not None
-            return messages.no_single_case(span, name, round(check.left))
-
-
-def _sides(check: Check, source: Source) -> Iterator[str]:
-    """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
-    condition = check.condition
-    unit = condition.unit or si_unit(condition.dimension)
-    formulas = condition.left, condition.right
-    values, spelled = (check.left, check.right), _as_written(condition, source)
-    for formula, value, words in zip(formulas, values, spelled, strict=True):
-        assert value is not None
-        shown = in_unit(value, unit, 6)
-        yield f"{words} = {shown}" if symbols(formula) else shown
-
-
-def _as_written(condition: Require, source: Source) -> tuple[str, str]:
-    """Return the sides of a condition as they stand in the text, else as formulas.
-
-    A condition of a used sheet has names with a prefix, that of a chain has neighbours.
-    """
-    written = " ".join(source.written(condition.span).split()).removeprefix("require ")
-    sides = [part.strip(" '\"") for part in _OPERATOR.split(written)]
-    formulas = condition.left, condition.right
-    known = (symbols(f) <= {*_NAME.findall(s)} for f, s in zip(formulas, sides, strict=False))
-    if len(sides) == len(formulas) and all(known):
-        return sides[0], sides[1]
-    return text(condition.left), text(condition.right)
-
-
-_OPERATOR, _NAME = re.compile("[<>=!≤≥≠]+"), re.compile(r"[^\W\d]\w*")
 
 
 def _refuse_undefined(

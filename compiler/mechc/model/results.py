@@ -1,5 +1,6 @@
 """Conditions of use, and what books and colleagues expect of results."""
 
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from fractions import Fraction
 
@@ -15,13 +16,14 @@ from ..units import NUMBER, Dimension, in_unit, si_unit
 from .constants import last_digit
 from .definitions import Definitions, written_out
 from .expressions import Quantity, Reader
+from .failures import failure
 from .finds import read_target
 from .mechanism import Expect, Find, Require, Subject
 from .parameters import constant, read_tolerance
 from .scope import CONDITION, EXPECTED, Scope
 from .sorts import Nature
 from .statements import every
-from .values import Chain, Values, holds
+from .values import Chain, Values, compare, holds
 
 
 def _of_parameters(found: Quantity, lets: Mapping[str, Formula], scope: Scope) -> Formula:
@@ -60,8 +62,30 @@ def read_requires(file: ast.File, found: Definitions, scope: Scope) -> list[Requ
             scope.report.add(quantities.condition_broken(statement.span))
         requires += conditions
     if not scope.sheet:
+        _refuse_without(found.requires, values, scope)
         return [*_ranges(found, lets, values, scope), *requires]
     return [*sorted(found.requires, key=lambda r: r.span), *requires]
+
+
+def _refuse_without(implied: Sequence[Require], values: Values, scope: Scope) -> None:
+    """Report the tables, choices and lists that have no value at those of a mechanism.
+
+    Where a sheet is given what is outside its range, that alone is reported.
+    """
+    if not all(holds(require, values) for require in implied if _is_range(require)):
+        return
+    for require in implied:
+        if not symbols(require.left) | symbols(require.right) <= values.keys():
+            continue
+        left, right = evaluate(require.left, values), evaluate(require.right, values)
+        if math.isnan(left) or math.isnan(right):
+            continue  # what has no value is remarked on by itself
+        if not compare(left, require.operator, right):
+            scope.report.add(failure(require, (left, right), scope.report.source))
+
+
+def _is_range(require: Require) -> bool:
+    return require.subject is not None and require.subject.kind == "range"
 
 
 def _ranges(

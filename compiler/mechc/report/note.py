@@ -101,7 +101,8 @@ def own_lines(mechanism: Mechanism, results: Sequence[Result]) -> Mapping[str, N
     values = chain.complete(defaults(mechanism))
     values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
     values |= {r.name: r.default for r in results if r.default is not None}
-    given = {name: Quantity(values[name], unit) for name, unit in units.items() if name in values}
+    known = {name for name, value in values.items() if math.isfinite(value)}
+    given = {name: Quantity(values[name], unit) for name, unit in units.items() if name in known}
     shown = {result.name for result in results if result.target is None}
     return {let.name: _line(let, given) for let in mechanism.lets if let.name in shown}
 

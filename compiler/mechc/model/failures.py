@@ -1,0 +1,58 @@
+"""What is said of a condition that fails, with the values of its sides."""
+
+import re
+from collections.abc import Iterator
+
+from ..diagnostics import Diagnostic
+from ..diagnostics import sheets as messages
+from ..diagnostics.uses import outside_used_range
+from ..formula.to_text import text
+from ..formula.walk import symbols
+from ..source import Source
+from ..units import in_unit, si_unit
+from .mechanism import Require, Subject
+
+
+def failure(condition: Require, sides: tuple[float, float], source: Source) -> Diagnostic:
+    """Return the diagnostic of a condition that fails at these values of its sides, in SI."""
+    span, subject = condition.span, condition.subject
+    left, right = _with_values(condition, sides, source)
+    match subject:
+        case None | Subject("pose"):
+            return messages.requirement_fails(span, left, condition.operator, right)
+        case Subject("first row", name, _):
+            return messages.beyond_the_table(span, name, f"begins at {left}", right)
+        case Subject("last row", name, _):
+            return messages.beyond_the_table(span, name, f"ends at {right}", left)
+        case Subject("list", name, _):
+            return messages.beyond_the_list(span, name, left, right)
+        case Subject("range", _, _, place):
+            return outside_used_range(span, left, condition.operator, right, place)
+        case Subject(_, name, _):
+            return messages.no_single_case(span, name, round(sides[0]))
+
+
+def _with_values(condition: Require, sides: tuple[float, float], source: Source) -> Iterator[str]:
+    """Yield the sides of a condition with their values: ``sigma = 182 MPa``."""
+    unit = condition.unit or si_unit(condition.dimension)
+    formulas, spelled = (condition.left, condition.right), _as_written(condition, source)
+    for formula, value, words in zip(formulas, sides, spelled, strict=True):
+        shown = in_unit(value, unit, 6)
+        yield f"{words} = {shown}" if symbols(formula) else shown
+
+
+def _as_written(condition: Require, source: Source) -> tuple[str, str]:
+    """Return the sides of a condition as they stand in the text, else as formulas.
+
+    A condition of a used sheet has names with a prefix, that of a chain has neighbours.
+    """
+    written = " ".join(source.written(condition.span).split()).removeprefix("require ")
+    sides = [part.strip(" '\"") for part in _OPERATOR.split(written)]
+    formulas = condition.left, condition.right
+    known = (symbols(f) <= {*_NAME.findall(s)} for f, s in zip(formulas, sides, strict=False))
+    if len(sides) == len(formulas) and all(known):
+        return sides[0], sides[1]
+    return text(condition.left), text(condition.right)
+
+
+_OPERATOR, _NAME = re.compile("[<>=!≤≥≠]+"), re.compile(r"[^\W\d]\w*")
