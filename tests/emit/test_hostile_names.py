@@ -1,6 +1,8 @@
 """Names that a language, its headers or mechc's templates have: every target is right with them."""
 
+import ast
 import ctypes
+import json
 import shutil
 import subprocess
 import sys
@@ -152,3 +154,21 @@ def test_arithmetic_without_nan_is_refused(options, works, tmp_path):
     done = subprocess.run(command, input=text, capture_output=True, text=True)
     assert (done.returncode == 0) == works
     assert works or "MECHC_ALLOW_FAST_MATH" in done.stderr
+
+
+def test_the_text_of_a_formula_is_in_code_and_in_the_document():
+    text = TOGGLE.format(
+        mechanism="m",
+        params="param l0 = 1 m",
+        drive="P",
+        load="F",
+        result="k",
+        lets=r'let w = 2*k as "share \"\"\" \\ of */ ??/ %"',
+    )
+    mechanism = mechc.loads(text)
+    label = r'share """ \ of */ ??/ %'
+    assert json.loads(mechanism.emit("json"))["results"][-1]["label"] == label
+    code = ast.parse(mechanism.emit("python"))
+    (w,) = (f for f in code.body if isinstance(f, ast.FunctionDef) and f.name == "w")
+    assert f'formula "{label}" of the description' in str(ast.get_docstring(w))
+    assert 'formula "share """ \\ of * / ? ?/ %" of the description' in mechanism.emit("c")

@@ -33,7 +33,7 @@ class Result:
     ``target`` is None for a let. At the default pose it has the value ``default``, if any; it
     is ``undetermined`` where it is 0/0 there. ``guards`` are conditions without which the
     formula has no meaning; ``elsewhere`` is the result that takes its place where one of them
-    fails, if there is one.
+    fails, if there is one. The ``label`` is the text that the description gives a let.
     """
 
     name: str
@@ -46,6 +46,7 @@ class Result:
     undetermined: bool = False
     guards: tuple[Require, ...] = ()
     elsewhere: "Result | None" = None
+    label: str = ""
 
 
 @frozen

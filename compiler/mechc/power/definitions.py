@@ -118,7 +118,9 @@ def _let(let: Let, pose: Pose, where: Needed, used: Sequence[Result]) -> Result:
     known = [d for d in of_the_pose if d.name not in where]
     definitions = (*known, *(Definition(n, f) for n, f in where.items()))
     guards = tuple(dict.fromkeys(g for r in used for g in r.guards))
-    return Result(let.name, None, let.dimension, let.value, definitions, guards=guards)
+    return Result(
+        let.name, None, let.dimension, let.value, definitions, guards=guards, label=let.label
+    )
 
 
 def _needs(results: Sequence[Result], lets: Mapping[str, Formula]) -> dict[str, Needed]:

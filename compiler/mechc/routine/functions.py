@@ -158,7 +158,7 @@ def written(
     result = asked.result
     return Function(
         name=result.name,
-        title=title(result.target),
+        title=title(result.target, result.label),
         inputs=asked.inputs,
         guards=guards,
         steps=steps,
@@ -219,15 +219,19 @@ def _with_literals(formula: Formula, where: Sequence[Step]) -> tuple[Step, ...]:
     return (*(Step(*named(constant)) for constant in known), *where)
 
 
-def title(target: Target | None) -> str:
-    """Return the title of a result.
+def title(target: Target | None, label: str = "") -> str:
+    """Return the title of a result, with the user's text for a formula.
 
     >>> title(LoadRatio("P", "F"))
     'force ratio P/F'
+    >>> title(None, "pressure")
+    'formula "pressure" of the description'
     """
     match target:
         case None:
-            return "formula of the description"
+            return (
+                f'formula "{label}" of the description' if label else "formula of the description"
+            )
         case LoadRatio(above, below):
             return f"force ratio {above}/{below}"
         case LoadForm(load):

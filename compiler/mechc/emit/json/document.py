@@ -199,6 +199,7 @@ RESULT: Kind[Analysis] = record(
     "result",
     "A find or a let, solved.",
     member("name", "As in the description.", TEXT, lambda r: r.name),
+    member("label", "The text of a let, or empty.", TEXT, lambda r: r.label),
     member("kind", "What was asked.", one_of(*KINDS.values()), lambda r: KINDS[type(r.target)]),
     member("dimension", "number, force …", TEXT, lambda r: dimension_name(r.dimension)),
     member("unit", "SI unit, or empty.", TEXT, lambda r: si_unit(r.dimension)),
