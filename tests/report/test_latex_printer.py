@@ -51,7 +51,10 @@ PIECES = {
     "abs(a)": r"\left|a\right|",
     "atan2(a, b)": r"\operatorname{atan2}(a,b)",
     "asin(a/b)": r"\arcsin\left(\frac{a}{b}\right)",
-    "exp(mu*alpha)": r"\exp(\mu\alpha)",
+    "exp(mu*alpha)": r"\mathrm{e}^{\mu\alpha}",
+    "exp(-3*pi*mu/2)": r"\mathrm{e}^{-3\pi\mu/2}",
+    "exp(mu*(a + b)/(2*b))": r"\mathrm{e}^{\mu(a+b)/(2b)}",
+    "len_OA*exp(mu)*sin(alpha)": r"OA\cdot \mathrm{e}^{\mu}\,\sin\alpha",
 }
 
 

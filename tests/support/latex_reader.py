@@ -1,7 +1,7 @@
 """Reads back the LaTeX of formulas, as a reader of the page would: a second opinion.
 
 A function without parentheses takes the letters and numbers behind it, up to a sign,
-a dot, a thin space, a fraction or the next function.
+a dot, a thin space, a fraction or the next function. A solidus divides by the one factor behind it.
 """
 
 import re
@@ -21,7 +21,7 @@ FUNCTIONS = {
     "\\ln": "log",
     "\\operatorname{atan2}": "atan2",
     "\\operatorname{sgn}": "sign",
-} | {f"\\{name}": name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "exp", "min", "max")}
+} | {f"\\{name}": name for name in ("sin", "cos", "tan", "cot", "sec", "csc", "min", "max")}
 
 
 class Reader:
@@ -60,9 +60,12 @@ class Reader:
         while self.next not in {"", ")", "}", ",", "+", "-", "\\right|"}:
             if self.next in {"\\cdot", "\\,"}:
                 self.take()
+            elif self.next == "/":
+                self.take()
+                factors.append((self.raised(self.atom()), -1))
             else:
-                factors.append(self.raised(self.atom()))
-        return product((f, 1) for f in factors)
+                factors.append((self.raised(self.atom()), 1))
+        return product(factors)
 
     def bare(self) -> Formula:
         """Read the argument of a function that has no parentheses."""
@@ -102,6 +105,9 @@ class Reader:
             inner = self.sum()
             self.take("}")
             return inner
+        if token == "\\mathrm{e}":
+            self.take("^")
+            return Call("exp", (self.group(),))
         if token in FUNCTIONS:
             return self.call(FUNCTIONS[token])
         if token == "\\frac":

@@ -25,7 +25,6 @@ _COMMON = {
     "atan2": r"\operatorname{atan2}",
     "min": r"\min",
     "max": r"\max",
-    "exp": r"\exp",
     "sign": r"\operatorname{sgn}",
     "log": r"\ln",
     "next": r"\operatorname{next}",

@@ -34,6 +34,9 @@ EM_PER_GLYPH = 0.58
 EM_PER_CAPITAL = 0.18
 """By how much a capital letter is wider than that."""
 
+EULER = r"\mathrm{e}"
+"""The base of exponents, upright as standards set it: an eccentricity is an italic ``e``."""
+
 
 class Box(NamedTuple):
     """A piece of mathematics: its LaTeX, its estimated width in em, whether it is tall.
@@ -69,7 +72,7 @@ def plain(tex: str, tall: bool = False) -> Box:
     >>> round(plain(r"\cos\alpha").width, 2)
     2.32
     """
-    locale = re.sub(r"\\(?:sin|cos|tan|cot|sec|csc|ln|min|max|exp)(?![a-z])", "xxx", tex)
+    locale = re.sub(r"\\(?:sin|cos|tan|cot|sec|csc|ln|min|max)(?![a-z])", "xxx", tex)
     locale = re.sub(r"\\(?:operatorname|mathrm|mathit|left|right|,)", "", locale)
     locale = re.sub(r"\\arc([a-z]+)", r"arc\1", locale)
     glyphs = re.sub(r"[{}_^]", "", re.sub(r"\\[A-Za-z]+", "x", locale))
@@ -182,6 +185,8 @@ class _Latex(Typesetter[Box]):
 
     def applied(self, function: str, exponent: str, argument: Formula, inner: Box) -> Box:
         """Return a function of one argument, without parentheses where none are needed."""
+        if function == "exp":
+            return self.power(plain(EULER), _Raised(self.style).whole(argument))
         written = self.style.functions[function] + (f"^{{{exponent}}}" if exponent else "")
         if inner.tall or not _is_bare(argument, function in TRIGONOMETRIC):
             return row((plain(written), self.parentheses(inner)))
@@ -214,9 +219,21 @@ class _Latex(Typesetter[Box]):
         return row((plain(name_of(unknown, self.style) + r":\;"), first, *rest))
 
 
+class _Raised(_Latex):
+    """Sets an exponent, where a fraction with a line would be too small to read."""
+
+    built = False
+
+    def over(self, above: Box, below: Box, several: bool) -> Box:
+        return row((above, plain("/"), self.parentheses(below) if several else below))
+
+    def beside(self, first: Box, second: Box) -> Box:
+        return row((first, plain(r"\cdot "), second))
+
+
 def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
     """Whether factors side by side would be read as one: figures, ``df``, a vector's name."""
-    is_function = isinstance(formula, Call) and not after.tex.startswith(("(", r"\left"))
+    is_function = isinstance(formula, Call) and not after.tex.startswith(("(", r"\left", EULER))
     raised = isinstance(formula, Power) and isinstance(formula.base, Call)
     is_letter = isinstance(formula, Symbol)
     if isinstance(formula, Constant) and after.tex[0].isdigit():
