@@ -11,6 +11,7 @@ import pytest
 
 from force_samples import Compiled, tree_of
 from friction_chains import COUPLED, chain, made_of
+from friction_statements import refuted
 from mechc.study.ratios import Study
 from reference_balance import ratio
 from reference_forces import Forces
@@ -148,3 +149,30 @@ def test_what_sticks_is_told_where_it_takes_many_corrections():
         (reach,) = result(made, "k_f").locking.reaches
         states = [s.state for s in reach.stretches if s.within and _is_in(place, *s.within)]
         assert states == [state], degrees
+
+
+ROPED = """
+param th = 48 deg in 10 deg .. 106 deg
+pivot O
+pivot Q
+link OAD
+OA = 114 mm @ th
+OD = 79 mm @ th - 15 deg
+slider H along -y
+rope A, Q along 140 deg, H along -y
+force P at H along -y
+force F at D along 5 deg
+friction rope Q 0.16 wrap 130 deg
+friction pin O 0.3 diameter 9 mm
+friction slider H 0.08
+find k = F/P
+"""
+
+
+def test_beside_a_pole_what_sticks_is_told_where_iteration_gives_up():
+    """Nearest to the pole at 20 degrees no friction is found; a little farther it jams."""
+    made = made_of(ROPED)
+    stuck = [s for r in result(made, "k_f").locking.reaches for s in r.stretches]
+    assert [s.state for s in stuck] == ["jammed"]
+    assert list(refuted(made.compilation)) == []
+    assert [course.least for course in result(made, "eta_k").courses] == [0]

@@ -29,6 +29,9 @@ HALVINGS = 8
 NEAREST = 2.0**-20
 """How near the last of them is: as near as friction is sure to be larger than k, or k than it."""
 
+FARTHER = 4.0
+"""By how much farther from it is looked at, again and again, where iteration finds nothing."""
+
 BENT = 0.02
 """A cell is halved where its middle is off the straight line by this part of the values."""
 
@@ -52,9 +55,11 @@ def looked_at(moving: Moving, low: float, high: float, also: Sequence[float] = (
     """
     even = spaced(low, high, CELLS)
     centres = list(_in_cells(_dead_centres, moving, even))
-    beside = [c + away for c in (low, high, *centres) for away in _near(moving, even[1] - low)]
+    step = even[1] - low
+    beside = [c + away for c in (low, high, *centres) for away in _near(moving, step)]
+    solved = chain.from_iterable(_solved_beside(moving, c, step) for c in centres)
     chosen = even[::SELDOM] if moving.is_slow else even
-    grid = sorted({x for x in (*chosen, *beside, *also) if low <= x <= high})
+    grid = sorted({x for x in (*chosen, *beside, *solved, *also) if low <= x <= high})
     far = nearest(high - low) / 2
     jumps = _in_cells(_jumps, moving, grid)
     jumps = (x for x in jumps if all(abs(x - c) > far for c in centres))
@@ -86,6 +91,19 @@ def _near(moving: Moving, step: float) -> Iterator[float]:
     halvings = 1 if moving.is_slow else HALVINGS
     for part in (*(0.5**i for i in range(1, halvings + 1)), NEAREST):
         yield from (-step * part, step * part)
+
+
+def _solved_beside(moving: Moving, centre: float, step: float) -> Iterator[float]:
+    """Yield the nearest value on each side for which friction is found, if not at the nearest.
+
+    Iteration may give up where k is nearly infinite, and what stands there would not be seen.
+    """
+    for away in (-step, step):
+        near = NEAREST
+        while near < 1 and not moving.at(centre + away * near).state:
+            near *= FARTHER
+        if NEAREST < near < 1:
+            yield centre + away * near
 
 
 # -------------------------------------------------------------------- dead centres
