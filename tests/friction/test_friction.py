@@ -340,3 +340,23 @@ def test_a_drive_that_passes_nothing_on_has_no_efficiency_but_zero(line):
     assert found["M"] == found["eta_M"] == 0.0
     assert abs(found["M_f"]) == pytest.approx(0.1 * 0.005 * 2 * 9.80665)
     assert solved.emit("latex")
+
+
+def test_without_a_coefficient_nothing_is_said_of_jamming():
+    """The root of −1/2 is no number: W256, not that friction cannot be overcome (W513)."""
+    text = """
+param al = 20 deg
+param a = 2
+let mu = sqrt(1/a - 1)
+pivot O
+slider K along 90 deg
+link OB
+link BK
+OB = 200 mm @ 90 deg + al
+BK = 200 mm @ 90 deg - al
+force P at B along x
+force F at K along -y
+friction pins mu diameter 20 mm
+find k = P/F
+"""
+    assert {d.code for d in mechc.loads(text).warnings} == {"W256", "W601"}

@@ -96,9 +96,12 @@ def _check_lengths(find: Find, result: Result, balance: Balance, report: Report)
 def _with_default(
     find: Find, result: Result, ideal: Result, numbers: DefaultNumbers, report: Report
 ) -> Result:
-    """Return a result with its value at the default pose; warn where the drive jams there."""
+    """Return a result with its value at the default pose; warn where the drive jams there.
+
+    Where a coefficient has no value there is nothing to say of that.
+    """
     size = numbers.of(result)
-    if _jams(find, size.number, ideal.default):
+    if numbers.has_given(result) and _jams(find, size.number, ideal.default):
         report.add(messages.drive_jams(find.span, find.name, _drive(find)))
         size = Size(None)
     return with_default(result, size)

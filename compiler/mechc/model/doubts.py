@@ -19,7 +19,6 @@ from .mechanism import (
     Direction,
     Find,
     Force,
-    Let,
     Link,
     Mechanism,
     Offset,
@@ -56,7 +55,7 @@ def doubts(mechanism: Mechanism) -> Iterator[Diagnostic]:
     yield from _coinciding(mechanism, values)
     yield from _within(mechanism.links)
     yield from _held(mechanism)
-    yield from _without_value(mechanism.lets, values)
+    yield from _without_value(mechanism, values)
     yield from _of_no_size(mechanism, values)
     if mechanism.friction.joints:
         yield from _standing_for_friction(mechanism, values)
@@ -273,11 +272,13 @@ def _asked_twice(finds: Sequence[Find]) -> Iterator[Diagnostic]:
             yield messages.asked_twice(find.span, find.name, other.name, other.span)
 
 
-def _without_value(lets: Iterable[Let], values: Values) -> Iterator[Diagnostic]:
+def _without_value(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:
     """Yield the formulas of parameters alone that have no finite value."""
-    for let in lets:
-        if symbols(let.value) <= values.keys() and not math.isfinite(evaluate(let.value, values)):
-            yield messages.let_without_value(let.span, let.name)
+    named = ((p.name, p.value, p.span) for p in mechanism.parameters if p.dependent)
+    for name, formula, span in (*named, *((k.name, k.value, k.span) for k in mechanism.lets)):
+        known = formula is not None and symbols(formula) <= values.keys()
+        if formula and known and not math.isfinite(evaluate(formula, values)):
+            yield messages.let_without_value(span, name)
 
 
 def _of_no_size(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]:

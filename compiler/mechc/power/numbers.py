@@ -41,6 +41,13 @@ class DefaultNumbers:
     def _rounding(self) -> Rounding:
         return default_rounding(self._plan.graph.pose)
 
+    def has_given(self, result: Result) -> bool:
+        """Return whether no formula of the user's that a result mentions is NaN there."""
+        formulas = (result.formula, *(d.formula for d in result.where))
+        own = {p.name for p in self._plan.graph.pose.mechanism.parameters if p.dependent}
+        mentioned = own & set[str]().union(*map(symbols, formulas))
+        return not any(math.isnan(self.values.get(name, 0.0)) for name in mentioned)
+
     def of(self, result: Result) -> Size:
         """Return the value of a result there; no number where something it needs has none.
 
