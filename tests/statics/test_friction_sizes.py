@@ -147,3 +147,26 @@ find k = M/F
 """
     compilation = Compilation(Source("idle_slot.mech", text))
     assert not any(trial.is_one_of_several for trial in compilation.verdict.trials)
+
+
+@pytest.mark.parametrize("alpha", [89.9, 89.99, 89.999])
+def test_the_balance_that_iteration_found_is_among_the_others(alpha):
+    """Forces 1e4 times smaller than without friction: few starts lead there."""
+    text = f"""
+param alpha = {alpha} deg
+pivot O
+slider A along 180 deg
+link AB
+link BOD
+AB = 40 mm @ alpha
+OB = 40 mm @ 180 deg - alpha
+DO = 100 mm @ -alpha
+mirror across 0 deg sharing A O
+force P at A along 180 deg
+force F at D along -90 deg
+friction pins 0.1 diameter 10 mm
+friction pin O 0.1 diameter 16 mm
+find k = P/F
+"""
+    trials = Compilation(Source("toggle.mech", text)).verdict.trials
+    assert next(t.is_one_of_several for t in trials if t.result == "k_f")

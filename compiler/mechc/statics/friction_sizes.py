@@ -12,6 +12,7 @@ import math
 from collections.abc import Iterator, Sequence
 from itertools import product
 from operator import mul
+from random import Random
 from typing import NamedTuple
 
 from ..formula.newton import Matrix, eliminate
@@ -56,6 +57,9 @@ ATTEMPTS = 40
 STARTS = (0.1, 1.0, 10.0, 100.0)
 """How large guessed forces are, against those without friction."""
 
+GUESSES = 1000
+"""Starts at random times pairs: beside a dead centre few lead to the balance that is looked for."""
+
 TURNED = 0.5
 """The cosine of the angle by which a force may turn in one step: 60 degrees.
 
@@ -93,11 +97,19 @@ def other_friction_sizes(pairs: Sequence[SurfacePair]) -> Iterator[list[float]]:
     """
     way = _Way(pairs)
     size = max((math.hypot(*(ideal for ideal, _ in cs)) for cs in way.pairs), default=0.0)
-    for times, i in product(STARTS, range(len(pairs) + 1)):
-        start = [times * size if i in (j, len(pairs)) else 0.0 for j in range(len(pairs))]
-        found = way.near(start)
+    for start in _starts(len(pairs)):
+        found = way.near([times * size for times in start])
         if found is not None:
             yield way.frictions(found)
+
+
+def _starts(count: int) -> Iterator[list[float]]:
+    """Yield guessed sizes of forces: one alone, all alike, then at random over eight decades."""
+    for times, i in product(STARTS, range(count + 1)):
+        yield [times if i in (j, count) else 0.0 for j in range(count)]
+    dice = Random(count)
+    for _ in range(GUESSES // max(1, count)):
+        yield [10.0 ** dice.uniform(-5, 3) for _ in range(count)]
 
 
 def _repeated(pairs: Sequence[SurfacePair]) -> list[float] | None:
