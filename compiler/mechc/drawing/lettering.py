@@ -17,8 +17,9 @@ SMALL = 0.7
 
 _TOKEN = re.compile(r"\s*([A-Za-zµμ][A-Za-z0-9_']*|[0-9.]+|\S)")
 _OF_ONE = re.compile(r"(\b(?:sin|cos|tan|cot|sec|csc))\((?=[A-Za-z])([A-Za-z0-9_']+)\)")
-_THIN, _MINUS = "\u2009", "−"
-_SIGNS = {"*": _THIN, "~": _THIN, "-": _MINUS, ",": ", "}
+_WHOLE_TIMES = re.compile(r"(?<![\w.])([0-9]+)\*(?=[A-Za-z])")
+_THIN, _MINUS, _CLOSE = "\u2009", "−", "&"
+_SIGNS = {"*": _THIN, "~": _THIN, "-": _MINUS, ",": ", ", _CLOSE: ""}
 _UNITS = {unit: f"{_THIN}{unit}" for unit, u in UNITS.items() if u.dimension == LENGTH}
 _UNITS["deg"] = "°"
 _FUNCTIONS = frozenset(
@@ -102,10 +103,13 @@ def measured(value: float, of_another: bool = False) -> tuple[Run, ...]:
 def formula(text: str) -> tuple[Run, ...]:
     """Return a formula in the notation of the language as it is lettered.
 
+    A whole number stands close to its letter: 2 N with a space would be two newtons.
+
     >>> [run.text for run in formula("2*l_A - 40 mm")]
-    ['2\u2009', 'l', 'A', ' − 40\u2009mm']
+    ['2', 'l', 'A', ' − 40\u2009mm']
     """
-    return tuple(_joined(_runs(_TOKEN.findall(_OF_ONE.sub(r"\1~\2", text)))))
+    spaced = _WHOLE_TIMES.sub(rf"\1{_CLOSE}", _OF_ONE.sub(r"\1~\2", text))
+    return tuple(_joined(_runs(_TOKEN.findall(spaced))))
 
 
 def _runs(tokens: list[str]) -> Iterator[Run]:

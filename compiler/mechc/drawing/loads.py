@@ -141,6 +141,6 @@ def _draw_torque(sheet: Sheet, paper: Paper, torque: Torque) -> None:
 def _times(count: float, written: str) -> tuple[Run, ...]:
     """Return a load's name after how often it acts: 2P, P/2."""
     exact = Fraction(count).limit_denominator(1000)
-    above = (Run(f"{exact.numerator}\u2009"),) if exact.numerator != 1 else ()
+    above = (Run(f"{exact.numerator}"),) if exact.numerator != 1 else ()
     below = (Run(f"/{exact.denominator}"),) if exact.denominator != 1 else ()
     return (*above, *name(written), *below)
