@@ -82,6 +82,14 @@ def test_forces_have_names_and_sizes():
     assert "k, without friction, forces per unit of F" in found
 
 
+def test_a_couple_of_friction_has_a_name_of_its_own():
+    clutch = lettering(begun("plate_clutch").drawn_bodies("en"))
+    assert {"M = 236\u2009N\u2009m", "MT = 236\u2009N\u2009m"} <= set(clutch)
+    assert not any("without friction" in label for label in clutch)
+    jack = lettering(begun("screw_jack_with_collar").drawn_bodies("en"))
+    assert [label for label in jack if label.startswith("MA")]
+
+
 def test_friction_circles_are_as_large_as_they_are():
     figure, scale = begun("lever_clamp_with_friction").figure, None
     drawing = begun("lever_clamp_with_friction").drawn_bodies("en")

@@ -72,10 +72,16 @@ class Forces:
         return body.replace("-", "")
 
     def name(self, body: FreeBody, acting: Acting, couple: bool = False) -> tuple[Run, ...]:
-        """Return the symbol of a force or couple: a load's name, others by their point."""
+        """Give the symbol of a force or couple: a load's name, others by their point.
+
+        A couple that is of no point is called after friction, or after the nut of a screw.
+        """
         if acting.kind == "load":
             return name(acting.by)
         letter = LETTERS.get(acting.kind, "R")
+        if couple and not acting.point:
+            index = letter if acting.kind == "friction" else in_words(name(acting.by))
+            return Run("M", italic=True), Run(index, level=-1)
         same = Counter((LETTERS.get(a.kind, "R"), a.point) for a in body.forces if a.kind != "load")
         index = in_words(name(acting.point))
         if same[letter, acting.point] > 1:

@@ -104,11 +104,14 @@ class _Loads:
         return Case(result, {below: 1.0}, known, below, others)
 
     def _one_by_one(self, result: str, known: frozenset[str]) -> Iterator[Case]:
-        """Yield all loads of given sizes at once, and those without one by one."""
+        """Yield all loads of given sizes at once, and those without one by one.
+
+        Where friction is all that the load has to overcome, as in a clutch, there is none.
+        """
         sized = self._of(known)
         free = known - sized.keys() - self._tied
         open_ = [load.name for load in self.mechanism.loads if load.name in free]
-        if sized:
+        if sized or not (known or self.mechanism.friction.joints == ()):
             yield Case(result, sized, known, left_out=tuple(open_))
         for name in open_:
             others = tuple(n for n in (*sized, *open_) if n != name)

@@ -57,8 +57,12 @@ class _Maker:
     case: Case
 
     def diagrams(self, *, mixed: bool) -> Iterator[Diagram]:
-        """Yield the diagram without friction, and one with it if there is any."""
-        yield self._solved("", solved.ideal)
+        """Yield the diagram without friction, and one with it if there is any.
+
+        Where friction is all that is overcome, nothing acts without it.
+        """
+        if self.case.sizes:
+            yield self._solved("", solved.ideal)
         friction = self.unfolding.pose.mechanism.friction
         if friction.efficiency is not None:
             yield self._empty(friction.sense, CONSTANT)
