@@ -19,6 +19,9 @@ GREEK = {
 }
 """Greek letters by the names they are typed with; capitals where they are not Latin ones."""
 
+_SHORT = {"lam": "lambda", "eps": "epsilon"}
+"""What those write who write code, where ``lambda`` is a word of the language."""
+
 _POINTS = re.compile(r"(?:[A-Z][0-9]*'*)+")
 _POINT = re.compile(r"([A-Z])([0-9]*)('*)")
 _HEAD = re.compile(r"(.*?)([0-9]*)('*)", re.DOTALL)
@@ -45,6 +48,8 @@ def split_name(name: str) -> Name:
 
     >>> split_name("alpha1"), split_name("l_max")
     (Name(head='alpha', primes='', indices=('1',)), Name(head='l', primes='', indices=('max',)))
+    >>> split_name("lam_1").head
+    'lambda'
     """
     head, *indices = name.split("_")
     match = _HEAD.fullmatch(head)
@@ -52,7 +57,7 @@ def split_name(name: str) -> Name:
     stem, number, primes = match.groups()
     if not stem:
         return Name(name, "", ())
-    return Name(stem, primes, tuple(i for i in (number, *indices) if i))
+    return Name(_SHORT.get(stem, stem), primes, tuple(i for i in (number, *indices) if i))
 
 
 def another(name: str) -> str:

@@ -6,7 +6,7 @@ from typing import Literal, NamedTuple
 
 from ..diagnostics import Report
 from ..diagnostics.model import names as messages
-from ..formula.names import another
+from ..formula.names import Name, another, split_name
 from ..formula.tree import ZERO, Constant, Formula, Number
 from ..formula.walk import evaluate, symbols
 from ..source import Span
@@ -110,6 +110,7 @@ class Scope:
         self.values: dict[str, float] = {}
         self.sizes: dict[str, float] = {}
         self.constants: dict[tuple[str, Formula], Named] = {}
+        self._on_paper: dict[Name, str] = {}
         self._misfits: set[tuple[str, Dimension]] = set()
         self._unknowns: set[tuple[str, str]] = set()
 
@@ -133,6 +134,9 @@ class Scope:
             )
             return False
         self.entries[name] = entry
+        alike = self._on_paper.setdefault(split_name(name), name)
+        if alike != name:
+            self.report.add(messages.look_alike(entry.span, name, alike, self.entries[alike].span))
         return True
 
     def define(

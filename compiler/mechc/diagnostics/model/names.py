@@ -156,6 +156,22 @@ def name_taken(span: Span, name: str, kind: str, first: Span, first_kind: str) -
     return Message(span, f"{kind} '{name}' has the name of a {first_kind}", hint, related)
 
 
+@coded("W258")
+def look_alike(span: Span, name: str, other: str, first: Span) -> Message:
+    """Two names are written alike in formulas, so that a reader takes them for one quantity.
+
+    A number at the end of a letter is its index, as is what stands behind an underscore;
+    ``lam`` and ``eps`` are lambda and epsilon::
+
+        param l1 = 40 mm
+        param l_1 = 60 mm     # warned of: both are l with the index 1
+        param l_2 = 60 mm     # right
+    """
+    related = (Related(first, f"'{other}' is declared here"),)
+    message = f"'{name}' and '{other}' are written alike in formulas"
+    return Message(span, message, "rename one", related)
+
+
 @coded("E214")
 def list_of_values(span: Span, name: str, kind: str) -> Message:
     """A name has a list of values, where YAML takes one.
