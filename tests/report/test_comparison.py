@@ -59,6 +59,17 @@ def test_without_schemes_and_as_a_fragment(capsys, tmp_path):
     assert (tmp_path / "t.tex").read_text("utf-8") == table(capsys)
 
 
+def test_what_friction_rests_on_is_defined_and_more_formulas_stay_in_their_column(capsys):
+    assert main(["report", "fedoriv_fig1_with_friction", "--fragment"]) == 0
+    text = capsys.readouterr().out
+    assert r"\delta_{AC}&=\arcsin" in text
+    beside, *below = text.split("& &\n")
+    assert len(below) == 2
+    assert "k_f=" in beside
+    assert "k_{\\mathrm{hold}}=" in below[0]
+    assert r"\multicolumn" not in text
+
+
 def test_a_sheet_has_no_row(capsys, tmp_path):
     (tmp_path / "s.mech").write_text("sheet s\nparam a = 1 m\nlet b = a\n")
     assert main(["report", SCHEMES[0], str(tmp_path / "s.mech")]) == 1
@@ -73,7 +84,7 @@ def test_a_scheme_is_bounded_and_wide_results_stand_below_it(capsys, tmp_path):
     assert r"\resizebox{!}{1.2\linewidth}{%" in text, "it is taller than wide"
     beside, below = text.split(r"\multicolumn{3}{@{}p{\linewidth}@{}}{%")
     assert "k=\\frac{P}{F}" in beside
-    assert beside.index("{\n") < beside.index("R_{O,x}&="), "its & would end the cell"
+    assert beside.index("\n{") < beside.index("R_{O,x}&="), "its & would end the cell"
     assert "q=" in below
 
 

@@ -4,11 +4,11 @@ A fragment needs what a report does, graphicx and tikz, and the lines of :func:`
 """
 
 from collections.abc import Iterable, Iterator, Sequence
-from itertools import takewhile
 
 from ...drawing.drawing import Drawing
 from ...drawing.letters import in_letters
 from ...frozen import frozen
+from ...report.derivation.steps import unexplained
 from ...report.languages import registry
 from ...report.languages.letters import letters
 from ...report.languages.locale import Locale
@@ -34,7 +34,10 @@ _ROOM = 14.0
 """Room in the second column, in em: its share of 160 mm at 11 pt, less some air."""
 
 _BESIDE = 3
-"""Sections that stand beside a scheme; a row with more of them could outgrow its page."""
+"""Sections in a row of the table: one with more of them could outgrow its page."""
+
+_CLOSE_DISPLAYS = r"\abovedisplayskip=3pt\belowdisplayskip=3pt"
+"""In a column the formulas of a mechanism are a list, not displays in a text."""
 
 _FULL_WIDTH = r"\resizebox{\linewidth}{!}{%"
 
@@ -74,25 +77,43 @@ def _table(mechanisms: Iterable[Compared], locale: Locale, language: str) -> Ite
 
 
 def _rows(number: int, compared: Compared, locale: Locale, language: str) -> Iterator[str]:
-    """Yield the row of a scheme with the formulas that fit beside it, and the rest below it."""
+    """Yield the row of a scheme with its first formulas, and rows of the others.
+
+    They go on in their own column, the wide ones across both.
+    """
     compiled = compared.compiled
     style = style_of(compiled.mechanism, compiled.derivation.results, notation(language))
-    sections = outline(compiled.derivation, compiled.mechanism).results
-    beside = _beside(sections, style)
+    sections = outline(unexplained(compiled.derivation), compiled.mechanism).results
+    beside, *below = _in_rows(sections, style)
     yield f"{number} &"
     yield from _scheme(compared, style, locale)
     yield "&"
     yield from _cell(beside, locale, style)
     yield r"\\"
-    for section in sections[len(beside) :]:
-        yield r"\multicolumn{3}{@{}p{\linewidth}@{}}{%"
-        yield from _cell([section], locale, style)
-        yield r"} \\"
+    for row in below:
+        is_wide = _is_wide(row[0], style)
+        yield r"\multicolumn{3}{@{}p{\linewidth}@{}}{%" if is_wide else "& &"
+        yield from _cell(row, locale, style)
+        yield r"} \\" if is_wide else r"\\"
 
 
-def _beside(sections: Sequence[Section], style: Notation) -> Sequence[Section]:
-    """Return the first sections, as far as none is wider than its column."""
-    return list(takewhile(lambda s: width(s, style) <= _ROOM, sections[:_BESIDE]))
+def _in_rows(sections: Iterable[Section], style: Notation) -> list[list[Section]]:
+    """Give what stands beside the scheme, maybe nothing, and the rows below it.
+
+    A wide section has a row of its own.
+    """
+    rows: list[list[Section]] = [[]]
+    for section in sections:
+        is_full = len(rows[-1]) == _BESIDE or any(_is_wide(s, style) for s in rows[-1])
+        if is_full or _is_wide(section, style):
+            rows.append([])
+        rows[-1].append(section)
+    return rows
+
+
+def _is_wide(section: Section, style: Notation) -> bool:
+    """Say whether a section is wider than its column."""
+    return width(section, style) > _ROOM
 
 
 def _scheme(compared: Compared, style: Notation, locale: Locale) -> Iterator[str]:
@@ -111,7 +132,7 @@ def _cell(sections: Iterable[Section], locale: Locale, style: Notation) -> Itera
 
     Braces keep the ``&`` of an ``align*`` from ending the cell.
     """
-    yield "{"
+    yield rf"{{{_CLOSE_DISPLAYS}"
     for section in sections:
         yield from section_block(section, locale, style).displays
     yield "}"

@@ -11,7 +11,7 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ...formula.tree import Formula
-from ...frozen import frozen
+from ...frozen import frozen, replace
 from ...model.result import Definition
 from ...pose.pose import LoopKind
 from ...study.analysis import Analysis
@@ -304,6 +304,15 @@ class Derivation:
     position: tuple[PositionStep, ...] = ()
     last_steps: tuple[LastStep, ...] = ()
     ratios: tuple[NamedRatio, ...] = ()
+
+
+def unexplained(derivation: Derivation) -> Derivation:
+    """Leave out how the results came about, so that they define what they rest on themselves.
+
+    What is shown together still is.
+    """
+    together = tuple(Explanation(e.results, ()) for e in derivation.explanations)
+    return replace(derivation, explanations=together, position=(), ratios=())
 
 
 def calculated(results: tuple[Analysis, ...]) -> Derivation:
