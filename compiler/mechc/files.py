@@ -172,6 +172,15 @@ def write_all(files: Mapping[Path, str | bytes]) -> None:
             temporary.unlink(missing_ok=True)
 
 
+def could_write(files: Mapping[str, bytes]) -> bool:
+    """Write all files or none; return whether that could be done."""
+    try:
+        write_all({Path(path): content for path, content in files.items()})
+    except MechcError:
+        return False
+    return True
+
+
 def resolved(path: Path) -> Path:
     """Return a path with its links followed; ``OSError`` where these form a cycle.
 

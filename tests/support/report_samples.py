@@ -43,8 +43,7 @@ from mechc.model.result import Definition
 from mechc.report.derivation.steps import Derivation, Equation, Rule, Step
 from mechc.routine.steps import Routine
 from mechc.source import Span
-from mechc.statics.referee import NO_MORE
-from mechc.statics.verdict import Trial, Untried, Verdict
+from mechc.statics.verdict import NO_MORE, Trial, Untried, Verdict
 from mechc.study.analysis import Analysis, Vanishing
 from mechc.units import ANGLE, FORCE, LENGTH, NUMBER
 

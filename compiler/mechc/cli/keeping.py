@@ -2,12 +2,9 @@
 
 import marshal
 import os
-from collections.abc import Mapping
 from contextlib import suppress
 from pathlib import Path
 
-from ..diagnostics import MechcError
-from ..files import write_all
 from .answers import SUFFIX, Event, checksum, folder, place
 
 LARGEST = 4 << 20
@@ -58,12 +55,3 @@ def _make_room(kept: Path) -> None:
     found.sort(key=lambda one: one[0].st_mtime_ns)
     for _, entry in found[: (len(found) + 1) // 2]:
         entry.unlink(missing_ok=True)
-
-
-def write_again(files: Mapping[str, bytes]) -> bool:
-    """Write files as a command does; False where they cannot be, and are as they were."""
-    try:
-        write_all({Path(path): content for path, content in files.items()})
-    except MechcError:
-        return False
-    return True

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from importlib import import_module
 
-from . import answers
+from .answers import find, give, question
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -24,10 +24,10 @@ def main(arguments: Sequence[str] | None = None) -> int:
 
 def _run(arguments: Sequence[str] | None) -> int:
     """Answer as before, or run the command; what it needs is imported where Ctrl-C is expected."""
-    asked = answers.question(sys.argv[1:]) if arguments is None else b""
-    known = answers.find(asked) if asked else None
+    asked = question(sys.argv[1:]) if arguments is None else b""
+    known = find(asked) if asked else None
     try:
-        status = answers.give(known) if known else None
+        status = give(known) if known else None
     except OSError as error:
         status = import_module(".run", __package__).broken(error)
     if status is None:

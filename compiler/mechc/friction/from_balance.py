@@ -101,7 +101,7 @@ def _with_default(
     Where a coefficient has no value there is nothing to say of that.
     """
     size = numbers.of(result)
-    if numbers.has_given(result) and _jams(find, size.number, ideal.default):
+    if _jams(find, size.number, ideal.default) and numbers.has_given(result):
         report.add(messages.drive_jams(find.span, find.name, _drive(find)))
         size = Size(None)
     return with_default(result, size)

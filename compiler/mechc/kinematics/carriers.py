@@ -17,7 +17,7 @@ from .contacts import relations
 from .draft import Draft
 from .forms import QUARTER, projection, subtract, turned
 from .graph import Flow, Graph, Kind, Rule, Velocity
-from .rods import bodies_and_rods, carry_ends, direction, relate_ends
+from .rods import bodies_and_rods, carry_ends, direction, links_at_points, relate_ends
 
 
 def graph_of(pose: Pose) -> Graph:
@@ -28,9 +28,10 @@ def graph_of(pose: Pose) -> Graph:
     _turn_about_pivots(draft, pivoted)
     _move_slides(draft)
     _guide_sliders(draft)
-    bodies, rods = bodies_and_rods(floating, draft)
+    at = links_at_points(pose.mechanism.links)
+    bodies, rods = bodies_and_rods(floating, draft, at)
     _carry_bodies(draft, bodies, rods)
-    carry_ends(draft, rods)
+    carry_ends(draft, rods, at)
     _carry_loose_pins(draft)
     relate_ends(draft, rods)
     draft.relations.extend(relations(pose, draft.velocities, draft.spins))

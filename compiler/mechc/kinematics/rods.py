@@ -11,10 +11,24 @@ from .draft import Draft
 from .forms import QUARTER, projection, subtract
 from .graph import Flow, Form, Rule, Velocity
 
+LinksAt = Mapping[str, Sequence[Link]]
+"""The links that each point belongs to."""
 
-def bodies_and_rods(links: Sequence[Link], draft: Draft) -> tuple[list[Link], list[Link]]:
+
+def links_at_points(links: Sequence[Link]) -> LinksAt:
+    """Return the links that each point belongs to."""
+    at: dict[str, list[Link]] = {}
+    for link in links:
+        for point in link.points:
+            at.setdefault(point, []).append(link)
+    return at
+
+
+def bodies_and_rods(
+    links: Sequence[Link], draft: Draft, at: LinksAt
+) -> tuple[list[Link], list[Link]]:
     """Return the links that need a spin of their own, and the rods among them."""
-    at, spun = _links_at(draft), spinning(draft.pose)
+    spun = spinning(draft.pose)
 
     def is_held(point: str) -> bool:
         return point in draft.velocities or len(at[point]) > 1
@@ -30,9 +44,8 @@ def direction(rod: Link, pose: Pose) -> Angle:
     return pose.vector(rod.name, rod.points[0], rod.points[1])[0].angle
 
 
-def carry_ends(draft: Draft, rods: Sequence[Link]) -> None:
+def carry_ends(draft: Draft, rods: Sequence[Link], at: LinksAt) -> None:
     """Carry each end that nothing else carries by its projections on two rods."""
-    at = _links_at(draft)
     for rod in rods:
         for point in rod.points:
             if point not in draft.velocities:
@@ -51,15 +64,6 @@ def relate_ends(draft: Draft, rods: Sequence[Link]) -> None:
             tail, head = (_dot(velocity, arms) for velocity in ends)
         form = subtract(tail, head)
         draft.relate(Rule.PROJECTION, rod.name, rod.points, along, form, rod.span)
-
-
-def _links_at(draft: Draft) -> Mapping[str, list[Link]]:
-    """Return the links that each point belongs to."""
-    at: dict[str, list[Link]] = {}
-    for link in draft.mechanism.links:
-        for point in link.points:
-            at.setdefault(point, []).append(link)
-    return at
 
 
 def _two_directions(links: Sequence[Link], pose: Pose) -> tuple[Angle, Angle]:

@@ -276,8 +276,9 @@ def _without_value(mechanism: Mechanism, values: Values) -> Iterator[Diagnostic]
     """Yield the formulas of parameters alone that have no finite value."""
     named = ((p.name, p.value, p.span) for p in mechanism.parameters if p.dependent)
     for name, formula, span in (*named, *((k.name, k.value, k.span) for k in mechanism.lets)):
-        known = formula is not None and symbols(formula) <= values.keys()
-        if formula and known and not math.isfinite(evaluate(formula, values)):
+        if formula is None or not symbols(formula) <= values.keys():
+            continue
+        if not math.isfinite(evaluate(formula, values)):
             yield messages.let_without_value(span, name)
 
 

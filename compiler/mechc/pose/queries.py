@@ -35,13 +35,9 @@ def with_directions(mechanism: Mechanism, vectors: Vectors, report: Report) -> M
     for formula, span in _formulas(mechanism):
         for name in sorted(symbols(formula) - found.keys()):
             form = form_of_pose(name) if name not in own else None
-            if form and form.prefix in ("phi", "len", *COORDINATES):
-                if form.prefix in COORDINATES:
-                    answer = _coordinate(form, start, vectors, span, report)
-                else:
-                    answer = _answer(form, vectors, span, report)
-                if answer is not None:
-                    found[name] = answer
+            answer = _answer(form, start, vectors, span, report) if form else None
+            if answer is not None:
+                found[name] = answer
     return _with(mechanism, found) if found else mechanism
 
 
@@ -58,7 +54,15 @@ def _formulas(mechanism: Mechanism) -> Iterator[tuple[Formula, Span]]:
             yield load.tie, load.span
 
 
-def _answer(form: Form, vectors: Vectors, span: Span, report: Report) -> Formula | None:
+def _answer(form: Form, start: str, vectors: Vectors, span: Span, report: Report) -> Formula | None:
+    """Return what a form asks of the pose; None of another one, and where there is no answer."""
+    if form.prefix in COORDINATES:
+        return _coordinate(form, start, vectors, span, report)
+    return _of_vector(form, vectors, span, report) if form.prefix in ("phi", "len") else None
+
+
+def _of_vector(form: Form, vectors: Vectors, span: Span, report: Report) -> Formula | None:
+    """Return the direction or the length of the vector between two points."""
     tail, head = form.points
     vector = vectors.path(tail, head)
     if vector is None:

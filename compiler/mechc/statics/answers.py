@@ -12,17 +12,7 @@ from .balanced import Balanced, Row, Tie
 from .free_bodies import System
 from .solve import Factors
 from .tolerances import EPSILON, INCONSISTENT
-
-UNBALANCED = "no forces at the joints balance the loads"
-
-OPEN = "equilibrium leaves a force open that is asked for"
-
-STANDS = "a joint stands still at that pose, and rounding tells which way it slips"
-"""The doubt where friction may as well have the other sign, or none."""
-
-
-UNSETTLED = "no friction was found that balances at that pose"
-"""The doubt where iteration ends: there may be none, or more to find."""
+from .verdict import OPEN, UNBALANCED
 
 
 class Answer(NamedTuple):

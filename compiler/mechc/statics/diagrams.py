@@ -19,13 +19,10 @@ from .diagram import Acting, Diagram, FreeBody, Motion
 from .poses import with_lets
 from .tolerances import FORCE_CHANGE
 from .unfold import Unfolding
+from .verdict import CONSTANT, MIXED
 
 OTHER, MORE = 1.7, 0.31
 """By what chosen lengths are multiplied to see which forces depend on them, each by more."""
-
-CONSTANT = "an efficiency does not say where friction acts"
-
-MIXED = "forces with friction do not add up, so every load but one needs a size"
 
 Solve = Callable[[Unfolding, Case], Solution | str]
 

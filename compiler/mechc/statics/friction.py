@@ -30,7 +30,7 @@ from ..model.mechanism import (
     WithFriction,
 )
 from ..model.targets import SIGNS
-from .answers import OPEN, STANDS, UNBALANCED, UNSETTLED, Answer
+from .answers import Answer
 from .assembly import Action, direction, scaled
 from .balanced import Row, Tie, gather, ties, with_loads
 from .free_bodies import System, equilibrium
@@ -40,6 +40,7 @@ from .solve import Factors, factor
 from .speeds import dual_speed
 from .tolerances import EPSILON, INCONSISTENT, NO_SLIP
 from .unfold import Unfolding
+from .verdict import OPEN, STANDS, UNBALANCED, UNSETTLED
 
 
 @frozen

@@ -38,7 +38,7 @@ from ..model.result import Definition, Result
 from ..model.values import defaults
 from ..pose.pose import Pose
 from ..source import Span
-from .answers import STANDS, UNSETTLED, Answer, load_coefficient, load_ratio
+from .answers import Answer, load_coefficient, load_ratio
 from .balanced import Balanced
 from .closure import worst_gap
 from .contacts import pulling, slack
@@ -46,7 +46,16 @@ from .counted import uncounted
 from .poses import Replay, Values, candidates, free_values
 from .speeds import speed_ratio
 from .tolerances import SMALLEST
-from .verdict import Trial, Untried, Verdict
+from .verdict import (
+    NEAR_SINGULAR,
+    NO_MORE,
+    NO_VALUE,
+    STANDS,
+    UNSETTLED,
+    Trial,
+    Untried,
+    Verdict,
+)
 
 POSES = 4
 """How many poses a result is checked at: the default one and three more."""
@@ -56,13 +65,6 @@ DRAWS = 40
 
 SINGULAR = 1e9
 """A pose whose condition is worse is within a hair of singular: another one is drawn."""
-
-
-NO_VALUE = "virtual power gives no finite value"
-
-NEAR_SINGULAR = "the pose is within a hair of singular"
-
-NO_MORE = "no more poses meet the conditions of use"
 
 
 class RefereeDisagrees(MechcError):

@@ -16,7 +16,6 @@ from ..model.mechanism import (
     WheelPair,
 )
 from .acts import Bearing
-from .answers import OPEN, UNBALANCED
 from .balanced import Tie, gather, ties, with_loads
 from .cases import Case
 from .cut_free import Solution
@@ -25,8 +24,7 @@ from .friction import friction_forces
 from .solve import Factors, factor
 from .tolerances import INCONSISTENT
 from .unfold import Unfolding
-
-SEVERAL = "friction is found where one load follows from all the others"
+from .verdict import OPEN, SEVERAL, UNBALANCED
 
 
 def ideal(unfolding: Unfolding, case: Case) -> Solution | str:

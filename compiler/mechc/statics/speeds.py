@@ -14,15 +14,13 @@ from .assembly import Action, Plane, direction
 from .balanced import eliminated
 from .free_bodies import equilibrium
 from .unfold import Unfolding
+from .verdict import NO_SPEED
 
 Probe = tuple[Action, ...]
 """A unit load that does work with one component of a speed."""
 
 SLANT = 1.0
 """The direction, in radians, of the reference load on a point whose direction is open."""
-
-
-NO_SPEED = "the speed below the line vanishes"
 
 
 class Probes(NamedTuple):

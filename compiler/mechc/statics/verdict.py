@@ -1,9 +1,43 @@
-"""The verdict of the referee: k by virtual power against k by free bodies, pose by pose."""
+"""The verdict of the referee: k by virtual power against k by free bodies, pose by pose.
+
+Where there is none, the reason is one of the sentences below: as it stands in English, and by
+it in the other languages.
+"""
 
 from collections.abc import Mapping
 from typing import NamedTuple
 
 from .tolerances import AGREEMENT, CONDITION_SLACK, EPSILON
+
+OPEN = "equilibrium leaves a force open that is asked for"
+
+UNBALANCED = "no forces at the joints balance the loads"
+
+STANDS = "a joint stands still at that pose, and rounding tells which way it slips"
+"""The doubt where friction may as well have the other sign, or none."""
+
+UNSETTLED = "no friction was found that balances at that pose"
+"""The doubt where iteration ends: there may be none, or more to find."""
+
+CONSTANT = "an efficiency does not say where friction acts"
+
+MIXED = "forces with friction do not add up, so every load but one needs a size"
+
+SEVERAL = "friction is found where one load follows from all the others"
+
+WITHOUT_FORCES = (OPEN, UNBALANCED, STANDS, UNSETTLED, CONSTANT, MIXED, SEVERAL)
+"""Why bodies have no forces: none are drawn, and no pose is judged by them."""
+
+NO_VALUE = "virtual power gives no finite value"
+
+NEAR_SINGULAR = "the pose is within a hair of singular"
+
+NO_MORE = "no more poses meet the conditions of use"
+
+NO_SPEED = "the speed below the line vanishes"
+
+UNJUDGED = (NO_VALUE, NEAR_SINGULAR, NO_MORE, NO_SPEED)
+"""Why a pose is not judged whose bodies have forces."""
 
 
 class Trial(NamedTuple):

@@ -1,24 +1,18 @@
 """What ``mechc check`` says of a sound description, with places for names and numbers."""
 
+from ...statics import verdict
 from . import pictured
-from .pictured import TROUBLES, Words
-
-REASONS = (
-    "virtual power gives no finite value",
-    "the pose is within a hair of singular",
-    "no more poses meet the conditions of use",
-    "the speed below the line vanishes",
-)
-"""Why a pose is not judged, beside what leaves its bodies without forces, as statics says it."""
+from .pictured import Words
 
 
-def _with_troubles(own: Words, pictured: Words) -> Words:
-    return {**{trouble: pictured[trouble] for trouble in TROUBLES}, **own}
+def _with_reasons(own: Words, pictured: Words) -> Words:
+    """Return the words of check with those of free bodies that it needs, too."""
+    return {**{reason: pictured[reason] for reason in verdict.WITHOUT_FORCES}, **own}
 
 
-EN: Words = _with_troubles(
+EN: Words = _with_reasons(
     {
-        **{reason: reason for reason in REASONS},
+        **{reason: reason for reason in verdict.UNJUDGED},
         "default": "{value} at the default pose",
         "where": "where {formula}",
         "solve": "where {names} solve",
@@ -62,13 +56,12 @@ EN: Words = _with_troubles(
     pictured.EN,
 )
 
-UK: Words = _with_troubles(
+UK: Words = _with_reasons(
     {
-        "virtual power gives no finite value": "рівняння потужностей не дає скінченного значення",
-        "the pose is within a hair of singular": "положення майже особливе",
-        "no more poses meet the conditions of use": "інші положення не задовольняють умов "
-        "застосування",
-        "the speed below the line vanishes": "швидкість у знаменнику дорівнює нулю",
+        verdict.NO_VALUE: "рівняння потужностей не дає скінченного значення",
+        verdict.NEAR_SINGULAR: "положення майже особливе",
+        verdict.NO_MORE: "інші положення не задовольняють умов застосування",
+        verdict.NO_SPEED: "швидкість у знаменнику дорівнює нулю",
         "default": "{value} за заданих значень",
         "where": "де {formula}",
         "solve": "де {names} — розв’язок системи рівнянь",
@@ -115,13 +108,12 @@ UK: Words = _with_troubles(
     pictured.UK,
 )
 
-RU: Words = _with_troubles(
+RU: Words = _with_reasons(
     {
-        "virtual power gives no finite value": "уравнение мощностей не даёт конечного значения",
-        "the pose is within a hair of singular": "положение почти особое",
-        "no more poses meet the conditions of use": "другие положения не удовлетворяют условиям "
-        "применения",
-        "the speed below the line vanishes": "скорость в знаменателе равна нулю",
+        verdict.NO_VALUE: "уравнение мощностей не даёт конечного значения",
+        verdict.NEAR_SINGULAR: "положение почти особое",
+        verdict.NO_MORE: "другие положения не удовлетворяют условиям применения",
+        verdict.NO_SPEED: "скорость в знаменателе равна нулю",
         "default": "{value} при заданных значениях",
         "where": "где {formula}",
         "solve": "где {names} — решение системы уравнений",

@@ -2,21 +2,12 @@
 
 from collections.abc import Mapping
 
+from ...statics import verdict
+
 Words = Mapping[str, str]
 
-TROUBLES = (
-    "equilibrium leaves a force open that is asked for",
-    "no forces at the joints balance the loads",
-    "a joint stands still at that pose, and rounding tells which way it slips",
-    "no friction was found that balances at that pose",
-    "an efficiency does not say where friction acts",
-    "forces with friction do not add up, so every load but one needs a size",
-    "friction is found where one load follows from all the others",
-)
-"""Why there are no free bodies, as statics says it."""
-
 EN: Words = {
-    **{trouble: trouble for trouble in TROUBLES},
+    **{reason: reason for reason in verdict.WITHOUT_FORCES},
     "without": "without friction",
     "tightening": "with friction, tightening",
     "releasing": "with friction, releasing",
@@ -105,19 +96,15 @@ UK: Words = {
     "branches": "Показано одну з {count} однакових гілок.",
     "open_scale": "Не в масштабі: не задано {names}.",
     "far_centres": "Миттєві центри швидкостей надто далеко, щоб їх показати: {links}.",
-    "equilibrium leaves a force open that is asked for": "рівняння рівноваги не визначають шуканої "
-    "сили",
-    "no forces at the joints balance the loads": "жодні сили в кінематичних парах не "
-    "зрівноважують навантажень",
-    "a joint stands still at that pose, and rounding tells which way it slips": "у цьому положенні "
-    "одна з кінематичних пар нерухома, і напрям ковзання в ній визначає лише округлення",
-    "no friction was found that balances at that pose": "не знайдено сил тертя, за яких у цьому "
-    "положенні є рівновага",
-    "an efficiency does not say where friction acts": "із ККД не видно, де діє тертя",
-    "forces with friction do not add up, so every load but one needs a size": "сили з тертям не "
-    "додаються, тому кожне навантаження, крім одного, має бути задане",
-    "friction is found where one load follows from all the others": "тертя визначається тоді, "
-    "коли одне навантаження випливає з усіх інших",
+    verdict.OPEN: "рівняння рівноваги не визначають шуканої сили",
+    verdict.UNBALANCED: "жодні сили в кінематичних парах не зрівноважують навантажень",
+    verdict.STANDS: "у цьому положенні одна з кінематичних пар нерухома, і напрям ковзання в ній "
+    "визначає лише округлення",
+    verdict.UNSETTLED: "не знайдено сил тертя, за яких у цьому положенні є рівновага",
+    verdict.CONSTANT: "із ККД не видно, де діє тертя",
+    verdict.MIXED: "сили з тертям не додаються, тому кожне навантаження, крім одного, має бути "
+    "задане",
+    verdict.SEVERAL: "тертя визначається тоді, коли одне навантаження випливає з усіх інших",
 }
 
 RU: Words = {
@@ -164,18 +151,13 @@ RU: Words = {
     "branches": "Показана одна из {count} одинаковых ветвей.",
     "open_scale": "Не в масштабе: не заданы {names}.",
     "far_centres": "Мгновенные центры скоростей слишком далеко, чтобы их показать: {links}.",
-    "equilibrium leaves a force open that is asked for": "уравнения равновесия не определяют "
-    "искомой силы",
-    "no forces at the joints balance the loads": "никакие силы в кинематических парах не "
-    "уравновешивают нагрузок",
-    "a joint stands still at that pose, and rounding tells which way it slips": "в этом положении "
-    "одна из кинематических пар неподвижна, и направление скольжения в ней определяет лишь "
-    "округление",
-    "no friction was found that balances at that pose": "не найдено сил трения, при которых в этом "
-    "положении есть равновесие",
-    "an efficiency does not say where friction acts": "из КПД не видно, где действует трение",
-    "forces with friction do not add up, so every load but one needs a size": "силы с трением не "
-    "складываются, поэтому каждая нагрузка, кроме одной, должна быть задана",
-    "friction is found where one load follows from all the others": "трение определяется, когда "
-    "одна нагрузка следует из всех остальных",
+    verdict.OPEN: "уравнения равновесия не определяют искомой силы",
+    verdict.UNBALANCED: "никакие силы в кинематических парах не уравновешивают нагрузок",
+    verdict.STANDS: "в этом положении одна из кинематических пар неподвижна, и направление "
+    "скольжения в ней определяет лишь округление",
+    verdict.UNSETTLED: "не найдено сил трения, при которых в этом положении есть равновесие",
+    verdict.CONSTANT: "из КПД не видно, где действует трение",
+    verdict.MIXED: "силы с трением не складываются, поэтому каждая нагрузка, кроме одной, должна "
+    "быть задана",
+    verdict.SEVERAL: "трение определяется, когда одна нагрузка следует из всех остальных",
 }
