@@ -27,7 +27,7 @@ from .joints import declare_points, read_drawn, read_pivots, read_sliders, warn_
 from .literals import with_names
 from .loads import read_loads
 from .lower import with_arcs, with_loaded_points
-from .mechanism import Find, LoadForm, Mechanism, Slider
+from .mechanism import Find, LoadForm, Mechanism, Offset, Slider
 from .motion import check_drives, read_assemblies, read_drives
 from .parameters import warn_unused
 from .points import Points
@@ -101,6 +101,8 @@ def _built(mechanism: Mechanism, file: ast.File, scope: Scope) -> Mechanism:
     pivots, places = read_pivots(file, scope)
     sliders, guides, guide_places = read_sliders(file, scope)
     drawn, fixed_places = read_drawn(file, scope)
+    given = (place for place in (*places, *fixed_places) if isinstance(place, Offset))
+    scope.points.located.update((place.head, place) for place in given)
     slides, telescopes = read_slides(file, scope), read_telescopes(file, scope)
     joints = read_joints(file, slides, scope)
     check_belts(joints, places, scope)

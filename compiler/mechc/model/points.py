@@ -11,7 +11,7 @@ from ..diagnostics.model import names as messages
 from ..source import Span
 from ..syntax import ast
 from ..syntax.vocabulary import points_of
-from .mechanism import Link
+from .mechanism import Link, Offset
 
 
 class CircularSlot(NamedTuple):
@@ -28,7 +28,8 @@ class Points:
     ``bodies`` the link through a set of points, ``slides`` and ``telescopes`` the names of
     those; ``fixed`` and ``guided`` hold the pivots and the sliders; ``touching`` counts the
     slots and contacts of a point, ``arcs`` gives a pin's circular slot, ``falls`` the ropes that
-    run between two points, ``used`` counts what acts at a point or asks for it.
+    run between two points, ``used`` counts what acts at a point or asks for it, ``located`` the
+    pivots whose place is given.
     """
 
     def __init__(self, report: Report) -> None:
@@ -45,6 +46,7 @@ class Points:
         self.arcs: dict[str, CircularSlot] = {}
         self.falls: dict[frozenset[str], list[str]] = {}
         self.used: Counter[str] = Counter()
+        self.located: dict[str, Offset] = {}
         self._strange: set[str] = set()
 
     def split(self, name: ast.Name) -> tuple[str, ...] | None:
@@ -102,6 +104,12 @@ class Points:
                 candidates = [link.name for link in several]
                 self.report.add(messages.ambiguous_link(name.span, name.text, candidates))
         return None
+
+    def coaxial(self, point: str) -> frozenset[str]:
+        """Return a point together with the pivots that are given the same place as it."""
+        own = self.located.get(point)
+        same = (p for p, at in self.located.items() if own and (at.x, at.y) == (own.x, own.y))
+        return frozenset((point, *same))
 
     def centre(self, pin: str) -> str | None:
         """Return the centre of a pin's circular slot, None where it is no point of its body."""

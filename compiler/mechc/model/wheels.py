@@ -53,20 +53,25 @@ def _pair(statement: ast.Gear | ast.Belt, scope: Scope) -> WheelPair | None:
 def _arm(statement: ast.Gear | ast.Belt, scope: Scope) -> str | None:
     """Return the link that carries both centres, '' for the ground; None where it is reported.
 
-    A slide that carries them does not turn, as the ground does not.
+    A slide that carries them does not turn, as the ground does not. Pivots at one place are
+    one axis: a sun, a ring and the arm may each have a pivot of their own there.
     """
     pivots = {statement.first.text, statement.second.text}
     if pivots <= scope.points.fixed or any(pivots <= slide for slide in scope.points.slides):
         return ""
     named = [n.text for n in (statement.first_link, statement.second_link) if n]
-    wheels = [points_of(text) for text in named if text != GROUND]
-    through = scope.points.carried.get(statement.first.text, [])
-    both = [link for link in through if pivots <= set(link.points)]
-    arms = [k.name for k in both if not any(set(k.points).issuperset(w) for w in wheels)]
+    wheels = {text: points_of(text) for text in named if text != GROUND}
+    axes = [scope.points.coaxial(point) for point in sorted(pivots)]
+    both = [k for k in scope.points.links.values() if all(axis & {*k.points} for axis in axes)]
+    turning = {text for text, w in wheels.items() if any({*k.points} >= {*w} for k in both)}
+    arms = [k.name for k in both if not any({*k.points} >= {*wheels[text]} for text in turning)]
     if len(arms) == 1:
         return arms[0]
     at, ends = statement.second.span, (statement.first.text, statement.second.text)
-    scope.report.add(messages.several_arms(at, *ends, arms) if arms else messages.no_arm(at, *ends))
+    if arms:
+        scope.report.add(messages.several_arms(at, *ends, arms))
+    else:
+        scope.report.add(messages.no_arm(at, *ends, next(iter(turning), "")))
     return None
 
 

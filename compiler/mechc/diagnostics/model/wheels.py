@@ -29,7 +29,7 @@ def joint_of_another(at: Span, point: str, link: str, moves: str) -> Message:
 
 
 @coded("E267")
-def no_arm(at: Span, first: str, second: str) -> Message:
+def no_arm(at: Span, first: str, second: str, turning: str = "") -> Message:
     """The centres of two wheels keep their distance: pivots, or points of one link, the arm.
 
     A wheel's own link is not the arm, since the wheel turns against it::
@@ -39,12 +39,15 @@ def no_arm(at: Span, first: str, second: str) -> Message:
         link AB "planet"
         gear O r1 on OS, A r2          # right: OA carries both
         gear O r1 on OS, B r2          # wrong: no link carries O and B
+        gear O r1 on OA, A r2          # wrong: OA is the arm, no wheel turns with it
     """
     return Message(
         at,
         f"no arm carries {first} and {second}, expected two pivots, or a link through both that is "
         "neither wheel",
-        f"add the arm: `link {first}{second}`",
+        f"`on` names the link that turns with the wheel: write another one than {turning}"
+        if turning
+        else f"add the arm: `link {first}{second}`",
     )
 
 
