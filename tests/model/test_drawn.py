@@ -249,3 +249,24 @@ def test_what_slides_or_touches_pushes_on_an_arm_as_it_is_drawn():
     """The slot turns with P·sin/r: ω·r = V·sin, r² = 40² + 60²; the face is lifted by ω·x."""
     assert value(SLOTTED_LEVER) == pytest.approx((0.04**2 + 0.06**2) / 0.06, rel=1e-12)
     assert value(FLAT_FOLLOWER) == pytest.approx(0.008, rel=1e-12)
+
+
+@pytest.mark.parametrize(("wide", "high"), [("1.2", "0.4"), ("1", "0.4"), ("0.7", "0.3")])
+def test_lengths_in_a_ratio_are_so_to_the_last_digit(wide, high):
+    """Scissors with a guide too many move whatever the digits of the roots are."""
+    double = [f"{2 * float(size):g}" for size in (wide, high)]
+    text = f"""mechanism scissors
+    pivot A at (0 m, 0 m)
+    slider B along x
+    slider C along y
+    link AED
+    link BEC
+    B at ({double[0]} m, 0 m)
+    E at ({wide} m, {high} m)
+    C at (0 m, {double[1]} m)
+    D at ({double[0]} m, {double[1]} m)
+    force P at B along -x
+    force F at D along -y
+    find k = P/F"""
+    assert value(text) == pytest.approx(float(wide) / float(high), rel=1e-12)
+    assert codes(text) == ["W401"]

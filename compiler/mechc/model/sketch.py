@@ -17,7 +17,8 @@ from ..formula.tree import ZERO, Call, Formula, Number, Symbol, degrees, negativ
 from ..formula.walk import evaluate, substitute, symbols
 from ..source import Span
 from ..units import ANGLE, LENGTH, Dimension, in_unit
-from .constants import number_of
+from .commensurable import Lengths
+from .constants import number_of, rational
 from .entries import points_of, unit_of_drawing
 from .led_points import led_points
 from .mechanism import Absolute, Direction, Geometry, Mechanism, Offset, Parameter
@@ -84,6 +85,7 @@ class Sketch:
         self._taken = {p.name for p in mechanism.parameters} | {p.name for p in mechanism.loads}
         self.unit = unit_of_drawing(mechanism)
         self._vectors: list[_Vector] = []
+        self._lengths = Lengths()
         for entry in mechanism.geometry:
             if isinstance(entry, Offset) and not entry.tail:
                 self._place(entry.head, entry.x, entry.y, entry.span)
@@ -173,12 +175,18 @@ class Sketch:
         elif found := self.polar(tail, head):
             value = found.length.formula()
         else:
-            value = Call("hypot", (x.formula(), y.formula()))
+            value = self._hypotenuse(x.formula(), y.formula())
         if isinstance(value, Symbol):
             return value
         if not symbols(value):
             return number_of(value)
         return self._named(f"len_{tail}{head}", value, LENGTH, self.unit, head)
+
+    def _hypotenuse(self, x: Formula, y: Formula) -> Formula:
+        exact = rational(x), rational(y)
+        if exact[0] is None or exact[1] is None:
+            return Call("hypot", (x, y))
+        return Number(self._lengths.of(exact[0], exact[1]))
 
     def direction(self, tail: str, head: str) -> Absolute:
         """Return the direction between two points: along an axis, or named."""
