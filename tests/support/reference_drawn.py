@@ -20,11 +20,11 @@ LINES = {
     "slider": r"slider (\w+) along (.+)$",
     "link": r"link (\w+)",
     "slide": r"slide (\w+) along (.+)$",
-    "slot": r"slot (\w+) in (\w+)$",
+    "slot": r"slot (\w+) in (\w+)(?: guiding (\w+))?$",
     "contact": r"contact (\w+) on (\w+) normal (.+)$",
     "wheels": r"(gear|belt) (\w+) (\S+(?: mm)?)(?: on (\w+))?, (\w+) (\S+(?: mm)?)(?: on (\w+))?"
     r"( inner| crossed)?$",
-    "rack": r"rack (\w+) on (\w+) (.+)$",
+    "rack": r"rack (\w+) on (\w+) (?:radius )?(.+)$",
     "screw": r"screw (\w+) pitch (.+) on (\w+)$",
     "rope": r"rope (.+)$",
     "mirror": r"mirror across \w+(?: sharing (.+))?$",
@@ -32,12 +32,33 @@ LINES = {
     "force": r"force (\w+) at (\w+) along (.+)$",
     "weight": r"weight (\w+) mass (\S+) kg at (\w+)$",
     "torque": r"torque (\w+) on (\w+)$",
+    "spread": r"load (\w+) intensity (\S+) kN/m on (\w+) along (.+)$",
     "actuator": r"actuator (\w+) between (\w+) and (\w+)$",
+    "spring": r"spring (\S+) N/mm between (\w+) and (\w+) free (.+)$",
+    "tension": r"tension (\w+) between (\w+) and (\w+)$",
 }
 
 
 def points_of(name):
     return re.findall(r"[A-Z]\d*", name)
+
+
+def released(text):
+    """Return the lines with each joint whose force is asked for replaced by that force."""
+    for name in re.search("find (.*)", text)[1].split(", "):
+        kind, _, points = name.partition("_")
+        if kind == "R":
+            forces = [f"force {name}_{axis} at {points} along {axis}" for axis in "xy"]
+            text = text.replace(f"pivot {points} at", "\n".join([*forces, f"{points} at"]))
+        elif kind == "N" and len(points_of(points)) == 1:
+            line = rf"slider {points} along (\S+)"
+            text = re.sub(line, rf"force {name} at {points} along perp \1", text)
+        elif kind == "N":
+            first, second = points_of(points)
+            line = rf"link {points}$|rope {first}, {second}$"
+            pair = f"tension {name} between {first} and {second}"
+            text = re.sub(line, pair, text, flags=re.MULTILINE)
+    return text
 
 
 class Drawn:
@@ -111,19 +132,22 @@ class Drawn:
             yield self.velocity(first, across(self.unit(along)))
             for point in others:
                 yield from (self.relative(point, [first], axis) for axis in np.eye(2))
-        for point, line in self.lines["slot"]:
+        for point, line, guided in self.lines["slot"]:
             tail, head = points_of(line)
             yield self.relative(point, self.body(line), across(self.way(tail, head)))
+            if guided:
+                yield self.turning(self.body(guided)) - self.turning(self.body(line))
         for point, name, normal in self.lines["contact"]:
             yield self.relative(point, self.body(name), self.unit(normal))
         yield from self.transmissions()
 
     def transmissions(self):
         for kind, first, r1, on1, second, r2, on2, how in self.lines["wheels"]:
-            arm = sum(self.turning(b) for b in self.bodies if {first, second} <= {*b})
+            arms = [b for b in self.bodies if self.on_axis(first, b) and self.on_axis(second, b)]
+            arm = sum(self.turning(body) for body in arms)
             sense = -1 if (kind == "gear") == (how is None) else 1
             rims = [
-                self.size(r) * (self.wheel(o, on) - arm)
+                self.size(r) * (self.wheel(o, on, arms) - arm)
                 for o, r, on in ((first, r1, on1), (second, r2, on2))
             ]
             yield rims[0] - sense * rims[1]
@@ -146,15 +170,29 @@ class Drawn:
         (along,) = [along for p, along in self.lines["slider"] if p == point]
         return self.velocity(point, self.unit(along))
 
-    def wheel(self, centre, on):
+    def on_axis(self, point, body):
+        return any(self.distance(point, other) < 1e-12 for other in body)
+
+    def wheel(self, centre, on, arms=()):
         if on == "ground":
             return 0
-        return self.turning(self.body(on) if on else next(b for b in self.bodies if centre in b))
+        others = (b for b in self.bodies if centre in b and b not in arms)
+        return self.turning(self.body(on) if on else next(others))
 
     # ------------------------------------------------------------------- loads
 
-    def weights(self):
-        return {name: float(mass) * GRAVITY for name, mass, _ in self.lines["weight"]}
+    def known(self):
+        """Return the value of each weight, spread load and spring, as the lines give it."""
+        values = {name: float(mass) * GRAVITY for name, mass, _ in self.lines["weight"]}
+        for name, intensity, line, _ in self.lines["spread"]:
+            values[name] = 1000 * float(intensity) * self.distance(*points_of(line))
+        for rate, first, second, free in self.lines["spring"]:
+            stretch = self.distance(first, second) - length(free)
+            values[f"S_{first}{second}"] = -1000 * float(rate) * stretch
+        return values
+
+    def distance(self, first, second):
+        return np.hypot(*(self.at[first] - self.at[second]))
 
     def work(self, values):
         """Return the power of all loads in each motion, and the size of its greatest part."""
@@ -174,9 +212,19 @@ class Drawn:
             yield name, number(point) * self.velocity(point, AXES["-y"])
         for name, body in self.lines["torque"]:
             yield name, self.turning(self.body(body))
-        for name, first, second in self.lines["actuator"]:
-            way = self.way(first, second)
-            yield name, self.velocity(second, way) - self.velocity(first, way)
+        for name, _, line, along in self.lines["spread"]:
+            ends = [self.velocity(point, self.unit(along)) for point in points_of(line)]
+            yield name, sum(ends) / 2
+        springs = [(f"S_{a}{b}", a, b) for _, a, b, _ in self.lines["spring"]]
+        for name, first, second in (*self.lines["actuator"], *springs):
+            yield name, self.parting(first, second)
+        for name, first, second in self.lines["tension"]:
+            yield name, -self.parting(first, second)
+
+    def parting(self, first, second):
+        """Return the row of the speed at which two points move apart."""
+        way = self.way(first, second)
+        return self.velocity(second, way) - self.velocity(first, way)
 
 
 def across(way):
