@@ -1,14 +1,18 @@
 """Mechanisms that a sheet uses: what comes of them there is what comes of them alone."""
 
+import json
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 import pytest
+from jsonschema import Draft202012Validator
 
 import mechc
+from mechc.cli.checked import report
 from mechc.diagnostics import MechcError
 from mechc.diagnostics.render import render
+from mechc.emit.json.to_json import schema_text
 from run_targets import COMPILER, assert_close, built, by_c_singly, by_interpreter
 
 CLAMP = """
@@ -129,6 +133,23 @@ def test_the_note_has_results_and_the_derivation_behind_it(clamped: Clamped, lan
     assert "0{,}05" in derived or "0.05" in derived
     assert r"\boxed{k=\frac{P}{Q}=" in derived
     assert "tikz" not in clamped.sheet.emit("latex", fragment=True)
+
+
+def test_check_and_json_have_the_mechanism_at_the_values_of_the_sheet(tmp_path: Path) -> None:
+    """Its ratio and its second opinion, under the prefix."""
+    path = written(tmp_path, 'sheet s\nuse "crank.mech" as C (F = 2 kN, l = 0.1 m)\n')
+    sheet, alone = mechc.load(path), mechc.load(tmp_path / "crank.mech").evaluate(l=0.1)
+    heading, ratio, verdict = list(report(sheet._compilation, verbose=False))[-3:]
+    assert heading == "  C is crank at the values that it is given here"
+    assert ratio == f"    k = {alone['k'] * 1e3:.9g} mm"
+    assert verdict.startswith("    equilibrium of the free bodies agrees in ")
+    document = json.loads(sheet.emit("json"))
+    Draft202012Validator(json.loads(schema_text())).validate(document)
+    (used,) = document["used_mechanisms"]
+    assert (used["prefix"], used["name"], used["referee"]["agrees"]) == ("C", "crank", True)
+    (found,) = used["results"]
+    assert found["value"] == pytest.approx(alone["k"], rel=1e-14)
+    assert r"\varphi" in found["formula"]["latex"] or r"\phi" in found["formula"]["latex"]
 
 
 def test_a_sheet_within_derives_its_mechanism_too(tmp_path: Path) -> None:

@@ -8,7 +8,14 @@ from ..formula.to_text import text
 from ..formula.tree import Number
 from ..formula.walk import evaluate, symbols
 from ..frozen import replace
-from ..model.mechanism import GRAVITY, Parameter
+from ..model.mechanism import (
+    GRAVITY,
+    LoadForm,
+    LoadRatio,
+    Parameter,
+    SpeedRatio,
+    WithFriction,
+)
 from ..model.result import Definition, Result
 from ..report.definitions import Letters, Solved, as_written, grouped, letters
 from ..report.note import own_lines
@@ -49,6 +56,28 @@ def report(
         yield from spell.broken(line, "")
     if not compilation.calculation:
         yield from _of_verdict(compilation.verdict, spell, verbose)
+    for prefix, used in compilation.used_mechanisms:
+        yield from _of_used(prefix, used, spell, verbose)
+
+
+def _of_used(prefix: str, used: Compilation, spell: Speller, verbose: bool) -> Iterator[str]:
+    """Yield the lines on a mechanism that a sheet uses: what it comes to, and whether that agrees.
+
+    Its formulas stand in the calculation, under the prefix.
+    """
+    yield f"  {spell.locale.checked['used'].format(prefix=prefix, name=used.mechanism.name)}"
+    for result in used.results:
+        if result.default is not None and _is_ratio(result):
+            value = _measured(result.default, scale_of(result, used.mechanism), spell)
+            yield f"    {result.name} = {value}"
+    yield from (f"  {line}" for line in _of_verdict(used.verdict, spell, verbose))
+
+
+def _is_ratio(result: Analysis) -> bool:
+    """Return whether forces or speeds are compared, with friction or without it."""
+    target = result.target
+    asked = target.of if isinstance(target, WithFriction) else target
+    return isinstance(asked, LoadRatio | SpeedRatio | LoadForm)
 
 
 def _speller(

@@ -4,7 +4,7 @@ The document and its JSON Schema are both made from what stands here.
 """
 
 from collections.abc import Mapping
-from typing import get_args
+from typing import NamedTuple, get_args
 
 from ...formula.to_text import text
 from ...formula.tree import Formula
@@ -189,7 +189,12 @@ ELSEWHERE: Kind[Result] = record(
     "elsewhere",
     "A result with friction from coupled equations, whichever way its joints are pressed.",
     member("formula", "The whole result.", FORMULA, lambda r: r.formula),
-    member("where", "In order of definition.", list_of(DEFINITION), lambda r: r.where),
+    member(
+        "where",
+        "In order of definition. What a let leaves out is defined by others elsewhere.",
+        list_of(DEFINITION),
+        lambda r: r.where,
+    ),
     member(
         "guards", "What must hold, or nothing balances.", list_of(CONDITION), lambda r: r.guards
     ),
@@ -207,7 +212,7 @@ RESULT: Kind[Analysis] = record(
     member(
         "where",
         "In order of definition. A let of more than "
-        f"{LONG} leaves out those that other results define: names that are these.",
+        f"{LONG} leaves out those that other results are, or define in their own where.",
         list_of(DEFINITION),
         lambda r: r.where,
     ),
@@ -359,6 +364,52 @@ VERDICT: Kind[Verdict] = record(
     member("remarks", "What could not be tried.", list_of(TEXT), _said),
 )
 
+
+class UsedMechanism(NamedTuple):
+    """A mechanism that a sheet uses, under its prefix there."""
+
+    prefix: str
+    compiled: Compiled
+
+
+USED: Kind[UsedMechanism] = record(
+    "used_mechanism",
+    "A mechanism that a calculation sheet uses, compiled at the values that the sheet gives it.",
+    member("prefix", "Of its quantities in the sheet: L of L_k.", TEXT, lambda u: u.prefix),
+    member("name", "The mechanism's.", TEXT, lambda u: u.compiled.mechanism.name),
+    member("title", "Or empty.", TEXT, lambda u: u.compiled.mechanism.title),
+    member("source", "Where it is from, or empty.", TEXT, lambda u: u.compiled.mechanism.source),
+    member(
+        "parameters",
+        "In order, by its own names, as formulas below have them.",
+        list_of(PARAMETER),
+        lambda u: u.compiled.mechanism.parameters,
+    ),
+    member(
+        "constants",
+        "As of the document.",
+        list_of(PARAMETER),
+        lambda u: u.compiled.mechanism.literals,
+    ),
+    member(
+        "results",
+        "In order.",
+        list_of(RESULT),
+        lambda u: defined_once(u.compiled.derivation.results),
+    ),
+    member("derivation", "How they follow.", DERIVATION, lambda u: u.compiled.derivation),
+    member("referee", "What statics says.", VERDICT, lambda u: u.compiled.verdict),
+    member("figure", "For drawings.", optional(FIGURE), lambda u: u.compiled.figure),
+    member(
+        "free_bodies", "At the figure's pose.", list_of(DIAGRAM), lambda u: u.compiled.free_bodies
+    ),
+)
+
+
+def _used(compiled: Compiled) -> tuple[UsedMechanism, ...]:
+    return tuple(UsedMechanism(*pair) for pair in compiled.used_mechanisms)
+
+
 DOCUMENT: Kind[Compiled] = record(
     "result_document",
     "What mechc found of one mechanism. Numbers are SI and radians.",
@@ -397,4 +448,10 @@ DOCUMENT: Kind[Compiled] = record(
     ),
     member("functions", "Of the code.", list_of(FUNCTION), lambda c: c.routine.functions),
     member("points", "Where points are, if there is a drive.", optional(MOVED), moved),
+    member(
+        "used_mechanisms",
+        "Those that a calculation sheet uses, in the order of its text.",
+        list_of(USED),
+        _used,
+    ),
 )

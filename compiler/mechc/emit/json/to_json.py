@@ -6,7 +6,7 @@ from functools import partial
 
 from ...formula.tree import Formula
 from ...report.latex.document_style import style_of
-from ...report.latex.notation import notation
+from ...report.latex.notation import Notation, notation
 from ...report.latex.printer import latex
 from ..target import Compiled, Emitted, Options
 from .document import DOCUMENT
@@ -21,8 +21,15 @@ class JsonTarget:
 
     def emit(self, compiled: Compiled, options: Options) -> tuple[Emitted, ...]:
         """Return the document; NaN and infinities are null."""
-        style = style_of(compiled.mechanism, compiled.derivation.results, notation("en"))
-        text = _text(DOCUMENT.write(compiled), partial(latex, style=style))
+        document = DOCUMENT.write(compiled)
+        assert isinstance(document, dict)
+        used = document["used_mechanisms"]
+        assert isinstance(used, list)
+        parts = (part for _, part in compiled.used_mechanisms)
+        document["used_mechanisms"] = [
+            _typeset(one, _style(part)) for one, part in zip(used, parts, strict=True)
+        ]
+        text = _text(document, partial(latex, style=_style(compiled)))
         return (Emitted(f"{options.stem}.json", text),)
 
 
@@ -38,6 +45,23 @@ def schema_text() -> str:
         "$defs": dict(DOCUMENT.definitions),
     }
     return _text(schema)
+
+
+def _style(compiled: Compiled) -> Notation:
+    return style_of(compiled.mechanism, compiled.derivation.results, notation("en"))
+
+
+def _typeset(value: Json, style: Notation) -> Json:
+    """Return a value with LaTeX for its formulas: a used mechanism has angles of its own."""
+    match value:
+        case dict():
+            return {name: _typeset(inner, style) for name, inner in value.items()}
+        case list():
+            return [_typeset(inner, style) for inner in value]
+        case None | bool() | int() | float() | str():
+            return value
+        case _:
+            return latex(value, style)
 
 
 def _text(document: Json, written: Callable[[Formula], str] | None = None) -> str:

@@ -23,6 +23,7 @@ EN: Words = _with_reasons(
         "proved": "expect {formula}: proved",
         "agrees": "expect {formula}: agrees ({value})",
         "equilibrium": "equilibrium of the free bodies agrees in {count} trials",
+        "used": "{prefix} is {name} at the values that it is given here",
         "judged": "{name} was judged at {count} of {poses} poses: {reason}",
         "points": "points",
         "parameters": "parameters",
@@ -73,6 +74,7 @@ UK: Words = _with_reasons(
         "agrees": "expect {formula}: збігається ({value})",
         "equilibrium": "рівняння рівноваги окремих ланок дають той самий результат, "
         "перевірок: {count}",
+        "used": "{prefix} — механізм {name} за значень, які йому тут задано",
         "judged": "{name}: перевірено положень {count} з {poses}; {reason}",
         "points": "точки",
         "parameters": "параметри",
@@ -125,6 +127,7 @@ RU: Words = _with_reasons(
         "agrees": "expect {formula}: совпадает ({value})",
         "equilibrium": "уравнения равновесия отдельных звеньев дают тот же результат, проверок: "
         "{count}",
+        "used": "{prefix} — механизм {name} при значениях, которые ему здесь заданы",
         "judged": "{name}: проверено положений {count} из {poses}; {reason}",
         "points": "точки",
         "parameters": "параметры",
