@@ -154,10 +154,16 @@ def test_a_long_power_equation_is_broken() -> None:
 @pytest.mark.parametrize("name", ["toggle_clamp", "vice_grip", "jansen_leg", "triad_closed"])
 def test_a_name_made_up_for_a_sum_is_defined_once(name: str) -> None:
     text = mechc.load(name).emit("latex")
-    made = re.findall(r"(Z_\d|Z_\{\d+\})&?=", text)
+    made = re.findall(r"([YZ]_\d|[YZ]_\{\d+\})&?=", text)
     assert made
     assert len(made) == len(set(made))
-    assert set(made) == set(re.findall(r"(?<![A-Za-z])Z_(?:\d|\{\d+\})", text))
+    assert set(made) == set(re.findall(r"(?<![A-Za-z{])[YZ]_(?:\d|\{\d+\})", text))
+
+
+def test_a_name_made_up_for_a_sum_is_no_point() -> None:
+    leg = mechc.load("jansen_leg").emit("latex")
+    assert "Z_1" not in leg  # whose rocker turns about Z
+    assert "Y_1" in leg
 
 
 # --------------------------------------------------------------------------- words

@@ -54,6 +54,8 @@ PIECES = {
     "exp(mu*alpha)": r"\mathrm{e}^{\mu\alpha}",
     "exp(-3*pi*mu/2)": r"\mathrm{e}^{-3\pi\mu/2}",
     "exp(mu*(a + b)/(2*b))": r"\mathrm{e}^{\mu(a+b)/(2b)}",
+    "a*len_QD*b": r"a\cdot QD\cdot b",
+    "2*len_AB*len_CD**2": r"2AB\cdot CD^{2}",
     "len_OA*exp(mu)*sin(alpha)": r"OA\cdot \mathrm{e}^{\mu}\,\sin\alpha",
 }
 

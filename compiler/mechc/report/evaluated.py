@@ -15,7 +15,7 @@ from ..study.analysis import Analysis
 from ..units import ANGLE, NUMBER, UNITS, si_unit, size_of
 from .homogeneous import is_homogeneous
 from .note import NoteLine
-from .put_in import Quantity, put_in, usual_unit
+from .put_in import Quantity, put_in, usual_unit, without_rounding
 from .sections import Outline
 from .sentences.remarks import asked
 
@@ -40,7 +40,7 @@ def evaluated(whole: Outline, mechanism: Mechanism) -> Iterator[Evaluated]:
     given = _given(whole, mechanism)
     for name, formula in _definitions(whole):
         if name in given:
-            value = given[name]
+            value = without_rounding(given[name])
             numbers = _numbers(formula, given, value.unit in ("", "deg"))
             yield Evaluated(Symbol(name), numbers, value, value.unit == "deg")
     usual = usual_length(mechanism)
@@ -133,7 +133,7 @@ def _numbers(formula: Formula, given: Mapping[str, Quantity], bare: bool) -> For
     names = _names(formula)
     if not names <= given.keys() or not names or count_operations(formula) > LONGEST:
         return None
-    if _is_solved(formula):
+    if _is_solved(formula) or isinstance(formula, Symbol):  # which would be its value twice
         return None
     if _has_units(formula, {name: given[name] for name in names}):
         return None

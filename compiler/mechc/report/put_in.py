@@ -52,7 +52,7 @@ def put_in(formula: Formula, given: Mapping[str, Quantity]) -> Formula:
     match formula:
         case Call(function, (angle,)) if function in TRIGONOMETRIC and symbols(angle):
             values = {name: quantity.value for name, quantity in given.items()}
-            return Call(function, (in_degrees(evaluate(angle, values), DIGITS),))
+            return Call(function, (in_degrees(_within_a_turn(evaluate(angle, values)), DIGITS),))
         case Call(function, arguments):
             return Call(function, tuple(_argument(a, given) for a in arguments))
         case Constant():
@@ -95,10 +95,37 @@ def _constant(quantity: Quantity, bracketed: bool) -> Constant:
     return Constant(f"({text})" if bracketed else text, Number(Fraction(quantity.value)))
 
 
+def _within_a_turn(angle: float) -> float:
+    """Return an angle of a sine or cosine from -180° to 360°, without whole turns beyond.
+
+    >>> [round(math.degrees(_within_a_turn(math.radians(a)))) for a in (-674, -300, -100, 267)]
+    [46, 60, -100, 267]
+    """
+    beyond = angle < -math.pi or angle > 2 * math.pi
+    return math.remainder(angle, 2 * math.pi) if beyond else angle
+
+
+def without_rounding(quantity: Quantity) -> Quantity:
+    """Return a quantity that was computed; an angle that rounding alone made is zero.
+
+    >>> without_rounding(Quantity(-4e-17, "deg")).value
+    0.0
+    """
+    is_nothing = quantity.unit == "deg" and not round(math.degrees(quantity.value), FINEST)
+    return Quantity(0.0, "deg") if is_nothing else quantity
+
+
 def in_degrees(angle: float, digits: int) -> Formula:
     """Return an angle in radians as degrees, to so many digits; rounding alone makes none.
 
+    Beyond 100° two decimals are kept, as next to a multiple of 90° they decide a cosine.
+
     >>> in_degrees(1e-15, 4)
     Number(value=Fraction(0, 1))
+    >>> from ..formula.layout import in_degrees as back
+    >>> float(back(in_degrees(math.radians(266.9662), 4)))
+    266.97
     """
-    return degrees(Fraction(f"{round(math.degrees(angle), FINEST):.{digits}g}"))
+    turn = round(math.degrees(angle), FINEST)
+    digits += abs(turn) >= 100
+    return degrees(Fraction(f"{turn:.{digits}g}"))

@@ -22,6 +22,7 @@ def style_of(mechanism: Mechanism, results: Sequence[Analysis], style: Notation)
     texts = mechanism.translations.get(style.language, style.texts)
     known = replace(style, angles=frozenset(angles), texts=texts, own=_own(mechanism))
     known.made.take(_names(mechanism, results))
+    known.made.take_points(_points(mechanism))
     known = replace(known, spellings=spellings(_names(mechanism, results), known))
     forces = {called(r): of_force(r.name, force, known) for r in results if (force := reaction(r))}
     firsts = {
@@ -36,6 +37,12 @@ def _own(mechanism: Mechanism) -> frozenset[str]:
     """Return the names that the description gives."""
     listed = (*mechanism.parameters, *mechanism.literals, *mechanism.loads, *mechanism.lets)
     return frozenset(each.name for each in listed)
+
+
+def _points(mechanism: Mechanism) -> Iterator[str]:
+    """Yield the points of bodies, and those that are pinned to the ground."""
+    yield from (point for body in mechanism.bodies for point in body.points)
+    yield from mechanism.fixed
 
 
 def _names(mechanism: Mechanism, results: Sequence[Analysis]) -> Iterator[str]:

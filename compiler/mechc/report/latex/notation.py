@@ -40,19 +40,30 @@ def relation_sign(sign: str) -> str:
     return _RELATIONS.get(sign, sign)
 
 
+LETTERS = "ZYXWUH"
+"""The letters of sums with a name, in the order in which they are taken."""
+
+
 class MadeNames:
     """The names made up for long formulas of one document, each with one meaning.
 
-    ``Z1`` and ``Z_1`` are one name on paper, so that either keeps the other from being made up.
+    ``Z1`` and ``Z_1`` are one name on paper, so that either keeps the other from being made up;
+    beside a point Z another letter is taken.
     """
 
     def __init__(self) -> None:
         self._names: dict[Formula, Symbol] = {}
         self._taken: set[Name] = set()
+        self._letter = LETTERS[0]
 
     def take(self, names: Iterable[str]) -> None:
         """Keep names that mean something already from being made up."""
         self._taken.update(map(split_name, names))
+
+    def take_points(self, points: Iterable[str]) -> None:
+        """Keep the letters of points from those of sums, as long as there are others."""
+        of_points = {part.letter for point in points for part in split_points(point)}
+        self._letter = next((x for x in LETTERS if x not in of_points), LETTERS[0])
 
     def known(self, formula: Formula) -> Symbol | None:
         """Return the name that a formula has got, if any."""
@@ -60,7 +71,7 @@ class MadeNames:
 
     def of_sum(self, formula: Formula) -> Symbol:
         """Return a new name ``Z_1``, ``Z_2`` … for a sum."""
-        return self._fresh(formula, (f"Z_{i}" for i in count(1)))
+        return self._fresh(formula, (f"{self._letter}_{i}" for i in count(1)))
 
     def of_coefficient(self, formula: Formula, load: str) -> Symbol:
         """Return a new name ``c_F``, ``c_F_2`` … for the coefficient of a load F."""

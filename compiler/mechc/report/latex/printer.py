@@ -232,15 +232,27 @@ class _Raised(_Latex):
 
 
 def _runs_together(before: Box, formula: Formula, after: Box) -> bool:
-    """Whether factors side by side would be read as one: figures, ``df``, a vector's name."""
+    """Return whether factors side by side would be read as one: figures, ``df``, ``aAB``."""
     is_function = isinstance(formula, Call) and not after.tex.startswith(("(", r"\left", EULER))
     raised = isinstance(formula, Power) and isinstance(formula.base, Call)
     is_letter = isinstance(formula, Symbol)
     if isinstance(formula, Constant) and after.tex[0].isdigit():
         return True
+    if _is_distance(formula) and not _ENDS_APART.search(before.tex):
+        return True
     return (before.open and not (is_function or raised)) or (
         (before.tex[-1].isdigit() and after.tex[0].isdigit()) or (before.tex == "d" and is_letter)
     )
+
+
+_ENDS_APART = re.compile(r"(\)|^[-\d.,{}]+)$")
+"""The end of a factor that no letter behind it is read with: a bracket, or figures alone."""
+
+
+def _is_distance(formula: Formula) -> bool:
+    """Return whether a factor is a distance between two points, ``AB``, or a power of one."""
+    base = formula.base if isinstance(formula, Power) else formula
+    return isinstance(base, Symbol) and base.name.startswith("len_")
 
 
 def _are_words(before: Box, after: Box) -> bool:
