@@ -39,3 +39,22 @@ def test_a_radius_has_no_minus_and_a_rack_has_its_side():
     )
     assert first.endswith("(radius $r$).")
     assert second.endswith("(radius $r$); along its guide the rack is on the left of $O$.")
+
+
+def test_a_load_given_by_a_number_is_no_result_and_is_put_in():
+    text = mechc.load("band_brake").emit("latex")
+    given, found = text.split(r"\section*{Results}")
+    assert any(r"$P$" in row and r"89\,\text{N}" in row for row in given.splitlines())
+    assert r"\boxed{P=" not in found
+    assert r"89\,\text{N}" in found.split(r"\section*{Numerical values}")[1]
+
+
+def test_a_weight_has_its_value_and_is_put_in():
+    numbers = mechc.load("wheelbarrow").emit("latex").split(r"\section*{Numerical values}")[1]
+    assert r"W&=60\,\text{kg}\cdot 9.807\,\text{m}/\text{s}^2=588.399\,\text{N}" in numbers
+    assert r"588.4\,\text{N}" in numbers.split("P&=")[1]
+
+
+def test_a_load_alone_is_still_a_result():
+    text = mechc.loads(DRAWN.replace("find k = M/F", "let F = 20 N")).emit("latex")
+    assert r"\boxed{F=" in text

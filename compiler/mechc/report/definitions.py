@@ -1,14 +1,14 @@
 """What stands behind *where*: the names that a result mentions, each defined once."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import NamedTuple
 
 from ..formula.tree import ZERO, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import equations, substitute
 from ..frozen import frozen
-from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Torque
+from ..model.mechanism import GRAVITY, Force, Load, Mechanism, Parameter, Torque
 from ..model.result import Definition, Result
 from ..model.values import is_constant
 from ..units import ANGLE, NUMBER, UNITS, si_unit
@@ -84,6 +84,17 @@ def _as_written(definition: Definition, known: Letters) -> Definition:
     value = formula.value / unit.factor / Fraction(math.pi if unit.pi else 1)
     is_short = value.denominator < 10**DIGITS
     return Definition(name, Number(value if is_short else Fraction(f"{float(value):.{DIGITS}g}")))
+
+
+def given_loads(mechanism: Mechanism) -> Iterator[Parameter]:
+    """Yield the loads that a formula of the user's own gives by a number, as quantities given."""
+    loads = {load.name for load in mechanism.loads}
+    for let in mechanism.lets:
+        if let.name in loads and isinstance(let.value, Number):
+            unit = let.unit or si_unit(let.dimension)
+            yield Parameter(
+                let.name, let.dimension, let.span, let.value, unit=unit, label=let.label
+            )
 
 
 def literal_unit(load: Load, given: Formula | None = None) -> str:

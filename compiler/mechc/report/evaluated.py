@@ -8,11 +8,12 @@ from ..formula.layout import is_angle
 from ..formula.operations import count_operations
 from ..formula.tree import Call, Formula, Implicit, Symbol
 from ..formula.walk import constants, evaluate, substitute, symbols, walk
-from ..model.mechanism import Mechanism, Parameter
+from ..model.mechanism import GRAVITY, Mechanism, Parameter, Torque
 from ..model.result import Definition
 from ..model.values import Chain, defaults, dependent, usual_length
 from ..study.analysis import Analysis
 from ..units import ANGLE, NUMBER, UNITS, si_unit, size_of
+from .definitions import FREE_FALL, given_loads, usual_weights
 from .homogeneous import is_homogeneous
 from .note import NoteLine
 from .put_in import Quantity, put_in, usual_unit, without_rounding
@@ -62,10 +63,11 @@ def hides_units(whole: Outline, mechanism: Mechanism) -> bool:
     return any(_has_units(formula, {n: given[n] for n in _names(formula)}) for formula in known)
 
 
-def constants_shown(whole: Outline) -> frozenset[Formula]:
+def constants_shown(whole: Outline, mechanism: Mechanism) -> frozenset[Formula]:
     """Return the user's own names of numbers, which stand with their unit where they are given."""
     lines = (line for section in whole.results for line in section.lines.values())
-    return frozenset(Symbol(line.name) for line in lines if line.is_number)
+    names = (line.name for line in lines if line.is_number)
+    return frozenset(map(Symbol, (*names, *(load.name for load in given_loads(mechanism)))))
 
 
 def _of_line(line: NoteLine) -> Iterator[Evaluated]:
@@ -102,9 +104,12 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
     where = list(_definitions(whole))
     # A constant of the drawing stands in ``where`` in its unit, among parameters in SI.
     chain = Chain({**dict(where), **dependent(mechanism)})
-    values = chain.complete(defaults(mechanism))
-    named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals)}
+    loads = tuple(given_loads(mechanism))
+    usual_g = {FREE_FALL.name: float(GRAVITY.value)} if usual_weights(mechanism) else {}
+    values = chain.complete(defaults(mechanism) | usual_g)
+    named = {p.name: p for p in (*mechanism.parameters, *mechanism.literals, *loads)}
     units = {name: _unit(p) for name, p in named.items()}
+    units |= dict.fromkeys(usual_g, "m/s^2") | _of_loads(where, mechanism)
     usual = usual_length(mechanism)
     units |= {r.name: usual_unit(r.dimension, usual) for r in whole.ratios}
     angles = {name for name, unit in units.items() if unit == "deg"}
@@ -112,9 +117,16 @@ def _given(whole: Outline, mechanism: Mechanism) -> dict[str, Quantity]:
         if definition.name not in units and (unit := _found_unit(definition, usual, angles)):
             units[definition.name] = unit
             angles |= {definition.name} if unit == "deg" else set()
-    values |= {p.name: evaluate(p.value, {}) for p in mechanism.literals if p.value}
+    constants = (*mechanism.literals, *loads)
+    values |= {p.name: evaluate(p.value, {}) for p in constants if p.value}
     known = {name: value for name, value in values.items() if math.isfinite(value)}
     return {name: Quantity(known[name], unit) for name, unit in units.items() if name in known}
+
+
+def _of_loads(where: Iterable[Definition], mechanism: Mechanism) -> dict[str, str]:
+    """Return the units of the loads that have a formula, such as weights."""
+    units = {load.name: "N*m" if isinstance(load, Torque) else "N" for load in mechanism.loads}
+    return {d.name: units[d.name] for d in where if d.name in units}
 
 
 def _unit(parameter: Parameter) -> str:

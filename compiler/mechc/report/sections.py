@@ -12,7 +12,7 @@ from ..frozen import frozen, replace
 from ..model.mechanism import Mechanism, Parameter, Reaction, Target, WithFriction
 from ..model.result import Definition
 from ..study.analysis import Analysis
-from .definitions import Letters, as_written, letters
+from .definitions import Letters, as_written, given_loads, letters
 from .derivation.steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
 from .note import NoteLine, own_lines
 from .sentences.remarks import reaction
@@ -78,7 +78,7 @@ def _results(
     derivation: Derivation, mechanism: Mechanism, earlier: "Shown", known: Letters
 ) -> Iterator[Section]:
     lines = own_lines(mechanism, derivation.results)
-    for explanation, results in _grouped(derivation):
+    for explanation, results in _grouped(derivation, _found(derivation, mechanism)):
         earlier.equations(explanation)
         rested = earlier.new_definitions(
             [Symbol(d.name) for d in explanation.where], explanation.where
@@ -158,11 +158,19 @@ def _system(definition: Definition) -> System | None:
     return formula.system if isinstance(formula, Implicit) else None
 
 
-def _grouped(derivation: Derivation) -> Iterator[tuple[Explanation, Sequence[Analysis]]]:
+def _found(derivation: Derivation, mechanism: Mechanism) -> list[Analysis]:
+    """Return the results but for loads that are given, if there are others."""
+    given = {load.name for load in given_loads(mechanism)}
+    return [r for r in derivation.results if r.name not in given] or list(derivation.results)
+
+
+def _grouped(
+    derivation: Derivation, results: Sequence[Analysis]
+) -> Iterator[tuple[Explanation, Sequence[Analysis]]]:
     owners = {
         name: explanation for explanation in derivation.explanations for name in explanation.results
     }
-    left = list(derivation.results)
+    left = list(results)
     while left:
         explanation = owners.get(left[0].name) or Explanation((left[0].name,), ())
         yield explanation, [r for r in left if r.name in explanation.results]

@@ -11,6 +11,7 @@ from ...model.mechanism import Mechanism, Parameter
 from ...model.sheets import is_sheet
 from ...report.brief import at_length, needed, relations, short
 from ...report.chosen import chosen
+from ...report.definitions import given_loads
 from ...report.derivation.steps import Derivation, LastStep, Step
 from ...report.evaluated import constants_shown, evaluated, has_atan2, hides_units
 from ...report.languages import registry
@@ -125,7 +126,7 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
     """Yield the parameters that are given; those that a loop gives stand with the results.
 
     Behind them the numbers that the description gives lengths by, but for those that the table of
-    vectors has.
+    vectors has, and loads by.
     """
     found = {d.name for result in compiled.derivation.results for d in result.where}
     for parameter in compiled.mechanism.parameters:
@@ -133,6 +134,7 @@ def _given(compiled: Compiled) -> Iterator[Parameter]:
             yield parameter
     shown = in_vectors(compiled.mechanism)
     yield from (p for p in compiled.mechanism.literals if p.name not in shown)
+    yield from given_loads(compiled.mechanism)
 
 
 def report(
@@ -167,7 +169,10 @@ def report(
         values=values(full, locale, style),
         of_position=tuple(in_line(item, locale, style) for item in aside),
         numbers=numbers(
-            derivation.results, {*constants_shown(whole), *(e.left for e in full)}, locale, style
+            derivation.results,
+            {*constants_shown(whole, mechanism), *(e.left for e in full)},
+            locale,
+            style,
         ),
         check=check(verdict, locale, style),
         remarks=untried(verdict, locale, style),

@@ -10,7 +10,7 @@ from ...model.sheets import is_sheet
 from ...study.analysis import Analysis
 from ...units import ANGLE
 from ..brief import needed, relations, short
-from ..definitions import Solved, grouped
+from ..definitions import Solved, given_loads, grouped
 from ..derivation.steps import Derivation, LastStep
 from ..evaluated import Evaluated, evaluated, has_atan2, hides_units
 from ..sections import Outline, PositionSection, Section, outline
@@ -115,9 +115,9 @@ def _title(mechanism: Mechanism, spell: Speller) -> list[str]:
 
 
 def _given(mechanism: Mechanism, spell: Speller) -> list[str]:
-    """Return the quantities that the description gives, lengths that are numbers too."""
+    """Return the quantities that the description gives, lengths and loads that are numbers too."""
     free = (p for p in mechanism.parameters if p.value is not None or p.range)
-    lines = note.given((*free, *mechanism.literals), spell)
+    lines = note.given((*free, *mechanism.literals, *given_loads(mechanism)), spell)
     return ["", *lines] if lines else []
 
 
