@@ -76,6 +76,34 @@ def fractions(formula: Product) -> Fractions:
     return Fractions(sign, (upper + tuple(above), lower + tuple(below)))
 
 
+def unstacked(whole: Fractions) -> tuple[Fractions, tuple[Formula, ...]]:
+    """Return fractions without the sums of fractions above their lines, and these sums.
+
+    What is left is one fraction: ``a/sin(mu) (1 + b/c)``.
+
+    >>> from .tree import product, total
+    >>> a, b, c, s = *map(Symbol, "abc"), Call("sin", (Symbol("mu"),))
+    >>> stacked = total([a, product([(b, 1), (c, -1)])])
+    >>> rest, sums = unstacked(fractions(product([(a, 1), (stacked, 1), (s, -1)])))
+    >>> rest.first == ((a,), (s,)), sums == (stacked,)
+    (True, True)
+    """
+    above = (*whole.first[0], *whole.second[0])
+    below = (*whole.first[1], *whole.second[1])
+    stacked = tuple(f for f in above if isinstance(f, Sum) and any(map(_has_line, f.terms)))
+    if not below or not stacked:
+        return whole, ()
+    return Fractions(whole.sign, (tuple(f for f in above if f not in stacked), below)), stacked
+
+
+def _has_line(term: Formula) -> bool:
+    """Return whether a term is a fraction by more than a number, or has a sum of such."""
+    if not isinstance(term, Product):
+        return False
+    sums = (factor for factor in term.factors if isinstance(factor, Sum))
+    return bool(split_fraction(term)[2]) or any(_has_line(t) for s in sums for t in s.terms)
+
+
 def _flat(formula: Product) -> tuple[Fraction, list[Formula], list[Formula]]:
     """Split a product, and the products below its line too."""
     coefficient, above, lower = split_fraction(formula)

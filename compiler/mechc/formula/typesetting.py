@@ -21,6 +21,7 @@ from .layout import (
     is_angle,
     short_decimal,
     squares,
+    unstacked,
 )
 from .tree import (
     ZERO,
@@ -236,10 +237,17 @@ class Typesetter(ABC, Generic[Piece]):
         return self.parentheses(piece) if closed else piece
 
     def _fractions(self, formula: Product, angle: bool) -> tuple[Piece, bool]:
-        """Return a product as one fraction or two, and whether a minus is before it."""
-        sign, *parts = fractions(formula)
+        """Return a product as one fraction or two, and whether a minus is before it.
+
+        Above a line no sum stands that has lines of its own: it is put behind the fraction.
+        """
+        whole = fractions(formula)
+        whole, behind = unstacked(whole) if self.built else (whole, ())
+        sign, *parts = whole
         first, *second = [self._fraction(*part, angle) for part in parts if part != ((), ())]
         piece = self.beside(first, *second) if second else first
+        if behind:
+            piece = self.row((piece, self.row_of(behind, Around.FACTOR, angle)))
         return (self.minus(piece), True) if sign < 0 else (piece, False)
 
     def _fraction(self, above: Row, below: Row, angle: bool = False) -> Piece:
