@@ -2,8 +2,8 @@
 
 import math
 from collections.abc import Iterable, Iterator
+from html import escape
 from itertools import groupby
-from xml.sax.saxutils import escape, quoteattr
 
 from ...drawing.drawing import Arc, Drawing, Fill, Label, Pen, Plane, Polyline, Run, Shape
 from ...drawing.lettering import SMALL
@@ -38,7 +38,7 @@ def to_svg(drawing: Drawing) -> str:
         '<g fill="none" stroke-linecap="round" stroke-linejoin="round">',
         *_shapes(drawing),
         "</g>",
-        f'<g font-family={quoteattr(FONTS)} text-anchor="middle" xml:space="preserve">',
+        f'<g font-family="{escape(FONTS)}" text-anchor="middle" xml:space="preserve">',
         *(_label(label, drawing) for label in drawing.labels),
         "</g>",
         "</svg>",
@@ -48,7 +48,7 @@ def to_svg(drawing: Drawing) -> str:
 
 def _text(text: str) -> str:
     """Return text of the user's as XML takes it: without characters that it forbids."""
-    return escape("".join(c if c.isprintable() else " " for c in text))
+    return escape("".join(c if c.isprintable() else " " for c in text), quote=False)
 
 
 def _shapes(drawing: Drawing) -> Iterator[str]:
