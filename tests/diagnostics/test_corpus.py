@@ -71,7 +71,8 @@ def messages(source: Source) -> list[str]:
     for diagnostic in found:
         assert diagnostic.span is not None
         place = source.position(diagnostic.span.start)
-        hint = f" | {diagnostic.hint}".replace("\n", " // ") if diagnostic.hint else ""
+        assert diagnostic.hint, diagnostic
+        hint = f" | {diagnostic.hint}".replace("\n", " // ")
         at = f"{place.line}:{place.column}"
         lines.append(f"#! {diagnostic.code} {at} {diagnostic.message}{hint}")
     return lines
@@ -90,7 +91,8 @@ def test_the_messages(path):
 
 def test_a_text_too_long():
     (message,) = messages(Source("a.mech", "#" * (limits.CHARACTERS + 1)))
-    assert message == "#! E811 1:1 the text has 250001 characters, expected at most 250000"
+    said = "the text has 250001 characters, expected at most 250000"
+    assert message == f"#! E811 1:1 {said} | is this the right file? A mechanism is some lines long"
 
 
 def test_every_code_is_reached():

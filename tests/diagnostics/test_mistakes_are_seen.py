@@ -42,11 +42,14 @@ def of_line(code: str) -> Iterator[str]:
 
 
 def is_seen(text: str) -> bool:
+    """Return whether a mistake is told, with a hint."""
     compilation = Compilation(Source("a.mech", text))
     try:
-        return bool(compilation.balance and compilation.report.diagnostics)
-    except MechcError:
-        return True
+        found = compilation.balance and compilation.report.diagnostics
+    except MechcError as error:
+        found = error.diagnostics
+    assert all(diagnostic.hint for diagnostic in found), text
+    return bool(found)
 
 
 def drawn(seed: int, number: int) -> list[tuple[str, str, str]]:

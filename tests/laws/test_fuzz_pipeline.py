@@ -34,7 +34,7 @@ def attempt(name: str, text: str) -> bool:
         refused, found = True, error.diagnostics
     else:
         refused, found = False, tuple(warnings(compilation))
-    assert all(render(d, source) for d in found)
+    assert all(render(d, source) and d.hint for d in found)
     assert not [(d.code, d.message) for d in found if d.code in BUGS]
     if refused:
         return False

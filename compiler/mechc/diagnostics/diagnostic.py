@@ -36,7 +36,7 @@ class Message(NamedTuple):
 
     span: Span | None
     message: str
-    hint: str = ""
+    hint: str
     related: tuple[Related, ...] = ()
 
 

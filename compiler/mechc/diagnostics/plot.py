@@ -17,7 +17,8 @@ def nothing_of_this_name(name: str, known: Sequence[str], near: str) -> Message:
     Right: ``mechc plot clamp.mech --y k``
     """
     expected = listed(known[:8]) if known else "something that varies"
-    return Message(None, f"{name} cannot be plotted, expected {expected}", near)
+    hint = near or "name one of these with --y"
+    return Message(None, f"{name} cannot be plotted, expected {expected}", hint)
 
 
 @coded("E584")
@@ -31,7 +32,8 @@ def no_such_parameter(name: str, known: Sequence[str], near: str) -> Message:
     Right: ``mechc plot clamp.mech --x alpha``
     """
     expected = listed(known) if known else "a parameter with a value"
-    return Message(None, f"{name} is no parameter to vary, expected {expected}", near)
+    hint = near or "name one of these, or give a parameter a value"
+    return Message(None, f"{name} is no parameter to vary, expected {expected}", hint)
 
 
 @coded("E585")
@@ -127,4 +129,5 @@ def no_point(name: str, known: Sequence[str], near: str) -> Message:
     Right: ``mechc plot crank_rocker --path B``
     """
     expected = listed(known) if known else "a drive, and points in place"
-    return Message(None, f"{name} has no path, expected {expected}", near)
+    hint = near or "name a point that moves along the drive"
+    return Message(None, f"{name} has no path, expected {expected}", hint)

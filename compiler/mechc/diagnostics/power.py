@@ -91,7 +91,8 @@ def speeds_independent(at: Span, what: str) -> Message:
 @coded("E505")
 def speed_vanishes(at: Span, what: str) -> Message:
     """A ratio is asked for whose denominator never moves."""
-    return Message(at, f"{what} is at rest in every motion, so nothing can be divided by it")
+    message = f"{what} is at rest in every motion, so nothing can be divided by it"
+    return Message(at, message, "name a point or a link that moves behind the '/'")
 
 
 @coded("E506")
@@ -243,7 +244,9 @@ def transmission_presses(at: Span, point: str, has_friction: bool) -> Message:
         f"the force on pin {point} is needed, and which way a gear, belt or screw presses there "
         "is undetermined"
     )
-    hint = f"give friction pin by pin, and leave {point} out" if has_friction else ""
+    hint = f"give friction pin by pin, and leave {point} out"
+    if not has_friction:
+        hint = "ask for the force at a pin that no gear, belt or screw presses"
     return Message(at, message, hint)
 
 
@@ -282,9 +285,8 @@ def load_does_no_work(at: Span, load: str, held: str = "") -> Message:
             f"{load} does no work while {held} is held at its value",
             f"leave the drives out to find what {load} has to be, or put its drive first",
         )
-    return Message(
-        at, f"{load} does no work in any motion of the mechanism, so it has no influence"
-    )
+    message = f"{load} does no work in any motion of the mechanism, so it has no influence"
+    return Message(at, message, "check its point and its direction, or leave it out")
 
 
 @coded("W502")
@@ -314,7 +316,8 @@ def turn_round(forces: Sequence[str]) -> str:
 @coded("W503")
 def result_zero(at: Span, result: str) -> Message:
     """A result is zero at the default pose: the output stands still, or the load is across."""
-    return Message(at, f"{result} is zero at the default pose")
+    hint = "if that was not meant, check points and directions of the loads, or move the pose"
+    return Message(at, f"{result} is zero at the default pose", hint)
 
 
 @coded("W504")

@@ -30,6 +30,7 @@ def unexpected_text(span: Span, found: str, expected: list[str], hint: str = "")
         slider K 90 deg          # wrong: 'along' is missing
         slider K along 90 deg    # right
     """
+    hint = hint or f"write what is expected, or leave {found} out"
     return Message(span, f"found {found}, expected {listed(expected)}", hint)
 
 
@@ -102,7 +103,11 @@ def wrong_argument_count(span: Span, name: str, found: int, expected: str) -> Me
     let r = atan2(y)         # wrong
     let r = atan2(y, x)      # right: first y, then x
     """
-    return Message(span, f"{name} takes {expected}, found {found}")
+    hint = "atan2 takes y, then x: atan2(y, x)" if name == "atan2" else _COUNT_ARGUMENTS
+    return Message(span, f"{name} takes {expected}, found {found}", hint)
+
+
+_COUNT_ARGUMENTS = "arguments stand in brackets, with commas between them"
 
 
 @coded("E106")
@@ -140,6 +145,7 @@ def unfinished_statement(span: Span, expected: list[str], hint: str = "") -> Mes
     force P at A             # wrong: in which direction?
     force P at A along x     # right
     """
+    hint = hint or "go on with what is expected"
     return Message(span, f"the statement ends here, expected {listed(expected)}", hint)
 
 
@@ -177,7 +183,9 @@ def wrong_point_count(span: Span, text: str, found: int, expected: str) -> Messa
     angle ABC = 30 deg       # right
     """
     points = "1 point" if found == 1 else f"{found} points"
-    hint = "a link is named by its points, written together: OA" if found == 1 else ""
+    hint = "name fewer points, or more"
+    if found == 1:
+        hint = "a link is named by its points, written together: OA"
     if expected == "a point":
         hint = "a joint is named by the one point at which it is: A"
     return Message(span, f"'{text}' names {points}, expected {expected}", hint)
@@ -194,7 +202,7 @@ def unexpected_character(span: Span, character: str, hint: str) -> Message:
         param α = 12°            # wrong
         param alpha = 12°        # right
     """
-    return Message(span, f"unexpected character '{character}'", hint)
+    return Message(span, f"unexpected character '{character}'", hint or "leave it out")
 
 
 @coded("E113")
@@ -257,7 +265,7 @@ def not_a_name(span: Span, text: str, expected: str) -> Message:
     params: {a2: 40 mm}      # right
     """
     meant = re.sub(r"\W+", "_", text, flags=re.ASCII).strip("_")
-    hint = f"write {meant}" if meant[:1].isalpha() else ""
+    hint = f"write {meant}" if meant[:1].isalpha() else "begin with a letter, as in a2"
     return Message(span, f"found '{text}', expected {expected}", hint)
 
 

@@ -7,7 +7,8 @@ from .diagnostic import Message, coded
 @coded("E811")
 def text_too_long(span: Span, length: int, limit: int) -> Message:
     """The file is longer than any description written by hand or by a sensible program."""
-    return Message(span, f"the text has {length} characters, expected at most {limit}")
+    message = f"the text has {length} characters, expected at most {limit}"
+    return Message(span, message, "is this the right file? A mechanism is some lines long")
 
 
 @coded("E812")
@@ -36,19 +37,21 @@ def exponent_too_large(span: Span, exponent: str, limit: int) -> Message:
     let k = a^1000           # wrong
     param c = 1e400          # wrong
     """
-    return Message(span, f"found the exponent {exponent}, expected at most {limit}")
+    message = f"found the exponent {exponent}, expected at most {limit}"
+    return Message(span, message, "is the exponent mistyped?")
 
 
 @coded("E815")
 def yaml_too_large(span: Span, what: str, limit: int) -> Message:
     """The YAML text nests deeper, or has more values, than a description needs."""
-    return Message(span, f"the YAML text has more than {limit} {what}")
+    return Message(span, f"the YAML text has more than {limit} {what}", "is this the right file?")
 
 
 @coded("E816")
 def too_many_errors(span: Span, limit: int) -> Message:
     """Reading stopped after so many errors; fix the first ones and try again."""
-    return Message(span, f"more than {limit} errors: the rest of the text was not read")
+    message = f"more than {limit} errors: the rest of the text was not read"
+    return Message(span, message, "correct the first ones and try again")
 
 
 @coded("E817")

@@ -18,6 +18,7 @@ def not_yaml(span: Span, problem: str, hint: str = "") -> Message:
           BK: @ -90 deg          # wrong
           BK: {angle: -90 deg}   # right
     """
+    hint = hint or "look for an indentation, a colon or a bracket that is wrong"
     return Message(span, f"not well-formed YAML: {problem}", hint)
 
 
@@ -63,7 +64,7 @@ def wrong_shape(span: Span, found: str, expected: str, hint: str = "") -> Messag
     pivots: {x: [O]}         # wrong
     pivots: [O]              # right
     """
-    return Message(span, f"found {found}, expected {expected}", hint)
+    return Message(span, f"found {found}, expected {expected}", hint or f"write {expected}")
 
 
 @coded("E125")
@@ -88,7 +89,7 @@ def missing_key(span: Span, keys: Iterable[str], place: str) -> Message:
     forces: {P: {at: A, along: 0 deg}}   # right
     """
     missing = listed([f"'{key}'" for key in keys], "and")
-    return Message(span, f"{place} lacks {missing}")
+    return Message(span, f"{place} lacks {missing}", f"add {missing}")
 
 
 @coded("E127")

@@ -189,8 +189,8 @@ class Reader:
         if not self.scope.points.known(points):
             return
         if form.prefix in ("V", "omega"):
-            what = FORMS[form.prefix]
-            self.report.add(names.name_out_of_place(node.span, node.name, what, VELOCITIES))
+            what, hint = FORMS[form.prefix], "give the ratio a name with 'find', and use that"
+            self.report.add(names.name_out_of_place(node.span, node.name, what, VELOCITIES, hint))
         else:
             self.report.add(reactions.ask_first(node.span, node.name))
 

@@ -32,7 +32,8 @@ def pin_of_another(span: Span, point: str, link: str) -> Message:
     link BC
     friction pin C 0.1 diameter 10 mm on AB     # wrong
     """
-    return Message(span, f"link {link} has no point {point}, so the pin cannot be fast in it")
+    message = f"link {link} has no point {point}, so the pin cannot be fast in it"
+    return Message(span, message, f"name a link with {point} behind 'on'")
 
 
 @coded("E272")
@@ -65,7 +66,9 @@ def senseless(span: Span, what: str, value: str) -> Message:
         friction pins -0.1 diameter 10 mm     # wrong
     """
     in_per_cent = what == "an efficiency" and not value.startswith("-")
-    hint = "is it in per cent? A hundredth is written 0.01" if in_per_cent else ""
+    hint = "look at its sign" if value.startswith("-") else "write one above 0"
+    if in_per_cent:
+        hint = "is it in per cent? A hundredth is written 0.01"
     return Message(span, f"{what} of {value} makes no sense", hint)
 
 
@@ -91,7 +94,7 @@ def nothing_presses(span: Span, point: str) -> Message:
     friction slider B 0.1     # wrong unless a link or a load is at B, or B touches a link
     """
     message = f"no link and no load is at {point}, so nothing presses it on its guide"
-    return Message(span, message)
+    return Message(span, message, f"join a link to {point}, or leave this friction out")
 
 
 @coded("E277")
@@ -123,7 +126,9 @@ def several_transmissions(span: Span, kind: str, point: str) -> Message:
     """
     named = {"gear": "pairs of gears begin", "belt": "belts begin"}
     message = f"several {named.get(kind, f'{kind}s are')} at {point}, and this does not tell which"
-    hint = "write the other wheel of one of them first" if kind in named else ""
+    hint = "write the other wheel of one of them first"
+    if kind not in named:
+        hint = f"give each {kind} a slider of its own"
     return Message(span, message, hint)
 
 
@@ -173,7 +178,8 @@ def collar_of_which_link(span: Span, point: str, there: Sequence[str]) -> Messag
     friction collar O 0.3 mean 80 mm thrust W on OA    # right
     """
     if not there:
-        return Message(span, f"no link turns on pivot {point}, so that its collar has no friction")
+        message = f"no link turns on pivot {point}, so that its collar has no friction"
+        return Message(span, message, f"add the link that turns on {point}")
     message = f"{listed(there, 'and')} turn on pivot {point}, one of them is expected"
     return Message(span, message, f"add 'on {there[0]}'")
 
@@ -241,7 +247,8 @@ def drum_of_another(span: Span, point: str, link: str) -> Message:
     rope A, O along x, B along -x
     friction rope O 0.3 wrap 180 deg drum 300 mm on CD     # wrong: CD has no point O
     """
-    return Message(span, f"link {link} has no point {point}, so the drum cannot be fast in it")
+    message = f"link {link} has no point {point}, so the drum cannot be fast in it"
+    return Message(span, message, f"name the link that turns about {point} behind 'on'")
 
 
 @coded("E278")
@@ -288,7 +295,8 @@ def motion_for_nothing(span: Span) -> Message:
 
     motion releasing     # warned of where no line begins with 'friction' or 'efficiency'
     """
-    return Message(span, "without friction it makes no difference which way the mechanism moves")
+    message = "without friction it makes no difference which way the mechanism moves"
+    return Message(span, message, "leave it out, or give friction")
 
 
 @coded("W272")

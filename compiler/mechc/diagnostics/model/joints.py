@@ -128,7 +128,8 @@ def copies_not_whole(span: Span, found: str) -> Message:
     copies 3 sharing A       # right
     copies 1/2 sharing A     # wrong
     """
-    return Message(span, f"the number of copies is a whole number from 2 on, found {found}")
+    message = f"the number of copies is a whole number from 2 on, found {found}"
+    return Message(span, message, "count all equal branches, the one described among them")
 
 
 @coded("W240")

@@ -72,7 +72,8 @@ def idle_gravity(span: Span) -> Message:
     gravity along -y                  # warned of without a line such as
     weight W mass m at G
     """
-    return Message(span, "gravity acts on nothing: there is no 'weight'")
+    message = "gravity acts on nothing: there is no 'weight'"
+    return Message(span, message, "leave it out, or add a line such as 'weight W mass 2 kg at G'")
 
 
 @coded("E296")

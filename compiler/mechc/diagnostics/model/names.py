@@ -5,6 +5,9 @@ from collections.abc import Collection, Iterable
 from ...source import Span
 from ..diagnostic import Message, Related, coded, near_miss
 
+FEW = 6
+"""Names that are listed where none is near."""
+
 MANY = 200
 """Names among which no near miss is looked for: thousands of errors would take minutes."""
 
@@ -17,17 +20,17 @@ def offered(name: str, known: Collection[str], what: str) -> str:
     >>> offered("alhpa", ["alpha", "beta"], "parameters")
     "did you mean 'alpha'?"
     """
-    if len(known) > MANY:
-        return ""
     known = sorted(known)
-    if near := near_miss(name, known):
+    if len(known) <= MANY and (near := near_miss(name, known)):
         return near
     if not known:
         return f"there are no {what}"
     *front, last = known
     if not front:
         return f"the only one of the {what} is {last}"
-    return f"the {what} are {', '.join(front)} and {last}" if len(known) <= 6 else ""
+    if len(known) <= FEW:
+        return f"the {what} are {', '.join(front)} and {last}"
+    return f"some of the {what}: {', '.join(known[:FEW])}"
 
 
 @coded("E201")
@@ -195,6 +198,7 @@ def name_out_of_place(span: Span, name: str, kind: str, wanted: str, hint: str =
 
         OB = P @ 90 deg     # wrong where P is a force
     """
+    hint = hint or f"make the formula of {wanted} alone"
     return Message(span, f"'{name}' is {kind}, expected {wanted}", hint)
 
 

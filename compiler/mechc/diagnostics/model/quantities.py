@@ -32,7 +32,8 @@ def mixed_dimensions(
         OB = a @ alpha          # right
     """
     message = f"cannot {act} {described(first_dimension)} and {described(dimension)}"
-    return Message(span, message, "", (Related(first, f"this is {described(first_dimension)}"),))
+    related = (Related(first, f"this is {described(first_dimension)}"),)
+    return Message(span, message, "look for a wrong unit, a wrong name, or a lost factor", related)
 
 
 @coded("E221")
@@ -59,6 +60,7 @@ def wrong_dimension(
         hint = "a weight that is given as a force is one: `force W at G along -y`"
     if (found, what) in ((ANGLE, "the length"), (LENGTH, "the direction")):
         hint = "the length stands before '@', the direction behind it"
+    hint = hint or "look for a wrong unit, a wrong name, or a lost factor"
     if declared and wanted in (LENGTH, ANGLE) and found not in (LENGTH, ANGLE, NUMBER):
         return Message(declared, said, hint, (Related(span, f"'{name}' is {what} here"),))
     related = (
@@ -95,7 +97,7 @@ def exponent_not_number(span: Span, base: Dimension) -> Message:
         let v = (a/b)^n     # right
     """
     message = f"the exponent of {described(base)} is a constant number, found a formula"
-    return Message(span, message)
+    return Message(span, message, "divide by a quantity of its kind first: (a/b)^n")
 
 
 @coded("E224")
@@ -115,7 +117,7 @@ def divided_by_zero(span: Span) -> Message:
 
     param n = 1/(2 - 2)     # wrong
     """
-    return Message(span, "this divisor is 0")
+    return Message(span, "this divisor is 0", "look for what was meant, or leave the term out")
 
 
 @coded("E226")
@@ -179,7 +181,8 @@ def not_constant(span: Span, name: str, what: str) -> Message:
         param a = 2 mm in 1 mm .. b        # wrong
         param a = 2 mm in 1 mm .. 5 mm     # right
     """
-    return Message(span, f"{what} is a constant, found the name '{name}'")
+    message = f"{what} is a constant, found the name '{name}'"
+    return Message(span, message, f"write the value of {name} as a number")
 
 
 @coded("E231")
@@ -193,7 +196,8 @@ def out_of_reach(span: Span, dimension: Dimension) -> Message:
         param t = 1e9 deg      # wrong
     """
     if dimension == ANGLE:
-        return Message(span, "this angle is out of reach, expected at most 1000000 deg")
+        message = "this angle is out of reach, expected at most 1000000 deg"
+        return Message(span, message, "leave out whole turns of 360 deg")
     hint = "is the exponent mistyped?"
     if dimension == LENGTH:
         return Message(span, "this length is out of reach, expected 0.001 mm to 1000 km", hint)
@@ -210,7 +214,8 @@ def value_outside_range(span: Span, name: str, edge: Span) -> Message:
         param a = 50 deg in 2 deg .. 40 deg     # warned of
     """
     related = (Related(edge, "the range"),)
-    return Message(span, f"the value of '{name}' lies outside its range", "", related)
+    hint = "correct the one that is mistyped"
+    return Message(span, f"the value of '{name}' lies outside its range", hint, related)
 
 
 @coded("W221")
@@ -222,7 +227,7 @@ def condition_broken(span: Span) -> Message:
         param alpha = 100 deg
         require alpha < 90 deg     # warned of
     """
-    return Message(span, "the given values break this condition")
+    return Message(span, "the given values break this condition", "give values that meet it")
 
 
 @coded("E232")

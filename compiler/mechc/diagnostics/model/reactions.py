@@ -18,7 +18,7 @@ def on_which_link(span: Span, point: str, links: Sequence[str]) -> Message:
     """
     hint = " or ".join(f"'find R_{point} on {link}'" for link in links[:3])
     message = f"point {point} is not held by the ground, so R_{point} needs a link"
-    return Message(span, message, f"write {hint}" if hint else "")
+    return Message(span, message, f"write {hint}" if hint else f"join a link to {point}")
 
 
 @coded("E251")
@@ -30,7 +30,8 @@ def point_of_another(span: Span, point: str, link: str) -> Message:
     find R_C on AB     # wrong
     find R_C on BC     # right
     """
-    return Message(span, f"point {point} is not a point of link {link}")
+    message = f"point {point} is not a point of link {link}"
+    return Message(span, message, f"name a link with {point} behind 'on'")
 
 
 @coded("E252")

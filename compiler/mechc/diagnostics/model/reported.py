@@ -18,6 +18,7 @@ def no_part_of_a_report(span: Span, name: str, known: Sequence[str], hint: str) 
     report scheme, k, plot k over alpha # right
     """
     expected = f"expected {', '.join(known)}" if known else "no result is asked for"
+    hint = hint or "name one of these, or ask for it with 'find'"
     return Message(span, f"a report holds no '{name}': {expected}", hint)
 
 

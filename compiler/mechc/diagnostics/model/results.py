@@ -78,7 +78,8 @@ def still_point(span: Span, point: str) -> Message:
     pivot O
     find V_O / V_A     # wrong
     """
-    return Message(span, f"point {point} is a pivot, so its velocity is always 0")
+    message = f"point {point} is a pivot, so its velocity is always 0"
+    return Message(span, message, "name a point that moves")
 
 
 @coded("E284")
@@ -102,7 +103,8 @@ def not_a_setting(span: Span, name: str, kind: str) -> Message:
 
     expect k = 7.14 at b = 2 mm     # wrong where b = 2*a
     """
-    return Message(span, f"'{name}' is {kind}; 'at' sets free parameters and loads")
+    message = f"'{name}' is {kind}; 'at' sets free parameters and loads"
+    return Message(span, message, f"set the parameters that '{name}' follows from")
 
 
 @coded("E287")

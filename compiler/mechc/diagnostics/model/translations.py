@@ -23,7 +23,7 @@ def translated_twice(span: Span, text: str, language: str, before: Span) -> Mess
     translate "handle" uk "ручка"       # wrong: which?
     """
     related = (Related(before, "it is translated here before"),)
-    return Message(span, f"'{text}' has two translations ({language})", related=related)
+    return Message(span, f"'{text}' has two translations ({language})", "remove one", related)
 
 
 @coded("W224")
