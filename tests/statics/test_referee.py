@@ -423,3 +423,35 @@ find k = M/T
     trials = Compilation(Source("levers.mech", text)).verdict.trials
     assert len(trials) == 4
     assert all(trial.agrees for trial in trials)
+
+
+def test_a_load_within_a_rigid_part_is_judged_to_be_nothing_by_both_methods():
+    """Four rods are one body, pushed apart from within: k is zero but for rounding."""
+    text = """
+param phi = -0.94 rad
+pivot O at (0 mm, 0 mm)
+pivot G at (213 mm, -88 mm)
+slider S along 2.3 rad through G
+link OA
+link AS
+link SB
+link AB
+OA = 50 mm @ phi
+AS = 107 mm
+SB = 53 mm
+AB = 159 mm
+slot T in AB
+link ST
+ST = 50 mm
+assembly S forward
+assembly SBA ccw
+assembly T back
+torque M on OA
+actuator F between A and T
+find k = M/F
+drive phi from -1.2 rad to -0.7 rad
+"""
+    compilation = Compilation(Source("within.mech", text))
+    assert [t.power for t in compilation.verdict.trials] == [0.0] * 4
+    assert compilation.verdict.worst < 1e-15
+    assert [d.code for d in compilation.report.diagnostics] == ["W503"]

@@ -20,6 +20,7 @@ from ..diagnostics.statics import (
     pose_does_not_close,
     several_balances,
 )
+from ..formula.rounding import Rounding
 from ..formula.tree import ONE, Formula
 from ..formula.walk import evaluate, substitute, symbols
 from ..model.mechanism import (
@@ -281,10 +282,14 @@ def _compared(question: Question, at: Balanced, power: float, answer: Answer) ->
     if answer.trouble:
         return answer.trouble
     if power and answer.condition > SINGULAR:
-        return NEAR_SINGULAR
-    error = abs(power - answer.value) / max(abs(power), abs(answer.value), SMALLEST)
-    values = dict(at.values)
-    trial = Trial(question.name, values, power, answer.value, error, answer.condition)
+        if not _is_rounding(question, at):
+            return NEAR_SINGULAR
+        power = 0.0
+    size, condition = max(abs(power), abs(answer.value)), answer.condition
+    if not power:  # what is zero is off by a part of what it was made of
+        size, condition = answer.influence, 1.0
+    error = abs(power - answer.value) / max(size, SMALLEST)
+    trial = Trial(question.name, dict(at.values), power, answer.value, error, condition)
     return answer.doubt if answer.doubt and not trial.agrees else trial
 
 
@@ -293,6 +298,19 @@ def _evaluate(question: Question, at: Balanced) -> float:
     if not all(found.of(g.left) > found.of(g.right) for g in question.guards):
         return math.nan
     return found.of(question.formula)
+
+
+def _is_rounding(question: Question, at: Balanced) -> bool:
+    """Return whether nothing is left of the answer of virtual power but rounding.
+
+    A load between two points of one rigid part does no work, though that part is several links.
+    """
+    rounding = Rounding({name: at.values[name] for name in at.pose.free if name in at.values})
+    rounding.define(at.pose.definitions)
+    missing = {n: v for n, v in at.values.items() if n not in rounding.values}
+    rounding.values.update(Rounding(missing).values)
+    rounding.define(question.where)
+    return rounding.of(question.formula).is_zero
 
 
 def _one_of_several(trial: Trial, pose: Pose) -> Diagnostic:
