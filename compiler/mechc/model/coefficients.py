@@ -12,6 +12,9 @@ from ..units import LENGTH, NUMBER
 from .expressions import Reader
 from .scope import DESCRIPTION, Scope
 
+HAIR = 1e-9
+"""How far within a range is looked at, as a part of it."""
+
 
 def coefficient(expression: ast.Expr, scope: Scope) -> Formula | None:
     """Return a coefficient of friction; None where an error was reported."""
@@ -46,7 +49,25 @@ def checked(
     if value is not None and not fits(value):
         scope.report.add(messages.senseless(span, what, show(value)))
         return None
+    if formula is not None and (far := _out_of_sense(formula, fits, scope)):
+        scope.report.add(messages.range_makes_no_sense(span, what, far[0], show(far[1])))
     return formula
+
+
+def _out_of_sense(
+    formula: Formula, fits: Callable[[float], bool], scope: Scope
+) -> tuple[str, float] | None:
+    """Return a parameter whose range takes a quantity to where it makes no sense, and to what.
+
+    The end itself may make none: a diameter may shrink to nothing.
+    """
+    for name in sorted(symbols(formula) & scope.ranges.keys()):
+        low, high = scope.ranges[name]
+        for end, other in ((low, high), (high, low)):
+            values, within = ({**scope.values, name: x} for x in (end, end + (other - end) * HAIR))
+            if symbols(formula) <= values.keys() and not fits(evaluate(formula, within)):
+                return name, evaluate(formula, values)
+    return None
 
 
 def value_of(formula: Formula, scope: Scope) -> float | None:

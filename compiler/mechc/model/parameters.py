@@ -197,6 +197,7 @@ def _check_range(parameter: Parameter, statement: ast.Param, scope: Scope) -> No
         what = "a mass" if parameter.dimension == MASS else "a stiffness"
         written = scope.report.source.written(statement.low.span)
         scope.report.add(quantities.negative_quantity(statement.low.span, what, written))
+    scope.ranges[parameter.name] = low, high
     value = scope.values.get(parameter.name)
     if parameter.dependent:
         scope.report.add(quantities.range_of_dependent(edge, parameter.name))

@@ -94,7 +94,8 @@ class Scope:
     ``lets`` holds the names of all lets, which are entered behind what is asked for, and
     ``feeding`` those that the description itself (geometry, parameters, loads) uses; ``values``
     the numbers of the parameters that have one, in SI, and ``sizes`` those of all parameters, 1
-    for an open one, which reveal multiples that are out of reach. ``constants`` are the numbers
+    for an open one, which reveal multiples that are out of reach; ``ranges`` has the ends of
+    those that run over one. ``constants`` are the numbers
     that have got a name, by what they are and their value, with their places. Of a calculation
     ``sheet`` a condition keeps the names of lets.
     """
@@ -109,6 +110,7 @@ class Scope:
         self.lets: set[str] = set()
         self.values: dict[str, float] = {}
         self.sizes: dict[str, float] = {}
+        self.ranges: dict[str, tuple[float, float]] = {}
         self.constants: dict[tuple[str, Formula], Named] = {}
         self._on_paper: dict[Name, str] = {}
         self._misfits: set[tuple[str, Dimension]] = set()

@@ -25,7 +25,7 @@ from .mechanism import (
 )
 from .parameters import constant
 from .scope import DESCRIPTION, Scope
-from .statements import only
+from .statements import every, only
 
 
 def read_mirror(
@@ -45,9 +45,26 @@ def read_mirror(
         return None
     if off := next(_off_the_line(guided, loads, across, shared, scope), None):
         scope.report.add(load_words.off_the_mirror(off[0], off[1], statement.span))
-    if not statement.sharing and not any(isinstance(load, ForcePair) for load in loads):
-        scope.report.add(apart_words.halves_apart(statement.span))
+    if not any(isinstance(load, ForcePair) for load in loads):
+        along = next(_guided_apart(file, guided, across, shared, scope), "")
+        if along or not statement.sharing:
+            scope.report.add(apart_words.halves_apart(statement.span, along))
     return Mirror(across, shared, statement.span)
+
+
+def _guided_apart(
+    file: ast.File,
+    guided: Sequence[Slider | Slide],
+    across: Direction,
+    shared: Sequence[str],
+    scope: Scope,
+) -> Iterator[str]:
+    """Yield the points that slide along the mirror line where the halves share no moving point."""
+    pivots = {statement.point.text for statement in every(file, ast.Pivot)}
+    if pivots >= set(shared):
+        for body in guided:
+            if isinstance(body, Slider) and parallel(body.along, across, scope):
+                yield body.point
 
 
 def _off_the_line(

@@ -72,6 +72,20 @@ def senseless(span: Span, what: str, value: str) -> Message:
     return Message(span, f"{what} of {value} makes no sense", hint)
 
 
+@coded("E420")
+def range_makes_no_sense(span: Span, what: str, name: str, value: str) -> Message:
+    """The range of a parameter takes a coefficient of friction, a diameter or the like too far.
+
+    A coefficient is not negative, a diameter is above zero, an efficiency at most 1.
+
+        param mu = 0.1 in -0.2 .. 0.3     # wrong
+        param mu = 0.1 in 0 .. 0.3        # right
+        friction slider B mu
+    """
+    message = f"the range of {name} takes {what} to {value}, which makes no sense"
+    return Message(span, message, f"correct the range of {name}")
+
+
 @coded("E275")
 def friction_again(span: Span, point: str, first: Span) -> Message:
     """Friction of one kind is given twice at one point.
