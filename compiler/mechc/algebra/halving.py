@@ -106,7 +106,7 @@ def _parts(trig: Trig) -> Iterator[Trig]:
 
 
 def _vanishes_with(sum_: Sum, part: Trig) -> bool:
-    """Tell by numbers, before the division, whether a sum is zero where a factor is.
+    """Return whether, in numbers, a sum is zero where a factor is: before the division.
 
     It is measured by its terms somewhere else: there all of them may be zero.
     """

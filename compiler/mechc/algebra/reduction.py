@@ -25,6 +25,9 @@ CONJUGATES = 16
 Cofactors = tuple[list[Poly], ...]
 """Numerator and denominator, each under every choice of ζ."""
 
+Place = tuple[int, ...]
+"""The exponents of a term."""
+
 Quotient = tuple[Polynomial, Polynomial]
 
 
@@ -115,21 +118,28 @@ def _made_real(ring: Ring, cofactors: Cofactors, units: Sequence[int]) -> Cofact
     A sum is real if z → 1/z, i → -i leave it alone. The cofactors of real sums are left
     alone up to one factor, which is read off where the exponents end.
     """
-    above = cofactors[0]
-    place = max(above[0], key=lambda e: (e[ring.angles :], e))
-    twin = min(above[0], key=lambda e: (e[ring.angles :] != place[ring.angles :], e))
-    middle = [a + b for a, b in zip(place[: ring.angles], twin[: ring.angles], strict=True)]
-    if any(m % 2 for m in middle):
+    first = cofactors[0][0]
+    end = max(first, key=lambda e: (e[ring.angles :], e))
+    other_end = min(first, key=lambda e: (e[ring.angles :] != end[ring.angles :], e))
+    sums = [a + b for a, b in zip(end[: ring.angles], other_end[: ring.angles], strict=True)]
+    if any(s % 2 for s in sums):
         return None
-    shift = (*(-m // 2 for m in middle), *(0 for _ in place[ring.angles :]))
-    order = 4 * ring.parts
-    mirrored = [above[units.index(order - k)][twin] for k in units]
-    ratios = [m * pow(f[place], -1, PRIME) % PRIME for m, f in zip(mirrored, above, strict=True)]
-    factors = _halved(ring, ratios, units)
+    factors = _halved(ring, _ratios(ring, cofactors[0], (end, other_end), units), units)
+    to_the_middle = (*(-s // 2 for s in sums), *(0 for _ in end[ring.angles :]))
     return tuple(
-        [_shifted(f, shift, c) for f, c in zip(images, factors, strict=True)]
+        [_shifted(f, to_the_middle, c) for f, c in zip(images, factors, strict=True)]
         for images in cofactors
     )
+
+
+def _ratios(
+    ring: Ring, images: Sequence[Poly], ends: tuple[Place, Place], units: Sequence[int]
+) -> list[int]:
+    """Return, image by image, the mirrored coefficient of one end over the other's."""
+    end, other_end = ends
+    order = 4 * ring.parts
+    mirrored = (images[units.index(order - k)][other_end] for k in units)
+    return [m * pow(f[end], -1, PRIME) % PRIME for m, f in zip(mirrored, images, strict=True)]
 
 
 def _halved(ring: Ring, ratios: Sequence[int], units: Sequence[int]) -> list[int]:

@@ -161,7 +161,7 @@ def _has_constants(product: Product) -> bool:
 
 
 def _vanishes(terms: Sequence[Product]) -> bool:
-    """Tell at a random point whether a sum vanishes that is not multiplied out to the end."""
+    """Return whether a sum that is not multiplied out vanishes at a random point."""
     point = Point()
     return sum(t.residue(point) for t in terms) % point.prime == 0
 

@@ -32,8 +32,8 @@ def one_row(
     names = [list(dict.fromkeys(n for row in half for n in row)) for half in (lines, angles)]
     head = [[*names[0], "", *(f"{name} [deg]" for name in names[1])]]
     rows = [
-        [*(told.get(n, "") for n in names[0]), "", *(turned.get(n, "") for n in names[1])]
-        for told, turned in zip(lines, angles, strict=True)
+        [*(along.get(n, "") for n in names[0]), "", *(turned.get(n, "") for n in names[1])]
+        for along, turned in zip(lines, angles, strict=True)
     ]
     widths = [max(map(len, column)) for column in zip(*head, *rows, strict=True)]
     padded = ([cell.ljust(w) for cell, w in zip(row, widths, strict=True)] for row in head + rows)

@@ -179,7 +179,7 @@ def which_load_follows(at: Span, result: str, loads: Sequence[str], number: int)
     """A force at a joint is asked for, and nothing says which load follows from the others.
 
     The loads on a mechanism that moves are in a ratio to one another: one of them is as large
-    as the others make it. A force at a joint is told by those that are given, and with friction
+    as the others make it. A force at a joint follows from those that are given, and with friction
     the load that follows is the one that drives.
 
     ::
@@ -335,7 +335,7 @@ def idle_freedom(at: Span, what: Sequence[str]) -> Message:
 def too_many_lets(span: Span, name: str, number: int) -> Message:
     """So many formulas rest on one another that no report or code could show them.
 
-    Every result is told with all that it rests on, so that a chain of a thousand lets
+    Every result stands with all that it rests on, so that a chain of a thousand lets
     stands for half a million definitions. Such descriptions come from a program: let it
     write the sum that it means.
     """

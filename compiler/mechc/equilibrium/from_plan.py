@@ -36,7 +36,7 @@ def loads_by_equilibrium(plan: Plan, report: Report) -> tuple[Equilibrium, ...]:
 
 
 def _known(plan: Plan, target: LoadRatio | LoadForm) -> Names:
-    """Return the loads that a load is found from; with several freedoms others are asked for."""
+    """Return the loads that a load is found from: one per degree of freedom."""
     mechanism = plan.graph.pose.mechanism
     loads = frozenset(load.name for load in mechanism.loads)
     if isinstance(target, LoadForm):

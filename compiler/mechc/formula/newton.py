@@ -89,28 +89,27 @@ def follow(
     """
     scales = [scale(s) for s in start]
     side = side_of(equations, start, anchor)
-    base, found = list(start), list(start)
     longest = _longest(anchor, outer)
-    reached, step, last = 0.0, longest, 0.0
     if longest == 0.0:
-        return 2, tuple(base)
+        return 2, tuple(start)
+    base, found = list(start), list(start)
+    reached, step, last = 0.0, longest, 0.0
     for _ in range(corrections):
         aim = reached + step
         here = [(1.0 - aim) * a + aim * o for a, o in zip(anchor, outer, strict=True)]
-        sign, residuals = _correction(equations, found, here)
-        size = math.sqrt(sum((r / s) * (r / s) for r, s in zip(residuals, scales, strict=True)))
-        if not (sign == side != 0 and (size <= TINY or size <= _allowed(last))):
-            step, last, found = step / 2, 0.0, list(base)
+        sign, correction = _correction(equations, found, here)
+        size = _norm(correction, scales)
+        if not (sign == side != 0 and _shrinks(size, last)):
+            found, step, last = base, step / 2, 0.0
             continue
-        found = [x - r for x, r in zip(found, residuals, strict=True)]
-        precise = size <= TINY or size * size * size <= ROUNDING * last * last
-        if not (precise or (aim < 1.0 and size <= ROUGH)):
+        found = [x - c for x, c in zip(found, correction, strict=True)]
+        if not (_is_precise(size, last) or (aim < 1.0 and size <= ROUGH)):
             last = size
-            continue
-        if aim == 1.0:
+        elif aim == 1.0:
             return 0, tuple(found)
-        base, reached, last = list(found), aim, 0.0
-        step = min(2 * step, longest, 1.0 - reached)
+        else:
+            base, reached, last = found, aim, 0.0
+            step = min(2 * step, longest, 1.0 - reached)
     return 1 if step < SHORTEST else 2, tuple(base)
 
 
@@ -138,8 +137,18 @@ def _longest(anchor: Sequence[float], outer: Sequence[float]) -> float:
     return step
 
 
-def _allowed(last: float) -> float:
-    return CONTRACTION * last if last > 0 else LONGEST
+def _norm(correction: Sequence[float], scales: Sequence[float]) -> float:
+    return math.sqrt(sum((c / s) * (c / s) for c, s in zip(correction, scales, strict=True)))
+
+
+def _shrinks(size: float, last: float) -> bool:
+    """Return whether a correction is small enough behind the last one; 0: it is the first."""
+    return size <= TINY or size <= (CONTRACTION * last if last > 0 else LONGEST)
+
+
+def _is_precise(size: float, last: float) -> bool:
+    """Return whether the next correction would be below rounding."""
+    return size <= TINY or size * size * size <= ROUNDING * last * last
 
 
 def eliminate(matrix: Matrix, right: list[float]) -> int:

@@ -136,14 +136,14 @@ def _narrowed(function: Function, a: float, b: float, range_: float) -> Jump:
 
 
 def _is_steady(function: Function, jump: Jump, range_: float, most: float) -> bool:
-    """Tell a jump from a pole: ten times as far from it the values are nearly the same."""
+    """Return whether this is a jump, no pole: ten times as far values are nearly the same."""
     away = 10 * BESIDE * range_
     before, after = (function(jump.x + side * away) for side in (-1, 1))
     return abs(before - jump.before) <= most and abs(after - jump.after) <= most
 
 
 def _alone(values: Sequence[float], i: int, size: float) -> bool:
-    """Tell a zero from one of many, where the function is zero but for rounding."""
+    """Return whether this is a zero on its own; the function may be zero but for rounding."""
     beside = [abs(v) for v in (*values[max(i - 1, 0) : i], *values[i + 1 : i + 2])]
     return values[i] == 0 and any(v > NOISE * size for v in beside)
 

@@ -232,7 +232,7 @@ def _written(value: _Made, called: str, names: Sequence[str]) -> str:
 
 
 def _is_whole(exponent: str) -> bool:
-    """Tell a whole number, to whose power no negative number is complex."""
+    """Return whether this is a whole number: to its power no negative number is complex."""
     return exponent.endswith(".0)")
 
 

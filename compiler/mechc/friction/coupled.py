@@ -46,7 +46,7 @@ They are at the outset, and no longer at the end: on the way a force may turn ro
 """
 
 TOO_LARGE = Fraction(2) ** 46
-"""The sum of squares of D at which nothing is told: about 1e14, and no number of a user's.
+"""The sum of squares of D from which nothing follows: about 1e14, and no number of a user's.
 
 Beside a dead centre forces of 1e7 times their sum may cancel, so that Newton's corrections stop
 to shrink by rounding, as they do where the branch of solutions ends. Code in single precision
@@ -158,10 +158,7 @@ class _Coupled:
         found = [Implicit(system, i, arguments) for i in range(len(system.unknowns))]
         for name, size in zip(self._unknowns, found, strict=False):
             yield Definition(name, size)
-        added = (
-            product([(self._adds(i), 1), (Symbol(x), 1)]) for i, x in enumerate(self._unknowns)
-        )
-        less = product([(number(-1), 1), (Symbol(self._turn), 1), (total(added), 1)])
+        less = product([(number(-1), 1), (Symbol(self._turn), 1), (self._load_added(), 1)])
         yield Definition(self._load, total([found[-1], less]))
         for name, unknown in zip(self.sizes, self._unknowns, strict=True):
             parts = [(Symbol(self._scale), 1), (Symbol(unknown), 1), (self.load, -1)]
@@ -218,13 +215,9 @@ class _Coupled:
         """Return the equations, each force times the share of the way that is left."""
         rows = [row for pair in pairs for row in pair]
         self._ideal = {row.ideal.name for row in rows}
-        left = Symbol(self._left)
+        left, step = Symbol(self._left), Symbol(self._step)
         load = product([(left, 1), (Symbol(self._without), 1)])
-        added = (
-            product([(self._adds(i), 1), (Symbol(x), 1)]) for i, x in enumerate(self._unknowns)
-        )
-        step = (Symbol(self._step), 1)
-        true_load = total([load, product([(number(-1), 1), step, (total(added), 1)])])
+        true_load = total([load, product([(number(-1), 1), (step, 1), (self._load_added(), 1)])])
         rounded = product([(Symbol(self._rounded), 1), (load, 1)])
         equations = [
             total(
@@ -235,13 +228,22 @@ class _Coupled:
             )
             for x, pair in zip(self._unknowns, pairs, strict=True)
         ]
-        path = ((self._step, 0.0), (self._left, 1.0), (self._rounded, float(ROUNDED)))
-        kept = [*(r.ideal.name for r in rows), *self._alone, *self._added]
-        kept += [share.name for row in rows for _, share in row.shares]
-        anchor = (*path, *((name, None) for name in kept))
         unknowns = (*self._unknowns, self._without)
         every = (*equations, self._measure())
-        return System(unknowns, every, anchor, (*self._alone, 1.0), LONGER)
+        return System(unknowns, every, self._anchor(rows), (*self._alone, 1.0), LONGER)
+
+    def _anchor(self, rows: Sequence[Row]) -> tuple[tuple[str, float | None], ...]:
+        """Return where the way begins: without friction; what has no value there stays as it is."""
+        path = ((self._step, 0.0), (self._left, 1.0), (self._rounded, float(ROUNDED)))
+        kept = [*(row.ideal.name for row in rows), *self._alone, *self._added]
+        kept += [share.name for row in rows for _, share in row.shares]
+        return (*path, *((name, None) for name in kept))
+
+    def _load_added(self) -> Formula:
+        """Return the driving load that all frictions together take."""
+        return total(
+            product([(self._adds(i), 1), (Symbol(x), 1)]) for i, x in enumerate(self._unknowns)
+        )
 
     def _force(self, row: Row, load: Formula) -> Formula:
         """Return a component of a force in the unknowns."""
@@ -268,6 +270,6 @@ def _hypot(names: Iterator[str]) -> Formula:
 def _certain(whole: Formula) -> Formula:
     """Return 1 and, as D grows, less: where D is too large it is negative and has no root.
 
-    As a factor of the length of the way it changes no solution: forces are told in proportion.
+    As a factor of the length of the way it changes no solution: forces keep their proportion.
     """
     return total([ONE, product([(number(-1 / TOO_LARGE), 1), (whole, 1)])])

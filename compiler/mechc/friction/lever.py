@@ -86,17 +86,23 @@ def on_lever(
     if unknown.line is None:
         load = _size(along, across, f"s_{bearing.pivot}_load", signs)
         return Balanced(add((bearing.turn * bearing.radius * load, -rest)) / arm)
-    label = _label(unknown.name)
+    return _with_friction(unknown.name, (arm, rest, along, across), bearing, signs)
+
+
+def _with_friction(name: str, parts: Sequence[Product], bearing: Bearing, signs: Signs) -> Balanced:
+    """Return the force along a line that balances a lever; a negative arm is reversed."""
+    arm, rest, along, across = parts
     way = -1 if arm.coefficient < 0 else 1
     arm, rest = arm.scaled(way), rest.scaled(-way)
     across = -across if across.coefficient < 0 else across
     bearing = bearing._replace(turn=bearing.turn.scaled(way))
+    label = _label(name)
     turn = signs.unsquared(signs.of(f"s_{label}_arm", arm) * bearing.turn)
     if not turn:
         return Balanced(rest / arm)
     if not across:
         return _parallel(label, (arm, rest, along), bearing.radius, turn, signs)
-    return _root(unknown.name, (arm, rest, along, across), bearing, turn, signs)
+    return _root(name, (arm, rest, along, across), bearing, turn, signs)
 
 
 def _in_whole(found: Balanced, unknown: BodyForce, part: Product) -> Balanced:

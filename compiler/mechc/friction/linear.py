@@ -84,7 +84,7 @@ class LinearSolver:
         return (side * by[name] * other.pair.factor * self._slip(other)).scaled(self._sense)
 
     def _step(self, sides: Sequence[Product], sizes: Sequence[Product]) -> Step:
-        """Tell the forces that press, the slips, and what frictions add to the driving load."""
+        """Return the forces that press, the slips, and what frictions add to the driving load."""
         balances = [self._balance(*pair) for pair in zip(self._pressed, sides, strict=True)]
         found = zip(map(_size, self._pressed), (size.formula() for size in sizes), strict=True)
         equations = dict.fromkeys((*balances, *found))

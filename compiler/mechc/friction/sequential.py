@@ -8,7 +8,7 @@ Free bodies are solved one after another, each with one force left unknown:
 - a *face*, of a slot or contact, pushes along its normal turned by the angle of friction;
 - a *slider* balances along its guide, with the guide's factor times the force across;
 - a *pin* between two rods balances both ways. Its friction is exact there only if both
-  rods carry the same force, as in a symmetric knee.
+  rods carry the same force, as in a symmetric toggle.
 
 Where a body has more unknowns the chain ends (:class:`EquationsCoupled`): its equations hang
 together, and :mod:`.exact` solves them.

@@ -1,6 +1,6 @@
 """From the graph to the plan: mobility, drives, blocks, speeds."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 
 from ..algebra.blocks import blocks, match
 from ..algebra.modular import Point
@@ -9,7 +9,7 @@ from ..algebra.rank import Echelon, Residues, independent, residues
 from ..algebra.sums import canonical
 from ..diagnostics import Report
 from ..diagnostics import kinematics as messages
-from .graph import Graph, Kind, Relation
+from .graph import Form, Graph, Kind, Relation
 from .locked import described, locked
 from .plan import Block, Plan, Speeds
 from .solving import Binder, Memory, solve
@@ -99,13 +99,23 @@ def _solved(
         memory.note(drive, speeds[drive])
     steps: list[Block] = []
     for group in blocks(columns, matched):
-        chosen = [matched[u] for u in group]
-        forms = [relations[r].form for r in chosen]
-        recalled = memory.recall(forms[0], group[0]) if len(group) == 1 else None
-        solved = [recalled] if recalled else solve(forms, group, speeds, len(drives))
-        for unknown, values in zip(group, solved, strict=True):
+        step = Block(tuple(matched[unknown] for unknown in group), tuple(group))
+        forms = [relations[r].form for r in step.relations]
+        for unknown, values in _speeds_of(step.unknowns, forms, speeds, len(drives), memory):
             speeds[unknown] = tuple(binder.bound(canonical(v)) for v in values)
             memory.note(unknown, speeds[unknown])
-        steps.append(Block(tuple(chosen), tuple(group)))
+        steps.append(step)
     bindings = tuple(binder.bindings)
     return Plan(graph, tuple(relations), drives, tuple(steps), speeds, bindings, redundant)
+
+
+def _speeds_of(
+    group: Sequence[int],
+    forms: Sequence[Form],
+    known: Mapping[int, Speeds],
+    drives: int,
+    memory: Memory,
+) -> Iterable[tuple[int, Speeds]]:
+    """Return the speeds of a block's unknowns: one that is known again, or all as solved."""
+    recalled = memory.recall(forms[0], group[0]) if len(group) == 1 else None
+    return zip(group, [recalled] if recalled else solve(forms, group, known, drives), strict=True)

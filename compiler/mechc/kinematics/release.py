@@ -21,6 +21,7 @@ from ..model.mechanism import (
     Contact,
     Force,
     ForcePair,
+    Joint,
     Link,
     Load,
     Mechanism,
@@ -192,34 +193,38 @@ def _without_pin(pose: Pose, joint: JointRef, along: Angle) -> Released:
     What acts on the link there goes with it. A telescope holds its ends at no distance, so
     that its own point moves like a body.
     """
-    own, point, mechanism = joint.loose, joint.point, pose.mechanism
-    links = tuple(_renamed(k, point, own) if k.name == joint.of else k for k in mechanism.links)
-    frame = {own if p == point else p: v for p, v in pose.frames[joint.of].items()}
-    frames = {**pose.frames, joint.of: frame}
-    touches = tuple(
-        t._replace(tail=own) if t.body == joint.of and t.tail == point else t for t in pose.touches
-    )
-    joints = tuple(
-        replace(j, pivot=own)
-        if isinstance(j, Rack) and (j.link, j.pivot) == (joint.of, point)
-        else j
-        for j in mechanism.joints
-    )
-    apart = replace(
-        pose,
-        mechanism=replace(
-            _sharing(mechanism, joint), links=links, joints=joints, loads=_carried(mechanism, joint)
-        ),
-        frames=frames,
-        touches=touches,
-    )
-    apart = _with_pin(_with_pin(apart, point), own)
+    own, point = joint.loose, joint.point
+    apart = _with_pin(_with_pin(_with_own_point(pose, joint), point), own)
 
     def gap(graph: Graph, direction: Angle = along) -> Form:
         ahead, behind = (projection(graph.velocities[p], direction) for p in (own, point))
         return subtract(ahead, behind)
 
     return Released(apart, gap, (lambda graph: gap(graph, along + QUARTER),))
+
+
+def _with_own_point(pose: Pose, joint: JointRef) -> Pose:
+    """Return a pose whose link has a point of its own at the pin, with all that acts there."""
+    link, point, own, mechanism = joint.of, joint.point, joint.loose, pose.mechanism
+
+    def on_own_point(part: Joint) -> Joint:
+        is_there = isinstance(part, Rack) and (part.link, part.pivot) == (link, point)
+        return replace(part, pivot=own) if is_there else part
+
+    frame = {own if p == point else p: vector for p, vector in pose.frames[link].items()}
+    return replace(
+        pose,
+        mechanism=replace(
+            _sharing(mechanism, joint),
+            links=tuple(_renamed(k, point, own) if k.name == link else k for k in mechanism.links),
+            joints=tuple(map(on_own_point, mechanism.joints)),
+            loads=_carried(mechanism, joint),
+        ),
+        frames={**pose.frames, link: frame},
+        touches=tuple(
+            t._replace(tail=own) if (t.body, t.tail) == (link, point) else t for t in pose.touches
+        ),
+    )
 
 
 def _carried(mechanism: Mechanism, joint: JointRef) -> tuple[Load, ...]:

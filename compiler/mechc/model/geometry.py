@@ -78,7 +78,10 @@ def _length(length: ast.Expr, statement: ast.Vector, scope: Scope) -> Formula | 
 
 
 def _long_enough(offset: Offset, statement: ast.Vector, scope: Scope) -> bool:
-    """Tell a vector from none; a coordinate may be zero at the default pose and pass it."""
+    """Return whether a vector has a length; a coordinate that varies may pass zero.
+
+    Reports E203 where it has none.
+    """
     if value_of(offset.x, scope) == value_of(offset.y, scope) == 0 and not _runs(offset):
         scope.report.add(messages.length_not_positive(offset.span, statement.points.text, "0"))
         return False

@@ -97,7 +97,7 @@ def _held(mechanism: Mechanism, hold: Hold | None, drive: Drive, report: Report)
 
 
 def _is_itself(hold: Hold, mechanism: Mechanism) -> bool:
-    """Tell a telescope that is fast, or a slider, from links that a couple would hold."""
+    """Return whether a telescope or a slider is held, not links, which a couple would hold."""
     if isinstance(hold, Pinned):
         return any(slider.point == hold.point for slider in mechanism.each(Slider))
     return any(set(t.points) == set(hold) for t in mechanism.telescopes)

@@ -3,7 +3,7 @@
 from collections.abc import Mapping
 from typing import Literal, NamedTuple
 
-from ..frozen import frozen
+from ..frozen import frozen, replace
 
 
 class Speed(NamedTuple):
@@ -112,3 +112,18 @@ class Efficiency:
 
 
 Target = LoadRatio | LoadForm | SpeedRatio | Reaction | Axial | Normal | WithFriction | Efficiency
+
+
+def whole(target: Target) -> Target:
+    """Return the force that a component or a direction is a part of; else the target itself.
+
+    >>> whole(WithFriction(Reaction("O", "", "x"), "tightening"))
+    WithFriction(of=Reaction(point='O', link='', part='size'), sense='tightening', order='exact')
+    """
+    match target:
+        case WithFriction(Reaction() as force):
+            return replace(target, of=whole(force))
+        case Reaction():
+            return replace(target, part="size")
+        case _:
+            return target

@@ -71,7 +71,7 @@ class Closure:
         """Return whether arms add up to zero because some of their angles were defined so.
 
         Algebra takes ``beta = asin(a/l*sin(alpha))`` for one more free symbol; numbers at a
-        few poses tell.
+        few poses show.
         """
         counted = tuple(arm for arm in arms if cosine(arm.angle - direction))
         named = _symbols(counted) | dict(direction.terms).keys()

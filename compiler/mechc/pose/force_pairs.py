@@ -106,7 +106,7 @@ def _across(thrust: ForcePair, pairing: Pairing, axis: Angle) -> Angle:
 
 
 def _is_left(vector: Vector, axis: Angle, pairing: Pairing) -> bool:
-    """Tell on which side of the mirror line a vector ends, at the default pose."""
+    """Return on which side of the mirror line a vector ends, at the default pose."""
     poses = poses_nearby(pairing.mechanism, pairing.terms.definitions)
     open_lengths = dict.fromkeys(pairing.vectors.placeholders, 1.0)
     for values in poses:

@@ -108,7 +108,7 @@ def own_lines(mechanism: Mechanism, results: Sequence[Result]) -> Mapping[str, N
 
 
 def _unit_by_name(name: str, lengths: str) -> str:
-    """Return the unit of what a loop gives, '' of what its name does not tell."""
+    """Return the unit of what a loop gives, '' where its name does not show it."""
     if name.startswith("phi_"):
         return "deg"
     return lengths if name.startswith("len_") else ""

@@ -9,8 +9,9 @@ from ..formula.operations import count_operations
 from ..formula.tree import ZERO, Call, Formula, Implicit, Symbol, System
 from ..formula.walk import constants, symbols
 from ..frozen import frozen, replace
-from ..model.mechanism import Mechanism, Parameter, Reaction, Target, WithFriction
+from ..model.mechanism import Mechanism, Parameter
 from ..model.result import Definition
+from ..model.targets import whole
 from ..study.analysis import Analysis
 from .definitions import Letters, as_written, given_loads, letters
 from .derivation.steps import Derivation, Explanation, NamedRatio, Paragraph, PositionStep
@@ -201,16 +202,6 @@ def _part(result: Analysis) -> str:
 
 
 def _components(result: Analysis, results: Iterable[Analysis]) -> tuple[Formula, ...]:
-    beside = {_part(r): Symbol(r.name) for r in results if _force(r) == _force(result)}
+    force = whole(result.target) if result.target else None
+    beside = {_part(r): Symbol(r.name) for r in results if r.target and whole(r.target) == force}
     return beside["x"], beside["y"]
-
-
-def _force(result: Analysis) -> Target | None:
-    """Return the whole force, with its friction, that a result is a part of."""
-    match result.target:
-        case WithFriction(Reaction() as force, sense):
-            return WithFriction(replace(force, part="size"), sense)
-        case Reaction() as force:
-            return replace(force, part="size")
-        case _:
-            return None

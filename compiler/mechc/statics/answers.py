@@ -38,7 +38,7 @@ def load_ratio(at: Balanced, above: str, below: str) -> Answer:
     """Return ``above`` where ``below`` is 1 and the loads with a value of their own are 0.
 
     Where nothing balances so, the ratio may be that for whatever size those loads have: with
-    two freedoms and a spring between two levers the torques on them stand in one ratio.
+    two degrees of freedom and a spring between two levers the torques on them stand in one ratio.
     """
     mechanism = at.pose.mechanism
     known = {load.name for load in mechanism.loads if load.tie is not None}

@@ -30,7 +30,7 @@ def divisors(formula: Formula) -> Iterator[Factor]:
 
 
 def may_vanish(factor: Factor, near: Mapping[str, float]) -> bool:
-    """Tell a sum, or a sine or cosine of something that varies, from lengths and constants.
+    """Return whether this is a sum, or a sine or cosine of what varies: no length, no constant.
 
     A sum of lengths that are all positive, ``a + b``, does not vanish.
     """

@@ -192,7 +192,7 @@ def _compare_formula(
 
 
 def _is_assembled(values: Values, definitions: Sequence[Definition]) -> bool:
-    """Tell a pose from values at which a loop does not close: nothing can be compared there."""
+    """Return whether there is a pose: nothing can be compared where a loop does not close."""
     found = completed(values, definitions)
     return not any(math.isnan(found.get(name, 0.0)) for name, _ in definitions)
 

@@ -136,7 +136,7 @@ class _Stretches:
         return Stretch(state, low, high, within, sampled)
 
     def _is_sampled(self, *ends: Bound | None) -> bool:
-        """Tell a stretch that was found by looking from one between ends that are solved for."""
+        """Return whether a stretch was found by sampling, not between ends that are solved for."""
         solved = [end.exact is not None for end in ends if end]
         return self.moving.is_iterated or not solved or not all(solved)
 

@@ -240,7 +240,7 @@ def _is_nil(factor: Factor, root: Root, near: Mapping[str, float]) -> bool:
 
 
 def _kind(factor: Factor, at: Sequence[Root], item: Solved, balance: Balance, side: int) -> Kind:
-    """Tell a point that stands still from one that moves across its load."""
+    """Return whether the point of a load stands still or moves across it, if that is known."""
     still, moving = (item.below, item.above) if side > 0 else (item.above, item.below)
     tied = {name for t in balance.terms if t.tie for name in (t.load.name, t.tie[0])}
     if not still or still in tied or balance.plan.mobility != 1:

@@ -36,7 +36,7 @@ def _parser(module: str) -> Callable[[Source, Report], ast.File]:
 
 
 def is_yaml(source: Source) -> bool:
-    r"""Tell the notation by the name's suffix; without one, by the first line that counts.
+    r"""Return the notation by the name's suffix; without one, by the first line that counts.
 
     >>> is_yaml(Source("a.yaml", "")), is_yaml(Source("<stdin>", "# x\nparams:\n  a: 1"))
     (True, True)
@@ -56,7 +56,7 @@ def _first_line(text: str) -> str:
 
 
 def _reads_as_yaml(text: str, named: bool) -> bool:
-    """Tell the notation by the first line, and by the file's name where that says nothing."""
+    """Return the notation by the first line, by the file's name where that is of neither."""
     first = _first_line(text)
     if SECTION.match(first):
         return True

@@ -139,7 +139,7 @@ def mapping_schema(section: Section) -> Schema:
     """Return the schema of names with entries; entries that share names share a mapping."""
     patterns: dict[str, list[Entry]] = {}
     for entry in section.entries:
-        # Entries told apart by their keys have the name of the first: 'pins' or a point.
+        # Entries distinguished by their keys have the name of the first: 'pins' or a point.
         namesake = entry if entry.short else section.entries[0]
         pattern = of_key(subject_of(namesake)).get("pattern", "")
         patterns.setdefault(pattern, []).append(entry)

@@ -87,7 +87,7 @@ def wheel_without_pivot(at: Span, what: str) -> Message:
 def wheel_of_several(at: Span, centre: str, links: Sequence[str], arm: str) -> Message:
     """A wheel is fixed to the one link on its centre; here there is none, or there are several.
 
-    The arm that carries both wheels does not count. ``on`` tells which link is meant::
+    The arm that carries both wheels does not count. ``on`` says which link is meant::
 
         pivot O1
         link O1A             # the gear on O1 turns with it

@@ -69,7 +69,7 @@ def close(
     E309 where there is none at the default pose.
     """
     named, lines = _sought_parameters(mechanism), list(guide_lines(mechanism, directions))
-    edges = [*vectors.edges, *(rail.edge for rail in lines)]
+    edges = [*vectors.edges, *(line.edge for line in lines)]
     lengths = _open_lengths(edges, terms) - {p.name for p in mechanism.parameters}
     if not (directions.sought or named or (lines and mechanism.drive)):
         crossed = _crossed(lines, edges, lengths)
@@ -77,23 +77,38 @@ def close(
             return Closed(mechanism, frozenset(), {}, (), (), NOTHING, mechanism.assemblies)
         edges = [e for e in edges if mentioned(e.arms) & lengths <= crossed]
         lengths = crossed
-    turning = {p.name for p in mechanism.parameters if p.dimension == ANGLE}
-    angles = frozenset({*directions.sought, *(named & turning)})
-    sought = {*angles, *named, *lengths}
-    state = State(mechanism, terms, VectorGraph(edges, sought), lines, angles, named)
-    closing = _Closing(state, report)
-    closing.run()
+    angles = frozenset(directions.sought) | _turning(mechanism, named)
+    graph = VectorGraph(edges, {*angles, *named, *lengths})
+    state = State(mechanism, terms, graph, lines, angles, named)
+    idle = _Closing(state, report).run()
     report.stop_on_errors()
+    put_in = _put_in(state, directions, vectors)
+    return Closed(
+        mechanism=_with_solved(mechanism, state, report),
+        found=frozenset(state.found),
+        rates=state.rates,
+        limits=tuple(state.limits),
+        loops=tuple(state.loops),
+        left=left_open(state),
+        idle=idle,
+        put_in=put_in,
+        solved=tuple(state.solved),
+    )
+
+
+def _turning(mechanism: Mechanism, named: Names) -> Names:
+    """Return the parameters among some that are angles."""
+    return named & {p.name for p in mechanism.parameters if p.dimension == ANGLE}
+
+
+def _put_in(state: State, directions: Directions, vectors: Vectors) -> Names:
+    """Put what was found into directions and vectors; return the lengths that vanish so."""
     directions.put(state.directions)
     vectors.lay(state.laid())
     short = _in_one_term(state)
     vectors.put(state.directions, short)
     vectors.placeholders[:] = [n for n in vectors.placeholders if n not in state.found]
-    limits, loops = tuple(state.limits), tuple(state.loops)
-    mechanism = _with_solved(mechanism, state, report)
-    left, idle, found = left_open(state), closing.idle, frozenset(state.found)
-    put_in, solved = frozenset(short), tuple(state.solved)
-    return Closed(mechanism, found, state.rates, limits, loops, left, idle, put_in, solved)
+    return frozenset(short)
 
 
 def _in_one_term(state: State) -> dict[str, Product]:
@@ -143,7 +158,7 @@ def _is_open(parameter: Parameter) -> bool:
 
 
 def _with_solved(mechanism: Mechanism, state: State, report: Report) -> Mechanism:
-    """Return the mechanism with the parameters that loops gave; W303 tells one with a range."""
+    """Return the mechanism with the parameters that loops gave; W303 names one with a range."""
     solved: dict[str, Formula] = {
         d.name: d.formula for d in state.definitions if d.name in state.named
     }
@@ -165,16 +180,12 @@ class _Closing:
         self._choice = Choice(state, report)
         self._fixed = state.mechanism.fixed
 
-    def run(self) -> None:
-        """Close everything that can be closed."""
+    def run(self) -> tuple[Assembly, ...]:
+        """Close all that can be closed; return the assembly lines that decided nothing."""
         for link in self._state.mechanism.links:
             self._close_body(link)
         while self._state.is_open and (self._close_next() or self._close_block()):
             pass
-
-    @property
-    def idle(self) -> tuple[Assembly, ...]:
-        """Return the lines that decided nothing."""
         return self._choice.unused
 
     def _close_block(self) -> bool:

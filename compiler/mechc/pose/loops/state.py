@@ -170,7 +170,7 @@ class State:
         self.graph.rewrite(by_name)
 
     def _is_clockwise(self, points: Sequence[str]) -> bool:
-        """Tell how three points lie at the default pose."""
+        """Return how three points lie at the default pose."""
         places = self.graph.places(points[0], self.base)
         (_, _), (bx, by), (cx, cy) = (places[p] for p in points)
         return bx * cy < by * cx

@@ -13,11 +13,11 @@ from ...model.mechanism import (
     LoadForm,
     LoadRatio,
     Mechanism,
-    Reaction,
     RopeFriction,
     WithFriction,
     tension_share,
 )
+from ...model.targets import whole
 from ...power.balance import Solved
 from ..sentences.wording import geometry_first, positive_first
 from .steps import Equation, Explanation, Paragraph, SentenceKind
@@ -69,13 +69,8 @@ def of_friction(solution: Solution) -> Iterator[Explanation]:
 
 def _place(solved: Solved | SolvedWithFriction) -> WithFriction | None:
     """Return the quantity of a result with friction, the same for all parts of one force."""
-    match solved.result.target:
-        case WithFriction(Reaction() as force, sense):
-            return WithFriction(replace(force, part="size"), sense)
-        case WithFriction() as target:
-            return target
-        case _:
-            return None
+    target = solved.result.target and whole(solved.result.target)
+    return target if isinstance(target, WithFriction) else None
 
 
 class _Shown:

@@ -150,7 +150,7 @@ def remarks(result: Analysis, locale: Locale, spell: Speller) -> tuple[str, ...]
 
 
 def _is_news(names: Iterable[str], result: Analysis) -> bool:
-    """Tell what is said of names from what the proportionality has said of all of them."""
+    """Return whether some of the names are none that the result is proportional to."""
     return any(name not in (result.proportional or {}) for name in names)
 
 

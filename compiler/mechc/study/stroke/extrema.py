@@ -97,7 +97,7 @@ def extrema(
 def turns_between(
     extremum: Extremum, poles: Sequence[float], result: Analysis, along: Along
 ) -> bool:
-    """Tell an extremum near a pole from a value at the pole, which is rounding.
+    """Return whether an extremum near a pole is no value at the pole, which is rounding.
 
     The result turns there within an eighth of the way to the pole.
     """

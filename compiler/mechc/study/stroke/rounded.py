@@ -29,7 +29,7 @@ def rounded(
 
 
 def is_nil(result: Result, along: Along, stretch: Stretch) -> bool:
-    """Tell a result that is zero but for rounding all over a stretch: it does nothing there."""
+    """Return whether a result is zero but for rounding all over a stretch."""
     grid = spaced(stretch.low, stretch.high, FEW)[1:-1]
     values = (along.of(result.formula, result, x) for x in grid)
     return all(_beyond(v, x, result, along) == 0 for v, x in zip(values, grid, strict=True))

@@ -19,7 +19,7 @@ GROWS = 1.5
 
 
 def is_on_a_side(size: Size, where: Sequence[Definition], rounding: Rounding) -> bool:
-    """Tell a value that rests on a sign that rounding makes, or that has no number."""
+    """Return whether a value rests on a sign that rounding makes, or has no number."""
     if size.number is None or not math.isfinite(size.number):
         return True
     inner = Rounding({})
