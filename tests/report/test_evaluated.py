@@ -9,7 +9,7 @@ from good_mechanisms import CLOSED, compiled
 from mechc.formula.layout import TRIGONOMETRIC
 from mechc.formula.to_text import text
 from mechc.formula.tree import Call, Constant, Number
-from mechc.formula.walk import children, evaluate, rebuild
+from mechc.formula.walk import children, evaluate, rebuild, symbols
 from mechc.report.evaluated import evaluated
 from mechc.report.sections import outline
 from mechc.report.text.derivation import render
@@ -86,3 +86,12 @@ def test_angles_have_no_whole_turns_and_nothing_is_told_twice(name):
 
 def test_a_result_that_is_a_parameter_is_given_once():
     assert shown("pantograph")["k"].numbers is None
+
+
+@pytest.mark.parametrize("name", CLOSED)
+def test_a_slope_mentions_nothing_that_is_not_introduced(name):
+    mechanism = compiled(name).mechanism
+    listed = (*mechanism.parameters, *mechanism.literals, *mechanism.loads)
+    for result in compiled(name).derivation.results:
+        known = {each.name for each in (*listed, *result.where)}
+        assert all(symbols(slope) <= known for slope in (result.derivatives or {}).values())

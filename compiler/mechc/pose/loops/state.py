@@ -9,8 +9,8 @@ from ...algebra.factors import Length
 from ...algebra.from_formula import to_product
 from ...algebra.sums import add
 from ...formula.names import another
-from ...formula.tree import Call, Formula, degrees, negative, total
-from ...formula.walk import evaluate, symbols
+from ...formula.tree import Call, Formula, Symbol, degrees, negative, total
+from ...formula.walk import evaluate, substitute, symbols
 from ...model.mechanism import Mechanism
 from ...model.values import completed
 from ...units import LENGTH
@@ -121,6 +121,7 @@ class State:
         fresh = {d.name for d in closure.definitions} & frozenset().union(*map(mentioned, moving))
         self.rates |= loop_rates(moving, sorted(fresh), self.rates)
         self._rate_twins(closure)
+        self._rates_by_one_name(closure)
         self.values = [self.tried(closure, values) for values in self.values]
         self.definitions.extend(closure.definitions)
         directions = dict(closure.directions)
@@ -144,6 +145,14 @@ class State:
             match list(value.factors.items()):
                 case [(Length(twin), 1)] if name in self.rates and twin in sides:
                     self.rates[twin] = self.rates[name].scaled(1 / Fraction(value.coefficient))
+
+    def _rates_by_one_name(self, closure: Closure) -> None:
+        """Write a side that is another one by the name of that one in all rates."""
+        twins = {d.name: d.formula for d in closure.definitions if isinstance(d.formula, Symbol)}
+        for name, rate in self.rates.items() if twins else ():
+            formula = rate.formula()
+            if not twins.keys().isdisjoint(symbols(formula)):
+                self.rates[name] = to_product(substitute(formula, twins))
 
     def _name_directions(self) -> Iterator[str]:
         """Name the directions that are sums of many angles, all of them known by now."""

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from ...algebra.angle import Angle
 from ...algebra.product import ONE, Product
-from ...algebra.sums import add, canonical
+from ...algebra.sums import add, canonical, readable
 from ...formula.tree import Formula, Sum, Symbol, product, total
 from ...kinematics.graph import Form, Kind, Rule, Unknown
 from ...kinematics.plan import Plan
@@ -116,8 +116,9 @@ def _rod(unknown: Unknown, plan: Plan) -> str:
 
 
 def times(factor: Product, named: Named) -> Formula:
-    """Return ``factor · symbol``."""
-    return product([(canonical(factor).formula(), 1), (named.symbol, 1)])
+    """Return ``factor · symbol``, a long factor as it is read."""
+    read = readable(canonical(factor), [factor])
+    return product([(read.formula(), 1), (named.symbol, 1)])
 
 
 def linear(form: Form, names: Names) -> Formula:

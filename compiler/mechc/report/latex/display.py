@@ -12,7 +12,7 @@ from collections.abc import Iterable, Iterator, Sequence
 from typing import NamedTuple
 
 from ...formula.layout import is_angle
-from ...formula.tree import Formula, Product, Sum, Symbol
+from ...formula.tree import Formula, Product, Sum
 from ...formula.walk import children, rebuild, symbols
 from .notation import Notation
 from .printer import Box, box, plain, row, signed
@@ -46,11 +46,11 @@ class _Display:
     def __init__(self, style: Notation, shown: Iterable[Formula]) -> None:
         self._names = style.made
         self._names.take(name for formula in shown for name in symbols(formula))
-        self.made: list[tuple[Formula, Symbol]] = []
+        self.made: list[tuple[Formula, Formula]] = []
 
-    def name(self, formula: Formula) -> Symbol:
-        """Return the name of a sum, a new one when it has none."""
-        known = self._names.known(formula)
+    def name(self, formula: Formula) -> Formula:
+        """Return the name of a sum, that of its opposite with a minus, a new one for others."""
+        known = self._names.known(formula) or self._names.opposite(formula)
         if known is None:
             known = self._names.of_sum(formula)
             self.made.append((formula, known))

@@ -8,8 +8,10 @@ from collections.abc import Iterable, Mapping
 from itertools import chain, count
 from types import MappingProxyType
 
+from ...algebra.equality import equal
 from ...formula.names import GREEK, Name, Point, split_name, split_points, split_ratio
-from ...formula.tree import Formula, Symbol
+from ...formula.tree import Formula, Symbol, negative
+from ...formula.walk import symbols
 from ...frozen import frozen
 from ...model.mechanism import Reaction
 from ..languages.registry import locale
@@ -68,6 +70,13 @@ class MadeNames:
     def known(self, formula: Formula) -> Symbol | None:
         """Return the name that a formula has got, if any."""
         return self._names.get(formula)
+
+    def opposite(self, formula: Formula) -> Formula | None:
+        """Return a name with a minus, where one has been made up for the opposite sum."""
+        for known, name in self._names.items():
+            if symbols(known) == symbols(formula) and equal(known, negative(formula)):
+                return negative(name)
+        return None
 
     def of_sum(self, formula: Formula) -> Symbol:
         """Return a new name ``Z_1``, ``Z_2`` … for a sum."""
