@@ -184,15 +184,28 @@ class Compilation:
     def _at_values(
         self, source: Source, prefix: str, values: Mapping[str, float | None]
     ) -> "Compilation":
-        """Return a used mechanism whose parameters have the values that their names have here."""
+        """Return a used mechanism with the values that its parameters and loads have here.
+
+        A load of it that follows from another stays open.
+        """
+        mechanism = Compilation(source, users=self.users).mechanism
+        quantities = {p.name: (p.unit, p.dimension) for p in independent(mechanism)}
+        quantities |= {k.name: ("", k.dimension) for k in mechanism.loads if k.tie is None}
+        units = {let.name: let.unit for let in self.mechanism.lets}
         settings: dict[str, Setting] = {}
-        for parameter in independent(Compilation(source, users=self.users).mechanism):
-            value = values.get(f"{prefix}_{parameter.name}")
+        for name, (unit, dimension) in quantities.items():
+            here = f"{prefix}_{name}"
+            value = values.get(here) if here in self._given_names else None
             if value is not None:
-                unit = parameter.unit or si_unit(parameter.dimension)
-                name, setting = parse(f"{parameter.name} = {in_unit(value, unit, EXACT)}")
-                settings[name] = setting
+                unit = unit or units.get(here, "") or si_unit(dimension)
+                settings |= [parse(f"{name} = {in_unit(value, unit, EXACT)}")]
         return checked(Compilation(source, settings, users=self.users))
+
+    @Stage
+    def _given_names(self) -> frozenset[str]:
+        """The names that are given values, not formulas that follow from others."""
+        given = (ast.Param, ast.Given)
+        return frozenset(s.name.text for s in self.composed.statements if isinstance(s, given))
 
     @Stage
     def mechanism(self) -> Mechanism:

@@ -15,6 +15,9 @@ from mechc.diagnostics import MechcError
 from mechc.driver import Compilation, complete
 from mechc.emit.registry import load
 from mechc.emit.target import Options
+from mechc.formula.to_text import text
+from mechc.formula.walk import evaluate
+from mechc.report.between import line_between
 from mechc.report.text.note import render
 from mechc.report.text.speller import speller
 from mechc.source import Source
@@ -198,6 +201,7 @@ let tau = 4*K*F/(pi*d^2)
 let c = 2*tau/tau_a when d > 7 mm else 1
 require tau <= tau_a
 require s > d  # room
+require v <= 1.01 m/s  # what the sheet is for
 """
 
 
@@ -207,7 +211,8 @@ def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture
     lines = render(pin.mechanism, pin.results, spell).splitlines()
     assert lines[:3] == ["Pin in shear", "", "Given"]
     for line in [
-        "  K = K_v at v = K_v at 1 m/s = 1.25",
+        "  K = K_v at v = K_v at 1 m/s = 1.0 + (1 m/s - 0 m/s) * (1.5 - 1.0) / (2 m/s - 0 m/s)"
+        " = 1.25",
         "  d_s = sqrt(4*K*F / (pi * tau_a)) = sqrt(4 * 1.25 * 2 kN / (pi * 75 MPa)) = 6.51470 mm",
         "  d = next max(d_s, 0.3 * s) in dowels = next max(6.515 mm, 0.3 * 10 mm) in dowels = 8 mm"
         " (d_s decides)",
@@ -215,8 +220,29 @@ def test_the_note_has_the_numbers_with_their_units(capsys: pytest.CaptureFixture
         "  c = (2*tau/tau_a when d > 7 mm; else 1) = 2 * 49.74 MPa / 75 MPa = 1.32629",
         "  tau <= tau_a: 49.7359 MPa <= 75 MPa, reserve 1.51",
         "  s > d: 10 mm > 8 mm, reserve 1.25, the least",
+        "  v <= 1.01 m/s: 1 m/s <= 1.01 m/s    ",
     ]:
         assert any(found.startswith(line.replace("6.51470", "6.5147")) for found in lines), line
+
+
+@pytest.mark.parametrize(
+    ("asked", "line"),
+    [
+        (0.3, "1.18 + (0.3 - 0.1)*(0.541 - 1.18)/(0.5 - 0.1)"),
+        (0.75, "0.541 + (0.75 - 0.5)*(0.388 - 0.541)/(1 - 0.5)"),
+        (0.5, None),
+        (1.2, None),
+    ],
+)
+def test_a_table_is_a_straight_line_between_two_rows(asked: float, line: str | None) -> None:
+    (table, _) = sheet().mechanism.tables
+    found = line_between(table, asked)
+    assert (found and text(found)) == line
+    if found:
+        xs, ys = zip(*((evaluate(x, {}), evaluate(y, {})) for x, y in table.rows), strict=True)
+        order = np.argsort(xs)
+        wanted = np.interp(asked, np.array(xs)[order], np.array(ys)[order])
+        assert evaluate(found, {}) == pytest.approx(wanted, rel=1e-9)
 
 
 MIXED = """

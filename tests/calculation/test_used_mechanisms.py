@@ -147,7 +147,8 @@ def test_check_and_json_have_the_mechanism_at_the_values_of_the_sheet(tmp_path: 
     Draft202012Validator(json.loads(schema_text())).validate(document)
     (used,) = document["used_mechanisms"]
     assert (used["prefix"], used["name"], used["referee"]["agrees"]) == ("C", "crank", True)
-    (found,) = used["results"]
+    found, force = used["results"]
+    assert (force["name"], force["value"]) == ("F", 2000)
     assert found["value"] == pytest.approx(alone["k"], rel=1e-14)
     assert r"\varphi" in found["formula"]["latex"] or r"\phi" in found["formula"]["latex"]
 

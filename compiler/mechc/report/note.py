@@ -11,13 +11,21 @@ from typing import Literal, NamedTuple
 from ..formula.choices import chosen, is_choice
 from ..formula.tree import Call, Constant, Formula, Implicit, Number, Product, Symbol
 from ..formula.walk import constants, evaluate, symbols, walk
+from ..frozen import replace
 from ..model.mechanism import Let, Mechanism, Parameter, Require
 from ..model.result import Result
 from ..model.values import Chain, defaults, dependent, usual_length
 from ..study.analysis import as_printed
 from ..syntax.vocabulary import split_quantity
 from ..units import ANGLE, NUMBER, Dimension, si_unit
+from .between import Tables, line_between, tables_of
 from .put_in import Quantity, put_in, usual_unit
+
+COMPUTED = 12
+"""Digits beyond which a number was computed, not written by hand: ``102.277600186942 N``."""
+
+SHOWN = 6
+"""Digits of values that were computed."""
 
 
 class NoteLine(NamedTuple):
@@ -41,6 +49,8 @@ class NoteLine(NamedTuple):
     decides: Formula | None
     dimension: Dimension
     is_taken: bool = False
+    between: Formula | None = None
+    source: str = ""
 
     @property
     def is_number(self) -> bool:
@@ -84,7 +94,8 @@ def note(mechanism: Mechanism, results: Sequence[Result]) -> Note:
     values |= {r.name: r.default for r in results if r.default is not None}
     given = {name: Quantity(value, units[name]) for name, value in values.items()}
     lines = tuple(_lines(mechanism, results, given))
-    checks = [_check(r, given) for r in mechanism.requires if not r.subject]
+    lets = {let.name: let.value for let in mechanism.lets}
+    checks = [_check(r, given, lets) for r in mechanism.requires if not r.subject]
     return Note(lines, tuple(_with_the_least(checks)))
 
 
@@ -104,7 +115,8 @@ def own_lines(mechanism: Mechanism, results: Sequence[Result]) -> Mapping[str, N
     known = {name for name, value in values.items() if math.isfinite(value)}
     given = {name: Quantity(values[name], unit) for name, unit in units.items() if name in known}
     shown = {result.name for result in results if result.target is None}
-    return {let.name: _line(let, given) for let in mechanism.lets if let.name in shown}
+    tables = tables_of(mechanism)
+    return {let.name: _line(let, given, tables) for let in mechanism.lets if let.name in shown}
 
 
 def _unit_by_name(name: str, lengths: str) -> str:
@@ -120,16 +132,17 @@ def _lines(
     """Yield the formulas in the order of the text, results of used mechanisms among them."""
     named = {result.name: as_printed(result) for result in results}
     literals = {known.name: known for known in mechanism.literals}
+    tables = tables_of(mechanism)
     shown, done = set(given), 0
     for known in mechanism.taken:
-        yield from (_line(let, given) for let in mechanism.lets[done : known.before])
+        yield from (_line(let, given, tables) for let in mechanism.lets[done : known.before])
         done = known.before
         result = named[known.name]
         is_bare = _is_iterated(result) or isinstance(result.formula, Number)  # a number in SI
         formula = None if is_bare else result.formula
         yield from _mentioned(result, literals, shown) if formula else ()
         yield _plain(known.name, known.label, formula, given.get(known.name), known.dimension)
-    yield from (_line(let, given) for let in mechanism.lets[done:])
+    yield from (_line(let, given, tables) for let in mechanism.lets[done:])
 
 
 def _is_iterated(result: Result) -> bool:
@@ -170,8 +183,9 @@ def _plain(
     return NoteLine(name, label, "", "", formula, None, value, None, None, dimension, True)
 
 
-def _line(let: Let, given: Mapping[str, Quantity]) -> NoteLine:
+def _line(let: Let, given: Mapping[str, Quantity], tables: Tables) -> NoteLine:
     assert let.written
+    table = tables.get(let.written.of) if let.written.kind == "table" else None
     formula = let.written.formula
     values = {name: quantity.value for name, quantity in given.items()}
     known = symbols(formula) <= values.keys()
@@ -182,13 +196,23 @@ def _line(let: Let, given: Mapping[str, Quantity]) -> NoteLine:
         let.label,
         let.written.kind,
         let.written.of,
-        formula,
+        _rounded(formula, value),
         _numbers(formula, let.written.kind, given) if known else None,
         value,
         asked,
         _deciding(formula, given),
         let.dimension,
+        between=line_between(table, evaluate(formula, values)) if known and table else None,
+        source=table.source if table else "",
     )
+
+
+def _rounded(formula: Formula, value: Quantity | None) -> Formula:
+    """Return a formula; a number of so many digits that it was computed as values are shown."""
+    digits = sum(map(str.isdigit, formula.name)) if isinstance(formula, Constant) else 0
+    if isinstance(formula, Constant) and value and digits > COMPUTED:
+        return replace(formula, name=value.text(SHOWN))
+    return formula
 
 
 def _numbers(formula: Formula, kind: str, given: Mapping[str, Quantity]) -> Formula | None:
@@ -217,12 +241,28 @@ def _deciding(formula: Formula, given: Mapping[str, Quantity]) -> Formula | None
 # -------------------------------------------------------------------------- checks
 
 
-def _check(require: Require, given: Mapping[str, Quantity]) -> NoteCheck:
+def _check(
+    require: Require, given: Mapping[str, Quantity], lets: Mapping[str, Formula]
+) -> NoteCheck:
     assert require.written
     left, right, label = require.written.left, require.written.right, require.written.label
     values = _sides(require, given)
-    reserve = _reserve(values[0].value, values[1].value, require.operator) if values else None
+    compared = values if not _is_range(require, lets) else None
+    reserve = _reserve(compared[0].value, compared[1].value, require.operator) if compared else None
     return NoteCheck(label, left, require.operator, right, values, reserve, decides=False)
+
+
+def _is_range(require: Require, lets: Mapping[str, Formula]) -> bool:
+    """Return whether a given quantity is held against a number: for what a formula is meant.
+
+    A reserve is that of what was calculated.
+    """
+    sides = [require.left, require.right]
+    for i, side in enumerate(sides):
+        while isinstance(side, Symbol) and side.name in lets:
+            side = sides[i] = lets[side.name]
+    bare = [s for s in sides if isinstance(s, Symbol)]
+    return len(bare) == 1 and any(not symbols(s) for s in sides)
 
 
 def _sides(require: Require, given: Mapping[str, Quantity]) -> tuple[Quantity, Quantity] | None:

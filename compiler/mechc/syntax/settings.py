@@ -5,7 +5,7 @@ its own, so that what may stand there is exactly what may stand in a file.
 """
 
 import re
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable, Iterator, Mapping
 from typing import NamedTuple, assert_never
 
 from ..diagnostics import Report
@@ -30,6 +30,9 @@ Settings = Mapping[str, Setting]
 
 COMMAND_LINE = "-D"
 """What messages call the text of a setting."""
+
+LOADS = (ast.Force, ast.Torque, ast.Actuator, ast.Weight, ast.Distributed)
+"""The statements that declare a load by its name."""
 
 _WORD = "param "
 _UNIT = re.compile(r"(?<=[\d.])(?=[a-zA-Z])(?![eE][+-]?\d)")
@@ -61,7 +64,7 @@ def attached(source: Source, settings: Settings) -> Source:
 
 
 def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
-    """Return the tree with the values of the named parameters replaced.
+    """Return the tree with the values of the named parameters replaced, and named loads given.
 
     Their places are those of the settings' texts in the source that they are attached to.
     """
@@ -72,7 +75,18 @@ def put_in(tree: ast.File, settings: Settings, source: Source) -> ast.File:
         name: moved(setting.value, start)
         for (name, setting), start in zip(settings.items(), starts, strict=False)
     }
-    return replace(tree, statements=tuple(_set(s, values) for s in tree.statements))
+    changed = tuple(_set(s, values) for s in tree.statements)
+    return replace(tree, statements=(*changed, *_given_loads(changed, values)))
+
+
+def _given_loads(
+    statements: tuple[ast.Statement, ...], values: Mapping[str, ast.Expr]
+) -> Iterator[ast.Let]:
+    """Yield ``let F = 2 kN`` for each load with a value from outside that no line gives it."""
+    names = dict.fromkeys(s.name.text for s in statements if isinstance(s, LOADS))
+    lets = {s.name.text for s in statements if isinstance(s, ast.Let)}
+    for name in names.keys() & values.keys() - lets:
+        yield ast.Let(values[name].span, ast.Name(name, values[name].span), values[name])
 
 
 def drives(statements: Iterable[ast.Statement]) -> tuple[ast.Drive, ...]:
@@ -106,6 +120,8 @@ def _set(statement: ast.Statement, values: Mapping[str, ast.Expr]) -> ast.Statem
     if isinstance(statement, ast.Drive):
         start = values.get(f"phi_{statement.name.text}", values.get(f"len_{statement.name.text}"))
         return replace(statement, start=start) if start else statement
+    if isinstance(statement, ast.Let):
+        return replace(statement, value=values.get(statement.name.text, statement.value))
     if not isinstance(statement, ast.Param) or statement.name.text not in values:
         return statement
     dimension = statement.dimension or _dimension(statement.value)

@@ -317,6 +317,7 @@ LOCALE = Locale(
         "lines": "Calculation",
         "checks": "Checks",
         "list": "the next size of the list {name}",
+        "between": "in proportion between two rows: {source}",
         "unknown": "not known",
         "least of all": "the least",
         "decides": "{formula} decides",

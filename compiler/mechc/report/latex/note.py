@@ -32,8 +32,10 @@ def alone(line: NoteLine, locale: Locale, style: Notation) -> Iterator[str]:
 
 
 def remark(line: NoteLine, words: Mapping[str, str], style: Notation) -> str:
-    """Return which list a size is of, and which of several things decides."""
+    """Return which list a size is of, where a table is from, which of several things decides."""
     remarks = [words["list"].format(name=escape(line.of))] if line.kind == "list" else []
+    if line.between and line.source:
+        remarks.append(words["between"].format(source=translated(line.source, style)))
     if line.decides:
         remarks.append(words["decides"].format(formula=math(latex(line.decides, style))))
     return "; ".join(remarks)
@@ -49,6 +51,7 @@ def in_numbers(line: NoteLine, where: str, style: Notation) -> str:
     angle = line.dimension == ANGLE
     formulas = (line.formula, line.numbers)
     sides = [side(line, formula, style, angle) for formula in formulas if formula]
+    sides += [box(line.between, style, angle)] if line.between else []
     if line.value and not line.is_number:
         sides.append(measure(line.value, style))
     if line.formula and max(side.width for side in sides) > LINE:

@@ -142,6 +142,8 @@ def _line(line: NoteLine, signs: Signs, words: Words, in_numbers: bool) -> Row:
     sides = [_asked(line, line.formula, signs, angle)] if line.formula else []
     if in_numbers and line.numbers:
         sides.append(_asked(line, line.numbers, signs, angle))
+    if in_numbers and line.between:
+        sides.append(print_formula(line.between, signs, angle))
     constant = not line.of and line.numbers is None and line.is_number
     if line.value and not constant:
         sides.append(_value(line.value, signs))
