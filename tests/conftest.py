@@ -1,5 +1,6 @@
 """What the whole suite shares: goldens with ``--update``, and no text that runs."""
 
+import gc
 import os
 import subprocess
 import sys
@@ -15,6 +16,10 @@ from paths import COMPILER, GOLDEN
 # The same examples in each run: what lands was seen to pass.
 settings.register_profile("fixed", derandomize=True, deadline=None)
 settings.load_profile("fixed")
+
+
+# Searches for garbage every 700 objects are a twelfth of what a test of the compiler takes.
+gc.set_threshold(50_000)
 
 
 # What is tested is computed here and now.

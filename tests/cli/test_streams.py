@@ -1,5 +1,6 @@
 """Consoles of every encoding, streams that are closed or full, and an interrupted start."""
 
+import gc
 import signal
 import subprocess
 import sys
@@ -94,3 +95,25 @@ def test_an_interrupted_start_is_quiet(tmp_path):
     env = {"PYTHONPATH": str(EXAMPLES.parent / "compiler")}
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True, env=env)
     assert (done.returncode, done.stderr) == (128 + signal.SIGINT, "")
+
+
+def test_who_waits_for_the_end_of_the_process_is_waited_for(run_shell, tmp_path):
+    """A command ends its process at once, but for handlers, threads and profilers."""
+    code = "import atexit, threading, time\nfrom mechc.cli import console\nWAITING\nconsole()\n"
+    handler = "atexit.register(print, 'at last')"
+    waits = "lambda: (threading.main_thread().join(), print('at last'))"
+    thread = f"threading.Thread(target={waits}).start()"
+    for waiting in (handler, thread):
+        (tmp_path / "a.py").write_text(code.replace("WAITING", waiting))
+        done = run_shell(f"{sys.executable} {tmp_path}/a.py --version")
+        assert done.returncode == 0
+        assert done.stdout.splitlines()[-1] == "at last"
+    profile = tmp_path / "profile"
+    run_shell(f"{sys.executable} -m cProfile -o {profile} -m mechc --version")
+    assert profile.stat().st_size > 0
+
+
+def test_a_command_inside_another_program_leaves_its_garbage_collector_alone():
+    before = gc.get_threshold()
+    assert main(["explain", "E101"]) == 0
+    assert gc.get_threshold() == before

@@ -5,6 +5,6 @@ description is wrong, 2 the command line is, 3 a file or the environment, 4 a li
 70 mechc itself.
 """
 
-from .main import main
+from .main import console, main
 
-__all__ = ["main"]
+__all__ = ["console", "main"]

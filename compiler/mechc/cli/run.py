@@ -1,6 +1,5 @@
 """From a command line to an exit status, whatever happens on the way."""
 
-import gc
 import os
 import sys
 from collections.abc import Sequence
@@ -17,17 +16,12 @@ from .commands import mechc
 from .keeping import keep
 from .session import ENVIRONMENT, INTERNAL
 
-PATIENT = 50_000
-"""Objects between two searches for garbage: a command ends before much can gather, and
-searching every 700 objects takes a twelfth of its time."""
-
 
 def run(arguments: Sequence[str] | None = None, asked: bytes = b"") -> int:
     """Run one command and return its exit status; KeyboardInterrupt where it is interrupted.
 
     The answer to what is ``asked`` is kept for the next time.
     """
-    gc.set_threshold(PATIENT)
     terminal.prepare()
     try:
         return _answered(arguments, asked) if asked else _status(arguments)
